@@ -46,7 +46,7 @@ constexpr int k_LeastOfSoft = 16;
 bool ThrowsShadows(const Light& light)
 {
     return light.type != LightType::Directional && light.shadows != LightShadows::None &&
-           light.shadowStrength > 0.0f;
+           light.shadowStrength > 0.0f && GivesLight(light);
 }
 
 /// Rows that show such shadows, by class.

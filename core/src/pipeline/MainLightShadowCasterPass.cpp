@@ -125,7 +125,8 @@ bool MainLightShadowCasterPass::Setup(const RenderingData& renderingData)
     const ShadowSettings& settings = renderingData.shadowSettings;
     const Scene* scene = renderingData.scene;
     if (scene == nullptr || scene->mainLight.shadows == LightShadows::None ||
-        !settings.mainLightShadowsSupported || scene->mainLight.shadowStrength <= 0.0f)
+        !settings.mainLightShadowsSupported || scene->mainLight.shadowStrength <= 0.0f ||
+        !GivesLight(scene->mainLight))
     {
         m_ShadowMap = {};
         return false;

@@ -46,4 +46,13 @@ glm::vec2 FadeScaleAndBias(double distance, double border);
 void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
                        const CullingResults& plain, const CullingResults& twoSided);
 
+/// Whether a light is any: shadows of one that is black, or has no intensity, show nowhere. Unity
+/// does not list such lights among the visible ones.
+template <typename AnyLight>
+bool GivesLight(const AnyLight& light)
+{
+    const Color& color = light.color;
+    return light.intensity != 0.0f && (color.r != 0.0f || color.g != 0.0f || color.b != 0.0f);
+}
+
 } // namespace limn

@@ -13,8 +13,13 @@ namespace limn
 /// The shader of materials that name none.
 inline constexpr const char* k_DefaultShader = "Universal Render Pipeline/Lit";
 
-/// Null for a material whose own description is wrong, which is reported there.
-using MaterialMap = std::map<std::string, std::shared_ptr<const Material>, std::less<>>;
+/// A material of the scene file, read once something names it.
+struct SceneMaterial
+{
+    const YamlNode* node;
+    bool isRead = false;
+    std::shared_ptr<const Material> material; ///< null where its description is wrong
+};
 
 /// What the readers of a scene file's parts share.
 struct SceneLoader
@@ -22,7 +27,7 @@ struct SceneLoader
     AssetDiagnostics& diagnostics;
     References& references;
     SceneAsset& asset;
-    MaterialMap materials;
+    std::map<std::string, SceneMaterial, std::less<>> materials = {};
     std::shared_ptr<const Material> defaultMaterial; ///< of objects without one; made when needed
     /// By the id of the mesh that they were baked for: objects of one mesh go on sharing one.
     std::map<std::uint64_t, std::shared_ptr<const Mesh>> outlineMeshes = {};
@@ -37,7 +42,10 @@ void ReadLight(const YamlNode& node, SceneLoader& loader);
 void ReadLights(const YamlNode& node, SceneLoader& loader);
 void ReadRenderer(const YamlNode& node, SceneLoader& loader); ///< needs layers and materials
 void ReadVolumes(const YamlNode& node, SceneLoader& loader);
+/// Finds the materials; each is read by whoever names it first.
 void ReadMaterials(const YamlNode& node, SceneLoader& loader);
+/// Reads the materials that nothing has named, for their errors; their pictures are not decoded.
+void CheckUnusedMaterials(SceneLoader& loader);
 /// One of the scene's materials by name; null, with an error, if there is none or it is wrong.
 std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
                                                  SceneLoader& loader);

@@ -152,9 +152,21 @@ void ReadMaterials(const YamlNode& node, SceneLoader& loader)
     }
     for (const YamlEntry& entry : node.entries())
     {
-        loader.materials.emplace(
-            entry.key, ReadMaterial(entry.key, entry.value, loader.references, loader.diagnostics));
+        loader.materials.emplace(entry.key, SceneMaterial{&entry.value});
     }
+}
+
+void CheckUnusedMaterials(SceneLoader& loader)
+{
+    loader.references.decodesPictures = false;
+    for (const auto& [name, material] : loader.materials)
+    {
+        if (!material.isRead)
+        {
+            ReadMaterial(name, *material.node, loader.references, loader.diagnostics);
+        }
+    }
+    loader.references.decodesPictures = true;
 }
 
 std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
@@ -164,7 +176,14 @@ std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std
     const auto found = name ? loader.materials.find(*name) : loader.materials.end();
     if (found != loader.materials.end())
     {
-        return found->second;
+        SceneMaterial& material = found->second;
+        if (!material.isRead)
+        {
+            material.isRead = true;
+            material.material =
+                ReadMaterial(*name, *material.node, loader.references, loader.diagnostics);
+        }
+        return material.material;
     }
     if (name)
     {

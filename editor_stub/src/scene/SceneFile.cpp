@@ -149,6 +149,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     }
     ReadPart(map, "volumes", loader, ReadVolumes);
     ReadPart(map, "objects", loader, ReadObjects);
+    CheckUnusedMaterials(loader);
     map.Finish();
 }
 

@@ -1,5 +1,7 @@
 #include "scene/MaterialReader.h"
 
+#include <array>
+#include <fstream>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
 #include <limn/volume/YamlMapReader.h>
@@ -35,12 +37,25 @@ std::string ExpectedFor(TextureDimension dimension)
     return "the path of a .png file";
 }
 
+bool BeginsAsPng(const std::filesystem::path& path)
+{
+    constexpr std::string_view k_Signature = "\x89PNG\r\n\x1A\n";
+    std::array<char, k_Signature.size()> begin{};
+    return std::ifstream(path, std::ios::binary).read(begin.data(), begin.size()) &&
+           std::string_view(begin.data(), begin.size()) == k_Signature;
+}
+
 std::shared_ptr<const Texture2D> ReadPicture(const YamlNode& node, const std::string& subject,
                                              References& references)
 {
     return references.Read(node, subject,
                            [&references](const std::filesystem::path& path)
-                           { return references.assets().LoadTexture(path); });
+                           {
+                               return references.decodesPictures || !BeginsAsPng(path)
+                                          ? references.assets().LoadTexture(path)
+                                          : std::dynamic_pointer_cast<const Texture2D>(
+                                                DefaultTexture("white"));
+                           });
 }
 
 /// Whether there can be that many; an error says it otherwise.

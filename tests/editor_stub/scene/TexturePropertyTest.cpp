@@ -218,18 +218,42 @@ TEST_F(TextureProperty, OfSlicesThatTakeTooMuchMemoryIsRefusedBeforeTheyAreDecod
 TEST_F(TextureProperty, ThatMakesAllPicturesTakeTooMuchMemoryIsRefusedBeforeItIsDecoded)
 {
     std::string materials;
+    std::string objects;
     for (int i = 0; i < 17; ++i)
     {
         const std::string name = "vast" + std::to_string(10 + i);
         WriteVastPicture(name + ".png");
         materials += "  " + name + ": {shader: own.shader, _Map: " + name + ".png}\n";
+        objects += "  - {name: " + name + ", mesh: cube, material: " + name + "}\n";
     }
-    const Lines problems = folder.ProblemsOf("camera: {}\nmaterials:\n" + materials);
+    const Lines problems =
+        folder.ProblemsOf("camera: {}\nmaterials:\n" + materials + "objects:\n" + objects);
     const std::string tooMuch = "its texels take 256 MiB, which makes 4352 MiB of all pictures "
                                 "together; at most 4096 MiB are loaded; use smaller ones";
     EXPECT_EQ(1, std::ranges::count_if(problems, [&](const std::string& problem)
                                        { return problem.ends_with(tooMuch); }));
     EXPECT_THAT(problems.back(), testing::EndsWith(tooMuch)); // the last one's
+}
+
+TEST_F(TextureProperty, OfAMaterialThatNothingNamesIsCheckedAndNotDecoded)
+{
+    folder.Write("torn.png", "\x89PNG\r\n\x1A\n and no more");
+    folder.Write("text.png", "no picture");
+    const auto problems = [&](const std::string& property, const std::string& used)
+    {
+        return folder.ProblemsOf("camera: {}\nmaterials:\n  plain: {}\n  other: {shader: "
+                                 "own.shader, " +
+                                 property + "}\nobjects: [{name: a, mesh: cube, material: " + used +
+                                 "}]\n");
+    };
+    EXPECT_EQ(Lines(), problems("_Map: torn.png", "plain"));
+    EXPECT_EQ(Lines(), problems("_Sky: {faces: [torn.png, torn.png, torn.png, torn.png, torn.png, "
+                                "torn.png]}",
+                                "plain"));
+    EXPECT_NE(Lines(), problems("_Map: torn.png", "other"));
+    EXPECT_NE(Lines(), problems("_Map: text.png", "plain"));
+    EXPECT_NE(Lines(), problems("_Map: none.png", "plain"));
+    EXPECT_NE(Lines(), problems("_Mop: white", "plain"));
 }
 
 } // namespace limn::test

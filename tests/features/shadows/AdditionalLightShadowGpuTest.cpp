@@ -1,6 +1,7 @@
 #include "features/shadows/ShadowScene.h"
 
 #include <gmock/gmock.h>
+#include <utility>
 
 namespace limn::test
 {
@@ -405,6 +406,9 @@ TEST_F(AdditionalLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
     light.shadowStrength = 0.0f;
     EXPECT_EQ(CountDifferent(without, expectNone("they have no strength")), 0);
     light.shadowStrength = 1.0f;
+    const float intensity = std::exchange(light.intensity, 0.0f);
+    expectNone("the light has no intensity");
+    light.intensity = intensity;
     m_Pipeline.shadows.additionalLightShadowsSupported = false;
     EXPECT_EQ(CountDifferent(without, expectNone("the pipeline has none")), 0);
     m_Pipeline.shadows.additionalLightShadowsSupported = true;

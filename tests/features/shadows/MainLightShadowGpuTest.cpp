@@ -274,6 +274,13 @@ TEST_F(MainLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
     m_Pipeline.shadows.mainLightShadowsSupported = false;
     EXPECT_EQ(CountDifferent(without, expectNone("the pipeline has none")), 0);
     m_Pipeline.shadows.mainLightShadowsSupported = true;
+    const DirectionalLight shining = shadows.scene.mainLight;
+    shadows.scene.mainLight.intensity = 0.0f;
+    expectNone("the light has no intensity");
+    shadows.scene.mainLight = shining;
+    shadows.scene.mainLight.color = Color::black;
+    expectNone("the light is black");
+    shadows.scene.mainLight = shining;
     m_Pipeline.shadows.shadowDistance = 0.1f;
     EXPECT_EQ(CountDifferent(without, expectNone("they end before the near plane")), 0);
     m_Pipeline.shadows.shadowDistance = k_Distance;
