@@ -160,11 +160,17 @@ Json ToJson(const Explanation& explanation)
         leftOut.push_back(
             {{"pass", item.pass}, {"reason", item.reason}, {"targets", item.targets}});
     }
+    Json idleVolumes = Json::array();
+    for (const ExplainedIdleVolume& volume : explanation.idleVolumes)
+    {
+        idleVolumes.push_back({{"name", volume.name}, {"why", volume.why}});
+    }
     const ExplainedTrigger& trigger = explanation.trigger;
     return {{"trigger",
              {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
               {"volumeLayerMask", trigger.volumeLayerMask.bits}}},
             {"volumes", ToJson(explanation.volumes)},
+            {"idleVolumes", idleVolumes},
             {"passes", passes},
             {"leftOut", leftOut},
             {"frame", ToJson(explanation.frame)},

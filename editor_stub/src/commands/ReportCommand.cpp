@@ -309,6 +309,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     SceneAsset scene = LoadForRendering(render, assets);
     console.Print(scene.notes);
     MarkOutlined(scene); // so that a scene without an outline is refused at once
+    RequireOutlineInPicture(scene);
     console.Verbose(device.ChoiceSentence());
 
     StudyOptions studyOptions;

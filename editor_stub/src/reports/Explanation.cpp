@@ -33,6 +33,21 @@ VolumeTrace TraceVolumes(const SceneAsset& asset, const AssetContext& assets)
     return manager.Trace(TriggerOf(asset.camera).position, asset.camera.volumeLayerMask);
 }
 
+std::vector<ExplainedIdleVolume> FindIdleVolumes(const SceneAsset& asset)
+{
+    std::vector<ExplainedIdleVolume> idle;
+    for (const Volume& volume : asset.volumes)
+    {
+        const std::string why =
+            WhyIdle(volume, TriggerOf(asset.camera).position, asset.camera.volumeLayerMask);
+        if (!why.empty())
+        {
+            idle.push_back({volume.name, why});
+        }
+    }
+    return idle;
+}
+
 /// Why culling left an object out.
 std::string AbsenceOf(const GameObject& object, const Camera& camera)
 {
@@ -131,6 +146,7 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     CompileUsedShaders(asset);
     Explanation explanation;
     explanation.volumes = TraceVolumes(asset, assets);
+    explanation.idleVolumes = FindIdleVolumes(asset);
     explanation.trigger = TriggerOf(asset.camera);
 
     const Camera camera = asset.camera;

@@ -26,6 +26,13 @@ struct ExplainedObject
     std::vector<ExplainedDraw> draws;
 };
 
+/// A volume that changes nothing for the camera.
+struct ExplainedIdleVolume
+{
+    std::string name;
+    std::string why; ///< see WhyIdle
+};
+
 /// Where the camera asks for volumes.
 struct ExplainedTrigger
 {
@@ -50,6 +57,7 @@ struct ExplainedVariant
 struct Explanation
 {
     VolumeTrace volumes;
+    std::vector<ExplainedIdleVolume> idleVolumes; ///< scene order
     RenderReport report;
     ExplainedTrigger trigger;
     ExplainedFrame frame;                   ///< as the device runs it

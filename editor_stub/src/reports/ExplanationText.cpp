@@ -176,7 +176,13 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
             lines.push_back(StepText(parameter, step));
         }
     }
+    ReportLines idle;
+    for (const ExplainedIdleVolume& volume : explanation.idleVolumes)
+    {
+        idle.push_back(OneLine(volume.name) + ": " + volume.why);
+    }
     return Section("the camera takes volumes at", {TriggerText(explanation.trigger)}) +
+           Section("volumes that change nothing", idle, isLong ? idle.size() : k_ListedLines) +
            Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
 }
 

@@ -135,6 +135,12 @@ void ReadPlace(SceneMapReader& map, Volume& volume, const std::string& subject, 
             ReadCollider(item, list + "[" + std::to_string(index++) + "]", volume, loader);
         }
     }
+    if (volume.isGlobal && !volume.colliders.empty())
+    {
+        diagnostics.Note(map.node().location(),
+                         subject + ": is global, so its colliders count for nothing; "
+                                   "'isGlobal: false' limits it to them");
+    }
     if (!volume.isGlobal && volume.colliders.empty())
     {
         diagnostics.Note(map.node().location(),

@@ -188,7 +188,10 @@ void MakeBlack(SceneAsset& asset, AssetContext& assets)
     }
 }
 
-Silhouette OutlinedSilhouette(const SceneAsset& asset)
+namespace
+{
+
+ScreenTriangles OutlinedTriangles(const SceneAsset& asset)
 {
     ScreenTriangles triangles;
     for (const auto& object : asset.scene.objects())
@@ -200,7 +203,31 @@ Silhouette OutlinedSilhouette(const SceneAsset& asset)
             triangles.insert(triangles.end(), part.begin(), part.end());
         }
     }
-    return Silhouette(triangles);
+    return triangles;
+}
+
+} // namespace
+
+void RequireOutlineInPicture(const SceneAsset& asset)
+{
+    const glm::dvec2 picture(asset.width, asset.height);
+    for (const auto& [a, b, c] : OutlinedTriangles(asset))
+    {
+        const glm::dvec2 low = glm::min(glm::min(a, b), c);
+        const glm::dvec2 high = glm::max(glm::max(a, b), c);
+        if (high.x > 0.0 && high.y > 0.0 && low.x < picture.x && low.y < picture.y)
+        {
+            return;
+        }
+    }
+    throw AssetError(asset.path.string(), {},
+                     "none of the objects that it outlines is in the camera's view; move the "
+                     "camera or the objects");
+}
+
+Silhouette OutlinedSilhouette(const SceneAsset& asset)
+{
+    return Silhouette(OutlinedTriangles(asset));
 }
 
 } // namespace limn::study

@@ -25,6 +25,9 @@ GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenT
 /// @throws AssetError if there is no such feature, or it takes no object
 std::vector<GameObject*> MarkOutlined(SceneAsset& asset);
 
+/// @throws AssetError if nothing in the rendering layer k_OutlinedLayer is in the picture
+void RequireOutlineInPicture(const SceneAsset& asset);
+
 /// Makes everything black, lit by nothing, before a black background, so that a white outline is
 /// its own alpha. The picture gets the size that the camera draws in, which renderScale may make
 /// another than the scene's; cameras that draw over this one are left out.

@@ -160,7 +160,12 @@ TEST_F(ExplainCommand, TellsWhereTheCameraTakesVolumes)
     EXPECT_EQ(nlohmann::json::parse("[1, 2, 3]"), json.at("trigger").at("position"));
     EXPECT_EQ(17, json.at("trigger").at("volumeLayerMask"));
     const std::string none = "camera: {volumeLayerMask: Nothing}";
-    EXPECT_THAT(Explain({}, none).out, HasSubstr("its own position; no layer\n"));
+    EXPECT_THAT(Explain({}, none).out,
+                HasSubstr("its own position; no layer\n"
+                          "volumes that change nothing:\n"
+                          "  Placement: its layer, 0, is not among the camera's volume layers\n"));
+    const auto idle = nlohmann::json::parse(Explain({"--json"}, none).out).at("idleVolumes");
+    EXPECT_EQ("Placement", idle.at(0).at("name"));
 }
 
 TEST_F(ExplainCommand, ListsThePassesOfShadersWithTheirKeywordsAndEveryTextureUsed)

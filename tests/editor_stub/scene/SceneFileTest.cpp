@@ -461,6 +461,17 @@ TEST(SceneFile, AVolumeHasItsProfileAndPlace)
     EXPECT_EQ(glm::vec3(2, 3, 4), std::get<BoxCollider>(volume.colliders[0]).size);
 }
 
+TEST(SceneFile, AGlobalVolumeWithCollidersIsNoted)
+{
+    SceneFolder folder;
+    const SceneAsset asset =
+        folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, colliders: [{}]}]\n");
+    EXPECT_EQ((std::vector<std::string>{
+                  "2:11: volumes[0]: is global, so its colliders count for nothing; 'isGlobal: "
+                  "false' limits it to them"}),
+              Texts(asset.notes));
+}
+
 TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)
 {
     SceneFolder folder;

@@ -109,6 +109,13 @@ TEST_F(ReportGpu, RefusesWhatItCannotMeasure)
     const CommandRun bare = RunCommand({"report", "bare.scene.yaml", "-o", "r"});
     EXPECT_EQ(bare.exitCode, 1);
     EXPECT_THAT(bare.err, HasSubstr("no active feature outlines anything"));
+    const std::string away = std::string(k_Scene).replace(
+        std::string(k_Scene).find("lookAt: [0, 0"), 13, "lookAt: [0, 9");
+    m_Working.folder.Write("away.scene.yaml", away);
+    const CommandRun unseen = RunCommand({"report", "away.scene.yaml", "-o", "r"});
+    EXPECT_EQ(unseen.exitCode, 1);
+    EXPECT_THAT(unseen.err,
+                HasSubstr("none of the objects that it outlines is in the camera's view"));
     EXPECT_FALSE(std::filesystem::exists("r"));
     EXPECT_EQ(RunCommand({"report", "a", "b", "-o", "r"}).exitCode, 2);
 }

@@ -47,6 +47,31 @@ protected:
     Volume m_Volume;
 };
 
+TEST_F(LocalVolume, SaysWhyItChangesNothing)
+{
+    const auto why = [&](const glm::vec3& trigger, LayerMask layers = LayerMask::Everything())
+    { return WhyIdle(m_Volume, trigger, layers); };
+    EXPECT_EQ("", why({5.0f, 0.0f, 0.0f}));
+    EXPECT_EQ("the camera is 21 m outside of its colliders, and it fades within 4 m",
+              why({22.0f, 0.0f, 0.0f}));
+    m_Volume.layer = 9;
+    EXPECT_EQ("its layer, 9, is not among the camera's volume layers",
+              why(glm::vec3(0.0f), LayerMask::FromIndex(0)));
+    m_Volume.weight = 0.0f;
+    EXPECT_EQ("its weight is 0", why(glm::vec3(0.0f)));
+    m_Volume.weight = 1.0f;
+    Box(0).enabled = false;
+    EXPECT_EQ("it is not global, and it has no collider that is on", why(glm::vec3(0.0f)));
+    m_Volume.isGlobal = true;
+    EXPECT_EQ("", why(glm::vec3(0.0f)));
+    m_Volume.sharedProfile = std::make_shared<VolumeProfile>();
+    EXPECT_EQ("no component of its profile is active", why(glm::vec3(0.0f)));
+    m_Volume.sharedProfile = nullptr;
+    EXPECT_EQ("it has no profile", why(glm::vec3(0.0f)));
+    m_Volume.enabled = false;
+    EXPECT_EQ("it is off", why(glm::vec3(0.0f)));
+}
+
 TEST_F(LocalVolume, FadesWithTheSquareOfTheDistance)
 {
     EXPECT_EQ(NumberAt({0.0f, 0.0f, 0.0f}), 10.0f);

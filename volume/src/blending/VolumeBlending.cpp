@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iomanip>
 #include <limits>
+#include <limn/volume/VolumeTrace.h>
+#include <sstream>
 
 namespace limn
 {
@@ -61,6 +64,52 @@ std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
     const double fade = blend2 > 0.0 ? 1.0 - distance2 / blend2 : 1.0;
     return VolumeInfluence{static_cast<float>(fade * static_cast<double>(weight)), weight,
                            distance2};
+}
+
+std::string WhyIdle(const Volume& volume, const std::optional<glm::vec3>& trigger,
+                    LayerMask layerMask)
+{
+    std::ostringstream why;
+    if (!volume.enabled)
+    {
+        why << "it is off";
+    }
+    else if (!LayerMask::FromIndex(volume.layer).Intersects(layerMask))
+    {
+        why << "its layer, " << volume.layer << ", is not among the camera's volume layers";
+    }
+    else if (!volume.profileRef())
+    {
+        why << "it has no profile";
+    }
+    else if (std::ranges::none_of(volume.profileRef()->components(),
+                                  [](const auto& component) { return component->active; }))
+    {
+        why << "no component of its profile is active";
+    }
+    else if (!InfluenceOf(volume, trigger))
+    {
+        const double distance = trigger ? std::sqrt(SquaredDistance(volume, *trigger)) : 0.0;
+        if (!(volume.weight > 0.0f))
+        {
+            why << "its weight is " << volume.weight;
+        }
+        else if (std::isinf(distance))
+        {
+            why << "it is not global, and it has no collider that is on";
+        }
+        else if (!trigger)
+        {
+            why << "it is not global, and nothing says where the camera takes volumes";
+        }
+        else
+        {
+            why << "the camera is " << std::setprecision(3) << distance
+                << " m outside of its colliders, and it fades within " << volume.blendDistance
+                << " m";
+        }
+    }
+    return why.str();
 }
 
 } // namespace limn

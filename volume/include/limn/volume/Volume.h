@@ -69,13 +69,15 @@ private:
 /// every Update. Unity: UnityEngine.Rendering.Volume (URP 14).
 struct Volume : detail::VolumePlace
 {
-    std::string name;           ///< for people
-    bool enabled = true;        ///< of the component and its GameObject together
-    bool isGlobal = true;       ///< true: applies everywhere, colliders and blendDistance ignored
-    float priority = 0.0f;      ///< higher is applied later and wins
-    float blendDistance = 0.0f; ///< metres outside the colliders where the effect fades; >= 0
-    float weight = 1.0f;        ///< of the whole volume; used clamped to [0, 1]
-    int layer = 0;              ///< 0...31; the camera's volume layer mask must have it
+    std::string name;      ///< for people
+    bool enabled = true;   ///< of the component and its GameObject together
+    bool isGlobal = true;  ///< true: applies everywhere, colliders and blendDistance ignored
+    float priority = 0.0f; ///< higher is applied later and wins
+    /// Metres outside the colliders where the effect fades, >= 0: with the square of the distance,
+    /// so that half-way out three quarters of it are left.
+    float blendDistance = 0.0f;
+    float weight = 1.0f; ///< of the whole volume; used clamped to [0, 1]
+    int layer = 0;       ///< 0...31; the camera's volume layer mask must have it
     std::shared_ptr<const VolumeProfile> sharedProfile; ///< null: the volume does nothing
 
     glm::vec3 position{0.0f};        ///< world, metres

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limn/core/LayerMask.h>
+#include <limn/volume/Volume.h>
 #include <limn/volume/VolumeComponentTrace.h>
 #include <memory>
 #include <optional>
@@ -49,5 +51,12 @@ struct VolumeTrace
     /// Null for a parameter that no volume overrides. @param parameter  its serialised name
     const VolumeParameterTrace* Find(std::string_view component, std::string_view parameter) const;
 };
+
+/// Why a volume has no part in what a camera takes; "" if it has one. A phrase behind the volume's
+/// name: "the camera is 21 m outside of its colliders, and it fades within 4 m". The rules are
+/// those of VolumeManager::Update. No counterpart in Unity.
+/// @param trigger, layerMask  as for VolumeManager::Update
+std::string WhyIdle(const Volume& volume, const std::optional<glm::vec3>& trigger,
+                    LayerMask layerMask);
 
 } // namespace limn
