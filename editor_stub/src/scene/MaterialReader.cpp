@@ -152,7 +152,7 @@ void ReadMaterials(const YamlNode& node, SceneLoader& loader)
     }
     for (const YamlEntry& entry : node.entries())
     {
-        loader.materials.emplace(entry.key, SceneMaterial{&entry.value});
+        loader.materials.emplace(entry.key, SceneMaterial{&entry.value, false, nullptr});
     }
 }
 

@@ -41,7 +41,9 @@ bool BeginsAsPng(const std::filesystem::path& path)
 {
     constexpr std::string_view k_Signature = "\x89PNG\r\n\x1A\n";
     std::array<char, k_Signature.size()> begin{};
-    return std::ifstream(path, std::ios::binary).read(begin.data(), begin.size()) &&
+    std::error_code error; // of a pipe the opening would wait
+    return std::filesystem::is_regular_file(path, error) &&
+           std::ifstream(path, std::ios::binary).read(begin.data(), begin.size()) &&
            std::string_view(begin.data(), begin.size()) == k_Signature;
 }
 

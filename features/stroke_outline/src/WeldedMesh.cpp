@@ -50,8 +50,10 @@ void LeaveOutDoubles(std::vector<WeldedMesh::Face>& faces)
         return sorted;
     };
     std::ranges::stable_sort(faces, {}, corners);
-    const auto doubles = std::ranges::unique(faces, {}, corners);
-    faces.erase(doubles.begin(), doubles.end());
+    const auto doubles = std::unique(faces.begin(), faces.end(), // Clang 14 has not that of ranges
+                                     [&](const WeldedMesh::Face& a, const WeldedMesh::Face& b)
+                                     { return corners(a) == corners(b); });
+    faces.erase(doubles, faces.end());
 }
 
 std::vector<WeldedMesh::Side> SidesOf(const std::vector<WeldedMesh::Face>& faces)

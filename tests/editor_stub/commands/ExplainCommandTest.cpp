@@ -160,11 +160,20 @@ TEST_F(ExplainCommand, TellsWhereTheCameraTakesVolumes)
     EXPECT_EQ(nlohmann::json::parse("[1, 2, 3]"), json.at("trigger").at("position"));
     EXPECT_EQ(17, json.at("trigger").at("volumeLayerMask"));
     const std::string none = "camera: {volumeLayerMask: Nothing}";
-    EXPECT_THAT(Explain({}, none).out,
-                HasSubstr("its own position; no layer\n"
-                          "volumes that change nothing:\n"
-                          "  Placement: its layer, 0, is not among the camera's volume layers\n"));
-    const auto idle = nlohmann::json::parse(Explain({"--json"}, none).out).at("idleVolumes");
+    EXPECT_THAT(Explain({}, none).out, HasSubstr("its own position; no layer\n"));
+}
+
+TEST_F(ExplainCommand, TellsWhyAVolumeChangesNothing)
+{
+    m_Folder.Write("idle.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");
+    const std::string scene = "camera: {}\nvolumes:\n"
+                              "  - {name: Placement, profile: idle.profile.yaml, weight: 0}\n"
+                              "  - {name: All, profile: idle.profile.yaml}\n";
+    EXPECT_THAT(Explain({}, scene).out, HasSubstr("volumes that change nothing:\n"
+                                                  "  Placement: its weight is 0\n"
+                                                  "volume values:\n"));
+    const auto idle = nlohmann::json::parse(Explain({"--json"}, scene).out).at("idleVolumes");
+    ASSERT_EQ(1u, idle.size());
     EXPECT_EQ("Placement", idle.at(0).at("name"));
 }
 

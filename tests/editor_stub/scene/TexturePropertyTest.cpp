@@ -241,10 +241,17 @@ TEST_F(TextureProperty, OfAMaterialThatNothingNamesIsCheckedAndNotDecoded)
     folder.Write("text.png", "no picture");
     const auto problems = [&](const std::string& property, const std::string& used)
     {
-        return folder.ProblemsOf("camera: {}\nmaterials:\n  plain: {}\n  other: {shader: "
-                                 "own.shader, " +
-                                 property + "}\nobjects: [{name: a, mesh: cube, material: " + used +
-                                 "}]\n");
+        std::vector<std::string> found;
+        try
+        {
+            folder.Load("camera: {}\nmaterials:\n  plain: {}\n  other: {shader: own.shader, " +
+                        property + "}\nobjects: [{name: a, mesh: cube, material: " + used + "}]\n");
+        }
+        catch (const AssetError& error)
+        {
+            found = Texts(error.diagnostics());
+        }
+        return found;
     };
     EXPECT_EQ(Lines(), problems("_Map: torn.png", "plain"));
     EXPECT_EQ(Lines(), problems("_Sky: {faces: [torn.png, torn.png, torn.png, torn.png, torn.png, "
