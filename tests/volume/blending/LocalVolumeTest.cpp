@@ -50,7 +50,9 @@ protected:
 TEST_F(LocalVolume, SaysWhyItChangesNothing)
 {
     const auto why = [&](const glm::vec3& trigger, LayerMask layers = LayerMask::Everything())
-    { return WhyIdle(m_Volume, trigger, layers); };
+    {
+        return WhyIdle(m_Volume, trigger, layers);
+    };
     EXPECT_EQ("", why({5.0f, 0.0f, 0.0f}));
     EXPECT_EQ("the camera is 21 m outside of its colliders, and it fades within 4 m",
               why({22.0f, 0.0f, 0.0f}));
