@@ -126,6 +126,7 @@ TEST_F(LightDataOfAFrame, HasThoseThatReachIntoTheViewInTheirOrder)
     EXPECT_EQ(glm::dvec3(seen.lights[0].localToWorldMatrix[3]), glm::dvec3(1, 0, 5));
     EXPECT_EQ(seen.lights[1].light, &m_Scene.additionalLights[3]);
     EXPECT_EQ(seen.lights[1].range, 0.0f) << "without end";
+    EXPECT_EQ(seen.lights[1].spotAngle, 0.0f) << "no cone";
     EXPECT_EQ(seen.lights[1].finalColor.r, 3.0f);
 }
 
