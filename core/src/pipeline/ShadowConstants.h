@@ -46,7 +46,7 @@ glm::vec2 FadeScaleAndBias(double distance, double border);
 void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
                        const CullingResults& plain, const CullingResults& twoSided);
 
-/// Whether a light is any: shadows of one that is black, or has no intensity, show nowhere. Unity
+/// Returns whether a light lights: shadows of one that is black or of no intensity show not. Unity
 /// does not list such lights among the visible ones.
 template <typename AnyLight>
 bool GivesLight(const AnyLight& light)

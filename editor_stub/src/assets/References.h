@@ -69,7 +69,7 @@ public:
 
     AssetContext& assets() { return m_Assets; }
 
-    /// Whether pictures are decoded. If not, a file that begins as a PNG file does counts as right,
+    /// It says whether pictures are decoded. If not, a file that begins as a PNG file is right,
     /// and a stand-in of one texel is what is read.
     bool decodesPictures = true;
 

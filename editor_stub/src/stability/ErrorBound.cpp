@@ -80,7 +80,7 @@ std::optional<double> StatedBound(const std::string& name, const ExtremeCase& ex
     {
         return std::max(StrokesBound(width), DistancesBound(width, shape.thickness));
     }
-    // What follows culls by the way triangles go round, and its READMEs speak of whole silhouettes.
+    // The techniques below cull by the way triangles go round; their READMEs mean whole outlines.
     const Untidiness mesh = extreme.untidiness;
     if (mesh == Untidiness::TurnedAtRandom || mesh == Untidiness::Soup || mesh == Untidiness::Open)
     {

@@ -75,7 +75,7 @@ FilteringSettings FilterOf(SceneAsset& asset)
                      "m_LayerMask and m_RenderingLayerMask says so");
 }
 
-/// Whether the camera would draw it if it were in front of it.
+/// Returns whether the camera would draw the object if it were in front of it.
 bool IsDrawn(const GameObject& object, const Camera& camera)
 {
     return object.activeSelf && object.renderer && object.renderer->enabled &&

@@ -8,7 +8,7 @@
 namespace limn::study
 {
 
-/// What real meshes are like that nobody tidied: all but the last two look as the tidy one does.
+/// These are faults of real meshes. All but the last two leave the look of the tidy mesh.
 enum class Untidiness
 {
     None,

@@ -45,10 +45,10 @@ struct ShaderCompilerOptions
     /// Bytes that the entries of the cache folder may take; those not used for longest are removed
     /// when there are more. 0 = no limit.
     std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
-    /// Where passes are compiled; null = in this process, which a crash of the HLSL compiler ends
-    /// then. Several compilers may share it.
+    /// This process compiles passes. If it is null, the caller's own does, and a crash of the HLSL
+    /// compiler ends it. Several compilers may share one.
     std::shared_ptr<CompilerProcess> process = nullptr;
-    /// What the compilation of a pass in `process` may take.
+    /// The compilation of a pass in `process` may take so long.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
     /// Whether depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and UNITY_NEAR_CLIP_VALUE is
     /// 1; else the other way round, as on OpenGL, to study precision. The whole pipeline goes by
