@@ -188,8 +188,10 @@ std::string Place(const Comparison& comparison)
 
 std::string Figures(const Standing& standing)
 {
+    const std::string time = Readable(standing.at.milliseconds) + " ms";
+    const bool isLost = standing.at.milliseconds <= standing.timeUncertainty;
     return "mean error " + Readable(standing.at.error) + " for " +
-           Readable(standing.at.milliseconds) + " ms";
+           (isLost ? "a time that this run cannot tell from 0 (" + time + ")" : time);
 }
 
 /// What is better, were there more time.

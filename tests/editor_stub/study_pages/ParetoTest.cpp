@@ -255,6 +255,16 @@ TEST(Recommendation, IsASentenceWithItsFigures)
               Recommend(nothing, 5.0).sentence);
 }
 
+TEST(Recommendation, SaysThatATimeIsLostInTheNoise)
+{
+    study::Study sample = EmptySample();
+    AddTechnique(sample, "Quick");
+    AddPoint(sample, "Quick", 4.0, -0.25, 0.1);
+    EXPECT_THAT(Recommend(Compare(sample), k_Infinity).sentence,
+                HasSubstr("take Quick: mean error 0.1 for a time that this run cannot tell from 0 "
+                          "(-0.25 ms) (4 px wide"));
+}
+
 TEST(Recommendation, OfEqualErrorsIsTheQuickest)
 {
     study::Study sample = EmptySample();
