@@ -49,11 +49,13 @@ Json ToJson(const std::vector<ExplainedObject>& objects)
         Json draws = Json::array();
         for (const ExplainedDraw& draw : object.draws)
         {
-            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            const bool isTaken = draw.verdict == FilterVerdict::Drawn;
             draws.push_back({{"pass", draw.pass},
                              {"material", draw.material},
-                             {"drawn", isDrawn},
-                             {"rule", isDrawn ? Json() : Json(ToString(draw.verdict))}});
+                             {"drawn", draw.isDrawn()},
+                             {"rule", draw.isDrawn() ? Json()
+                                      : isTaken      ? Json(draw.obstacle)
+                                                     : Json(ToString(draw.verdict))}});
         }
         all.push_back({{"name", object.name},
                        {"absence", object.absence.empty() ? Json() : Json(object.absence)},
@@ -165,6 +167,11 @@ Json ToJson(const Explanation& explanation)
     {
         idleVolumes.push_back({{"name", volume.name}, {"why", volume.why}});
     }
+    Json idleFeatures = Json::array();
+    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
+    {
+        idleFeatures.push_back({{"name", feature.name}, {"why", feature.why}});
+    }
     const ExplainedTrigger& trigger = explanation.trigger;
     return {{"trigger",
              {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
@@ -172,6 +179,7 @@ Json ToJson(const Explanation& explanation)
             {"volumes", ToJson(explanation.volumes)},
             {"idleVolumes", idleVolumes},
             {"passes", passes},
+            {"idleFeatures", idleFeatures},
             {"leftOut", leftOut},
             {"frame", ToJson(explanation.frame)},
             {"textures", ToJson(explanation.frame.textures)},

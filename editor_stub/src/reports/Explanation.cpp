@@ -90,8 +90,58 @@ ItemsOfObjects Group(const CullingResults& culled)
     return items;
 }
 
+/// The filters that decide what is drawn. Where a feature has told its own, its DrawRenderers calls
+/// are about objects that it has already chosen.
+std::vector<const DrawRenderersReport*> DecidingFilters(const RenderReport& report)
+{
+    std::vector<const DrawRenderersReport*> filters;
+    for (const DrawRenderersReport& draw : report.draws)
+    {
+        if (draw.feature == DrawRenderersReport::k_NoFeature ||
+            std::ranges::find(report.filters, draw.feature, &DrawRenderersReport::feature) ==
+                report.filters.end())
+        {
+            filters.push_back(&draw);
+        }
+    }
+    for (const DrawRenderersReport& filter : report.filters)
+    {
+        filters.push_back(&filter);
+    }
+    return filters;
+}
+
+/// What a feature said while it added no pass, without its name in front.
+std::string WhyIdle(const RenderReport& report, const FeatureReport& feature)
+{
+    const std::string prefix = feature.name.name() + ": ";
+    std::string why;
+    for (std::size_t i = 0; i < feature.noteCount; ++i)
+    {
+        std::string note = report.notes.at(feature.firstNote + i);
+        note.erase(0, note.starts_with(prefix) ? prefix.size() : 0);
+        why += (why.empty() ? "" : "; ") + note;
+    }
+    return why;
+}
+
+std::vector<ExplainedIdleFeature> FindIdleFeatures(const RenderReport& report)
+{
+    std::vector<ExplainedIdleFeature> idle;
+    for (const FeatureReport& feature : report.features)
+    {
+        if (feature.passes == 0)
+        {
+            idle.push_back({feature.name.name(), WhyIdle(report, feature)});
+        }
+    }
+    return idle;
+}
+
 ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& items,
-                              const RenderReport& report, const Camera& camera)
+                              const RenderReport& report,
+                              const std::vector<const DrawRenderersReport*>& filters,
+                              const Camera& camera)
 {
     ExplainedObject explained{object.name, {}, {}, {}};
     const auto own = items.find(&object);
@@ -102,14 +152,18 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
     }
     for (const RendererItem& item : own->second)
     {
-        for (const DrawRenderersReport& draw : report.draws)
+        for (const DrawRenderersReport* draw : filters)
         {
-            if (IsOfShadows(draw) && object.renderer->shadowCastingMode == ShadowCastingMode::Off)
+            if (IsOfShadows(*draw) && object.renderer->shadowCastingMode == ShadowCastingMode::Off)
             {
                 continue;
             }
-            explained.draws.push_back({draw.pass.name(), item.material->name(),
-                                       Judge(item.filter, draw.filtering, draw.drawing)});
+            const bool isIdle = draw->feature < report.features.size() &&
+                                report.features[draw->feature].passes == 0;
+            explained.draws.push_back(
+                {draw->pass.name(), item.material->name(),
+                 Judge(item.filter, draw->filtering, draw->drawing),
+                 isIdle ? WhyIdle(report, report.features[draw->feature]) : ""});
         }
     }
     return explained;
@@ -169,12 +223,15 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     explanation.variants = VariantsOf(*result.frame);
     const ShaderCompiler::Statistics built = assets.compiler()->statistics();
     explanation.builtVariants = built.compiled + built.loadedFromCache;
+    explanation.idleFeatures = FindIdleFeatures(result.report);
     const ItemsOfObjects items = Group(culled);
+    const std::vector<const DrawRenderersReport*> filters = DecidingFilters(result.report);
     for (const GameObject* object : objects)
     {
         if (object->renderer)
         {
-            explanation.objects.push_back(ExplainObject(*object, items, result.report, camera));
+            explanation.objects.push_back(
+                ExplainObject(*object, items, result.report, filters, camera));
             for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
             {
                 explanation.objects.back().parents.push_back(owners.at(t)->name);
