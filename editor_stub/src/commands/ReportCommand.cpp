@@ -217,6 +217,10 @@ void PrintReport(const ReportFiles& report, Console& console)
     {
         console.Result(file.string());
     }
+    for (const std::string& warning : report.warnings)
+    {
+        console.Warning(warning);
+    }
     console.Line(report.recommendation);
 }
 

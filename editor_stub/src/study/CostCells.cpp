@@ -1,10 +1,9 @@
 #include "study/StudyBench.h"
 
 #include "reports/ExplainedFrame.h"
+#include "study/Statistics.h"
 #include "study/StudyScene.h"
-#include "study_pages/Numbers.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limn/core/Timeline.h>
 
@@ -18,15 +17,11 @@ namespace
 constexpr double k_BytesOfAPixel = 8.0;
 constexpr int k_WarmUpFrames = 3; // the third repeats what the second recorded
 
-/// A picture that is drawn in turn with others, and what its frames took.
+/// A picture that is drawn in turn with others.
 struct Contestant
 {
     std::unique_ptr<StudyPicture> picture;
     RenderResult result;
-    std::vector<double> gpu; ///< milliseconds
-    std::vector<double> cpu;
-    std::vector<double> gpuAdded; ///< to the frame without an outline just before
-    std::vector<double> cpuAdded;
 
     /// Milliseconds of a frame: on the device, and on the CPU up to its submission.
     std::pair<double, double> Draw(VulkanDevice& device)
@@ -48,19 +43,23 @@ struct Contestant
     }
 };
 
-void AddMedian(CellResult& result, const std::string& key, const std::vector<double>& values)
+void AddMedian(CellResult& result, const std::string& key, const Spread& spread)
 {
-    const Spread spread = SpreadOf(values);
     result.values[key] = spread.median;
     result.quartiles[key] = {spread.lower, spread.upper};
 }
 
-/// Half the interval that holds the median of all frames with about 95 %: the notch of a box plot,
-/// of McGill, Tukey and Larsen, "Variations of Box Plots" (1978).
-double UncertaintyOfMedian(const std::vector<double>& values)
+/// Adds what a technique's frames took on the GPU or on the CPU.
+/// @param added  the keys' beginning: "gpuAdded" or "cpuAdded"
+void AddTimes(CellResult& result, const TimeAdded& time, const std::string& frame,
+              const std::string& added)
 {
-    const Spread spread = SpreadOf(values);
-    return 1.57 * (spread.upper - spread.lower) / std::sqrt(static_cast<double>(values.size()));
+    AddMedian(result, frame, time.frame);
+    AddMedian(result, added + "Milliseconds", time.added);
+    if (!std::isnan(time.uncertainty))
+    {
+        result.values[added + "Uncertainty"] = time.uncertainty;
+    }
 }
 
 int DrawsOf(const CompiledFrame& frame)
@@ -76,11 +75,6 @@ int DrawsOf(const CompiledFrame& frame)
 CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& without)
 {
     CellResult result{id, {}, {}, {}, {}};
-    AddMedian(result, "gpuMilliseconds", with.gpu);
-    AddMedian(result, "gpuAddedMilliseconds", with.gpuAdded);
-    result.values["gpuAddedUncertainty"] = UncertaintyOfMedian(with.gpuAdded);
-    AddMedian(result, "cpuRecordMilliseconds", with.cpu);
-    AddMedian(result, "cpuAddedMilliseconds", with.cpuAdded);
     const CompiledFrame& frame = *with.result.frame;
     const CompiledFrame& plain = *without.result.frame;
     const FrameBytes bytes = BytesOf(frame);
@@ -167,18 +161,17 @@ std::vector<CellResult> StudyBench::MeasureCosts(std::span<const CellId> ids, in
             contestant.Draw(m_Device);
         }
     }
-    for (int round = 0; round < rounds; ++round)
+    const std::vector<std::size_t> turns = TurnsOf(drawn.size(), rounds);
+    std::vector<double> gpu;
+    std::vector<double> cpu;
+    for (const std::size_t turn : turns)
     {
-        for (std::size_t i = 1; i < contestants.size(); ++i)
-        {
-            const auto [plainGpu, plainCpu] = contestants.front().Draw(m_Device);
-            const auto [gpu, cpu] = contestants[i].Draw(m_Device);
-            contestants[i].gpu.push_back(gpu);
-            contestants[i].cpu.push_back(cpu);
-            contestants[i].gpuAdded.push_back(gpu - plainGpu);
-            contestants[i].cpuAdded.push_back(cpu - plainCpu);
-        }
+        const auto [gpuTime, cpuTime] = contestants[turn].Draw(m_Device);
+        gpu.push_back(gpuTime);
+        cpu.push_back(cpuTime);
     }
+    const TimesInTurn gpuTimes(turns, gpu);
+    const TimesInTurn cpuTimes(turns, cpu);
     const SceneAsset marked = MakeSubject(ids.front(), false, m_Scene, m_Assets);
     const double pixels = ExactOutlineCoverage(OutlinedSilhouette(marked), {ids.front().width},
                                                marked.width, marked.height, 0)
@@ -186,6 +179,11 @@ std::vector<CellResult> StudyBench::MeasureCosts(std::span<const CellId> ids, in
     for (std::size_t i = 0; i < drawn.size(); ++i)
     {
         CellResult result = ResultOf(drawn[i], contestants[i + 1], contestants.front());
+        AddTimes(result, gpuTimes.AddedBy(i + 1), "gpuMilliseconds", "gpuAdded");
+        AddTimes(result, cpuTimes.AddedBy(i + 1), "cpuRecordMilliseconds", "cpuAdded");
+        result.values["quietMilliseconds"] = gpuTimes.quietTime();
+        result.values["busyMilliseconds"] = gpuTimes.busyTime();
+        result.values["quietPart"] = gpuTimes.quietPart();
         result.values["floorMilliseconds"] = 1000.0 * k_BytesOfAPixel * pixels / copyBandwidth();
         results.push_back(std::move(result));
     }

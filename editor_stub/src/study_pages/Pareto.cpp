@@ -18,6 +18,8 @@ constexpr double k_NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_Error = "meanAbsoluteError";
 constexpr const char* k_Time = "gpuAddedMilliseconds";
 constexpr const char* k_TimeUncertainty = "gpuAddedUncertainty";
+constexpr const char* k_Flicker = "flicker";
+constexpr const char* k_QuietPart = "quietPart";
 constexpr const char* k_Scene = "scene";
 
 bool HasFinite(const CellResult& cell, const char* metric)
@@ -149,10 +151,69 @@ void AddTime(Standing& standing, const Study& study, const Comparison& compariso
         {
             standing.at.milliseconds = cell.Value(k_Time);
             standing.timeQuartiles = QuartilesOf(cell, k_Time);
-            standing.timeUncertainty =
-                cell.Has(k_TimeUncertainty) ? cell.Value(k_TimeUncertainty) : 0.0;
+            standing.timeUncertainty = cell.Value(k_TimeUncertainty);
         }
     }
+}
+
+/// The width of temporal cells that is nearest to the wanted one.
+double FlickerWidth(const Study& study, double wanted)
+{
+    double best = k_NaN;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker) &&
+            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
+        {
+            best = cell.id.width;
+        }
+    }
+    return best;
+}
+
+void AddFlicker(Standing& standing, const Study& study, const Comparison& comparison)
+{
+    std::vector<double> flicker;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth) &&
+            cell.id.technique == standing.technique->name)
+        {
+            flicker.push_back(cell.Value(k_Flicker));
+        }
+    }
+    standing.flicker = SpreadOf(flicker);
+}
+
+/// Tells the measurements of times apart that were made at once.
+std::string MeasurementOf(const CellResult& cell)
+{
+    CellId id = cell.id;
+    id.technique.clear();
+    return id.Name() + Exact(cell.Value("quietMilliseconds"));
+}
+
+LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
+{
+    LoadOfStudy load;
+    std::set<std::string> measurements;
+    for (const CellResult& cell : study.cells)
+    {
+        if (!cell.Has(k_QuietPart) || !measurements.insert(MeasurementOf(cell)).second)
+        {
+            continue;
+        }
+        const double part = cell.Value(k_QuietPart);
+        ++load.measurements;
+        load.changed += HasLoadChanged(part) ? 1 : 0;
+        if (IsCompared(cell, comparison) && !(part >= load.quietPart))
+        {
+            load.quietPart = part;
+            load.quietMilliseconds = cell.Value("quietMilliseconds");
+            load.busyMilliseconds = cell.Value("busyMilliseconds");
+        }
+    }
+    return load;
 }
 
 double MedianFloor(const Study& study, const Comparison& comparison)
@@ -180,27 +241,110 @@ void AddStability(Standing& standing, const Study& study)
     }
 }
 
-std::string Place(const Comparison& comparison)
+/// "1.2 ± 0.3 ms".
+std::string TimeOf(const Standing& standing)
 {
-    return Readable(comparison.width) + " px wide, in a picture of " +
-           std::to_string(comparison.pictureWidth) + "x" + std::to_string(comparison.pictureHeight);
+    return Readable(standing.at.milliseconds) +
+           (std::isnan(standing.timeUncertainty) ? ""
+                                                 : " ± " + Readable(standing.timeUncertainty)) +
+           " ms";
 }
 
 std::string Figures(const Standing& standing)
 {
-    const std::string time = Readable(standing.at.milliseconds) + " ms";
-    const bool isLost = standing.at.milliseconds <= standing.timeUncertainty;
-    return "mean error " + Readable(standing.at.error) + " for " +
-           (isLost ? "a time that this run cannot tell from 0 (" + time + ")" : time);
+    return "mean error " + Readable(standing.at.error) +
+           (std::isnan(standing.flicker.median)
+                ? ""
+                : " and flicker " + Readable(standing.flicker.median)) +
+           " for " + TimeOf(standing);
+}
+
+std::string Place(const Comparison& comparison)
+{
+    return Readable(comparison.width) + " px wide, in a picture of " +
+           std::to_string(comparison.pictureWidth) + "x" +
+           std::to_string(comparison.pictureHeight) +
+           (std::isnan(comparison.flickerWidth)
+                ? ""
+                : "; flicker of shapes, " + Readable(comparison.flickerWidth) + " px wide");
+}
+
+bool Fits(const Standing& standing, double budget)
+{
+    return standing.IsTimeKnown() && standing.LongestTime() <= budget;
+}
+
+/// A known time that may be within the budget or beyond it.
+bool MayFit(const Standing& standing, double budget)
+{
+    return standing.IsTimeKnown() && standing.ShortestTime() <= budget &&
+           standing.LongestTime() > budget;
+}
+
+/// A standing with less error than the chosen one; every standing with an error if none is chosen.
+bool IsNearer(const Standing& standing, const Standing* chosen)
+{
+    return std::isfinite(standing.at.error) &&
+           (chosen == nullptr || standing.at.error < chosen->at.error);
+}
+
+const Standing* Choose(const Comparison& comparison, double budget)
+{
+    const Standing* chosen = nullptr;
+    for (const Standing& standing : comparison.standings)
+    {
+        const bool isBetter = IsNearer(standing, chosen) ||
+                              (chosen != nullptr && standing.at.error == chosen->at.error &&
+                               standing.at.milliseconds < chosen->at.milliseconds);
+        if (Fits(standing, budget) && isBetter)
+        {
+            chosen = &standing;
+        }
+    }
+    return chosen;
+}
+
+/// Names joined by commas, those with their figures that are wanted.
+std::string NamesOf(const Comparison& comparison, const auto& isWanted, const auto& figures)
+{
+    std::string names;
+    for (const Standing& standing : comparison.standings)
+    {
+        if (isWanted(standing))
+        {
+            const std::string those = figures(standing);
+            names += (names.empty() ? "" : ", ") + standing.technique->name +
+                     (those.empty() ? "" : " (" + those + ")");
+        }
+    }
+    return names;
+}
+
+/// What may be better than the chosen one, if more were known.
+std::string CannotTell(const Comparison& comparison, const Standing* chosen, double budget)
+{
+    const std::string undecided = NamesOf(
+        comparison,
+        [&](const Standing& standing)
+        { return IsNearer(standing, chosen) && MayFit(standing, budget); },
+        Figures);
+    const std::string unknown = NamesOf(
+        comparison,
+        [&](const Standing& standing)
+        { return IsNearer(standing, chosen) && standing.HasTime() && !standing.IsTimeKnown(); },
+        [](const Standing& standing) { return "mean error " + Readable(standing.at.error); });
+    return (undecided.empty() ? ""
+                              : " This run cannot tell whether these fit: " + undecided + ".") +
+           (unknown.empty() ? "" : " This run does not know the time of " + unknown + ".");
 }
 
 /// What is better, were there more time.
-std::string MoreTimeBuys(const Comparison& comparison, const Standing* chosen)
+std::string MoreTimeBuys(const Comparison& comparison, const Standing& chosen, double budget)
 {
     for (const std::size_t index : comparison.front)
     {
         const Standing& other = comparison.standings[index];
-        if (chosen != nullptr && other.at.error < chosen->at.error)
+        if (IsNearer(other, &chosen) && other.ShortestTime() > budget)
         {
             return " More time buys less error: " + other.technique->name + " has " +
                    Figures(other) + ".";
@@ -210,22 +354,41 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing* chosen)
 }
 
 /// Those whose error is the chosen one's to a hundredth and whose time may be as short, as well as
-/// the two medians are known.
+/// the two are known.
 std::string AsGood(const Comparison& comparison, const Standing& chosen, double budget)
 {
-    std::string names;
-    for (const Standing& other : comparison.standings)
-    {
-        const bool isNear = other.at.error <= chosen.at.error * 1.01 &&
-                            other.at.milliseconds <= budget &&
-                            other.at.milliseconds - other.timeUncertainty <=
-                                chosen.at.milliseconds + chosen.timeUncertainty;
-        if (isNear && &other != &chosen)
+    const std::string names = NamesOf(
+        comparison,
+        [&](const Standing& other)
         {
-            names += (names.empty() ? "" : ", ") + other.technique->name;
-        }
-    }
+            return &other != &chosen && Fits(other, budget) &&
+                   other.at.error <= chosen.at.error * 1.01 &&
+                   other.ShortestTime() <= chosen.LongestTime();
+        },
+        [](const Standing&) { return std::string(); });
     return names.empty() ? "" : " As good, as far as the times tell: " + names + ".";
+}
+
+/// Why there is nothing to recommend.
+std::string NothingFits(const Comparison& comparison, double budget)
+{
+    const auto hasBoth = [](const Standing& standing)
+    {
+        return standing.HasTime() && std::isfinite(standing.at.error);
+    };
+    if (std::ranges::none_of(comparison.standings, hasBoth))
+    {
+        return "No technique has both an error and a time to choose by.";
+    }
+    if (comparison.front.empty())
+    {
+        return "There is no recommendation: this run does not know the time of any technique. "
+               "Measure again on a quieter machine.";
+    }
+    const Standing& quickest = comparison.standings[comparison.front.front()];
+    return "Nothing fits " + Readable(budget) + " ms for certain: the quickest outline is " +
+           quickest.technique->name + " with " + Figures(quickest) + " (" + Place(comparison) +
+           ").";
 }
 
 } // namespace
@@ -263,6 +426,8 @@ Comparison Compare(const Study& study, double width)
     comparison.width = width > 0.0 ? width : BestWidth(study);
     std::tie(comparison.pictureWidth, comparison.pictureHeight) = BestSize(study, comparison.width);
     comparison.floorMilliseconds = MedianFloor(study, comparison);
+    comparison.flickerWidth = FlickerWidth(study, comparison.width);
+    comparison.load = LoadOf(study, comparison);
     const bool hasScene =
         std::ranges::any_of(study.cells,
                             [&](const CellResult& cell)
@@ -277,8 +442,9 @@ Comparison Compare(const Study& study, double width)
         Standing standing{&technique, {k_NaN, k_NaN}, {k_NaN, k_NaN}, {k_NaN, k_NaN}};
         AddError(standing, study, comparison);
         AddTime(standing, study, comparison);
+        AddFlicker(standing, study, comparison);
         AddStability(standing, study);
-        points.push_back(standing.at);
+        points.push_back(standing.IsTimeKnown() ? standing.at : TimeAndError{k_NaN, k_NaN});
         comparison.standings.push_back(standing);
     }
     comparison.front = ParetoFront(points);
@@ -287,45 +453,72 @@ Comparison Compare(const Study& study, double width)
 
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds)
 {
-    Recommendation result;
-    for (const std::size_t index : comparison.front)
+    Recommendation result{Choose(comparison, budgetMilliseconds), ""};
+    if (result.standing == nullptr)
     {
-        const Standing& standing = comparison.standings[index];
-        // Along the front the error falls, but for equal points, of which the first is taken.
-        if (standing.at.milliseconds <= budgetMilliseconds &&
-            (result.standing == nullptr || standing.at.error < result.standing->at.error))
-        {
-            result.standing = &standing;
-        }
+        const std::string nothing = NothingFits(comparison, budgetMilliseconds);
+        result.sentence =
+            nothing +
+            (comparison.front.empty() ? "" : CannotTell(comparison, nullptr, budgetMilliseconds));
+        return result;
     }
-    const std::string budget = std::isinf(budgetMilliseconds)
-                                   ? "With all the time there is"
-                                   : "Within " + Readable(budgetMilliseconds) + " ms";
-    if (result.standing != nullptr)
+    const Standing& chosen = *result.standing;
+    result.sentence =
+        (std::isinf(budgetMilliseconds) ? "With all the time there is"
+                                        : "Within " + Readable(budgetMilliseconds) + " ms") +
+        " take " + chosen.technique->name + ": " + Figures(chosen) + " (" + Place(comparison) +
+        ").";
+    if (chosen.failures > 0)
     {
-        const Standing& chosen = *result.standing;
-        result.sentence = budget + " take " + chosen.technique->name + ": " + Figures(chosen) +
-                          " (" + Place(comparison) + ").";
-        if (chosen.failures > 0)
-        {
-            result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
-                               Count(chosen.stabilityCells, "stability check") + ".";
-        }
-        result.sentence += AsGood(comparison, chosen, budgetMilliseconds);
-        result.sentence += MoreTimeBuys(comparison, result.standing);
+        result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
+                           Count(chosen.stabilityCells, "stability check") + ".";
     }
-    else if (comparison.front.empty())
-    {
-        result.sentence = "No technique has both an error and a time to choose by.";
-    }
-    else
-    {
-        const Standing& quickest = comparison.standings[comparison.front.front()];
-        result.sentence = "Nothing fits " + Readable(budgetMilliseconds) +
-                          " ms: the quickest outline is " + quickest.technique->name + " with " +
-                          Figures(quickest) + " (" + Place(comparison) + ").";
-    }
+    result.sentence += AsGood(comparison, chosen, budgetMilliseconds) +
+                       CannotTell(comparison, &chosen, budgetMilliseconds) +
+                       MoreTimeBuys(comparison, chosen, budgetMilliseconds);
     return result;
+}
+
+std::vector<std::string> WarningsOf(const Comparison& comparison)
+{
+    std::vector<std::string> warnings;
+    const LoadOfStudy& load = comparison.load;
+    if (HasLoadChanged(load.quietPart))
+    {
+        warnings.push_back("The load changed during this run: the frame without an outline took " +
+                           Readable(load.quietMilliseconds) + " ms in " +
+                           Readable(std::round(load.quietPart * 100.0)) + " % of it and up to " +
+                           Readable(load.busyMilliseconds) +
+                           " ms in the rest, which counts for nothing.");
+    }
+    else if (load.changed > 0)
+    {
+        warnings.push_back("The load changed during " + std::to_string(load.changed) + " of " +
+                           Count(load.measurements, "measurement") +
+                           " of time; not where techniques are compared.");
+    }
+    const std::string unknown = NamesOf(
+        comparison,
+        [](const Standing& standing) { return standing.HasTime() && !standing.IsTimeKnown(); },
+        TimeOf);
+    if (!unknown.empty())
+    {
+        warnings.push_back("This run does not know these times, of which 0 is within the bound or "
+                           "for which too little of it was quiet: " +
+                           unknown +
+                           ". Measure again on a quieter machine before choosing by them.");
+    }
+    return warnings;
+}
+
+bool Standing::HasTime() const
+{
+    return std::isfinite(at.milliseconds);
+}
+
+bool Standing::IsTimeKnown() const
+{
+    return ShortestTime() > 0.0 && std::isfinite(LongestTime());
 }
 
 } // namespace limn::study

@@ -15,11 +15,14 @@ Json ComparisonJson(const Comparison& comparison)
         const Standing& standing = comparison.standings[index];
         front.push_back({{"technique", standing.technique->name},
                          {"milliseconds", standing.at.milliseconds},
+                         {"uncertainty", standing.timeUncertainty},
                          {"error", standing.at.error}});
     }
     return {{"width", comparison.width},
             {"size", {comparison.pictureWidth, comparison.pictureHeight}},
             {"errorOf", comparison.subject.empty() ? "median over shapes" : comparison.subject},
+            {"loadChanged", HasLoadChanged(comparison.load.quietPart)},
+            {"warnings", WarningsOf(comparison)},
             {"paretoFront", front}};
 }
 

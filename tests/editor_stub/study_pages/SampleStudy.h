@@ -2,6 +2,7 @@
 
 #include "study/Study.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -48,7 +49,10 @@ inline void AddPoint(study::Study& sample, const std::string& technique, double 
             {{"meanAbsoluteError", error}});
     AddCell(sample, {study::CellKind::Cost, technique, "scene", width, 640, 360, ""},
             {{"gpuAddedMilliseconds", milliseconds},
-             {"gpuAddedUncertainty", milliseconds * 0.1},
+             {"gpuAddedUncertainty", std::abs(milliseconds) * 0.1},
+             {"quietMilliseconds", 30.0},
+             {"busyMilliseconds", 33.0},
+             {"quietPart", 0.95},
              {"floorMilliseconds", 0.25}})
         .quartiles["gpuAddedMilliseconds"] = {milliseconds * 0.9, milliseconds * 1.2};
 }
