@@ -69,7 +69,8 @@ def unit_of_costs(limn, scene, folder):
 
 
 def measure(limn, scene, folder, shard, shards):
-    """The time that each technique adds, what it is known to, and the part of the run that was quiet."""
+    """The time that each technique adds and what it is known to, all that is known of the run, and
+    how long it took."""
     begin = time.monotonic()
     subprocess.run([limn, "report", scene, "-o", folder, "--shard", f"{shard}/{shards}"] + WORDS,
                    check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -78,7 +79,11 @@ def measure(limn, scene, folder, shard, shards):
     values = {cell["id"]["technique"]: cell["values"] for cell in cells}
     return {name: (values[name]["gpuAddedMilliseconds"],
                    values[name].get("gpuAddedUncertainty")) for name in TECHNIQUES}, \
-        values[TECHNIQUES[0]]["quietPart"], seconds
+        values[TECHNIQUES[0]], seconds
+
+
+def exact(value):
+    return float(value)  # "nan" where the system does not tell
 
 
 def text(figure):
@@ -100,17 +105,21 @@ def main():
             else:
                 result = measure(limn, scene, where, shard, shards)
             results[kind].append(result)
-            figures, quiet, seconds = result
+            figures, cell, seconds = result
             print(f"{kind} {run:2}: " + ", ".join(f"{name} {text(figures[name])} ms"
                                                   for name in TECHNIQUES) +
-                  f"; {100 * quiet:3.0f} % quiet, {seconds:.0f} s", flush=True)
+                  f"; {100 * cell['quietPart']:3.0f} % quiet, others "
+                  f"{exact(cell['otherPrograms']):.2f}, {seconds:.0f} s", flush=True)
+    undisturbed = sorted(results["rest"], key=lambda run: exact(run[1]["otherPrograms"]))
+    undisturbed = undisturbed[:(len(undisturbed) + 1) // 2]
     for name in TECHNIQUES:
-        true = statistics.median(figures[name][0] for figures, _, _ in results["rest"])
-        print(f"{name}: {true:.3f} ms is the median of the runs at rest")
+        true = statistics.median(figures[name][0] for figures, _, _ in undisturbed)
+        print(f"{name}: {true:.3f} ms is the median of the half of the runs at rest in which others "
+              "did least")
         for kind, measured in results.items():
             known = [figures[name] for figures, _, _ in measured if figures[name][1] is not None]
             held = sum(abs(added - true) <= bound for added, bound in known)
-            changed = sum(quiet < 0.9 for _, quiet, _ in measured)
+            changed = sum(cell["quietPart"] < 0.9 for _, cell, _ in measured)
             print(f"  {kind}: within the bound in {held} of {len(known)} runs that have one, of "
                   f"{len(measured)}; the load changed in {changed}")
 

@@ -75,6 +75,7 @@ const std::vector<Metric>& Metrics()
         {"quietMilliseconds", "GPU time without an outline, when quiet", "ms", true},
         {"busyMilliseconds", "GPU time without an outline, when busy", "ms", true},
         {"quietPart", "part of the run that was quiet", "", true},
+        {"otherPrograms", "processors that other programs kept busy", "", true},
         {"passes", "render passes added", ""},
         {"draws", "draws added", ""},
         {"targetBytes", "targets added", "bytes"},

@@ -33,7 +33,7 @@ public:
     CellResult MeasureTemporal(const CellId& id);
     /// Cells of cost that differ in their techniques only. Frames of all of them take turns,
     /// each between two without an outline (TurnsOf).
-    /// @param rounds  how many frames of each are measured
+    /// @param rounds  how many frames of each are measured at least; more, if they are quick
     std::vector<CellResult> MeasureCosts(std::span<const CellId> ids, int rounds);
     /// Bytes a second that the device copies: measured once, before the first cell of cost.
     double copyBandwidth();

@@ -206,7 +206,12 @@ LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
         const double part = cell.Value(k_QuietPart);
         ++load.measurements;
         load.changed += HasLoadChanged(part) ? 1 : 0;
-        if (IsCompared(cell, comparison) && !(part >= load.quietPart))
+        if (!IsCompared(cell, comparison))
+        {
+            continue;
+        }
+        load.otherPrograms = std::max(load.otherPrograms, cell.Value("otherPrograms"));
+        if (!(part >= load.quietPart))
         {
             load.quietPart = part;
             load.quietMilliseconds = cell.Value("quietMilliseconds");
@@ -496,6 +501,13 @@ std::vector<std::string> WarningsOf(const Comparison& comparison)
         warnings.push_back("The load changed during " + std::to_string(load.changed) + " of " +
                            Count(load.measurements, "measurement") +
                            " of time; not where techniques are compared.");
+    }
+    constexpr double k_ManyProcessors = 0.2;
+    if (load.otherPrograms > k_ManyProcessors)
+    {
+        warnings.push_back("Other programs kept " + Readable(load.otherPrograms) +
+                           " processors busy during this run: all of its times may be too long, "
+                           "which their ± does not hold.");
     }
     const std::string unknown = NamesOf(
         comparison,

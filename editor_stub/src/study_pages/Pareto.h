@@ -52,6 +52,8 @@ struct LoadOfStudy
     double quietPart = std::numeric_limits<double>::quiet_NaN();
     double quietMilliseconds = 0.0; ///< TimesInTurn::quietTime
     double busyMilliseconds = 0.0;  ///< TimesInTurn::busyTime
+    /// OtherPrograms::BusyProcessors, the most where techniques are compared.
+    double otherPrograms = 0.0;
 };
 
 /// All techniques of a study at one width: the mean error of the outline against the GPU time it

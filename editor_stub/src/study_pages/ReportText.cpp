@@ -153,9 +153,11 @@ Section Cost(const Study& study, const Comparison& comparison)
         "outline "
         "around it took about the run's quiet time; if more than a tenth of the pairs do not "
         "count, "
-        "the load of the machine changed. The ± holds the time added on the quiet machine with "
-        "95 %, whatever the distribution (sign test), pairs that resemble their neighbours in time "
-        "counting as fewer.");
+        "the load of the machine changed. The ± holds with 95 % the time added at the run's "
+        "quietest "
+        "moments, whatever the distribution (sign test), pairs that resemble their neighbours in "
+        "time counting as fewer. A load that lasts as long as the run is not told from a slower "
+        "machine: see how many processors other programs kept busy.");
     AddCells(section, study, "costs", "Where techniques are compared",
              [&](const CellResult& cell)
              { return cell.id.kind == CellKind::Cost && isCompared(cell); });

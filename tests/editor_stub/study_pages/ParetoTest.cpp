@@ -390,6 +390,20 @@ TEST(TimeWarnings, SayThatTheLoadChangedElsewhere)
                             "techniques are compared."));
 }
 
+TEST(TimeWarnings, SayThatOtherProgramsRan)
+{
+    study::Study sample = ThreeTechniques();
+    CostsOf(sample)[1]->values["otherPrograms"] = 0.15; // a system's own
+    EXPECT_THAT(WarningsOf(Compare(sample)), IsEmpty());
+    for (study::CellResult* cell : CostsOf(sample))
+    {
+        cell->values["otherPrograms"] = 1.25;
+    }
+    EXPECT_THAT(WarningsOf(Compare(sample)),
+                ElementsAre("Other programs kept 1.25 processors busy during this run: all of its "
+                            "times may be too long, which their ± does not hold."));
+}
+
 TEST(TimeWarnings, NameTimesThatAreNotKnown)
 {
     study::Study sample = ThreeTechniques();

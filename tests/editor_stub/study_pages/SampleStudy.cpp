@@ -83,6 +83,7 @@ void AddCost(Study& sample, const MadeUp& technique, double width, int pictureWi
                  {"quietMilliseconds", 30.0 * factor},
                  {"busyMilliseconds", 95.0 * factor},
                  {"quietPart", 0.42},
+                 {"otherPrograms", 1.5},
                  {"passes", 3.0},
                  {"draws", 4.0},
                  {"targetBytes", 8294400.0},

@@ -53,6 +53,7 @@ inline void AddPoint(study::Study& sample, const std::string& technique, double 
              {"quietMilliseconds", 30.0},
              {"busyMilliseconds", 33.0},
              {"quietPart", 0.95},
+             {"otherPrograms", 0.01},
              {"floorMilliseconds", 0.25}})
         .quartiles["gpuAddedMilliseconds"] = {milliseconds * 0.9, milliseconds * 1.2};
 }
