@@ -246,13 +246,18 @@ void AddStability(Standing& standing, const Study& study)
     }
 }
 
-/// "1.2 ± 0.3 ms".
+/// "1.2 ± 0.3 ms", "0.2 ± 0.5 ms, so at most 0.7 ms".
 std::string TimeOf(const Standing& standing)
 {
-    return Readable(standing.at.milliseconds) +
-           (std::isnan(standing.timeUncertainty) ? ""
-                                                 : " ± " + Readable(standing.timeUncertainty)) +
-           " ms";
+    const std::string time = Readable(standing.at.milliseconds);
+    if (std::isnan(standing.timeUncertainty))
+    {
+        return time + " ms";
+    }
+    const std::string bounded = time + " ± " + Readable(standing.timeUncertainty) + " ms";
+    return standing.IsTimeKnown()
+               ? bounded
+               : bounded + ", so at most " + Readable(standing.LongestTime()) + " ms";
 }
 
 std::string Figures(const Standing& standing)
@@ -274,16 +279,24 @@ std::string Place(const Comparison& comparison)
                 : "; flicker of shapes, " + Readable(comparison.flickerWidth) + " px wide");
 }
 
+/// The time is within the budget however long it is, or known where there is no budget.
 bool Fits(const Standing& standing, double budget)
 {
-    return standing.IsTimeKnown() && standing.LongestTime() <= budget;
+    return std::isinf(budget) ? standing.IsTimeKnown()
+                              : standing.LongestTime() > 0.0 && standing.LongestTime() <= budget;
 }
 
-/// A known time that may be within the budget or beyond it.
+/// The time may be within the budget or beyond it.
 bool MayFit(const Standing& standing, double budget)
 {
-    return standing.IsTimeKnown() && standing.ShortestTime() <= budget &&
-           standing.LongestTime() > budget;
+    return standing.ShortestTime() <= budget && standing.LongestTime() > budget;
+}
+
+/// There is a time, but not even how long it is at most.
+bool IsUnknown(const Standing& standing, double budget)
+{
+    return standing.HasTime() && !Fits(standing, budget) && !MayFit(standing, budget) &&
+           !(standing.ShortestTime() > budget);
 }
 
 /// A standing with less error than the chosen one; every standing with an error if none is chosen.
@@ -325,7 +338,7 @@ std::string NamesOf(const Comparison& comparison, const auto& isWanted, const au
     return names;
 }
 
-/// What may be better than the chosen one, if more were known.
+/// What has less error and may be better, if more were known.
 std::string CannotTell(const Comparison& comparison, const Standing* chosen, double budget)
 {
     const std::string undecided = NamesOf(
@@ -336,11 +349,25 @@ std::string CannotTell(const Comparison& comparison, const Standing* chosen, dou
     const std::string unknown = NamesOf(
         comparison,
         [&](const Standing& standing)
-        { return IsNearer(standing, chosen) && standing.HasTime() && !standing.IsTimeKnown(); },
+        { return IsNearer(standing, chosen) && IsUnknown(standing, budget); },
         [](const Standing& standing) { return "mean error " + Readable(standing.at.error); });
     return (undecided.empty() ? ""
                               : " This run cannot tell whether these fit: " + undecided + ".") +
            (unknown.empty() ? "" : " This run does not know the time of " + unknown + ".");
+}
+
+/// "Within 2 ms take ".
+std::string Opening(const Comparison& comparison, const Standing& chosen, double budget)
+{
+    if (!std::isinf(budget))
+    {
+        return "Within " + Readable(budget) + " ms take ";
+    }
+    const bool isLeast = std::ranges::none_of(
+        comparison.standings, [&](const Standing& standing)
+        { return IsNearer(standing, &chosen) && IsUnknown(standing, budget); });
+    return isLeast ? "With all the time there is take "
+                   : "Of those whose time this run knows take ";
 }
 
 /// What is better, were there more time.
@@ -468,11 +495,8 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
         return result;
     }
     const Standing& chosen = *result.standing;
-    result.sentence =
-        (std::isinf(budgetMilliseconds) ? "With all the time there is"
-                                        : "Within " + Readable(budgetMilliseconds) + " ms") +
-        " take " + chosen.technique->name + ": " + Figures(chosen) + " (" + Place(comparison) +
-        ").";
+    result.sentence = Opening(comparison, chosen, budgetMilliseconds) + chosen.technique->name +
+                      ": " + Figures(chosen) + " (" + Place(comparison) + ").";
     if (chosen.failures > 0)
     {
         result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +

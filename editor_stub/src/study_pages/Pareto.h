@@ -89,9 +89,10 @@ struct Recommendation
     std::string sentence;               ///< for people, with the figures
 };
 
-/// The least error whose time is known and, to the longest that it may be, within the budget; of
-/// equal errors the quickest. The sentence names what has less error but may not fit or has no
-/// known time, and what is as good and by its time not to be told from it.
+/// The least error within the budget: with a budget the longest that the time may be counts,
+/// without one the time must be known. Of equal errors the quickest. The sentence names what has
+/// less error but may not fit or has no known time, and what is as good and by its time not to be
+/// told from it.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

@@ -301,11 +301,29 @@ TEST(Recommendation, IsNotOfATimeThatMayBeZeroOrHasNoBound)
         }
         const study::Comparison comparison = Compare(sample);
         EXPECT_THAT(comparison.front, ElementsAre(1));
-        EXPECT_EQ("With all the time there is take Quick: mean error 0.1 for 1 ± 0.1 ms (8 px "
-                  "wide, in a picture of 640x360). This run does not know the time of Slow (mean "
-                  "error 0.001).",
-                  Recommend(comparison, k_Infinity).sentence);
+        EXPECT_EQ(
+            "Of those whose time this run knows take Quick: mean error 0.1 for 1 ± 0.1 ms "
+            "(8 px wide, in a picture of 640x360). This run does not know the time of Slow (mean "
+            "error 0.001).",
+            Recommend(comparison, k_Infinity).sentence);
     }
+}
+
+TEST(Recommendation, WithinABudgetTakesTheLongestThatATimeMayBe)
+{
+    study::Study sample = ThreeTechniques();
+    sample.cells[1].values["gpuAddedUncertainty"] = 10.5; // of Slow's 10 ms
+    const study::Comparison comparison = Compare(sample);
+    EXPECT_EQ(
+        "Within 20.5 ms take Slow: mean error 0.001 for 10 ± 10.5 ms, so at most 20.5 ms (8 px "
+        "wide, in a picture of 640x360).",
+        Recommend(comparison, 20.5).sentence);
+    EXPECT_THAT(Recommend(comparison, 20.0).sentence,
+                testing::EndsWith("This run cannot tell whether these fit: Slow (mean error 0.001 "
+                                  "for 10 ± 10.5 ms, so at most 20.5 ms)."));
+    sample.cells[1].values.erase("gpuAddedUncertainty");
+    EXPECT_THAT(Recommend(Compare(sample), 20.5).sentence,
+                testing::EndsWith("This run does not know the time of Slow (mean error 0.001)."));
 }
 
 TEST(Recommendation, IsNotMadeWhereNoTimeIsKnown)
@@ -411,8 +429,9 @@ TEST(TimeWarnings, NameTimesThatAreNotKnown)
     CostsOf(sample)[1]->values.erase("gpuAddedUncertainty");
     EXPECT_THAT(WarningsOf(Compare(sample)),
                 ElementsAre("This run does not know these times, of which 0 is within the bound or "
-                            "for which too little of it was quiet: Slow (10 ± 10.5 ms), Quick (1 "
-                            "ms). Measure again on a quieter machine before choosing by them."));
+                            "for which too little of it was quiet: Slow (10 ± 10.5 ms, so at most "
+                            "20.5 ms), Quick (1 ms). Measure again on a quieter machine before "
+                            "choosing by them."));
 }
 
 } // namespace
