@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace limn::study
 {
@@ -99,6 +100,22 @@ TEST_F(ReportGpu, IsTheSameWhetherMeasuredAtOnceOrInPartsOrInterrupted)
     EXPECT_EQ(part.exitCode, 1);
     EXPECT_THAT(part.err, HasSubstr("warning: part: missing: "));
     EXPECT_THAT(Compared("whole", "part"), HasSubstr("only in the first"));
+}
+
+TEST_F(ReportGpu, PrintsThePageAndWhatItBeginsWith)
+{
+    const CommandRun run = Report("r", {"--budget", "100000"});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.out, "r/report.html\n");
+    const std::string page = test::ReadText("r/report.md");
+    std::istringstream lines(run.err);
+    std::size_t sentences = 0;
+    for (std::string line; std::getline(lines, line); ++sentences)
+    {
+        const std::string warning = "warning: ";
+        EXPECT_THAT(page, HasSubstr(line.substr(line.starts_with(warning) ? warning.size() : 0)));
+    }
+    EXPECT_GE(sentences, 1u);
 }
 
 TEST_F(ReportGpu, RefusesWhatItCannotMeasure)
