@@ -145,9 +145,11 @@ void TimesInTurn::FindQuietTime()
     constexpr double k_LeastNear = 0.25;
     constexpr double k_MostNear = 0.8;
     constexpr double k_Scatters = 4.0;
+    std::vector<double> all;
     std::vector<double> scatter;
     for (std::size_t pair = 0; pair < PairCount(); ++pair)
     {
+        all.push_back(Before(pair));
         scatter.push_back(std::abs(Before(pair) / m_Around[pair] - 1.0));
     }
     m_Near = std::clamp(k_Scatters * SpreadOf(scatter).median, k_LeastNear, k_MostNear);
@@ -167,25 +169,29 @@ void TimesInTurn::FindQuietTime()
     }
     m_QuietTime = QuantileOf(quiet, 0.5);
     m_LeastQuietTime = QuantileOf(quietOfThree, 0.1);
-    m_BusyTime = QuantileOf(m_Around, 0.95);
+    m_BusyTime = QuantileOf(all, 0.95);
 }
 
 void TimesInTurn::ChoosePairs()
 {
     double quiet = 0.0;
     double disturbed = 0.0;
+    double near = 0.0;
     const auto isNear = [this](double time)
     {
         return std::abs(time - m_QuietTime) <= m_Near * m_QuietTime;
     };
     for (std::size_t pair = 0; pair < PairCount(); ++pair)
     {
+        const bool isFrameQuiet = m_IsQuiet[pair] && isNear(Before(pair));
         const bool isSlow = Before(pair) > m_QuietTime && !isNear(Before(pair));
         quiet += m_IsQuiet[pair] ? 1.0 : 0.0;
         disturbed += m_IsQuiet[pair] && isSlow ? 1.0 : 0.0;
-        m_Counts.push_back(m_IsQuiet[pair] && isNear(Before(pair)) && isNear(Behind(pair)));
+        near += isFrameQuiet ? 1.0 : 0.0;
+        m_Counts.push_back(isFrameQuiet && isNear(Behind(pair)));
     }
     m_Disturbed = quiet > 0.0 ? disturbed / quiet : 0.0;
+    m_QuietPart = near / static_cast<double>(PairCount());
 }
 
 /// The technique's pairs that count; all of them if none does, of which the bound is unknown.
@@ -228,12 +234,6 @@ TimeAdded TimesInTurn::AddedBy(std::size_t technique) const
         result.uncertainty = std::max(median - bound.low / slower, bound.high - median);
     }
     return result;
-}
-
-double TimesInTurn::quietPart() const
-{
-    return static_cast<double>(std::ranges::count(m_Counts, true)) /
-           static_cast<double>(m_Counts.size());
 }
 
 bool HasLoadChanged(double quietPart)

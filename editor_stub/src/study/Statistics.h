@@ -32,7 +32,8 @@ Spread SpreadOf(std::vector<double> values);
 // an
 //    outline, the lower end falls by as much: the difference grew with them.
 //
-// The load of the machine changed if more than a tenth of all pairs do not count.
+// The load of the machine changed if more than a tenth of the frames without an outline were not
+// near the quiet time, they or those around them.
 
 /// An interval that holds a median with 95 %; NaN where there are too few values for one.
 struct Bound
@@ -76,9 +77,8 @@ public:
     TimeAdded AddedBy(std::size_t technique) const;
 
     double quietTime() const { return m_QuietTime; } ///< of the frame without an outline
-    /// The same at busy moments: of 20 of them 19 were quicker.
-    double busyTime() const { return m_BusyTime; }
-    double quietPart() const; ///< the part of the pairs that count, 0 to 1
+    double busyTime() const { return m_BusyTime; }   ///< 19 of 20 of these were quicker
+    double quietPart() const { return m_QuietPart; } ///< of these, the part near the quiet time
 
 private:
     std::size_t PairCount() const { return m_Turns.size() / 2; }
@@ -100,7 +100,8 @@ private:
     double m_QuietTime = 0.0;
     double m_BusyTime = 0.0;
     double m_LeastQuietTime = 0.0; ///< what it was in the quietest tenth of what is quiet
-    double m_Disturbed = 0.0;      ///< the part of the frames without an outline that were far off
+    double m_QuietPart = 0.0;
+    double m_Disturbed = 0.0; ///< the part of the frames without an outline that were far off
 };
 
 /// Whether the load of the machine changed during a run.

@@ -151,13 +151,12 @@ Section Cost(const Study& study, const Comparison& comparison)
         "a round, in another order each round. The time added is the median of what the frame took "
         "longer than the mean of its two neighbours. A pair counts if the frames without an "
         "outline "
-        "around it took about the run's quiet time; if more than a tenth of the pairs do not "
-        "count, "
-        "the load of the machine changed. The ± holds with 95 % the time added at the run's "
-        "quietest "
-        "moments, whatever the distribution (sign test), pairs that resemble their neighbours in "
-        "time counting as fewer. A load that lasts as long as the run is not told from a slower "
-        "machine: see how many processors other programs kept busy.");
+        "in it and around it took about the run's quiet time; if more than a tenth of all frames "
+        "without an outline did not, the load of the machine changed. The ± holds with 95 % the "
+        "time "
+        "added at the run's quietest moments, whatever the distribution (sign test), pairs that "
+        "resemble their neighbours in time counting as fewer. A load that lasts as long as the run "
+        "is not told from a slower machine: see how many processors other programs kept busy.");
     AddCells(section, study, "costs", "Where techniques are compared",
              [&](const CellResult& cell)
              { return cell.id.kind == CellKind::Cost && isCompared(cell); });

@@ -254,7 +254,7 @@ const LoadModel k_LoadModels[] = {
      95, 95, 100},
     {"Spikes",
      [](Machine& machine, double) { machine.spikes = machine.Uniform(0.02, 0.15) / k_Plain; }, 95,
-     50, 100},
+     0, 100},
     {"Drift",
      [](Machine& machine, double run) { machine.drift = Drift(machine.Uniform(0.1, 1.0), run); },
      95, 70, 100},
