@@ -28,9 +28,9 @@ Spread SpreadOf(std::vector<double> values);
 //    more.
 // 3. The figure is the median of the differences that count. Its bound is the sign test's: two of
 //    the sorted differences, whatever their distribution. See BoundOfMedian for what widens it.
-// 4. Where frames that count were slower than the quietest tenth, by the medians of three without
-// an
-//    outline, the lower end falls by as much: the difference grew with them.
+// 4. Where frames that count were slower than their quietest tenth (of medians of three without an
+//    outline), the lower end falls by as much: the difference grew with them. Frames are not scaled
+//    by the load otherwise, since a load does not slow down all passes alike.
 //
 // The load of the machine changed if more than a tenth of the frames without an outline were not
 // near the quiet time, they or those around them.
@@ -55,8 +55,8 @@ struct TimeAdded
 {
     Spread frame; ///< the frame with the outline, in the pairs that count; in all if none does
     Spread added; ///< the differences of these pairs
-    /// The time added on a quiet machine is within `added.median` ± this with 95 %; NaN if too few
-    /// pairs count to tell.
+    /// The time added at the run's quietest moments is within `added.median` ± this with 95 %; NaN
+    /// if too few pairs count to tell.
     double uncertainty;
 };
 
