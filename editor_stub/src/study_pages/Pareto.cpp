@@ -306,20 +306,29 @@ bool IsNearer(const Standing& standing, const Standing* chosen)
            (chosen == nullptr || standing.at.error < chosen->at.error);
 }
 
-const Standing* Choose(const Comparison& comparison, double budget)
+/// The least error that fits; of equal errors the quickest. Null if nothing fits.
+const Standing* LeastError(const Comparison& comparison, double budget)
 {
-    const Standing* chosen = nullptr;
+    const Standing* least = nullptr;
     for (const Standing& standing : comparison.standings)
     {
-        const bool isBetter = IsNearer(standing, chosen) ||
-                              (chosen != nullptr && standing.at.error == chosen->at.error &&
-                               standing.at.milliseconds < chosen->at.milliseconds);
+        const bool isBetter = IsNearer(standing, least) ||
+                              (least != nullptr && standing.at.error == least->at.error &&
+                               standing.at.milliseconds < least->at.milliseconds);
         if (Fits(standing, budget) && isBetter)
         {
-            chosen = &standing;
+            least = &standing;
         }
     }
-    return chosen;
+    return least;
+}
+
+/// Whether a standing has the least error to a hundredth, and a time that may be as short as well
+/// as the two are known.
+bool IsAsGood(const Standing& standing, const Standing& least, double budget)
+{
+    return Fits(standing, budget) && standing.at.error <= least.at.error * 1.01 &&
+           standing.ShortestTime() <= least.LongestTime();
 }
 
 /// Names joined by commas, those with their figures that are wanted.
@@ -385,20 +394,39 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing& chosen, d
     return "";
 }
 
-/// Those whose error is the chosen one's to a hundredth and whose time may be as short, as well as
-/// the two are known.
-std::string AsGood(const Comparison& comparison, const Standing& chosen, double budget)
+/// What to take, and in a sentence the others that are as good.
+struct Chosen
 {
-    const std::string names = NamesOf(
-        comparison,
-        [&](const Standing& other)
+    const Standing* standing = nullptr;
+    std::string others;
+};
+
+/// Of those that are as good as the least error the one that flickers least.
+Chosen Choose(const Comparison& comparison, double budget)
+{
+    const Standing* const least = LeastError(comparison, budget);
+    if (least == nullptr)
+    {
+        return {};
+    }
+    const Standing* chosen = least;
+    for (const Standing& standing : comparison.standings)
+    {
+        if (IsAsGood(standing, *least, budget) && standing.flicker.median < chosen->flicker.median)
         {
-            return &other != &chosen && Fits(other, budget) &&
-                   other.at.error <= chosen.at.error * 1.01 &&
-                   other.ShortestTime() <= chosen.LongestTime();
-        },
-        [](const Standing&) { return std::string(); });
-    return names.empty() ? "" : " As good, as far as the times tell: " + names + ".";
+            chosen = &standing;
+        }
+    }
+    const std::string others = NamesOf(
+        comparison,
+        [&](const Standing& standing)
+        { return &standing != chosen && IsAsGood(standing, *least, budget); },
+        [](const Standing& standing)
+        {
+            const double flicker = standing.flicker.median;
+            return std::isnan(flicker) ? std::string() : "flicker " + Readable(flicker);
+        });
+    return {chosen, others.empty() ? "" : " As good, as far as the times tell: " + others + "."};
 }
 
 /// Why there is nothing to recommend.
@@ -485,7 +513,8 @@ Comparison Compare(const Study& study, double width)
 
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds)
 {
-    Recommendation result{Choose(comparison, budgetMilliseconds), ""};
+    const Chosen choice = Choose(comparison, budgetMilliseconds);
+    Recommendation result{choice.standing, ""};
     if (result.standing == nullptr)
     {
         const std::string nothing = NothingFits(comparison, budgetMilliseconds);
@@ -502,8 +531,7 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
         result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
                            Count(chosen.stabilityCells, "stability check") + ".";
     }
-    result.sentence += AsGood(comparison, chosen, budgetMilliseconds) +
-                       CannotTell(comparison, &chosen, budgetMilliseconds) +
+    result.sentence += choice.others + CannotTell(comparison, &chosen, budgetMilliseconds) +
                        MoreTimeBuys(comparison, chosen, budgetMilliseconds);
     return result;
 }
@@ -529,9 +557,9 @@ std::vector<std::string> WarningsOf(const Comparison& comparison)
     constexpr double k_ManyProcessors = 0.2;
     if (load.otherPrograms > k_ManyProcessors)
     {
-        warnings.push_back("Other programs kept " + Readable(load.otherPrograms) +
-                           " processors busy during this run: all of its times may be too long, "
-                           "which their ± does not hold.");
+        warnings.push_back("Other programs kept busy " + Readable(load.otherPrograms) +
+                           " of the machine's processors during this run: all of its times may be "
+                           "too long, which their ± does not hold.");
     }
     const std::string unknown = NamesOf(
         comparison,

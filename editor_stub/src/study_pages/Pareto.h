@@ -90,9 +90,9 @@ struct Recommendation
 };
 
 /// The least error within the budget: with a budget the longest that the time may be counts,
-/// without one the time must be known. Of equal errors the quickest. The sentence names what has
-/// less error but may not fit or has no known time, and what is as good and by its time not to be
-/// told from it.
+/// without one the time must be known. Of those whose error is the least to a hundredth and whose
+/// times are not to be told apart the one that flickers least. The sentence names the others of
+/// these, and what has less error but may not fit or has no known time.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

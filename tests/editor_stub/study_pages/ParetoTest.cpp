@@ -309,6 +309,24 @@ TEST(Recommendation, IsNotOfATimeThatMayBeZeroOrHasNoBound)
     }
 }
 
+TEST(Recommendation, OfWhatTimesDoNotTellApartFlickersLeast)
+{
+    study::Study sample = EmptySample();
+    double flicker = 0.04;
+    for (const auto& [name, time] :
+         {std::pair("Quick", 1.0), std::pair("Steady", 1.1), std::pair("Slow", 2.0)})
+    {
+        AddTechnique(sample, name);
+        AddPoint(sample, name, 4.0, time, 0.25);
+        AddCell(sample, {study::CellKind::Temporal, name, "disc", 4.0, 160, 90, ""},
+                {{"flicker", flicker /= 2.0}});
+    }
+    EXPECT_EQ("Within 5 ms take Steady: mean error 0.25 and flicker 0.01 for 1.1 ± 0.11 ms (4 px "
+              "wide, in a picture of 640x360; flicker of shapes, 4 px wide). As good, as far as "
+              "the times tell: Quick (flicker 0.02).",
+              Recommend(Compare(sample), 5.0).sentence);
+}
+
 TEST(Recommendation, WithinABudgetTakesTheLongestThatATimeMayBe)
 {
     study::Study sample = ThreeTechniques();
@@ -418,8 +436,8 @@ TEST(TimeWarnings, SayThatOtherProgramsRan)
         cell->values["otherPrograms"] = 1.25;
     }
     EXPECT_THAT(WarningsOf(Compare(sample)),
-                ElementsAre("Other programs kept 1.25 processors busy during this run: all of its "
-                            "times may be too long, which their ± does not hold."));
+                ElementsAre("Other programs kept busy 1.25 of the machine's processors during this "
+                            "run: all of its times may be too long, which their ± does not hold."));
 }
 
 TEST(TimeWarnings, NameTimesThatAreNotKnown)
