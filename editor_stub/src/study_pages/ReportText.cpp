@@ -1,6 +1,7 @@
 #include "study_pages/ReportText.h"
 
 #include "study_pages/Numbers.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/ReportTables.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 #include "study/StudyJson.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/Results.h"
 
 namespace limn::study

@@ -2,7 +2,7 @@
 
 #include "console/RunProgram.h"
 #include "study/StudyFiles.h"
-#include "study_pages/Pareto.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/ReportText.h"
 #include "study_pages/Results.h"
 

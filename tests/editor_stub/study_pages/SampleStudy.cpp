@@ -111,6 +111,19 @@ void AddStability(Study& sample, const MadeUp& technique)
 
 } // namespace
 
+Study ThreeTechniques()
+{
+    Study sample = EmptySample();
+    for (const char* name : {"Slow", "Quick", "Bad", "Unmeasured"})
+    {
+        AddTechnique(sample, name);
+    }
+    AddPoint(sample, "Slow", 8.0, 10.0, 0.001);
+    AddPoint(sample, "Quick", 8.0, 1.0, 0.1);
+    AddPoint(sample, "Bad", 8.0, 12.0, 0.5);
+    return sample;
+}
+
 Study FullSample()
 {
     Study sample = EmptySample();

@@ -58,6 +58,9 @@ inline void AddPoint(study::Study& sample, const std::string& technique, double 
         .quartiles["gpuAddedMilliseconds"] = {milliseconds * 0.9, milliseconds * 1.2};
 }
 
+/// One technique is slow and near, one quick, one bad, one not measured, each 8 px wide.
+study::Study ThreeTechniques();
+
 /// Every kind of cell, as many as a real study has; "Fails" has NaN, infinite and zero figures.
 study::Study FullSample();
 
