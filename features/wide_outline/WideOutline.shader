@@ -92,12 +92,21 @@ Shader "Hidden/Limn/WideOutline"
             #pragma vertex WholeTarget
             #pragma fragment SeedFragment
             float _WideOutlineClosesSlits;
+
+            // The mean of four samples comes in 8 bits, and devices round half of 255 either way:
+            // what is that near to a whole number of samples is that number.
+            float PartInside(float mean)
+            {
+                float samples = round(mean * 4.0) * 0.25;
+                return abs(mean - samples) < 0.6 / 255.0 ? samples : mean;
+            }
+
             float4 SeedFragment(float4 position : SV_POSITION) : SV_Target
             {
                 float mask[9];
                 for (int i = 0; i < 9; i++)
                 {
-                    mask[i] = SeedTexel(position.xy + float2(i % 3 - 1, i / 3 - 1)).r;
+                    mask[i] = PartInside(SeedTexel(position.xy + float2(i % 3 - 1, i / 3 - 1)).r);
                 }
                 EdgePlace place = FindEdge(mask, _WideOutlineClosesSlits > 0.0);
                 return float4(place.isEdge ? EncodeSeed(place.seed, _WideOutlineRange) : 0.0,

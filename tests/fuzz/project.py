@@ -246,13 +246,15 @@ def write_results(folder, techniques):
     planned = [{"kind": kind, "technique": name, "subject": subject, "width": width, "size": [24, 16], "variant": ""}
                for kind, subject in (("geometry", "disc"), ("cost", "scene"), ("temporal", "needle"))
                for width in (2, 8) for name in names]
-    study = {"scene": "s.scene.yaml", "sceneHash": "12", "device": "llvmpipe", "machine": "a CPU", "limnVersion": "0.1.0",
+    study = {"format": 2, "scene": "s.scene.yaml", "sceneHash": "12", "device": "llvmpipe",
+             "machine": "a CPU", "limnVersion": "0.1.0",
              "options": "error and cost, 24x16", "started": "2024-01-01T00:00:00Z", "loadAverage": 0.5,
              "copyBandwidth": 1e10, "planned": planned,
              "techniques": [{"name": name, "feature": f"{name}Feature", "summary": f"draws {name}", "isArticle": False,
                              "noWidth": "" if name == "Strokes" else "it has no width"} for name in names]}
     values = {"geometry": {"meanAbsoluteError": 0.25, "hausdorff": "inf", "bandPixels": 90},
-              "cost": {"gpuAddedMilliseconds": 1.5, "passes": 3, "movedBytes": 24883200.0},
+              "cost": {"gpuAddedMilliseconds": 1.5, "gpuAddedUncertainty": 0.25, "quietPart": 0.5, "quietMilliseconds": 3,
+                       "busyMilliseconds": 9, "otherPrograms": 1, "passes": 3, "movedBytes": 24883200.0},
               "temporal": {"flicker": 0.125, "areaLow": "nan", "contourSwim": 1e-3}}
     cells = [{"id": cell, "values": values[cell["kind"]], "notes": ["a note"] if cell["width"] == 8 else [],
               "quartiles": {"gpuAddedMilliseconds": [1.25, 2]} if cell["kind"] == "cost" else {},

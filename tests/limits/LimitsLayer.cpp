@@ -126,19 +126,31 @@ void Lower(VkPhysicalDeviceMemoryProperties& memory)
 {
     if (isLowered("fullHeap"))
     {
-        memory.memoryHeaps[1] = {memory.memoryHeaps[0].size, 0};
+        // In front of the driver's own heaps and kinds, which are the host's then.
+        std::copy_backward(memory.memoryHeaps, memory.memoryHeaps + memory.memoryHeapCount,
+                           memory.memoryHeaps + memory.memoryHeapCount + 1);
+        std::copy_backward(memory.memoryTypes, memory.memoryTypes + memory.memoryTypeCount,
+                           memory.memoryTypes + memory.memoryTypeCount + 1);
         memory.memoryHeaps[0] = {k_FullHeapBytes, VK_MEMORY_HEAP_DEVICE_LOCAL_BIT};
-        memory.memoryHeapCount = 2;
-        memory.memoryTypes[1] = {
-            memory.memoryTypes[0].propertyFlags & ~VkFlags{VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT}, 1};
         memory.memoryTypes[0] = {VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, 0};
-        memory.memoryTypeCount = 2;
+        for (std::uint32_t i = 1; i <= memory.memoryHeapCount; ++i)
+        {
+            memory.memoryHeaps[i].flags &= ~VkFlags{VK_MEMORY_HEAP_DEVICE_LOCAL_BIT};
+        }
+        for (std::uint32_t i = 1; i <= memory.memoryTypeCount; ++i)
+        {
+            memory.memoryTypes[i].propertyFlags &= ~VkFlags{VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT};
+            ++memory.memoryTypes[i].heapIndex;
+        }
+        ++memory.memoryHeapCount;
+        ++memory.memoryTypeCount;
     }
 }
 
 void Lower(VkMemoryRequirements& needs)
 {
-    needs.memoryTypeBits = isLowered("fullHeap") ? 3 : needs.memoryTypeBits;
+    needs.memoryTypeBits =
+        isLowered("fullHeap") ? needs.memoryTypeBits << 1 | 1 : needs.memoryTypeBits;
 }
 
 VKAPI_ATTR VkResult VKAPI_CALL CreateInstance(const VkInstanceCreateInfo* info,

@@ -120,7 +120,7 @@ def check_cells(table, results, problems):
 
 
 def measured(results, technique):
-    """Its time and its error where techniques are compared."""
+    """Its time, its error where techniques are compared, and whether the time is known."""
     at = results["comparison"]
     def values(kind, key, size, subject):
         return [exact(cell["values"][key]) for cell in results["cells"]
@@ -135,22 +135,25 @@ def measured(results, technique):
             return None
         half = len(numbers) // 2
         return numbers[half] if len(numbers) % 2 else (numbers[half - 1] + numbers[half]) / 2
-    return (median(values("cost", "gpuAddedMilliseconds", at["size"], None)),
-            median(values("geometry", "meanAbsoluteError", None,
-                          "scene" if at["errorOf"] == "scene" else None)))
+    time = median(values("cost", "gpuAddedMilliseconds", at["size"], None))
+    bound = median(values("cost", "gpuAddedUncertainty", at["size"], None))
+    return (time, median(values("geometry", "meanAbsoluteError", None,
+                                "scene" if at["errorOf"] == "scene" else None)),
+            None not in (time, bound) and time - bound > 0)
 
 
 def check_front(table, results, problems):
-    """All techniques, and which of them are marked."""
+    """All techniques, and which of them are marked: of those whose time is known."""
     points = {row[0]: measured(results, row[0]) for row in table["rows"]}
     def is_beaten(name):
         if any(value is None or not math.isfinite(value) for value in points[name]):
             return True
-        time, error = points[name]
-        return any(None not in point and math.isfinite(point[1]) and point[0] <= time
-                   and point[1] <= error and point != (time, error) for point in points.values())
+        time, error, is_known = points[name]
+        return not is_known or any(
+            None not in point and point[2] and math.isfinite(point[1]) and point[0] <= time
+            and point[1] <= error and point[:2] != (time, error) for point in points.values())
     for row, marked in zip(table["rows"], table["marked"]):
-        time, error = points[row[0]]
+        time, error, _ = points[row[0]]
         shown = dict(zip(table["head"], row))
         if not is_same(figure(shown["GPU time added ms"]), time):
             problems.append(f"techniques: the time of {row[0]} is not {time}")

@@ -6,6 +6,7 @@
 #include "study/StudyFiles.h"
 #include "study/StudyPlan.h"
 #include "study/StudyScene.h"
+#include "study_pages/Numbers.h"
 #include "study_pages/TimeLeft.h"
 #include "study_pages/WriteReport.h"
 #include "view/SceneView.h"
@@ -17,6 +18,7 @@
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/HashContent.h>
 #include <limn/shaderlab/ReadFile.h>
+#include <span>
 #include <sstream>
 #include <thread>
 
@@ -114,6 +116,21 @@ Study Describe(const std::string& scene, const StudyOptions& options, const Asse
     return study;
 }
 
+/// "time of all techniques: scene, 4 px wide, 1280x720".
+std::string WhatIsMeasured(const std::vector<CellId>& unit)
+{
+    const CellId& id = unit.front();
+    const char* what = id.kind == CellKind::Geometry    ? "error"
+                       : id.kind == CellKind::Numerical ? "numerical error"
+                       : id.kind == CellKind::Temporal  ? "flicker"
+                       : id.kind == CellKind::Cost      ? "time"
+                                                        : "stability";
+    return std::string(what) + " of " + (unit.size() > 1 ? "all techniques" : id.technique) + ": " +
+           id.subject + (id.variant.empty() ? "" : " with " + id.variant) + ", " +
+           Readable(id.width) + " px wide, " + std::to_string(id.pictureWidth) + "x" +
+           std::to_string(id.pictureHeight);
+}
+
 /// Measures what is missing of one shard.
 class StudyRun
 {
@@ -180,7 +197,7 @@ private:
             left.Skip(WorkOf(unit));
             return;
         }
-        console.Progress(left.Line(missing.front().Name()));
+        console.Progress(left.Line(WhatIsMeasured(missing)));
         if (missing.front().kind == CellKind::Cost)
         {
             m_Study.copyBandwidth = m_Bench.copyBandwidth();
@@ -213,9 +230,14 @@ void PrintReport(const ReportFiles& report, Console& console)
     {
         console.Note("no plots: " + report.noPlots);
     }
-    for (const std::filesystem::path& file : report.files)
+    console.Result(report.files.front().string()); // the page
+    for (const std::filesystem::path& file : std::span(report.files).subspan(1))
     {
-        console.Result(file.string());
+        console.Verbose("wrote " + file.string());
+    }
+    for (const std::string& warning : report.warnings)
+    {
+        console.Warning(warning);
     }
     console.Line(report.recommendation);
 }

@@ -1,10 +1,12 @@
 #include "study/StudyBench.h"
 
 #include "reports/ExplainedFrame.h"
+#include "study/OtherPrograms.h"
+#include "study/Statistics.h"
 #include "study/StudyScene.h"
-#include "study_pages/Numbers.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limn/core/Timeline.h>
 
@@ -17,16 +19,15 @@ namespace
 /// Bytes of a pixel that is blended once: four read, four written.
 constexpr double k_BytesOfAPixel = 8.0;
 constexpr int k_WarmUpFrames = 3; // the third repeats what the second recorded
+/// Rounds beyond those asked for are drawn while they cost no more time than this.
+constexpr std::chrono::seconds k_CheapTime{2};
+constexpr int k_MostRounds = 101;
 
-/// A picture that is drawn in turn with others, and what its frames took.
+/// A picture that is drawn in turn with others.
 struct Contestant
 {
     std::unique_ptr<StudyPicture> picture;
     RenderResult result;
-    std::vector<double> gpu; ///< milliseconds
-    std::vector<double> cpu;
-    std::vector<double> gpuAdded; ///< to the frame without an outline just before
-    std::vector<double> cpuAdded;
 
     /// Milliseconds of a frame: on the device, and on the CPU up to its submission.
     std::pair<double, double> Draw(VulkanDevice& device)
@@ -48,19 +49,59 @@ struct Contestant
     }
 };
 
-void AddMedian(CellResult& result, const std::string& key, const std::vector<double>& values)
+void AddMedian(CellResult& result, const std::string& key, const Spread& spread)
 {
-    const Spread spread = SpreadOf(values);
     result.values[key] = spread.median;
     result.quartiles[key] = {spread.lower, spread.upper};
 }
 
-/// Half the interval that holds the median of all frames with about 95 %: the notch of a box plot,
-/// of McGill, Tukey and Larsen, "Variations of Box Plots" (1978).
-double UncertaintyOfMedian(const std::vector<double>& values)
+/// Adds what a technique's frames took on the GPU or on the CPU.
+/// @param added  the keys' beginning: "gpuAdded" or "cpuAdded"
+void AddTimes(CellResult& result, const TimeAdded& time, const std::string& frame,
+              const std::string& added)
 {
-    const Spread spread = SpreadOf(values);
-    return 1.57 * (spread.upper - spread.lower) / std::sqrt(static_cast<double>(values.size()));
+    AddMedian(result, frame, time.frame);
+    AddMedian(result, added + "Milliseconds", time.added);
+    if (!std::isnan(time.uncertainty))
+    {
+        result.values[added + "Uncertainty"] = time.uncertainty;
+    }
+}
+
+/// What all frames took, in the order they were drawn.
+struct FrameTimes
+{
+    std::vector<std::size_t> turns; ///< TurnsOf
+    std::vector<double> gpu;        ///< milliseconds
+    std::vector<double> cpu;
+    double otherPrograms = 0.0; ///< processors that they kept busy
+};
+
+/// @param contestants  the first has no outline
+/// @param rounds       that are drawn at least; more while they are quick
+FrameTimes DrawInTurn(std::span<Contestant> contestants, int rounds, VulkanDevice& device)
+{
+    const std::size_t techniques = contestants.size() - 1;
+    const std::size_t asked = 2 * techniques * static_cast<std::size_t>(rounds) + 1;
+    const OtherPrograms others;
+    const auto begin = std::chrono::steady_clock::now();
+    FrameTimes times;
+    for (const std::size_t turn : TurnsOf(techniques, std::max(rounds, k_MostRounds)))
+    {
+        const auto [gpu, cpu] = contestants[turn].Draw(device);
+        times.turns.push_back(turn);
+        times.gpu.push_back(gpu);
+        times.cpu.push_back(cpu);
+        const bool isRoundDone =
+            (times.turns.size() - 1) % std::max<std::size_t>(2 * techniques, 1) == 0;
+        if (isRoundDone && times.turns.size() >= asked &&
+            std::chrono::steady_clock::now() - begin >= k_CheapTime)
+        {
+            break;
+        }
+    }
+    times.otherPrograms = others.BusyProcessors();
+    return times;
 }
 
 int DrawsOf(const CompiledFrame& frame)
@@ -76,11 +117,6 @@ int DrawsOf(const CompiledFrame& frame)
 CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& without)
 {
     CellResult result{id, {}, {}, {}, {}};
-    AddMedian(result, "gpuMilliseconds", with.gpu);
-    AddMedian(result, "gpuAddedMilliseconds", with.gpuAdded);
-    result.values["gpuAddedUncertainty"] = UncertaintyOfMedian(with.gpuAdded);
-    AddMedian(result, "cpuRecordMilliseconds", with.cpu);
-    AddMedian(result, "cpuAddedMilliseconds", with.cpuAdded);
     const CompiledFrame& frame = *with.result.frame;
     const CompiledFrame& plain = *without.result.frame;
     const FrameBytes bytes = BytesOf(frame);
@@ -167,18 +203,9 @@ std::vector<CellResult> StudyBench::MeasureCosts(std::span<const CellId> ids, in
             contestant.Draw(m_Device);
         }
     }
-    for (int round = 0; round < rounds; ++round)
-    {
-        for (std::size_t i = 1; i < contestants.size(); ++i)
-        {
-            const auto [plainGpu, plainCpu] = contestants.front().Draw(m_Device);
-            const auto [gpu, cpu] = contestants[i].Draw(m_Device);
-            contestants[i].gpu.push_back(gpu);
-            contestants[i].cpu.push_back(cpu);
-            contestants[i].gpuAdded.push_back(gpu - plainGpu);
-            contestants[i].cpuAdded.push_back(cpu - plainCpu);
-        }
-    }
+    const FrameTimes times = DrawInTurn(contestants, rounds, m_Device);
+    const TimesInTurn gpuTimes(times.turns, times.gpu);
+    const TimesInTurn cpuTimes(times.turns, times.cpu);
     const SceneAsset marked = MakeSubject(ids.front(), false, m_Scene, m_Assets);
     const double pixels = ExactOutlineCoverage(OutlinedSilhouette(marked), {ids.front().width},
                                                marked.width, marked.height, 0)
@@ -186,6 +213,12 @@ std::vector<CellResult> StudyBench::MeasureCosts(std::span<const CellId> ids, in
     for (std::size_t i = 0; i < drawn.size(); ++i)
     {
         CellResult result = ResultOf(drawn[i], contestants[i + 1], contestants.front());
+        AddTimes(result, gpuTimes.AddedBy(i + 1), "gpuMilliseconds", "gpuAdded");
+        AddTimes(result, cpuTimes.AddedBy(i + 1), "cpuRecordMilliseconds", "cpuAdded");
+        result.values["quietMilliseconds"] = gpuTimes.quietTime();
+        result.values["busyMilliseconds"] = gpuTimes.busyTime();
+        result.values["quietPart"] = gpuTimes.quietPart();
+        result.values["otherPrograms"] = times.otherPrograms;
         result.values["floorMilliseconds"] = 1000.0 * k_BytesOfAPixel * pixels / copyBandwidth();
         results.push_back(std::move(result));
     }

@@ -32,8 +32,8 @@ public:
     /// motion itself counts for nothing.
     CellResult MeasureTemporal(const CellId& id);
     /// Cells of cost that differ in their techniques only. Frames of all of them take turns,
-    /// each behind one without an outline.
-    /// @param rounds  how many frames of each are measured
+    /// each between two without an outline (TurnsOf).
+    /// @param rounds  how many frames of each are measured at least; more, if they are quick
     std::vector<CellResult> MeasureCosts(std::span<const CellId> ids, int rounds);
     /// Bytes a second that the device copies: measured once, before the first cell of cost.
     double copyBandwidth();

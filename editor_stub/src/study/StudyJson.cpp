@@ -14,6 +14,9 @@ namespace limn::study
 namespace
 {
 
+/// Counts up when figures change their meaning: 2 since times are known to bounds that hold.
+constexpr int k_Format = 2;
+
 Json NumberToJson(double value)
 {
     if (std::isfinite(value))
@@ -165,6 +168,21 @@ void RequirePictureName(const YamlNode& node, const std::string& name,
     }
 }
 
+/// Refuses results whose figures mean something else than this limn's.
+void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
+{
+    const YamlNode* format = root.Find("format");
+    if (root.kind() == YamlKind::Map && (!format || format->scalar() != std::to_string(k_Format)))
+    {
+        diagnostics.Error(root.location(),
+                          "study: these results are of another format than this limn's, which is " +
+                              std::to_string(k_Format) +
+                              " (before 2, the ± of a time did not hold when the load of the "
+                              "machine changed); measure them again into another folder");
+    }
+    diagnostics.ThrowIfErrors();
+}
+
 TechniqueInfo TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
 {
     TechniqueInfo info;
@@ -181,7 +199,8 @@ TechniqueInfo TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
 
 Json ToJson(const Study& study)
 {
-    Json json = {{"scene", study.scene},
+    Json json = {{"format", k_Format},
+                 {"scene", study.scene},
                  {"sceneHash", study.sceneHash},
                  {"device", study.device},
                  {"machine", study.machine},
@@ -227,6 +246,7 @@ Study StudyFromJson(std::string_view text, const std::string& file)
 {
     const YamlNode root = ParseYaml(text, file).front();
     AssetDiagnostics diagnostics(file);
+    RequireFormat(root, diagnostics);
     Reader reader(root, "study", diagnostics);
     Study study;
     reader.Read("scene", study.scene);

@@ -114,7 +114,7 @@ int StudyOptions::RoundsOf(const CellId& cell) const
 {
     const bool isCompared = cell.subject == k_SceneSubject && cell.width == k_UsualWidth &&
                             glm::ivec2(cell.pictureWidth, cell.pictureHeight) == sceneSize;
-    return isQuick ? 5 : isCompared ? 101 : 31;
+    return isQuick ? 9 : isCompared ? 101 : 31;
 }
 
 std::string StudyOptions::Text() const

@@ -18,7 +18,8 @@ struct StudyOptions
 
     /// The same text for the same cells: "quick, 1280x720, Strokes, Selection".
     std::string Text() const;
-    /// Of cells of cost: frames of each technique. Those that techniques are compared by get more.
+    /// Of cells of cost: frames of each technique, at least. Those that techniques are compared by
+    /// get more.
     int RoundsOf(const CellId& cell) const;
 };
 

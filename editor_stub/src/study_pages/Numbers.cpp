@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limits>
 
 namespace limn::study
 {
@@ -76,24 +75,6 @@ std::string Duration(double seconds)
     const std::string large = whole >= 3600 ? part(whole / 3600, " h") : minutes;
     const std::string small = whole >= 3600 ? minutes : part(whole % 60, " s");
     return large + (large.empty() || small.empty() ? "" : " ") + small;
-}
-
-Spread SpreadOf(std::vector<double> values)
-{
-    std::erase_if(values, [](double value) { return !std::isfinite(value); });
-    std::ranges::sort(values);
-    const auto at = [&values](double part)
-    {
-        if (values.empty())
-        {
-            return std::numeric_limits<double>::quiet_NaN();
-        }
-        const double place = part * static_cast<double>(values.size() - 1);
-        const auto below = static_cast<std::size_t>(place);
-        const std::size_t above = std::min(below + 1, values.size() - 1);
-        return std::lerp(values[below], values[above], place - std::floor(place));
-    };
-    return {at(0.25), at(0.5), at(0.75)};
 }
 
 } // namespace limn::study

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 namespace limn::study
 {
@@ -20,15 +19,5 @@ std::string Count(std::size_t count, const std::string& noun);
 
 /// "1 min 20 s", "3 h 5 min", "less than 1 s".
 std::string Duration(double seconds);
-
-/// Of the finite values: the lower quartile, the median and the upper quartile, between neighbours
-/// by linear interpolation; NaN without any.
-struct Spread
-{
-    double lower;
-    double median;
-    double upper;
-};
-Spread SpreadOf(std::vector<double> values);
 
 } // namespace limn::study

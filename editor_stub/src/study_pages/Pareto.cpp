@@ -18,6 +18,8 @@ constexpr double k_NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_Error = "meanAbsoluteError";
 constexpr const char* k_Time = "gpuAddedMilliseconds";
 constexpr const char* k_TimeUncertainty = "gpuAddedUncertainty";
+constexpr const char* k_Flicker = "flicker";
+constexpr const char* k_QuietPart = "quietPart";
 constexpr const char* k_Scene = "scene";
 
 bool HasFinite(const CellResult& cell, const char* metric)
@@ -149,10 +151,74 @@ void AddTime(Standing& standing, const Study& study, const Comparison& compariso
         {
             standing.at.milliseconds = cell.Value(k_Time);
             standing.timeQuartiles = QuartilesOf(cell, k_Time);
-            standing.timeUncertainty =
-                cell.Has(k_TimeUncertainty) ? cell.Value(k_TimeUncertainty) : 0.0;
+            standing.timeUncertainty = cell.Value(k_TimeUncertainty);
         }
     }
+}
+
+/// The width of temporal cells that is nearest to the wanted one.
+double FlickerWidth(const Study& study, double wanted)
+{
+    double best = k_NaN;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker) &&
+            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
+        {
+            best = cell.id.width;
+        }
+    }
+    return best;
+}
+
+void AddFlicker(Standing& standing, const Study& study, const Comparison& comparison)
+{
+    std::vector<double> flicker;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth) &&
+            cell.id.technique == standing.technique->name)
+        {
+            flicker.push_back(cell.Value(k_Flicker));
+        }
+    }
+    standing.flicker = SpreadOf(flicker);
+}
+
+/// Tells the measurements of times apart that were made at once.
+std::string MeasurementOf(const CellResult& cell)
+{
+    CellId id = cell.id;
+    id.technique.clear();
+    return id.Name() + Exact(cell.Value("quietMilliseconds"));
+}
+
+LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
+{
+    LoadOfStudy load;
+    std::set<std::string> measurements;
+    for (const CellResult& cell : study.cells)
+    {
+        if (!cell.Has(k_QuietPart) || !measurements.insert(MeasurementOf(cell)).second)
+        {
+            continue;
+        }
+        const double part = cell.Value(k_QuietPart);
+        ++load.measurements;
+        load.changed += HasLoadChanged(part) ? 1 : 0;
+        if (!IsCompared(cell, comparison))
+        {
+            continue;
+        }
+        load.otherPrograms = std::max(load.otherPrograms, cell.Value("otherPrograms"));
+        if (!(part >= load.quietPart))
+        {
+            load.quietPart = part;
+            load.quietMilliseconds = cell.Value("quietMilliseconds");
+            load.busyMilliseconds = cell.Value("busyMilliseconds");
+        }
+    }
+    return load;
 }
 
 double MedianFloor(const Study& study, const Comparison& comparison)
@@ -178,54 +244,6 @@ void AddStability(Standing& standing, const Study& study)
             standing.failures += cell.Value("failures") > 0.0 ? 1 : 0;
         }
     }
-}
-
-std::string Place(const Comparison& comparison)
-{
-    return Readable(comparison.width) + " px wide, in a picture of " +
-           std::to_string(comparison.pictureWidth) + "x" + std::to_string(comparison.pictureHeight);
-}
-
-std::string Figures(const Standing& standing)
-{
-    const std::string time = Readable(standing.at.milliseconds) + " ms";
-    const bool isLost = standing.at.milliseconds <= standing.timeUncertainty;
-    return "mean error " + Readable(standing.at.error) + " for " +
-           (isLost ? "a time that this run cannot tell from 0 (" + time + ")" : time);
-}
-
-/// What is better, were there more time.
-std::string MoreTimeBuys(const Comparison& comparison, const Standing* chosen)
-{
-    for (const std::size_t index : comparison.front)
-    {
-        const Standing& other = comparison.standings[index];
-        if (chosen != nullptr && other.at.error < chosen->at.error)
-        {
-            return " More time buys less error: " + other.technique->name + " has " +
-                   Figures(other) + ".";
-        }
-    }
-    return "";
-}
-
-/// Those whose error is the chosen one's to a hundredth and whose time may be as short, as well as
-/// the two medians are known.
-std::string AsGood(const Comparison& comparison, const Standing& chosen, double budget)
-{
-    std::string names;
-    for (const Standing& other : comparison.standings)
-    {
-        const bool isNear = other.at.error <= chosen.at.error * 1.01 &&
-                            other.at.milliseconds <= budget &&
-                            other.at.milliseconds - other.timeUncertainty <=
-                                chosen.at.milliseconds + chosen.timeUncertainty;
-        if (isNear && &other != &chosen)
-        {
-            names += (names.empty() ? "" : ", ") + other.technique->name;
-        }
-    }
-    return names.empty() ? "" : " As good, as far as the times tell: " + names + ".";
 }
 
 } // namespace
@@ -263,6 +281,8 @@ Comparison Compare(const Study& study, double width)
     comparison.width = width > 0.0 ? width : BestWidth(study);
     std::tie(comparison.pictureWidth, comparison.pictureHeight) = BestSize(study, comparison.width);
     comparison.floorMilliseconds = MedianFloor(study, comparison);
+    comparison.flickerWidth = FlickerWidth(study, comparison.width);
+    comparison.load = LoadOf(study, comparison);
     const bool hasScene =
         std::ranges::any_of(study.cells,
                             [&](const CellResult& cell)
@@ -277,55 +297,23 @@ Comparison Compare(const Study& study, double width)
         Standing standing{&technique, {k_NaN, k_NaN}, {k_NaN, k_NaN}, {k_NaN, k_NaN}};
         AddError(standing, study, comparison);
         AddTime(standing, study, comparison);
+        AddFlicker(standing, study, comparison);
         AddStability(standing, study);
-        points.push_back(standing.at);
+        points.push_back(standing.IsTimeKnown() ? standing.at : TimeAndError{k_NaN, k_NaN});
         comparison.standings.push_back(standing);
     }
     comparison.front = ParetoFront(points);
     return comparison;
 }
 
-Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds)
+bool Standing::HasTime() const
 {
-    Recommendation result;
-    for (const std::size_t index : comparison.front)
-    {
-        const Standing& standing = comparison.standings[index];
-        // Along the front the error falls, but for equal points, of which the first is taken.
-        if (standing.at.milliseconds <= budgetMilliseconds &&
-            (result.standing == nullptr || standing.at.error < result.standing->at.error))
-        {
-            result.standing = &standing;
-        }
-    }
-    const std::string budget = std::isinf(budgetMilliseconds)
-                                   ? "With all the time there is"
-                                   : "Within " + Readable(budgetMilliseconds) + " ms";
-    if (result.standing != nullptr)
-    {
-        const Standing& chosen = *result.standing;
-        result.sentence = budget + " take " + chosen.technique->name + ": " + Figures(chosen) +
-                          " (" + Place(comparison) + ").";
-        if (chosen.failures > 0)
-        {
-            result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
-                               Count(chosen.stabilityCells, "stability check") + ".";
-        }
-        result.sentence += AsGood(comparison, chosen, budgetMilliseconds);
-        result.sentence += MoreTimeBuys(comparison, result.standing);
-    }
-    else if (comparison.front.empty())
-    {
-        result.sentence = "No technique has both an error and a time to choose by.";
-    }
-    else
-    {
-        const Standing& quickest = comparison.standings[comparison.front.front()];
-        result.sentence = "Nothing fits " + Readable(budgetMilliseconds) +
-                          " ms: the quickest outline is " + quickest.technique->name + " with " +
-                          Figures(quickest) + " (" + Place(comparison) + ").";
-    }
-    return result;
+    return std::isfinite(at.milliseconds);
+}
+
+bool Standing::IsTimeKnown() const
+{
+    return ShortestTime() > 0.0 && std::isfinite(LongestTime());
 }
 
 } // namespace limn::study

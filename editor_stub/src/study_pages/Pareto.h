@@ -1,7 +1,9 @@
 #pragma once
 
+#include "study/Statistics.h"
 #include "study/Study.h"
 
+#include <limits>
 #include <span>
 
 namespace limn::study
@@ -27,11 +29,31 @@ struct Standing
     TimeAndError at;
     std::pair<double, double> timeQuartiles;  ///< NaN if it has none
     std::pair<double, double> errorQuartiles; ///< NaN if it has none
-    /// Half the interval in which the median of the time lies with 95 %, milliseconds; 0 if
-    /// unknown.
-    double timeUncertainty = 0.0;
+    /// The time is within `at.milliseconds` ± this with 95 %; NaN where the run cannot tell.
+    double timeUncertainty = std::numeric_limits<double>::quiet_NaN();
+    /// The median over what moved; NaN where nothing did.
+    Spread flicker = SpreadOf({});
     std::size_t failures = 0;       ///< stability cells that failed
     std::size_t stabilityCells = 0; ///< it was put through
+
+    bool HasTime() const;     ///< which may not be known
+    bool IsTimeKnown() const; ///< it has one, and 0 is not within its bound
+    double ShortestTime() const { return at.milliseconds - timeUncertainty; }
+    double LongestTime() const { return at.milliseconds + timeUncertainty; }
+};
+
+/// How the load of the machine went while times were measured.
+struct LoadOfStudy
+{
+    std::size_t measurements = 0; ///< of several techniques each, in turn
+    std::size_t changed = 0;      ///< those during which the load changed
+    /// Where techniques are compared; of parts that were measured apart the least quiet. NaN
+    /// without any.
+    double quietPart = std::numeric_limits<double>::quiet_NaN();
+    double quietMilliseconds = 0.0; ///< TimesInTurn::quietTime
+    double busyMilliseconds = 0.0;  ///< TimesInTurn::busyTime
+    /// OtherPrograms::BusyProcessors, the most where techniques are compared.
+    double otherPrograms = 0.0;
 };
 
 /// All techniques of a study at one width: the mean error of the outline against the GPU time it
@@ -48,26 +70,16 @@ struct Comparison
     /// Whose error it is: "scene" where the scene's own outline was compared; else "" and the error
     /// is the median over all shapes, with their quartiles. At several sizes: the median over them.
     std::string subject;
+    double flickerWidth = 0.0; ///< pixels, of what moved: the nearest to `width`; NaN without any
+    LoadOfStudy load;
     std::vector<Standing> standings; ///< in the order of Study::techniques
-    std::vector<std::size_t> front;  ///< into standings, the quickest first
+    /// Into standings, the quickest first; of known times only.
+    std::vector<std::size_t> front;
 };
 
 /// @param study  must outlive the result
 /// @param width  pixels; 0 = that at which most techniques have both figures, of several the middle
 ///               one
 Comparison Compare(const Study& study, double width = 0.0);
-
-/// Which technique to take.
-struct Recommendation
-{
-    const Standing* standing = nullptr; ///< in the comparison; null if nothing fits
-    std::string sentence;               ///< for people, with the figures
-};
-
-/// The least error whose time is within the budget; of equal errors the quickest, and what is as
-/// good and by its time not to be told from it is named.
-/// @param comparison          must outlive the result
-/// @param budgetMilliseconds  GPU time that may be added to a frame; may be infinite
-Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);
 
 } // namespace limn::study

@@ -151,6 +151,7 @@ Table TechniquesTable(const Comparison& comparison)
                  {"GPU time added", "ms", true},
                  {"known to ±", "ms", true},
                  {"its quartiles", "ms", true},
+                 {"flicker", "", true},
                  {"stability checks failed", "", true},
                  {"what it is", "", false}},
                 {},
@@ -162,8 +163,10 @@ Table TechniquesTable(const Comparison& comparison)
         table.rows.push_back(
             {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
              Figure(standing.at.milliseconds),
-             standing.timeUncertainty > 0.0 ? Readable(standing.timeUncertainty) : k_Nothing,
-             FromTo(standing.timeQuartiles),
+             standing.HasTime() && std::isnan(standing.timeUncertainty)
+                 ? "not known"
+                 : Figure(standing.timeUncertainty),
+             FromTo(standing.timeQuartiles), Figure(standing.flicker.median),
              standing.stabilityCells == 0 ? k_Nothing
                                           : std::to_string(standing.failures) + " of " +
                                                 std::to_string(standing.stabilityCells),
@@ -190,8 +193,7 @@ Table BudgetsTable(const Comparison& comparison)
     for (const std::size_t index : comparison.front)
     {
         const Standing& standing = comparison.standings[index];
-        table.rows.push_back({standing.technique->name,
-                              Readable(std::max(standing.at.milliseconds, 0.0)),
+        table.rows.push_back({standing.technique->name, Readable(standing.LongestTime()),
                               Readable(standing.at.error), standing.technique->summary});
     }
     return table;

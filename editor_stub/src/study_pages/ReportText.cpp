@@ -1,6 +1,7 @@
 #include "study_pages/ReportText.h"
 
 #include "study_pages/Numbers.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/ReportTables.h"
 
 #include <algorithm>
@@ -145,7 +146,18 @@ Section Cost(const Study& study, const Comparison& comparison)
                cell.id.pictureWidth == comparison.pictureWidth &&
                cell.id.pictureHeight == comparison.pictureHeight;
     };
-    section.paragraphs.push_back("Times are medians of frames drawn in turn, warm.");
+    section.paragraphs.push_back(
+        "Each frame with an outline is drawn between two without one, warm, and each technique "
+        "once "
+        "a round, in another order each round. The time added is the median of what the frame took "
+        "longer than the mean of its two neighbours. A pair counts if the frames without an "
+        "outline "
+        "in it and around it took about the run's quiet time; if more than a tenth of all frames "
+        "without an outline did not, the load of the machine changed. The ± holds with 95 % the "
+        "time "
+        "added at the run's quietest moments, whatever the distribution (sign test), pairs that "
+        "resemble their neighbours in time counting as fewer. A load that lasts as long as the run "
+        "is not told from a slower machine: see how many processors other programs kept busy.");
     AddCells(section, study, "costs", "Where techniques are compared",
              [&](const CellResult& cell)
              { return cell.id.kind == CellKind::Cost && isCompared(cell); });
@@ -248,23 +260,6 @@ std::string Missing(const Study& study)
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
-/// Where times are too uncertain to choose by; "" where they are not.
-std::string Uncertainty(const Study& study, const Comparison& comparison)
-{
-    std::size_t timed = 0;
-    std::size_t wide = 0;
-    for (const Standing& standing : comparison.standings)
-    {
-        timed += std::isnan(standing.at.milliseconds) ? 0 : 1;
-        wide += standing.timeUncertainty > 0.5 * standing.at.milliseconds ? 1 : 0;
-    }
-    return wide == 0 ? ""
-                     : "The times of " + std::to_string(wide) + " of " + Count(timed, "technique") +
-                           " are known to no better than half of themselves (load average " +
-                           Readable(study.loadAverage) +
-                           "): measure again on a quieter machine before choosing by them.";
-}
-
 /// For a study of stability only: who passed, and who failed how often.
 std::string Verdict(const Comparison& comparison)
 {
@@ -306,13 +301,11 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
     {
         report.recommendation = Verdict(comparison);
     }
-    report.remarks = options.remarks;
-    for (const std::string& remark : {Uncertainty(study, comparison), Missing(study)})
+    report.remarks = WarningsOf(comparison);
+    report.remarks.insert(report.remarks.end(), options.remarks.begin(), options.remarks.end());
+    if (const std::string missing = Missing(study); !missing.empty())
     {
-        if (!remark.empty())
-        {
-            report.remarks.push_back(remark);
-        }
+        report.remarks.push_back(missing);
     }
     report.plots = PlotsOf(study, comparison, options.budgetMilliseconds);
     std::erase_if(report.plots, [](const Plot& plot) { return plot.isEmpty(); });

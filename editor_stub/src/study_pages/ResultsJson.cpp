@@ -1,4 +1,5 @@
 #include "study/StudyJson.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/Results.h"
 
 namespace limn::study
@@ -15,11 +16,14 @@ Json ComparisonJson(const Comparison& comparison)
         const Standing& standing = comparison.standings[index];
         front.push_back({{"technique", standing.technique->name},
                          {"milliseconds", standing.at.milliseconds},
+                         {"uncertainty", standing.timeUncertainty},
                          {"error", standing.at.error}});
     }
     return {{"width", comparison.width},
             {"size", {comparison.pictureWidth, comparison.pictureHeight}},
             {"errorOf", comparison.subject.empty() ? "median over shapes" : comparison.subject},
+            {"loadChanged", HasLoadChanged(comparison.load.quietPart)},
+            {"warnings", WarningsOf(comparison)},
             {"paretoFront", front}};
 }
 

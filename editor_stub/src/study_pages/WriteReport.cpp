@@ -2,7 +2,7 @@
 
 #include "console/RunProgram.h"
 #include "study/StudyFiles.h"
-#include "study_pages/Pareto.h"
+#include "study_pages/Recommendation.h"
 #include "study_pages/ReportText.h"
 #include "study_pages/Results.h"
 
@@ -77,6 +77,7 @@ ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
     ReportText report = ReportOf(study, comparison, options);
     ReportFiles result;
     result.recommendation = report.recommendation;
+    result.warnings = WarningsOf(comparison);
     const DrawnPlots drawn = DrawPlots(report.plots, folder, result.noPlots);
     if (!result.noPlots.empty())
     {

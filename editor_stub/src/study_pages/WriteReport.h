@@ -20,6 +20,7 @@ struct ReportFiles
 {
     std::vector<std::filesystem::path> files; ///< what was written, report.html first
     std::string recommendation;               ///< sentences for people
+    std::vector<std::string> warnings;        ///< sentences: what the times are worth
     std::string noPlots;                      ///< why there are none; "" if they were drawn
 };
 

@@ -70,8 +70,13 @@ struct HlslNode
     std::size_t CountChildren() const;
 };
 
-/// Owner of nodes, which stay where they are.
-using HlslNodes = std::deque<HlslNode>;
+/// Owner of nodes, which stay where they are. The nodes of a copy would lead to the original's.
+struct HlslNodes : std::deque<HlslNode>
+{
+    HlslNodes() = default;
+    HlslNodes(HlslNodes&&) = default;
+    HlslNodes& operator=(HlslNodes&&) = default;
+};
 
 /// The first node of a tree for which it holds; null where there is none.
 template <typename F>

@@ -151,9 +151,8 @@ private:
             PutRemainder(i);
             return;
         case spv::OpSMod:
-            i.op = spv::OpSRem;
-            i.words[0] = (i.words[0] & ~0xffffu) | i.op;
-            [[fallthrough]];
+            PutSignedRemainder(i);
+            return;
         case spv::OpSDiv:
             if (!IsConstantOf(i.words[4], [](std::uint32_t n) { return n != k_MinusOne; }))
             {
@@ -258,21 +257,37 @@ private:
         PutAs(i.result, spv::OpSelect, i.type, {isZero, all, divided});
     }
 
-    /// The least int divided by -1 is no int; drivers and spirv-opt divide as the processor does,
-    /// which ends the program.
+    /// The divisor, with 1 in place of -1. The least int divided by -1 is no int; drivers and
+    /// spirv-opt divide as the processor does, which ends the program.
+    Id PutSafeDivisor(Id divisor)
+    {
+        const Id type = m_TypeOf.at(divisor);
+        return Put(spv::OpSelect, type, {PutIsMinusOne(divisor), Constant(type, 1), divisor});
+    }
+    Id PutIsMinusOne(Id divisor)
+    {
+        const Id type = m_TypeOf.at(divisor);
+        return Put(spv::OpIEqual, Truth(type), {divisor, Constant(type, k_MinusOne)});
+    }
+
+    /// x - x / y * y, with the sign of x. Vulkan leaves OpSRem and OpSMod undefined where one of
+    /// the two is negative, and NVIDIA's driver takes both for unsigned there; of OpSDiv it does
+    /// not.
+    void PutSignedRemainder(const SpirvInstruction& i)
+    {
+        const Id x = i.words[3];
+        const bool isSafe =
+            IsConstantOf(i.words[4], [](std::uint32_t n) { return n != k_MinusOne; });
+        const Id divisor = isSafe ? i.words[4] : PutSafeDivisor(i.words[4]);
+        const Id quotient = Put(spv::OpSDiv, i.type, {x, divisor});
+        const Id product = Put(spv::OpIMul, i.type, {quotient, divisor});
+        PutAs(i.result, spv::OpISub, i.type, {x, product});
+    }
+
     void PutSignedDivision(const SpirvInstruction& i)
     {
-        const Id divisor = i.words[4];
-        const Id type = m_TypeOf.at(divisor);
-        const Id isMinusOne =
-            Put(spv::OpIEqual, Truth(type), {divisor, Constant(type, k_MinusOne)});
-        const Id safe = Put(spv::OpSelect, type, {isMinusOne, Constant(type, 1), divisor});
-        if (i.op == spv::OpSRem) // 0 in both cases
-        {
-            PutAs(i.result, spv::OpSRem, i.type, {i.words[3], safe});
-            return;
-        }
-        const Id divided = Put(spv::OpSDiv, i.type, {i.words[3], safe});
+        const Id isMinusOne = PutIsMinusOne(i.words[4]);
+        const Id divided = Put(spv::OpSDiv, i.type, {i.words[3], PutSafeDivisor(i.words[4])});
         const Id negated = Put(spv::OpSNegate, i.type, {i.words[3]});
         PutAs(i.result, spv::OpSelect, i.type, {isMinusOne, negated, divided});
     }

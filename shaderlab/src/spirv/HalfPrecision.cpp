@@ -248,10 +248,7 @@ private:
             m_TypeOf[whole] = i.type;
             const Id result = std::exchange(i.words[2], whole);
             Put(i);
-            const Id half = AsHalf(whole);
-            PutConversion(i.type, result, half);
-            m_HalfOf[result] = half;
-            m_Halves.insert(result);
+            PutRounding(i.type, result, whole);
             return;
         }
         Put(i);
@@ -344,7 +341,7 @@ private:
             return known->second;
         }
         const Id half = m_Bound++;
-        PutConversion(m_HalfTypes[ComponentsOf(value) - 1], half, value);
+        PutConversion(m_HalfTypes[ComponentsOf(value) - 1], half, Rounded(value));
         return half;
     }
 
@@ -356,13 +353,21 @@ private:
         {
             return value;
         }
-        const Id half = AsHalf(value);
         const Id rounded = m_Bound++;
-        m_TypeOf[rounded] = m_FloatTypes[components - 1];
-        PutConversion(m_FloatTypes[components - 1], rounded, half);
-        m_HalfOf[rounded] = half;
-        m_Halves.insert(rounded);
+        PutRounding(m_FloatTypes[components - 1], rounded, value);
         return rounded;
+    }
+
+    /// Rounds 32-bit floats to what 16 bits can hold. NVIDIA's driver takes a conversion to 16 bits
+    /// and back for nothing, and leaves the value as it was; this instruction it does not.
+    void PutRounding(Id type, Id rounded, Id value)
+    {
+        m_TypeOf[rounded] = type;
+        m_Body.insert(m_Body.end(), {4u << 16 | spv::OpQuantizeToF16, type, rounded, value});
+        m_Halves.insert(rounded);
+        const Id half = m_Bound++; // here, so that it may be used wherever the value may
+        PutConversion(m_HalfTypes[ComponentsOf(rounded) - 1], half, rounded);
+        m_HalfOf[rounded] = half;
     }
 
     void PutConversion(Id type, Id result, Id value)

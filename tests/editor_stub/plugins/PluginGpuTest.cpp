@@ -9,7 +9,7 @@ namespace limn::test
 TEST(PluginGpu, DrawsWithItsShaderWhatItsComponentSays)
 {
     const PluginFolder folder;
-    ASSERT_THAT(folder.Run("render s.scene.yaml -o o.png --device software --plugin probe.so"),
+    ASSERT_THAT(folder.Run("render s.scene.yaml -o o.png --plugin probe.so"),
                 testing::EndsWith("exit 0\n"));
     const Image image = ReadPng("o.png");
     ASSERT_EQ(64u * 4, image.texels.size());
@@ -25,7 +25,7 @@ TEST(PluginGpu, DrawsWithItsShaderWhatItsComponentSays)
 TEST(PluginGpu, IsInTheSceneThatReportMeasures)
 {
     const PluginFolder folder;
-    const std::string arguments = "report s.scene.yaml -o report --quick --device software";
+    const std::string arguments = "report s.scene.yaml -o report --quick";
     EXPECT_THAT(folder.Run(arguments), testing::HasSubstr("unknown feature 'ProbeFeature'"));
     EXPECT_THAT(folder.Run(arguments + " --plugin probe.so"),
                 testing::HasSubstr("no active feature outlines anything"));

@@ -242,6 +242,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Tampered{"cells.jsonl", "\"values\":{", "\"values\":[", "cells.jsonl:1:"},
                     Tampered{"study.json", "\"room.scene.yaml\"", "[]",
                              "study.scene: found a sequence; text is expected"},
+                    Tampered{"study.json", "\"format\": 2,", "",
+                             "study.json:1:1: error: study: these results are of another format "
+                             "than this limn's, which is 2"},
+                    Tampered{"study.json", "\"format\": 2,", "\"format\": 3,",
+                             "measure them again into another folder"},
                     Tampered{"study.json", "\"started\"", "\"begun\"",
                              "study: key 'started' is missing"},
                     Tampered{"study.json", "true", "\"yes\"", "true or false"},

@@ -1,5 +1,6 @@
 #include "study_pages/Pareto.h"
 #include "SampleStudy.h"
+#include "study_pages/Recommendation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,10 +16,8 @@ namespace
 
 using study::Compare;
 using study::ParetoFront;
-using study::Recommend;
 using study::TimeAndError;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 constexpr double k_Infinity = std::numeric_limits<double>::infinity();
@@ -132,19 +131,6 @@ TEST(ParetoFront, IsWhatItsDefinitionSaysForRandomPoints)
     EXPECT_GE(largest, 5u); // not only trivial ones were tried
 }
 
-study::Study ThreeTechniques()
-{
-    study::Study sample = EmptySample();
-    for (const char* name : {"Slow", "Quick", "Bad", "Unmeasured"})
-    {
-        AddTechnique(sample, name);
-    }
-    AddPoint(sample, "Slow", 8.0, 10.0, 0.001);
-    AddPoint(sample, "Quick", 8.0, 1.0, 0.1);
-    AddPoint(sample, "Bad", 8.0, 12.0, 0.5);
-    return sample;
-}
-
 TEST(Comparison, HasTheFiguresOfEachTechnique)
 {
     const study::Study sample = ThreeTechniques();
@@ -215,81 +201,8 @@ TEST(Comparison, CountsStabilityCellsThatFailed)
     const study::Comparison comparison = Compare(sample);
     EXPECT_EQ(5u, comparison.standings[1].stabilityCells);
     EXPECT_EQ(2u, comparison.standings[1].failures);
-    EXPECT_THAT(Recommend(comparison, 1.0).sentence,
-                HasSubstr("It failed 2 of 5 stability checks."));
-}
-
-TEST(Recommendation, IsTheLeastErrorWithinTheBudget)
-{
-    const study::Study sample = ThreeTechniques();
-    const study::Comparison comparison = Compare(sample);
-    const auto nameFor = [&](double budget)
-    {
-        const study::Recommendation result = Recommend(comparison, budget);
-        return result.standing == nullptr ? "" : result.standing->technique->name;
-    };
-    EXPECT_EQ("", nameFor(0.999));
-    EXPECT_EQ("Quick", nameFor(1.0));
-    EXPECT_EQ("Quick", nameFor(9.999));
-    EXPECT_EQ("Slow", nameFor(10.0));
-    EXPECT_EQ("Slow", nameFor(k_Infinity));
-    EXPECT_EQ("", nameFor(k_NoFigure));
-}
-
-TEST(Recommendation, IsASentenceWithItsFigures)
-{
-    const study::Study sample = ThreeTechniques();
-    const study::Comparison comparison = Compare(sample);
-    EXPECT_EQ("Within 2 ms take Quick: mean error 0.1 for 1 ms (8 px wide, in a picture of "
-              "640x360). More time buys less error: Slow has mean error 0.001 for 10 ms.",
-              Recommend(comparison, 2.0).sentence);
-    EXPECT_EQ(
-        "Nothing fits 0.5 ms: the quickest outline is Quick with mean error 0.1 for 1 ms (8 px "
-        "wide, in a picture of 640x360).",
-        Recommend(comparison, 0.5).sentence);
-    EXPECT_EQ("With all the time there is take Slow: mean error 0.001 for 10 ms (8 px wide, in a "
-              "picture of 640x360).",
-              Recommend(comparison, k_Infinity).sentence);
-    const study::Comparison nothing;
-    EXPECT_EQ("No technique has both an error and a time to choose by.",
-              Recommend(nothing, 5.0).sentence);
-}
-
-TEST(Recommendation, SaysThatATimeIsLostInTheNoise)
-{
-    study::Study sample = EmptySample();
-    AddTechnique(sample, "Quick");
-    AddPoint(sample, "Quick", 4.0, -0.25, 0.1);
-    EXPECT_THAT(Recommend(Compare(sample), k_Infinity).sentence,
-                HasSubstr("take Quick: mean error 0.1 for a time that this run cannot tell from 0 "
-                          "(-0.25 ms) (4 px wide"));
-}
-
-TEST(Recommendation, OfEqualErrorsIsTheQuickest)
-{
-    study::Study sample = EmptySample();
-    AddTechnique(sample, "Slower");
-    AddTechnique(sample, "Quicker");
-    AddPoint(sample, "Slower", 4.0, 2.0, 0.25);
-    AddPoint(sample, "Quicker", 4.0, 1.0, 0.25);
-    EXPECT_EQ("Quicker", Recommend(Compare(sample), 5.0).standing->technique->name);
-}
-
-TEST(Recommendation, NamesWhatIsAsGoodAsFarAsTheTimesTell)
-{
-    study::Study sample = EmptySample();
-    for (const char* name : {"Chosen", "Near", "Slow", "Worse"})
-    {
-        AddTechnique(sample, name);
-    }
-    AddPoint(sample, "Chosen", 4.0, 1.0, 0.25); // up to 1.1 ms
-    AddPoint(sample, "Near", 4.0, 1.2, 0.251);  // from 1.08 ms
-    AddPoint(sample, "Slow", 4.0, 1.3, 0.25);   // from 1.17 ms
-    AddPoint(sample, "Worse", 4.0, 1.1, 0.26);
-    const study::Comparison comparison = Compare(sample);
-    const std::string sentence = " As good, as far as the times tell: Near.";
-    EXPECT_THAT(Recommend(comparison, 5.0).sentence, testing::EndsWith(sentence));
-    EXPECT_THAT(Recommend(comparison, 1.05).sentence, testing::Not(HasSubstr("As good")));
+    EXPECT_THAT(study::Recommend(comparison, 2.0).sentence,
+                testing::HasSubstr("It failed 2 of 5 stability checks."));
 }
 
 } // namespace

@@ -158,8 +158,25 @@ TEST(ErrorAgainstTimePlot, HasTheFrontTheFloorTheBudgetAndArticlesApart)
     ASSERT_EQ(1u, plot.front.size());
     EXPECT_EQ(2.0, plot.front[0].milliseconds);
     EXPECT_THAT(plot.verticals, ElementsAre(Pair(0.25, "floor"), Pair(3.0, "budget")));
-    EXPECT_THAT(plot.caption, HasSubstr("Without both figures, so not in it: Rim."));
+    EXPECT_THAT(plot.caption,
+                HasSubstr("Not in it, for want of an error or of a time that this run "
+                          "knows: Rim."));
     EXPECT_EQ(std::pair(1.8, 2.2), plot.series[0].points[0].barX);
+}
+
+TEST(ErrorAgainstTimePlot, HasNoPointWhereATimeHasNoBound)
+{
+    study::Study sample = EmptySample();
+    AddTechnique(sample, "Known");
+    AddTechnique(sample, "Unknown");
+    AddPoint(sample, "Known", 8.0, 2.0, 0.001);
+    AddPoint(sample, "Unknown", 8.0, 1.0, 0.1);
+    sample.cells.back().values.erase("gpuAddedUncertainty");
+    const std::vector<Plot> plots = PlotsOf(sample, Compare(sample), std::nullopt);
+    const Plot& plot = FindPlot(plots, "error_time");
+    EXPECT_TRUE(std::isfinite(plot.series[0].points[0].at.milliseconds));
+    EXPECT_FALSE(std::isfinite(plot.series[0].points[1].at.milliseconds));
+    EXPECT_THAT(plot.caption, HasSubstr("that this run knows: Unknown."));
 }
 
 TEST(LinePlots, HaveALineATechniqueThroughItsCells)

@@ -76,9 +76,14 @@ void AddCost(Study& sample, const MadeUp& technique, double width, int pictureWi
                  pictureWidth, pictureHeight, variant},
                 {{"gpuMilliseconds", 30.0 * factor + time},
                  {"gpuAddedMilliseconds", time},
-                 {"gpuAddedUncertainty", time * 0.1},
+                 {"gpuAddedUncertainty", std::abs(time) * 0.1},
                  {"cpuRecordMilliseconds", 0.3},
                  {"cpuAddedMilliseconds", 0.05},
+                 {"cpuAddedUncertainty", 0.01},
+                 {"quietMilliseconds", 30.0 * factor},
+                 {"busyMilliseconds", 95.0 * factor},
+                 {"quietPart", 0.42},
+                 {"otherPrograms", 1.5},
                  {"passes", 3.0},
                  {"draws", 4.0},
                  {"targetBytes", 8294400.0},
@@ -105,6 +110,19 @@ void AddStability(Study& sample, const MadeUp& technique)
 }
 
 } // namespace
+
+Study ThreeTechniques()
+{
+    Study sample = EmptySample();
+    for (const char* name : {"Slow", "Quick", "Bad", "Unmeasured"})
+    {
+        AddTechnique(sample, name);
+    }
+    AddPoint(sample, "Slow", 8.0, 10.0, 0.001);
+    AddPoint(sample, "Quick", 8.0, 1.0, 0.1);
+    AddPoint(sample, "Bad", 8.0, 12.0, 0.5);
+    return sample;
+}
 
 Study FullSample()
 {

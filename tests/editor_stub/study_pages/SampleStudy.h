@@ -2,6 +2,7 @@
 
 #include "study/Study.h"
 
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -48,10 +49,17 @@ inline void AddPoint(study::Study& sample, const std::string& technique, double 
             {{"meanAbsoluteError", error}});
     AddCell(sample, {study::CellKind::Cost, technique, "scene", width, 640, 360, ""},
             {{"gpuAddedMilliseconds", milliseconds},
-             {"gpuAddedUncertainty", milliseconds * 0.1},
+             {"gpuAddedUncertainty", std::abs(milliseconds) * 0.1},
+             {"quietMilliseconds", 30.0},
+             {"busyMilliseconds", 33.0},
+             {"quietPart", 0.95},
+             {"otherPrograms", 0.01},
              {"floorMilliseconds", 0.25}})
         .quartiles["gpuAddedMilliseconds"] = {milliseconds * 0.9, milliseconds * 1.2};
 }
+
+/// One technique is slow and near, one quick, one bad, one not measured, each 8 px wide.
+study::Study ThreeTechniques();
 
 /// Every kind of cell, as many as a real study has; "Fails" has NaN, infinite and zero figures.
 study::Study FullSample();

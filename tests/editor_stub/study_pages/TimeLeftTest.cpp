@@ -1,7 +1,6 @@
 #include "study_pages/TimeLeft.h"
 #include "study_pages/Numbers.h"
 
-#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -110,17 +109,6 @@ TEST(DurationText, HasTheTwoLargestUnits)
     EXPECT_EQ("2 h 3 min", study::Duration(2 * 3600 + 3 * 60 + 29));
     EXPECT_EQ("1 h", study::Duration(3601));
     EXPECT_EQ("less than 1 s", study::Duration(std::numeric_limits<double>::quiet_NaN()));
-}
-
-TEST(Spread, IsBetweenNeighboursAndOfFiniteValuesOnly)
-{
-    const study::Spread spread =
-        study::SpreadOf({4.0, 1.0, 2.0, 3.0, std::numeric_limits<double>::quiet_NaN()});
-    EXPECT_DOUBLE_EQ(1.75, spread.lower);
-    EXPECT_DOUBLE_EQ(2.5, spread.median);
-    EXPECT_DOUBLE_EQ(3.25, spread.upper);
-    EXPECT_TRUE(std::isnan(study::SpreadOf({}).median));
-    EXPECT_DOUBLE_EQ(7.0, study::SpreadOf({7.0}).upper);
 }
 
 } // namespace

@@ -245,6 +245,8 @@ TEST(ReportTables, HaveTheStudysFigures)
     EXPECT_EQ("14.7", At(techniques, "Separable", "GPU time added"));
     EXPECT_EQ("0.012", At(techniques, "Separable", "mean error"));
     EXPECT_EQ("1.47", At(techniques, "Separable", "known to ±"));
+    EXPECT_EQ("2.09", At(BudgetsTable(comparison), "Auto", "from a budget of")) << "1.9 ± 0.19 ms";
+    EXPECT_EQ("0.005", At(techniques, "Separable", "flicker")) << "a third and half of 0.012";
     EXPECT_EQ("13.7 … 16.9", At(techniques, "Separable", "its quartiles"));
     EXPECT_EQ("infinite", At(techniques, "Fails", "mean error"));
     EXPECT_EQ("–", At(techniques, "Rim", "mean error"));
@@ -311,16 +313,32 @@ study::Study TwoTechniques()
     return sample;
 }
 
-TEST(ReportRemarks, WarnOfTimesThatAreHardlyKnown)
+TEST(ReportRemarks, AreTheWarningsOfTheTerminalAndThoseOfTheCaller)
 {
     study::Study sample = TwoTechniques();
     EXPECT_THAT(ReportOf(sample, Compare(sample), {}).remarks, testing::IsEmpty());
-    sample.cells[1].values["gpuAddedUncertainty"] = 1.01; // of 2 ms
-    EXPECT_THAT(ReportOf(sample, Compare(sample), {}).remarks,
-                testing::ElementsAre(
-                    "The times of 1 of 2 techniques are known to no better than half of "
-                    "themselves (load average 0.5): measure again on a quieter machine before "
-                    "choosing by them."));
+    sample.cells[1].values["gpuAddedUncertainty"] = 2.5; // of 2 ms
+    sample.cells[1].values["quietPart"] = 0.5;
+    study::ReportOptions options;
+    options.remarks = {"a remark"};
+    const TemporaryFolder folder;
+    const study::ReportFiles files = WriteReport(sample, folder.path(), options);
+    ASSERT_EQ(files.warnings.size(), 2u);
+    EXPECT_THAT(files.warnings[0], testing::StartsWith("The load changed during this run: "));
+    EXPECT_THAT(files.warnings[1], HasSubstr("A (2 ± 2.5 ms, so at most 4.5 ms)"));
+    for (const char* page : {"report.html", "report.md"})
+    {
+        const std::string text = BytesOf(folder / page);
+        for (const std::string& sentence :
+             {files.warnings[0], files.warnings[1], options.remarks[0], files.recommendation})
+        {
+            EXPECT_THAT(text, HasSubstr(sentence)) << page;
+        }
+    }
+    const auto json = nlohmann::json::parse(BytesOf(folder / "results.json"));
+    EXPECT_EQ(json["comparison"]["loadChanged"], true);
+    EXPECT_EQ(json["comparison"]["warnings"], files.warnings);
+    EXPECT_THAT(BytesOf(folder / "results.csv"), HasSubstr(",quietPart,"));
 }
 
 TEST(ReportRemarks, NamePlannedCellsThatAreMissing)

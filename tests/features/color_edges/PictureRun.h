@@ -185,4 +185,18 @@ inline int CountDifferent(const Field& a, const Field& b)
     return count;
 }
 
+/// The largest difference of two pictures of 16-bit floats, in steps of such a float at the larger
+/// of the two values.
+inline double LargestDifferenceInHalfSteps(const Field& a, const Field& b)
+{
+    double largest = 0.0;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+    {
+        const double value = std::max(std::abs(a.values[i]), std::abs(b.values[i]));
+        const double step = std::exp2(std::max(std::floor(std::log2(value)), -14.0) - 10.0);
+        largest = std::max(largest, std::abs(a.values[i] - b.values[i]) / step);
+    }
+    return largest;
+}
+
 } // namespace limn::test

@@ -193,7 +193,8 @@ TEST_P(MaskDifferenceOutlineAtSizeGpu, AgreesWithTheReferenceForEveryDepthAndCam
                       0.999)
                 << look.width << ", threshold " << look.threshold << ", " << look.distance << " m";
             lines += CountDifferent(picture, base);
-            EXPECT_EQ(CountDifferent(fromTexture.Color(&With(look)), picture), 0);
+            // Blending may round the sum otherwise than the conversion of what a shader writes.
+            EXPECT_LE(LargestDifferenceInHalfSteps(fromTexture.Color(&With(look)), picture), 1.0);
         }
     }
     EXPECT_GT(lines, width * height);

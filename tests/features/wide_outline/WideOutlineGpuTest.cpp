@@ -23,7 +23,10 @@ WideOutlineSettings With(WideOutlineMethod method)
 }
 
 /// What a mask of four samples allows: the mean error inside the band, which outlines.md (section
-/// 2, "edge seeds, 4x") gives as .044, .017 and .0053 for the widths 2, 8 and 32 around a disc.
+/// 2, "edge seeds, 4x") gives as .044, .017 and .0053 for the widths 2, 8 and 32 around a disc. The
+/// overlap counts pixels above one half: one of which two samples are covered may fall on either
+/// side. Of the band around the disc's 1 206 pixels some 390 lie on its ends, a quarter of them
+/// with two samples; half of those on the wrong side are 4 %.
 struct Limits
 {
     const char* name;
@@ -36,8 +39,8 @@ constexpr double k_Widths[] = {1.0, 2.0, 8.0, 32.0};
 std::vector<Limits> Shapes()
 {
     return {
-        {"disc", DiscTriangles({47.3, 48.6}, 20.0), {.06, .042, .015, .0053}, .98},
-        {"ring", RingTriangles({48.2, 47.4}, 9.5, 22.0), {.06, .042, .015, .0053}, .98},
+        {"disc", DiscTriangles({47.3, 48.6}, 20.0), {.06, .042, .015, .0053}, .96},
+        {"ring", RingTriangles({48.2, 47.4}, 9.5, 22.0), {.06, .042, .015, .0053}, .96},
         {"star", StarTriangles({47.7, 48.3}, 5, 11.0, 25.0, 0.3), {.07, .056, .034, .02}, .95},
         // Thinner than the samples of a pixel lie apart: the slope decides which of them it meets.
         {"needle", NeedleTriangles({25.3, 55.9}, {70.2, 38.3}, 0.3), {.26, .135, .04, .015}, .93},
@@ -45,7 +48,7 @@ std::vector<Limits> Shapes()
          Together(
              {DiscTriangles({40.3, 44.6}, 12.0), NeedleTriangles({38.0, 52.0}, {66.0, 49.0}, 9.0)}),
          {.06, .042, .017, .0065},
-         .97}};
+         .96}};
 }
 
 class WideOutlineGpu : public GpuTest
@@ -308,10 +311,13 @@ TEST_F(WideOutlineGpu, GivesObjectsOneSilhouetteOrEachItsOwn)
 
 TEST_F(WideOutlineGpu, OutlinesWholeObjectsOrWhatIsSeenOfThem)
 {
-    const auto bar = [](double top, double bottom)
+    // No edge of it cuts pixels in halves: of which two samples are covered, they are on no side.
+    const auto bar = [](double top, double bottom, double narrowed)
     {
-        return NeedleTriangles({48.3, top}, {48.3, bottom}, 20.6);
+        const double middle = 0.5 * k_Picture + 0.3 * narrowed;
+        return NeedleTriangles({middle, top}, {middle, bottom}, 20.2 * narrowed);
     };
+    const double turned = std::cos(glm::radians(5.0));
     for (const WideOutlineOcclusion occlusion :
          {WideOutlineOcclusion::All, WideOutlineOcclusion::Visible})
     {
@@ -322,14 +328,14 @@ TEST_F(WideOutlineGpu, OutlinesWholeObjectsOrWhatIsSeenOfThem)
             settings.m_LayerMask = LayerMask::FromIndex(3);
             WideOutlineScene scene(SharedDevice(), k_Picture, k_Picture, settings);
             scene.SetSamples(samples);
-            GameObject& seen = scene.Add(bar(20.4, 80.2));
+            GameObject& seen = scene.Add(bar(20.2, 80.2, 1.0));
             seen.layer = 3;
             seen.transform.localRotation = EulerToRotation({0.0f, 5.0f, 0.0f});
             scene.Add(NeedleTriangles({0, 70}, {96, 70}, 40.0)).transform.localPosition.z = -3.0f;
             scene.Add(NeedleTriangles({0, 30}, {96, 30}, 40.0)).transform.localPosition.z = 3.0f;
             scene.Set({6.0});
             const Silhouette expected(
-                bar(20.4, occlusion == WideOutlineOcclusion::All ? 80.2 : 50.0));
+                bar(20.2, occlusion == WideOutlineOcclusion::All ? 80.2 : 50.0, turned));
             const OutlineScore score = ScoreOutline(
                 scene.DrawAlpha(), ExactOutlineCoverage(expected, {6.0}, k_Picture, k_Picture));
             EXPECT_LE(score.meanAbsoluteError, 0.03) << static_cast<int>(occlusion) << samples;

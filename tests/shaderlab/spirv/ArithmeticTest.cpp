@@ -54,7 +54,9 @@ TEST(Arithmetic, TakesWhatHlslMeans)
 {
     EXPECT_THAT(FragmentText("fmod(a, b) + a % 2"), Not(HasSubstr("OpFMod")));
     const std::string rest = FragmentText("i % 3");
-    EXPECT_THAT(rest, HasSubstr("OpSRem"));
+    EXPECT_THAT(rest, HasSubstr("OpSDiv"));
+    EXPECT_THAT(rest, Not(HasSubstr("OpSRem"))) << "undefined of negative numbers";
+    EXPECT_THAT(rest, Not(HasSubstr("OpSMod"))) << "undefined of negative numbers";
     EXPECT_THAT(rest, Not(HasSubstr("OpSelect")));
     EXPECT_THAT(FragmentText("round(a)"), HasSubstr(" RoundEven "));
     EXPECT_THAT(FragmentText("min(a, b)"), HasSubstr(" NMin "));

@@ -42,10 +42,7 @@ PlotPoint PointOf(const CellResult& cell, const char* metric, double x)
 /// A bar as far as the median is known.
 std::pair<double, double> UncertaintyOf(const Standing& standing)
 {
-    const double time = standing.at.milliseconds;
-    return standing.timeUncertainty > 0.0
-               ? std::pair(time - standing.timeUncertainty, time + standing.timeUncertainty)
-               : std::pair(k_NoBar, k_NoBar);
+    return {standing.ShortestTime(), standing.LongestTime()};
 }
 
 /// One point a technique, in two series: limn's own and the articles'.
@@ -56,8 +53,13 @@ std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
     for (const Standing& standing : standings)
     {
         const TechniqueInfo& technique = *standing.technique;
+        TimeAndError at = standing.at;
+        if (std::isnan(standing.timeUncertainty)) // a point would look as if it were known
+        {
+            at.milliseconds = k_NoBar;
+        }
         series[technique.isArticle ? 1 : 0].points.push_back(
-            {standing.at, UncertaintyOf(standing), standing.errorQuartiles, technique.name, false});
+            {at, UncertaintyOf(standing), standing.errorQuartiles, technique.name, false});
     }
     return series;
 }
@@ -67,12 +69,15 @@ std::string NotDrawn(const Comparison& comparison)
     std::string names;
     for (const Standing& standing : comparison.standings)
     {
-        if (!std::isfinite(standing.at.error) || !std::isfinite(standing.at.milliseconds))
+        if (!std::isfinite(standing.at.error) || !std::isfinite(standing.LongestTime()))
         {
             names += (names.empty() ? "" : ", ") + standing.technique->name;
         }
     }
-    return names.empty() ? "" : " Without both figures, so not in it: " + names + ".";
+    return names.empty()
+               ? ""
+               : " Not in it, for want of an error or of a time that this run knows: " + names +
+                     ".";
 }
 
 Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget)
@@ -273,32 +278,15 @@ Plot TimeAgainstObjects(const Study& study)
     return plot;
 }
 
-/// The width of temporal cells that is nearest to the comparison's.
-double FlickerWidth(const Study& study, double wanted)
+Plot FlickerAgainstTime(const Comparison& comparison)
 {
-    double best = k_NoBar;
-    for (const CellResult& cell : study.cells)
-    {
-        const bool isOne = cell.id.kind == CellKind::Temporal && cell.id.variant.empty() &&
-                           std::isfinite(cell.Value("flicker"));
-        if (isOne && !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
-        {
-            best = cell.id.width;
-        }
-    }
-    return best;
-}
-
-Plot FlickerAgainstTime(const Study& study, const Comparison& comparison)
-{
-    const double width = FlickerWidth(study, comparison.width);
     Plot plot;
     plot.file = "flicker_time";
     plot.title = "Flicker against GPU time";
     plot.caption =
         "What changes beyond what the exact outline changes, in motion by sixteenths of a "
         "pixel (" +
-        Readable(width) +
+        Readable(comparison.flickerWidth) +
         " px wide, median over what moved, bars over its quartiles and where the median of the "
         "time lies with 95 %), against the GPU time "
         "added to a frame of " +
@@ -309,18 +297,8 @@ Plot FlickerAgainstTime(const Study& study, const Comparison& comparison)
     std::vector<Standing> standings = comparison.standings;
     for (Standing& standing : standings)
     {
-        std::vector<double> flicker;
-        for (const CellResult& cell : study.cells)
-        {
-            if (cell.id.kind == CellKind::Temporal && cell.id.variant.empty() &&
-                cell.id.technique == standing.technique->name && cell.id.width == width)
-            {
-                flicker.push_back(cell.Value("flicker"));
-            }
-        }
-        const Spread spread = SpreadOf(flicker);
-        standing.at.error = spread.median;
-        standing.errorQuartiles = {spread.lower, spread.upper};
+        standing.at.error = standing.flicker.median;
+        standing.errorQuartiles = {standing.flicker.lower, standing.flicker.upper};
     }
     plot.series = NamedPoints(standings);
     return plot;
@@ -345,7 +323,7 @@ std::vector<Plot> PlotsOf(const Study& study, const Comparison& comparison,
 {
     return {ErrorAgainstTime(comparison, budgetMilliseconds), ErrorAgainstWidth(study),
             TimeAgainstResolution(study, comparison), TimeAgainstObjects(study),
-            FlickerAgainstTime(study, comparison)};
+            FlickerAgainstTime(comparison)};
 }
 
 } // namespace limn::study

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace limn::study
+{
+
+/// The lower quartile, the median and the upper quartile of the finite values, between neighbours
+/// by linear interpolation; NaN without any.
+struct Spread
+{
+    double lower;
+    double median;
+    double upper;
+};
+Spread SpreadOf(std::vector<double> values);
+
+// How the time that a technique adds to a frame is found, whatever else the machine does meanwhile:
+//
+// 1. Each frame with an outline is drawn between two frames without one; the three are a pair. What
+//    the first took longer than the mean of the other two is the pair's difference.
+// 2. A pair counts if it was drawn at a quiet moment: the eight frames without an outline around it
+//    (TimesInTurn::k_Around on each side, its own two left out, so that they are not chosen by
+//    their own noise) have a median near the run's quiet time, and each of its own two frames is
+//    near that time as well. "Near" is 25 %, or four times the scatter of such frames if that is
+//    more.
+// 3. The figure is the median of the differences that count. Its bound is the sign test's: two of
+//    the sorted differences, whatever their distribution. See BoundOfMedian for what widens it.
+// 4. Where frames that count were slower than their quietest tenth (of medians of three without an
+//    outline), the lower end falls by as much: the difference grew with them. Frames are not scaled
+//    by the load otherwise, since a load does not slow down all passes alike.
+//
+// The load of the machine changed if more than a tenth of the frames without an outline were not
+// near the quiet time, they or those around them.
+
+/// An interval that holds a median with 95 %; NaN where there are too few values for one.
+struct Bound
+{
+    double low;
+    double high;
+};
+
+/// The bound of the median of the distribution that the values are from, by the sign test. Values
+/// that resemble their neighbours count as fewer: by the variance of the signs' sums over blocks of
+/// 2, 4, 8, ... neighbours, the block length that makes it largest.
+/// @param inOrder    the values in the order they were measured
+/// @param disturbed  the part of the values, 0 to 1, that may have been raised by something else;
+///                   the lower end is lower by as many ranks
+Bound BoundOfMedian(std::span<const double> inOrder, double disturbed = 0.0);
+
+/// The time that a technique adds to a frame.
+struct TimeAdded
+{
+    Spread frame; ///< the frame with the outline, in the pairs that count; in all if none does
+    Spread added; ///< the differences of these pairs
+    /// The time added at the run's quietest moments is within `added.median` ± this with 95 %; NaN
+    /// if too few pairs count to tell.
+    double uncertainty;
+};
+
+/// Whose turn it is: 0, the frame without an outline, before and behind each of the techniques
+/// 1...`techniques`, which draw once a round, in another order each round. The same in every run.
+std::vector<std::size_t> TurnsOf(std::size_t techniques, int rounds);
+
+/// What frames that were drawn in turn took.
+class TimesInTurn
+{
+public:
+    static constexpr std::size_t k_Around = 4;
+
+    /// @param turns         as TurnsOf gives them; must outlive this
+    /// @param milliseconds  of each turn's frame; must outlive this
+    TimesInTurn(std::span<const std::size_t> turns, std::span<const double> milliseconds);
+
+    TimeAdded AddedBy(std::size_t technique) const;
+
+    double quietTime() const { return m_QuietTime; } ///< of the frame without an outline
+    double busyTime() const { return m_BusyTime; }   ///< 19 of 20 of these were quicker
+    double quietPart() const { return m_QuietPart; } ///< of these, the part near the quiet time
+
+private:
+    std::size_t PairCount() const { return m_Turns.size() / 2; }
+    double Outlined(std::size_t pair) const { return m_Milliseconds[2 * pair + 1]; }
+    double Before(std::size_t pair) const { return m_Milliseconds[2 * pair]; }
+    double Behind(std::size_t pair) const { return m_Milliseconds[2 * pair + 2]; }
+    double TimeAround(std::size_t pair) const;
+    double MedianOfThree(std::size_t pair) const;
+    std::vector<std::size_t> PairsOf(std::size_t technique, bool& doCount) const;
+    void FindQuietTime();
+    void ChoosePairs();
+
+    std::span<const std::size_t> m_Turns;
+    std::span<const double> m_Milliseconds;
+    std::vector<double> m_Around; ///< by pair: the median of the frames without an outline
+    std::vector<bool> m_IsQuiet;  ///< by pair: the frames around it are near the quiet time
+    std::vector<bool> m_Counts;   ///< by pair
+    double m_Near = 0.0;          ///< relative to the quiet time
+    double m_QuietTime = 0.0;
+    double m_BusyTime = 0.0;
+    double m_LeastQuietTime = 0.0; ///< what it was in the quietest tenth of what is quiet
+    double m_QuietPart = 0.0;
+    double m_Disturbed = 0.0; ///< the part of the frames without an outline that were far off
+};
+
+/// Whether the load of the machine changed during a run.
+/// @param quietPart  TimesInTurn::quietPart
+bool HasLoadChanged(double quietPart);
+
+} // namespace limn::study
