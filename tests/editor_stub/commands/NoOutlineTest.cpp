@@ -15,11 +15,11 @@ struct Way
 {
     const char* name;
     std::string profile = "WideOutline: {m_Enable: true}\n";
-    std::string camera;
-    std::string feature; ///< of the outline's entry in the renderer
-    std::string volume;
-    std::string object;
-    std::string more;            ///< of the file
+    std::string camera{};
+    std::string feature{}; ///< of the outline's entry in the renderer
+    std::string volume{};
+    std::string object{};
+    std::string more{};          ///< of the file
     const char* told;            ///< part of what `explain` prints
     const char* toldOfTheObject; ///< part of what `explain --object Cube` prints
     const char* shader = "Universal Render Pipeline/Unlit";
