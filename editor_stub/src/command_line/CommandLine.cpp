@@ -300,10 +300,9 @@ void AddExplain(CLI::App& app, CommandLine& line)
     verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
         ->type_name("SCENE")
         ->required();
-    CLI::Option* object =
-        verb->add_option("--object", options.object,
-                         "Only objects of this name and what hangs below them")
-            ->type_name("NAME");
+    CLI::Option* object = verb->add_option("--object", options.object,
+                                           "Only objects of this name and what hangs below them")
+                              ->type_name("NAME");
     CLI::Option* pixel =
         verb->add_option("--pixel", options.pixel,
                          "What is drawn at this pixel of the picture, counted from the top left, "

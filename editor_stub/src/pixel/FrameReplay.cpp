@@ -92,14 +92,15 @@ void FrameReplay::AddPass(const CompiledRenderPass& pass)
     }
 }
 
-void FrameReplay::BindTargets(const CompiledRenderPass& pass)
+void FrameReplay::BindTargets(const CompiledRenderPass& pass, bool clearsUndefined)
 {
     for (const ColorAttachment& color : pass.colors)
     {
-        if (color.load == LoadOp::Clear) // each to its own colour
+        const bool isUndefined = color.load == LoadOp::DontCare && clearsUndefined;
+        if (color.load == LoadOp::Clear || isUndefined) // each to its own colour
         {
             Add(SetRenderTargetCommand{{color.texture}, nullptr});
-            Add(ClearCommand{ClearFlag::Color, color.clearColor});
+            Add(ClearCommand{ClearFlag::Color, isUndefined ? Color::clear : color.clearColor});
         }
     }
     SetRenderTargetCommand targets;

@@ -97,7 +97,8 @@ std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables&
         {
             const bool isDivisible = IsDivisible(*draw, tables);
             step.instanceCount = isDivisible ? 1 : draw->instanceCount;
-            for (; step.firstInstance < draw->instanceCount; step.firstInstance += step.instanceCount)
+            for (; step.firstInstance < draw->instanceCount;
+                 step.firstInstance += step.instanceCount)
             {
                 steps.push_back(step);
             }
@@ -107,8 +108,7 @@ std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables&
 }
 
 CoverPrograms::CoverPrograms(const std::shared_ptr<ShaderCompiler>& compiler)
-    : m_WhiteSpirv(
-          Shader::FromText(k_White, "White.shader", compiler)->Compile(0)->fragmentSpirv)
+    : m_WhiteSpirv(Shader::FromText(k_White, "White.shader", compiler)->Compile(0)->fragmentSpirv)
 {
 }
 
@@ -291,7 +291,7 @@ FrameReplay PassProbe::Begin(std::size_t count) const
     {
         replay.AddPass(m_Frame.passes[i]);
     }
-    replay.BindTargets(pass());
+    replay.BindTargets(pass(), true);
     for (std::size_t i = 0; i < count; ++i)
     {
         AddAtTexel(replay, Step(i));
@@ -341,8 +341,9 @@ TargetTexels PassProbe::After(std::size_t count) const
     {
         const RenderTexture& depth = *pass().depth->texture;
         texels.depth = TexelOf(images.back());
-        texels.stencil = HasStencil(depth.graphicsFormat()) ? TexelOf(m_Device.ReadBackStencil(depth))
-                                                            : std::vector<std::byte>();
+        texels.stencil = HasStencil(depth.graphicsFormat())
+                             ? TexelOf(m_Device.ReadBackStencil(depth))
+                             : std::vector<std::byte>();
     }
     return texels;
 }

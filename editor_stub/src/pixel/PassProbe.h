@@ -59,11 +59,13 @@ public:
     /// steps(). No others change it.
     const std::vector<std::size_t>& reaching() const { return m_Reaching; }
 
-    /// What the targets hold behind the first `count` that reach the texel.
+    /// What the targets hold behind the first `count` that reach the texel; 0 where that is
+    /// nothing.
     TargetTexels After(std::size_t count) const;
 
     // Of the draw that is the which-th that reaches the texel:
 
+    const DrawCommand& DrawAt(std::size_t which) const { return DrawOf(Step(which)); }
     DrawSetup SetupOf(std::size_t which) const;
     bool LiesInScissor(std::size_t which) const;
     /// The texel in a part of the targets.

@@ -49,8 +49,8 @@ bool Clears(const CompiledRenderPass& pass)
         return color.load == LoadOp::Clear;
     };
     return std::ranges::any_of(pass.colors, isCleared) ||
-           (pass.depth && (pass.depth->load == LoadOp::Clear ||
-                           pass.depth->stencilLoad == LoadOp::Clear));
+           (pass.depth &&
+            (pass.depth->load == LoadOp::Clear || pass.depth->stencilLoad == LoadOp::Clear));
 }
 
 bool SamePlace(const PerDrawData& a, const PerDrawData& b)
@@ -59,20 +59,44 @@ bool SamePlace(const PerDrawData& a, const PerDrawData& b)
            std::ranges::equal(a.worldTransformParams, b.worldTransformParams);
 }
 
-bool IsColorChanged(const PixelEvent& event)
+bool IsChanged(const PixelEvent& event)
 {
     return std::ranges::any_of(event.colors, &PixelValue::isChanged) ||
            (event.colors.empty() && ((event.depth && event.depth->isChanged()) ||
                                      (event.stencil && event.stencil->isChanged())));
 }
 
+bool HoldsNothing(const CompiledRenderPass& pass)
+{
+    return !pass.colors.empty() && std::ranges::all_of(pass.colors, [](const ColorAttachment& color)
+                                                       { return color.load == LoadOp::DontCare; });
+}
+
+/// Takes out of an event what its colours, which held nothing, seem to have held.
+/// @return whether they still hold nothing
+bool MindUndefined(PixelEvent& event)
+{
+    if (event.fate == PixelFate::Same || event.fate == PixelFate::Blend)
+    {
+        event.fate = PixelFate::Drawn; // the first to write there, if only 0
+        event.reason.clear();
+    }
+    if (event.fate != PixelFate::Drawn && event.fate != PixelFate::Cleared)
+    {
+        event.colors.clear();
+        return true;
+    }
+    for (PixelValue& color : event.colors)
+    {
+        color.before.clear();
+    }
+    return false;
+}
+
 } // namespace
 
 FrameTrace::FrameTrace(TracedFrame traced, VulkanDevice& device, PixelHistory& history)
-    : m_Traced(std::move(traced)),
-      m_Device(device),
-      m_History(history),
-      m_Covers(m_Traced.compiler)
+    : m_Traced(std::move(traced)), m_Device(device), m_History(history), m_Covers(m_Traced.compiler)
 {
     FindRun();
 }
@@ -97,8 +121,7 @@ void FrameTrace::FindRun()
     }
 }
 
-std::set<std::uint32_t>
-FrameTrace::Run(const std::function<void(const std::string&)>& progress)
+std::set<std::uint32_t> FrameTrace::Run(const std::function<void(const std::string&)>& progress)
 {
     const std::vector<CompiledRenderPass>& passes = m_Traced.frame.passes;
     for (std::size_t i = 0; i < passes.size(); ++i)
@@ -133,7 +156,8 @@ std::pair<int, int> FrameTrace::PlaceIn(const Texture& texture) const
 {
     const auto place = [](int pixel, int pixels, int texels)
     {
-        return static_cast<int>((2 * std::int64_t{pixel} + 1) * texels / (2 * std::int64_t{pixels}));
+        return static_cast<int>((2 * std::int64_t{pixel} + 1) * texels /
+                                (2 * std::int64_t{pixels}));
     };
     return {place(m_History.x, m_History.width, texture.width()),
             place(m_History.y, m_History.height, texture.height())};
@@ -192,37 +216,72 @@ void FrameTrace::TraceDraws(std::size_t index)
     const CompiledRenderPass& pass = m_Traced.frame.passes[index];
     const auto [x, y] = PlaceIn(FirstTarget(pass));
     const PassProbe probe(m_Traced.frame, index, x, y, m_Device, m_Covers);
-    for (std::size_t i = 0; i < probe.steps().size(); ++i)
-    {
-        const auto* draw = std::get_if<DrawCommand>(&pass.commands[probe.steps()[i].command]);
-        const bool isOfObject = draw == nullptr || !ObjectsOf(*draw, probe.steps()[i]).empty();
-        const bool reaches = std::ranges::binary_search(probe.reaching(), i);
-        m_History.uncoveredDraws += isOfObject || reaches ? 0 : 1;
-    }
+    AddUncovered(pass, probe);
     if (probe.reaching().empty() && !Clears(pass))
     {
         return;
     }
     TargetTexels before = BeforeFirst(pass, probe);
     AddClear(pass, before);
+    bool isUndefined = HoldsNothing(pass);
     for (std::size_t which = 0; which < probe.reaching().size(); ++which)
     {
         const TargetTexels after = probe.After(which + 1);
         PixelEvent event = EventOf(pass, probe, which);
         AddValues(pass, before, after, event);
-        const auto* draw = std::get_if<DrawCommand>(
-            &pass.commands[probe.steps()[probe.reaching()[which]].command]);
-        if (draw != nullptr && !IsColorChanged(event))
+        if (event.fate == PixelFate::Drawn && !IsChanged(event))
         {
-            const auto run = m_Run.find(draw->firstInstance);
-            const bool isOutside = run != m_Run.end() && run->second && !draw->scissor &&
-                                   !probe.LiesIn(*run->second);
-            std::tie(event.fate, event.reason) = WhyUnchanged(probe, which, before, isOutside);
+            ExplainUnchanged(probe, which, before, event);
         }
+        isUndefined = isUndefined && MindUndefined(event);
         m_History.events.push_back(std::move(event));
         before = after;
     }
     Remember(pass, before);
+}
+
+/// Draws of no object, which are few, and are what features draw.
+void FrameTrace::AddUncovered(const CompiledRenderPass& pass, const PassProbe& probe)
+{
+    for (std::size_t i = 0; i < probe.steps().size(); ++i)
+    {
+        const PassStep& step = probe.steps()[i];
+        const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
+        if (draw == nullptr || std::ranges::binary_search(probe.reaching(), i) ||
+            !ObjectsOf(*draw, step).empty())
+        {
+            continue;
+        }
+        const DrawSetup& setup = m_Traced.frame.Setup(*draw);
+        const PixelUncovered own{step.sample, setup.shader->name(),
+                                 setup.shader->passName(setup.shaderPass), 1};
+        const auto known =
+            std::ranges::find_if(m_History.uncoveredDraws,
+                                 [&](const PixelUncovered& other)
+                                 {
+                                     return other.pass == own.pass && other.shader == own.shader &&
+                                            other.shaderPassName == own.shaderPassName;
+                                 });
+        if (known == m_History.uncoveredDraws.end())
+        {
+            m_History.uncoveredDraws.push_back(own);
+        }
+        else
+        {
+            ++known->count;
+        }
+    }
+}
+
+/// Why the draw changes nothing.
+void FrameTrace::ExplainUnchanged(const PassProbe& probe, std::size_t which,
+                                  const TargetTexels& before, PixelEvent& event) const
+{
+    const DrawCommand& draw = probe.DrawAt(which);
+    const auto run = m_Run.find(draw.firstInstance);
+    const bool isOutside =
+        run != m_Run.end() && run->second && !draw.scissor && !probe.LiesIn(*run->second);
+    std::tie(event.fate, event.reason) = WhyUnchanged(probe, which, before, isOutside);
 }
 
 void FrameTrace::AddClear(const CompiledRenderPass& pass, const TargetTexels& first)
@@ -233,7 +292,7 @@ void FrameTrace::AddClear(const CompiledRenderPass& pass, const TargetTexels& fi
     }
     PixelEvent event;
     event.fate = PixelFate::Cleared;
-    event.pass = pass.Title();
+    event.pass = pass.name;
     const auto before = [this](const RenderTexture& texture)
     {
         const auto known = m_Known.find(texture.id());
@@ -244,8 +303,8 @@ void FrameTrace::AddClear(const CompiledRenderPass& pass, const TargetTexels& fi
         const RenderTexture& texture = *pass.colors[i].texture;
         if (pass.colors[i].load == LoadOp::Clear)
         {
-            event.colors.push_back(ValueIn(texture, texture.graphicsFormat(),
-                                           before(texture).texel, first.colors[i]));
+            event.colors.push_back(
+                ValueIn(texture, texture.graphicsFormat(), before(texture).texel, first.colors[i]));
         }
     }
     if (pass.depth && pass.depth->load == LoadOp::Clear)
@@ -294,7 +353,11 @@ PixelValue FrameTrace::ValueIn(const RenderTexture& texture, GraphicsFormat form
                                const Texels& before, const Texels& after) const
 {
     const auto [x, y] = PlaceIn(texture);
-    return {texture.name(), x, y,
+    return {texture.name(),
+            x,
+            y,
+            texture.width(),
+            texture.height(),
             before.empty() ? std::vector<float>() : TexelValue(before, format),
             TexelValue(after, format)};
 }

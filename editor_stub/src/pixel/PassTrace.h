@@ -48,14 +48,17 @@ private:
     void TraceDispatches(std::size_t pass);
     TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const;
     void Remember(const CompiledRenderPass& pass, const TargetTexels& texels);
+    void AddUncovered(const CompiledRenderPass& pass, const PassProbe& probe);
     void AddClear(const CompiledRenderPass& pass, const TargetTexels& first);
     PixelEvent EventOf(const CompiledRenderPass& pass, const PassProbe& probe, std::size_t which);
     void AddValues(const CompiledRenderPass& pass, const TargetTexels& before,
                    const TargetTexels& after, PixelEvent& event) const;
+    void ExplainUnchanged(const PassProbe& probe, std::size_t which, const TargetTexels& before,
+                          PixelEvent& event) const;
     PixelValue ValueIn(const RenderTexture& texture, GraphicsFormat format, const Texels& before,
                        const Texels& after) const;
-    std::string MaterialOf(const DrawSetup& setup, const DrawCommand& draw,
-                           const std::string& pass, const std::set<std::uint32_t>& objects) const;
+    std::string MaterialOf(const DrawSetup& setup, const DrawCommand& draw, const std::string& pass,
+                           const std::set<std::uint32_t>& objects) const;
     std::set<std::uint32_t> ObjectsOf(const DrawCommand& draw, const PassStep& step) const;
 
     TracedFrame m_Traced;

@@ -44,9 +44,8 @@ std::string DepthReason(const PipelineState& state, float own, const TargetTexel
     const bool isPlain =
         state.zTest == CompareFunction::Less || state.zTest == CompareFunction::LessEqual;
     const std::string stored =
-        before.depth.empty()
-            ? "none"
-            : NumbersText(TexelValue(before.depth, GraphicsFormat::D32_SFloat));
+        before.depth.empty() ? "none"
+                             : NumbersText(TexelValue(before.depth, GraphicsFormat::D32_SFloat));
     return std::string(isPlain ? "it is behind what is there" : "the depth test fails") +
            ": its depth is " + NumbersText({own}) + ", that of the target " + stored +
            " (1 is near), ZTest " + StateText(StateValue<CompareFunction>(state.zTest));
@@ -65,8 +64,8 @@ std::pair<PixelFate, std::string> WhyItAddsNothing(const PassProbe& probe, std::
 {
     const PipelineState state = probe.SetupOf(which).state;
     const auto targets = std::span(state.targets).first(colors);
-    if (colors > 0 && std::ranges::all_of(targets, [](const auto& blend)
-                                          { return (blend.writeMask & 15) == 0; }))
+    if (colors > 0 &&
+        std::ranges::all_of(targets, [](const auto& blend) { return (blend.writeMask & 15) == 0; }))
     {
         return {PixelFate::ColorMask, "it writes no colour: ColorMask 0"};
     }
@@ -119,8 +118,7 @@ std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size
     tried.stencilEnabled = state.stencilEnabled;
     if (!probe.Passes(which, tried))
     {
-        const bool isFront =
-            state.cull != CullMode::Front && probe.Reaches(which, CullMode::Back);
+        const bool isFront = state.cull != CullMode::Front && probe.Reaches(which, CullMode::Back);
         return {PixelFate::Stencil, StencilReason(state, isFront, before)};
     }
     if (!probe.Passes(which, state))

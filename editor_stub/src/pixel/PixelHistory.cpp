@@ -65,8 +65,9 @@ std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std:
     while (const auto hit = raycaster.Raycast(copies, ray, settings))
     {
         hit->gameObject->activeSelf = false; // the next one is behind it
-        found.insert(std::ranges::find(places, hit->gameObject, &decltype(places)::value_type::first)
-                         ->second);
+        found.insert(
+            std::ranges::find(places, hit->gameObject, &decltype(places)::value_type::first)
+                ->second);
     }
     return found;
 }
@@ -82,8 +83,8 @@ void AddObjects(const TracedScene& scene, const std::set<std::uint32_t>& coverin
     for (std::size_t i = 0; i < explained.size(); ++i)
     {
         const ExplainedObject& object = explained[i];
-        const bool isDrawn = std::ranges::any_of(
-            object.draws, [](const auto& draw) { return draw.verdict == FilterVerdict::Drawn; });
+        const bool isDrawn = std::ranges::any_of(object.draws, [](const auto& draw)
+                                                 { return draw.verdict == FilterVerdict::Drawn; });
         const bool isCovering = covering.contains(static_cast<std::uint32_t>(places[i]));
         if (!isDrawn)
         {
@@ -128,9 +129,8 @@ void AddColor(const Image& image, PixelHistory& history)
 
 const char* ToString(PixelFate fate)
 {
-    constexpr std::array k_Names{"cleared", "drawn",   "dispatched", "scissor",
-                                 "cull",    "discard", "stencil",    "depth",
-                                 "colorMask", "outOfReach", "blend", "same"};
+    constexpr std::array k_Names{"cleared", "drawn", "dispatched", "scissor",    "cull",  "discard",
+                                 "stencil", "depth", "colorMask",  "outOfReach", "blend", "same"};
     return k_Names.at(static_cast<std::size_t>(fate));
 }
 

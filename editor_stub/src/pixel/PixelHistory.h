@@ -39,6 +39,8 @@ struct PixelValue
     std::string texture;
     int x = 0; ///< texel, from the top left of the picture
     int y = 0;
+    int width = 0; ///< of the texture
+    int height = 0;
     std::vector<float> before; ///< components as shaders see them; empty = nothing yet
     std::vector<float> after;
 
@@ -57,7 +59,7 @@ struct PixelEvent
     int shaderPass = 0;               ///< or kernel
     std::string shaderPassName;       ///< "" if it has none
     std::string reason;               ///< of a rejection, a clause: "it is behind what is there"
-    bool isRun = true; ///< else the frame does without: the picture is the same
+    bool isRun = true;                ///< else the frame does without: the picture is the same
     std::vector<PixelValue> colors;
     std::optional<PixelValue> depth;   ///< one component, 1 = near
     std::optional<PixelValue> stencil; ///< one component
@@ -79,7 +81,17 @@ struct PixelAbsent
     bool isHere = false; ///< it would be seen at the pixel, or behind what is
 };
 
-/// A pass whose targets show something else than the picture.
+/// Draws of no object, all of one kind, that do not cover the pixel.
+struct PixelUncovered
+{
+    std::string pass;
+    std::string shader;
+    std::string shaderPassName; ///< "" if it has none
+    int count = 0;
+};
+
+/// A pass into a texture that is not laid out as the picture is: of another shape, or seen from a
+/// light.
 struct PixelElsewhere
 {
     std::string pass;
@@ -94,13 +106,13 @@ struct PixelHistory
     int y = 0;
     int width = 0; ///< of the picture
     int height = 0;
-    std::vector<float> color;           ///< in the end; linear
-    std::array<int, 3> written{};       ///< red, green and blue of the PNG
-    std::vector<PixelEvent> events;     ///< in their order
+    std::vector<float> color;       ///< in the end; linear
+    std::array<int, 3> written{};   ///< red, green and blue of the PNG
+    std::vector<PixelEvent> events; ///< in their order
     std::vector<PixelFiltered> filtered;
     std::vector<PixelAbsent> absent;
     std::vector<std::string> uncovered; ///< objects that are drawn, but not over the pixel
-    int uncoveredDraws = 0;             ///< of no object
+    std::vector<PixelUncovered> uncoveredDraws;
     std::vector<PixelElsewhere> elsewhere;
     std::vector<std::string> notes; ///< of rendering, for the user
 };

@@ -15,7 +15,7 @@ namespace
 
 constexpr std::size_t k_Columns = 80;
 constexpr std::size_t k_NamedObjects = 4; ///< of one draw
-constexpr std::size_t k_ShownFilters = 12;
+constexpr std::size_t k_ShownLines = 12;
 
 std::size_t ColumnsOf(std::string_view word)
 {
@@ -70,6 +70,11 @@ std::string NamesText(const std::vector<std::string>& names, std::size_t most)
                                : text;
 }
 
+std::string MoreText(std::size_t count)
+{
+    return count > 0 ? "  … and " + std::to_string(count) + " more; -v lists them\n" : "";
+}
+
 bool IsRejected(const PixelEvent& event)
 {
     return event.fate != PixelFate::Cleared && event.fate != PixelFate::Drawn &&
@@ -87,8 +92,8 @@ std::string SubjectText(const PixelEvent& event)
 /// "Draw Opaque Objects draws Piece: material black, Universal Render Pipeline/Unlit 'Unlit'"
 std::string HeadText(const PixelEvent& event, std::size_t number)
 {
-    const std::string pass = std::to_string(number) + " " +
-                             (event.pass.empty() ? "A pass without a name" : event.pass);
+    const std::string pass =
+        std::to_string(number) + " " + (event.pass.empty() ? "A pass without a name" : event.pass);
     if (event.fate == PixelFate::Cleared)
     {
         return pass + " clears";
@@ -102,22 +107,30 @@ std::string HeadText(const PixelEvent& event, std::size_t number)
            (event.material.empty() ? "" : "material " + event.material + ", ") + shader;
 }
 
-std::string ValueLine(const std::string& name, const PixelValue& value)
+/// Tells the texel of a texture that is not of the picture's size.
+std::string ValueLine(const std::string& name, const PixelValue& value, const PixelHistory& history)
 {
-    return WrappedLine(name + " " +
+    const bool isOfPicture = value.width == history.width && value.height == history.height;
+    const std::string place =
+        isOfPicture ? ""
+                    : " at " + std::to_string(value.x) + "," + std::to_string(value.y) + " of " +
+                          std::to_string(value.width) + "x" + std::to_string(value.height);
+    return WrappedLine(name + place + " " +
                            (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
                            NumbersText(value.after),
                        4, 2);
 }
 
-std::string EventText(const PixelEvent& event, std::size_t number)
+std::string EventText(const PixelHistory& history, std::size_t index)
 {
-    std::string text = WrappedLine(HeadText(event, number), 2, 2);
+    const PixelEvent& event = history.events[index];
+
+    std::string text = WrappedLine(HeadText(event, index + 1), 2, 2);
     text += event.reason.empty() ? "" : WrappedLine(event.reason, 4, 2);
     const auto add = [&](const std::string& name, const PixelValue& value)
     {
         const bool isShown = event.fate == PixelFate::Cleared || value.isChanged();
-        text += isShown ? ValueLine(name, value) : "";
+        text += isShown ? ValueLine(name, value, history) : "";
     };
     for (const PixelValue& color : event.colors)
     {
@@ -144,7 +157,7 @@ std::string EventsText(const PixelHistory& history, bool areRejected)
     for (std::size_t i = 0; i < history.events.size(); ++i)
     {
         const PixelEvent& event = history.events[i];
-        text += IsRejected(event) == areRejected ? EventText(event, i + 1) : "";
+        text += IsRejected(event) == areRejected ? EventText(history, i) : "";
     }
     return text;
 }
@@ -167,7 +180,7 @@ std::string FiltersText(const PixelHistory& history, bool isLong)
         }
     }
     std::string text;
-    const std::size_t shown = isLong ? order.size() : std::min(order.size(), k_ShownFilters);
+    const std::size_t shown = isLong ? order.size() : std::min(order.size(), k_ShownLines);
     for (std::size_t i = 0; i < shown; ++i)
     {
         const std::vector<std::string>& all = names[order[i]];
@@ -176,9 +189,7 @@ std::string FiltersText(const PixelHistory& history, bool isLong)
                                 order[i].second,
                             2, 2);
     }
-    return text + (order.size() > shown
-                       ? "  … and " + std::to_string(order.size() - shown) + " more; -v lists them\n"
-                       : "");
+    return text + MoreText(order.size() - shown);
 }
 
 std::string AbsentText(const PixelHistory& history, bool areHere)
@@ -186,9 +197,8 @@ std::string AbsentText(const PixelHistory& history, bool areHere)
     std::string text;
     for (const PixelAbsent& absent : history.absent)
     {
-        text += absent.isHere == areHere
-                    ? WrappedLine(absent.object + ": " + absent.reason, 2, 2)
-                    : "";
+        text +=
+            absent.isHere == areHere ? WrappedLine(absent.object + ": " + absent.reason, 2, 2) : "";
     }
     return text;
 }
@@ -203,27 +213,37 @@ std::string CountText(std::size_t count, const std::string& noun)
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// What has nothing to do with the pixel.
-std::string RestText(const PixelHistory& history, bool isLong)
+std::string IsOrAre(std::size_t count)
 {
-    const auto farAbsent = static_cast<std::size_t>(
-        std::ranges::count(history.absent, false, &PixelAbsent::isHere));
-    std::string text;
-    if (!isLong)
+    return count == 1 ? " is" : " are";
+}
+
+/// "33 objects do not cover the pixel, nor do 4 draws of Strokes; ...: -v names them"
+std::string RestSentence(const PixelHistory& history)
+{
+    const std::size_t objects = history.uncovered.size();
+    std::string text =
+        CountText(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
+    for (const PixelUncovered& draws : history.uncoveredDraws)
     {
-        text = CountText(history.uncovered.size(), "object") + " and " +
-               CountText(static_cast<std::size_t>(history.uncoveredDraws), "other draw") +
-               " do not cover the pixel";
-        text += farAbsent > 0 ? "; " + CountText(farAbsent, "object") +
-                                    (farAbsent == 1 ? " is" : " are") + " drawn nowhere"
-                              : "";
-        text += history.elsewhere.empty()
-                    ? ""
-                    : "; " + CountText(history.elsewhere.size(), "pass") +
-                          (history.elsewhere.size() == 1 ? " shows" : "es show") +
-                          " something else than the picture";
-        return WrappedLine(text + ": -v names them", 0, 2);
+        const auto count = static_cast<std::size_t>(draws.count);
+        text += (count == 1 ? ", nor does " : ", nor do ") + CountText(count, "draw") + " of " +
+                draws.pass;
     }
+    const auto absent =
+        static_cast<std::size_t>(std::ranges::count(history.absent, false, &PixelAbsent::isHere));
+    text +=
+        absent > 0 ? "; " + CountText(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
+    const std::size_t elsewhere = history.elsewhere.size();
+    text += elsewhere > 0 ? "; " + CountText(elsewhere, "target") + IsOrAre(elsewhere) +
+                                " not laid out as the picture is"
+                          : "";
+    return WrappedLine(text + ": -v names them", 0, 2);
+}
+
+/// What has nothing to do with the pixel.
+std::string RestText(const PixelHistory& history)
+{
     std::string elsewhere;
     for (const PixelElsewhere& pass : history.elsewhere)
     {
@@ -234,13 +254,36 @@ std::string RestText(const PixelHistory& history, bool isLong)
     {
         uncovered += WrappedLine(name, 2, 2);
     }
+    for (const PixelUncovered& draws : history.uncoveredDraws)
+    {
+        uncovered +=
+            WrappedLine(CountText(static_cast<std::size_t>(draws.count), "draw") + " of " +
+                            draws.pass + ": " + draws.shader +
+                            (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
+                        2, 2);
+    }
     return SectionText("drawn, but not over the pixel", uncovered) +
            SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
-           SectionText("passes that show something else than the picture", elsewhere) +
-           WrappedLine(CountText(static_cast<std::size_t>(history.uncoveredDraws), "draw") +
-                           " of no object " + (history.uncoveredDraws == 1 ? "does" : "do") +
-                           " not cover the pixel",
-                       0, 2);
+           SectionText("targets that are not laid out as the picture is", elsewhere);
+}
+
+std::string NotesText(const PixelHistory& history, bool isLong)
+{
+    std::vector<std::string> notes;
+    for (const std::string& note : history.notes)
+    {
+        if (std::ranges::find(notes, note) == notes.end())
+        {
+            notes.push_back(note);
+        }
+    }
+    std::string text;
+    const std::size_t shown = isLong ? notes.size() : std::min(notes.size(), k_ShownLines);
+    for (std::size_t i = 0; i < shown; ++i)
+    {
+        text += WrappedLine(notes[i], 2, 2);
+    }
+    return text + MoreText(notes.size() - shown);
 }
 
 Json ToJson(const PixelValue& value)
@@ -248,6 +291,8 @@ Json ToJson(const PixelValue& value)
     return {{"texture", value.texture},
             {"x", value.x},
             {"y", value.y},
+            {"width", value.width},
+            {"height", value.height},
             {"before", value.before.empty() ? Json() : Json(value.before)},
             {"after", value.after}};
 }
@@ -300,7 +345,8 @@ std::string PixelText(const PixelHistory& history, bool isLong)
            SectionText("rejected there", EventsText(history, true)) +
            SectionText("left out there by a filter", FiltersText(history, isLong)) +
            SectionText("would be there, but no pass draws it", AbsentText(history, true)) +
-           RestText(history, isLong);
+           SectionText("odd", NotesText(history, isLong)) +
+           (isLong ? RestText(history) : RestSentence(history));
 }
 
 Json PixelJson(const PixelHistory& history)
@@ -326,6 +372,14 @@ Json PixelJson(const PixelHistory& history)
     {
         elsewhere.push_back({{"pass", one.pass}, {"texture", one.texture}, {"size", one.size}});
     }
+    Json uncoveredDraws = Json::array();
+    for (const PixelUncovered& one : history.uncoveredDraws)
+    {
+        uncoveredDraws.push_back({{"pass", one.pass},
+                                  {"shader", one.shader},
+                                  {"shaderPassName", OrNull(one.shaderPassName)},
+                                  {"count", one.count}});
+    }
     return {{"x", history.x},
             {"y", history.y},
             {"width", history.width},
@@ -336,7 +390,7 @@ Json PixelJson(const PixelHistory& history)
             {"filtered", filtered},
             {"absent", absent},
             {"uncovered", history.uncovered},
-            {"uncoveredDraws", history.uncoveredDraws},
+            {"uncoveredDraws", uncoveredDraws},
             {"elsewhere", elsewhere},
             {"notes", history.notes}};
 }

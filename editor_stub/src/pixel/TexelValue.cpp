@@ -66,8 +66,8 @@ float FloatOf(std::uint32_t bits, int count)
 {
     // Those of 10 and 11 bits are halves without a sign and with fewer bits behind the point.
     return count == 32 ? std::bit_cast<float>(bits)
-                       : glm::unpackHalf1x16(static_cast<std::uint16_t>(
-                             count < 16 ? bits << (15 - count) : bits));
+                       : glm::unpackHalf1x16(
+                             static_cast<std::uint16_t>(count < 16 ? bits << (15 - count) : bits));
 }
 
 float ValueOf(std::uint32_t bits, const Component& component, std::string_view type)
