@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/vulkan/VulkanDevice.h>
 #include <set>
 
 namespace limn

@@ -4,13 +4,14 @@
 #include <functional>
 #include <limn/core/Judge.h>
 #include <limn/editor_stub/SceneFile.h>
-#include <limn/vulkan/VulkanDevice.h>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace limn
 {
+
+class VulkanDevice;
 
 /// What became of one thing that a pass did at a pixel. Those from Scissor to Depth are in the
 /// order in which a device tries them.

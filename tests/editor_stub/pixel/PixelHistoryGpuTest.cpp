@@ -1,0 +1,516 @@
+#include "SceneFolder.h"
+#include "pixel/PixelHistory.h"
+#include "vulkan/GpuTestDevice.h"
+
+#include <gmock/gmock.h>
+#include <limn/core/ScriptableRenderPass.h>
+#include <limn/core/ScriptableRenderer.h>
+
+namespace limn::test
+{
+
+namespace
+{
+
+using Floats = std::vector<float>;
+using Names = std::vector<std::string>;
+using testing::ElementsAre;
+using testing::FloatNear;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Pointwise;
+
+/// 10 pixels a metre, the middle of the picture is the origin; z = -4 ... 6 are depths 1 ... 0.
+constexpr const char* k_Camera = "size: [20, 20]\n"
+                                 "layers: {6: Selectable, 7: Hidden}\n"
+                                 "renderingLayers: {8: Selected}\n"
+                                 "camera: {orthographic: true, orthographicSize: 1, position: "
+                                 "[0, 0, -5], nearClipPlane: 1, farClipPlane: 11,\n"
+                                 "         backgroundColor: \"#000000\", cullingMask: [Default, "
+                                 "Selectable]}\n";
+
+const Floats k_Black{0, 0, 0, 1};
+const Floats k_Red{1, 0, 0, 1};
+const Floats k_Green{0, 1, 0, 1};
+
+/// Places a command among the passes of the renderer.
+class CommandFeature final : public ScriptableRendererFeature
+{
+public:
+    using Record = std::function<void(CommandBuffer&)>;
+
+    CommandFeature(RenderPassEvent event, std::string passName, Record record)
+        : m_Pass(std::move(record))
+    {
+        m_Pass.renderPassEvent = event;
+        m_Pass.profilingSampler = ProfilingSampler(std::move(passName));
+    }
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
+    {
+        renderer.EnqueuePass(m_Pass);
+    }
+
+private:
+    class Pass final : public ScriptableRenderPass
+    {
+    public:
+        explicit Pass(Record record) : m_Record(std::move(record)) {}
+        void Execute(ScriptableRenderContext& context, RenderingData&) override
+        {
+            CommandBuffer cmd;
+            {
+                const ProfilingScope scope(cmd, profilingSampler);
+                m_Record(cmd);
+            }
+            context.ExecuteCommandBuffer(cmd);
+        }
+
+    private:
+        Record m_Record;
+    };
+
+    Pass m_Pass;
+};
+
+class PixelHistoryGpu : public GpuTest
+{
+protected:
+    /// A material of this name whose shader has these states and gives this colour.
+    void Paint(const std::string& name, const std::string& state, const std::string& color,
+               int queue = 2000, const std::string& before = "")
+    {
+        folder.Write(name + ".shader",
+                     "Shader \"Test/" + name + "\" { SubShader { Pass { Name \"Paint\"\n" + state +
+                         "\nHLSLPROGRAM\n#pragma vertex V\n#pragma fragment F\n"
+                         "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
+                         "Core.hlsl\"\n"
+                         "float4 V(float4 p : POSITION) : SV_POSITION\n"
+                         "{ return TransformObjectToHClip(p.xyz); }\n"
+                         "float4 F(float4 p : SV_POSITION) : SV_Target { " +
+                         before + " return float4(" + color + "); }\nENDHLSL\n} } }\n");
+        m_Materials += (m_Materials.empty() ? "" : ", ") + name + ": {shader: " + name +
+                       ".shader, renderQueue: " + std::to_string(queue) + "}";
+    }
+
+    /// An object of the size of a metre that faces the camera, or whatever `more` says.
+    void Quad(const std::string& name, const std::string& material, const std::string& more = "")
+    {
+        m_Objects += "  - {name: " + name + ", mesh: quad, material: " + material +
+                     (more.empty() ? "" : ", " + more) + "}\n";
+    }
+
+    SceneAsset Load(const std::string& camera = k_Camera)
+    {
+        return folder.Load(camera + "materials: {" + m_Materials + "}\nobjects:\n" + m_Objects);
+    }
+
+    PixelHistory Trace(SceneAsset asset, int x, int y)
+    {
+        return TracePixel(std::move(asset), folder.assets, SharedDevice(), x, y);
+    }
+    PixelHistory Trace(int x, int y) { return Trace(Load(), x, y); }
+
+    /// What became of the object, which one draw is of.
+    static PixelEvent EventOf(const PixelHistory& history, const std::string& object)
+    {
+        PixelEvent found;
+        int count = 0;
+        for (const PixelEvent& event : history.events)
+        {
+            if (event.objects == Names{object})
+            {
+                found = event;
+                ++count;
+            }
+        }
+        EXPECT_EQ(1, count) << object;
+        return found;
+    }
+
+    static bool HasEvent(const PixelHistory& history, const std::string& pass, PixelFate fate)
+    {
+        return std::ranges::any_of(history.events, [&](const PixelEvent& event)
+                                   { return event.pass == pass && event.fate == fate; });
+    }
+
+    /// Whether the pass draws into the camera's colour there, beside what targets it has of its
+    /// own.
+    static bool ChangesCamera(const PixelHistory& history, const std::string& pass)
+    {
+        return std::ranges::any_of(history.events,
+                                   [&](const PixelEvent& event)
+                                   {
+                                       return event.pass == pass &&
+                                              event.fate == PixelFate::Drawn &&
+                                              event.colors.at(0).texture ==
+                                                  "_CameraColorAttachmentA";
+                                   });
+    }
+
+    SceneFolder folder;
+
+private:
+    std::string m_Materials;
+    std::string m_Objects;
+};
+
+} // namespace
+
+TEST_F(PixelHistoryGpu, TellsWhatIsDrawnAndWhatIsBehindIt)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Paint("green", "", "0, 1, 0, 1", 2001);
+    Quad("Front", "red", "position: [0, 0, 0]");
+    Quad("Back", "green", "position: [0, 0, 2]");
+    const PixelHistory history = Trace(10, 10);
+
+    ASSERT_EQ(4u, history.events.size());
+    EXPECT_EQ(PixelFate::Cleared, history.events[0].fate);
+    EXPECT_THAT(history.events[0].colors.at(0).after, Pointwise(FloatNear(0), k_Black));
+    EXPECT_EQ(Floats{0}, history.events[0].depth->after);
+
+    const PixelEvent front = EventOf(history, "Front");
+    EXPECT_EQ(PixelFate::Drawn, front.fate);
+    EXPECT_EQ("Draw Opaque Objects", front.pass);
+    EXPECT_EQ("red", front.material);
+    EXPECT_EQ("Test/red", front.shader);
+    EXPECT_EQ("Paint", front.shaderPassName);
+    EXPECT_EQ("", front.reason);
+    EXPECT_EQ(k_Black, front.colors.at(0).before);
+    EXPECT_EQ(k_Red, front.colors.at(0).after);
+    EXPECT_EQ(Floats{0}, front.depth->before);
+    EXPECT_THAT(front.depth->after, ElementsAre(FloatNear(0.6f, 1e-6f)));
+
+    const PixelEvent back = EventOf(history, "Back");
+    EXPECT_EQ(PixelFate::Depth, back.fate);
+    EXPECT_EQ("it is behind what is there: its depth is 0.4, that of the target 0.6 (1 is near), "
+              "ZTest LEqual",
+              back.reason);
+    EXPECT_FALSE(back.colors.at(0).isChanged());
+    EXPECT_FALSE(back.depth->isChanged());
+
+    EXPECT_EQ(k_Red, history.color);
+    EXPECT_THAT(history.written, ElementsAre(255, 0, 0));
+    EXPECT_THAT(history.uncovered, IsEmpty());
+}
+
+TEST_F(PixelHistoryGpu, CountsFromTheTopLeftAndNamesWhatIsElsewhere)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Up", "red", "position: [-0.75, 0.75, 0], scale: [0.5, 0.5, 1]"); // 0...5 x 0...5
+    Quad("Down", "red", "position: [0.75, -0.75, 0], scale: [0.5, 0.5, 1]");
+    const PixelHistory corner = Trace(4, 4);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(corner, "Up").fate);
+    EXPECT_EQ(Names{"Down"}, corner.uncovered);
+    const PixelHistory beside = Trace(5, 4);
+    EXPECT_EQ((Names{"Up", "Down"}), beside.uncovered);
+    EXPECT_THAT(beside.written, ElementsAre(0, 0, 0));
+    EXPECT_EQ(Names{"Up"}, Trace(19, 19).uncovered);
+}
+
+TEST_F(PixelHistoryGpu, TellsWhatTheStencilRejectsAndWhatWritesNoColour)
+{
+    Paint("mask", "ColorMask 0 ZWrite Off Stencil { Ref 3 Pass Replace }", "1, 1, 1, 1", 2000);
+    Paint("red", "ZTest Always Stencil { Ref 3 Comp Equal }", "1, 0, 0, 1", 2001);
+    Quad("Mask", "mask", "position: [-0.5, 0, 0], scale: [1, 2, 1]"); // the left half
+    Quad("Seen", "red", "position: [0, 0, 1], scale: [2, 2, 1]");
+    const PixelHistory left = Trace(5, 10);
+    const PixelEvent mask = EventOf(left, "Mask");
+    EXPECT_EQ(PixelFate::ColorMask, mask.fate);
+    EXPECT_EQ("it writes no colour: ColorMask 0", mask.reason);
+    EXPECT_EQ(Floats{0}, mask.stencil->before);
+    EXPECT_EQ(Floats{3}, mask.stencil->after);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(left, "Seen").fate);
+    EXPECT_EQ(k_Red, left.color);
+
+    const PixelHistory right = Trace(15, 10);
+    EXPECT_EQ(Names{"Mask"}, right.uncovered);
+    const PixelEvent seen = EventOf(right, "Seen");
+    EXPECT_EQ(PixelFate::Stencil, seen.fate);
+    EXPECT_EQ("the stencil test fails: Ref 3 Comp Equal, and 0 is there", seen.reason);
+    EXPECT_EQ(k_Black, right.color);
+}
+
+TEST_F(PixelHistoryGpu, NamesTheFirstOfSeveralTestsThatReject)
+{
+    // Behind and without a stencil: the stencil is looked at first.
+    Paint("red", "", "1, 0, 0, 1");
+    Paint("both", "Stencil { Ref 1 ReadMask 3 Comp Less }", "0, 1, 0, 1", 2001);
+    Quad("Front", "red");
+    Quad("Back", "both", "position: [0, 0, 2]");
+    const PixelEvent back = EventOf(Trace(10, 10), "Back");
+    EXPECT_EQ(PixelFate::Stencil, back.fate);
+    EXPECT_EQ("the stencil test fails: Ref 1 Comp Less, and 0 is there (ReadMask 3)", back.reason);
+}
+
+TEST_F(PixelHistoryGpu, TellsWhichSideIsCulled)
+{
+    Paint("back", "Cull Back", "1, 0, 0, 1");
+    Paint("front", "Cull Front", "1, 0, 0, 1");
+    Paint("off", "Cull Off", "0, 1, 0, 1");
+    Quad("Turned", "back", "rotation: [0, 180, 0]");
+    Quad("Facing", "front");
+    Quad("Both", "off", "position: [0, 0, 1], rotation: [0, 180, 0]");
+    const PixelHistory history = Trace(8, 8);
+    EXPECT_EQ(PixelFate::Culled, EventOf(history, "Turned").fate);
+    EXPECT_EQ("it shows its back here, and Cull Back leaves back faces out",
+              EventOf(history, "Turned").reason);
+    EXPECT_EQ(PixelFate::Culled, EventOf(history, "Facing").fate);
+    EXPECT_EQ("it shows its front here, and Cull Front leaves front faces out",
+              EventOf(history, "Facing").reason);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Both").fate);
+    EXPECT_EQ(k_Green, history.color);
+}
+
+TEST_F(PixelHistoryGpu, TellsWhatTheShaderDiscards)
+{
+    Paint("holes", "", "1, 0, 0, 1", 2000, "clip(p.x - 10.0);");
+    Quad("Cut", "holes");
+    EXPECT_EQ(PixelFate::Drawn, EventOf(Trace(12, 10), "Cut").fate);
+    const PixelEvent cut = EventOf(Trace(8, 10), "Cut");
+    EXPECT_EQ(PixelFate::Discarded, cut.fate);
+    EXPECT_EQ("its shader discards it: clip, discard or alpha test", cut.reason);
+    EXPECT_FALSE(cut.depth->isChanged());
+}
+
+TEST_F(PixelHistoryGpu, TellsWhatBlendingLeavesAsItWas)
+{
+    const std::string blend = "ZWrite Off Blend SrcAlpha OneMinusSrcAlpha";
+    Paint("green", "", "0, 1, 0, 1");
+    Paint("clear", blend, "1, 0.5, 0, 0", 3000);
+    Paint("kept", "ZWrite Off Blend Zero One", "1, 0, 0, 1", 3001);
+    Paint("again", "ZWrite Off", "0, 1, 0, 1", 3002);
+    Paint("half", blend, "1, 0, 0, 0.5", 3003);
+    Quad("Ground", "green");
+    Quad("Clear", "clear", "position: [0, 0, -1]");
+    Quad("Kept", "kept", "position: [0, 0, -1.1]");
+    Quad("Again", "again", "position: [0, 0, -1.2]");
+    Quad("Half", "half", "position: [0, 0, -1.3]");
+    const PixelHistory history = Trace(10, 10);
+    EXPECT_EQ(PixelFate::Blend, EventOf(history, "Clear").fate);
+    EXPECT_EQ("it adds nothing here: its alpha is 0; its shader gives (1, 0.5, 0, 0)",
+              EventOf(history, "Clear").reason);
+    EXPECT_EQ(PixelFate::Blend, EventOf(history, "Kept").fate);
+    EXPECT_EQ("it adds nothing here: blended with what is there, that stays as it is; its shader "
+              "gives (1, 0, 0, 1)",
+              EventOf(history, "Kept").reason);
+    EXPECT_EQ(PixelFate::Same, EventOf(history, "Again").fate);
+    EXPECT_EQ("it writes what is there already; its shader gives (0, 1, 0, 1)",
+              EventOf(history, "Again").reason);
+    const PixelEvent half = EventOf(history, "Half");
+    EXPECT_EQ(PixelFate::Drawn, half.fate);
+    EXPECT_EQ("Draw Transparent Objects", half.pass);
+    EXPECT_EQ(k_Green, half.colors.at(0).before);
+    EXPECT_THAT(half.colors.at(0).after, Pointwise(FloatNear(1e-3f), Floats{0.5f, 0.5f, 0, 0.75f}));
+}
+
+TEST_F(PixelHistoryGpu, TellsWhatTheScissorLeavesOut)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Wide", "red", "scale: [2, 2, 1]");
+    const auto load = [&]
+    {
+        SceneAsset asset = Load();
+        // The rows of a texture begin at the bottom of the picture: these are its lowest five.
+        asset.renderer.features.push_back(
+            std::make_unique<CommandFeature>(RenderPassEvent::BeforeRenderingOpaques, "Cut",
+                                             [](CommandBuffer& cmd) {
+                                                 cmd.EnableScissorRect({0, 0, 20, 5});
+                                             }));
+        asset.renderer.features.push_back(
+            std::make_unique<CommandFeature>(RenderPassEvent::AfterRenderingOpaques, "Mend",
+                                             [](CommandBuffer& cmd) { cmd.DisableScissorRect(); }));
+        return asset;
+    };
+    EXPECT_EQ(PixelFate::Drawn, EventOf(Trace(load(), 10, 15), "Wide").fate);
+    const PixelEvent wide = EventOf(Trace(load(), 10, 14), "Wide");
+    EXPECT_EQ(PixelFate::Scissor, wide.fate);
+    EXPECT_EQ("the scissor leaves the pixel out", wide.reason);
+}
+
+TEST_F(PixelHistoryGpu, TellsWhoWouldBeThereButIsNotDrawn)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Masked", "red", "layer: Hidden");
+    Quad("Off", "red", "active: false, rotation: [0, 180, 0]");
+    Quad("OffElsewhere", "red", "active: false, position: [0.7, 0.7, 0], scale: [0.2, 0.2, 1]");
+    Quad("Behind", "red", "position: [0, 0, 20]");
+    const PixelHistory history = Trace(10, 10);
+    Names absent;
+    for (const PixelAbsent& one : history.absent)
+    {
+        absent.push_back(one.object + (one.isHere ? " here: " : " elsewhere: ") + one.reason);
+    }
+    EXPECT_THAT(absent, ElementsAre("Masked here: its layer is not in the camera's culling mask",
+                                    "Off here: inactive", "OffElsewhere elsewhere: inactive",
+                                    "Behind here: outside the camera's frustum"));
+    EXPECT_THAT(history.uncovered, IsEmpty());
+}
+
+TEST_F(PixelHistoryGpu, TellsWhichOfManyEqualObjectsItIs)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    for (int i = 0; i < 100; ++i) // one for each square of 2x2 pixels, drawn as instances
+    {
+        Quad("Q" + std::to_string(i), "red",
+             "scale: [0.2, 0.2, 1], position: [" + std::to_string((i % 10) * 0.2 - 0.9) + ", " +
+                 std::to_string(0.9 - (i / 10) * 0.2) + ", 0]");
+    }
+    const PixelHistory history = Trace(14, 7);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Q37").fate);
+    EXPECT_EQ(99u, history.uncovered.size());
+    EXPECT_EQ(3u, history.events.size()) << "the clear, the quad and the copy into the picture";
+}
+
+TEST_F(PixelHistoryGpu, FindsWhatCoversAPartOfAPixelWithSeveralSamples)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Left", "red", "position: [-0.98, 0, 0], scale: [1, 2, 1]"); // up to x = 5.2
+    const auto load = [&](int samples)
+    {
+        return Load(std::string(k_Camera) + "msaaSampleCount: " + std::to_string(samples) + "\n");
+    };
+    EXPECT_EQ(Names{"Left"}, Trace(load(1), 5, 10).uncovered);
+    const PixelHistory history = Trace(load(4), 5, 10);
+    // One of the four standard places lies left of 0.2.
+    const PixelEvent left = EventOf(history, "Left");
+    EXPECT_EQ(PixelFate::Drawn, left.fate);
+    EXPECT_THAT(left.colors.at(0).after, Pointwise(FloatNear(1e-3f), Floats{0.25f, 0, 0, 1}));
+    EXPECT_EQ(Names{"Left"}, Trace(load(4), 6, 10).uncovered);
+}
+
+TEST_F(PixelHistoryGpu, LooksAtTheSamePlaceWhereTheCameraDrawsSmaller)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Low", "red", "position: [0.5, -0.5, 0]"); // x, y = 10 ... 20
+    const PixelHistory history = Trace(Load(std::string(k_Camera) + "renderScale: 0.5\n"), 15, 16);
+    const PixelValue color = EventOf(history, "Low").colors.at(0);
+    EXPECT_EQ(7, color.x);
+    EXPECT_EQ(8, color.y);
+    EXPECT_EQ(10, color.width);
+    EXPECT_EQ(10, color.height);
+    const PixelEvent& last = history.events.back();
+    EXPECT_EQ("Final Blit", last.pass);
+    EXPECT_EQ(20, last.colors.at(0).width);
+    EXPECT_EQ(k_Red, last.colors.at(0).after);
+}
+
+TEST_F(PixelHistoryGpu, DoesNotTakeAShadowMapForThePicture)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    const PixelHistory history = Trace(folder.Load("size: [64, 64]\n"
+                                                   "camera: {position: [0, 0, -5]}\n"
+                                                   "light: {shadows: Hard}\n"
+                                                   "shadows: {mainLightShadowmapResolution: 256}\n"
+                                                   "objects:\n"
+                                                   "  - {name: Caster, mesh: cube}\n"),
+                                       32, 32);
+    ASSERT_EQ(1u, history.elsewhere.size());
+    EXPECT_EQ("MainLightShadow", history.elsewhere[0].pass);
+    EXPECT_EQ("256x256", history.elsewhere[0].size);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Caster").fate);
+}
+
+namespace
+{
+
+/// A selected square of 16 ... 48, another one left of it, and an outline of 4 pixels around the
+/// first, by this feature and component.
+std::string OutlinedScene(const std::string& feature)
+{
+    return "size: [64, 64]\n"
+           "layers: {6: Selectable}\n"
+           "renderingLayers: {8: Selected}\n"
+           "camera: {orthographic: true, orthographicSize: 1, position: [0, 0, -5],\n"
+           "         backgroundColor: \"#000000\"}\n"
+           "renderer:\n"
+           "  features:\n"
+           "    - {type: " +
+           feature +
+           "RendererFeature, name: Line, m_LayerMask: Selectable, m_RenderingLayerMask: "
+           "Selected}\n"
+           "volumes: [{name: V, profile: " +
+           feature +
+           ".profile.yaml}]\n"
+           "materials: {dark: {shader: Universal Render Pipeline/Unlit, _BaseColor: "
+           "\"#0000ff\"}}\n"
+           "objects:\n"
+           "  - {name: Chosen, mesh: quad, material: dark, layer: Selectable,\n"
+           "     renderingLayerMask: [Default, Selected]}\n"
+           "  - {name: Plain, mesh: quad, material: dark, layer: Selectable,\n"
+           "     position: [-0.75, 0, 1], scale: [0.5, 2, 1]}\n";
+}
+
+} // namespace
+
+class PixelHistoryOfOutlines : public PixelHistoryGpu
+{
+protected:
+    PixelHistory TraceOutline(const std::string& feature, int x, int y)
+    {
+        folder.Write(feature + ".profile.yaml",
+                     feature + ": {m_Enable: true, m_OutlineColor: \"#00ff00\", "
+                               "m_OutlineWidth: 4}\n");
+        return Trace(folder.Load(OutlinedScene(feature)), x, y);
+    }
+
+    static bool IsGreen(const PixelHistory& history)
+    {
+        return history.written[1] == 255 && history.written[0] == 0 && history.written[2] == 0;
+    }
+};
+
+TEST_F(PixelHistoryOfOutlines, FindTheOutlineInItsBandAndNotBeyond)
+{
+    for (const char* feature : {"StrokeOutline", "WideOutline"})
+    {
+        const PixelHistory band = TraceOutline(feature, 50, 32);
+        EXPECT_TRUE(IsGreen(band)) << feature;
+        EXPECT_TRUE(ChangesCamera(band, "Line")) << feature;
+        EXPECT_THAT(band.uncovered, testing::Contains("Chosen")) << feature;
+
+        const PixelHistory beyond = TraceOutline(feature, 62, 32);
+        EXPECT_FALSE(IsGreen(beyond)) << feature;
+        EXPECT_FALSE(ChangesCamera(beyond, "Line")) << feature;
+        const bool isNamed = HasEvent(beyond, "Line", PixelFate::OutOfReach) ||
+                             HasEvent(beyond, "Line", PixelFate::Blend) ||
+                             std::ranges::any_of(beyond.uncoveredDraws, [](const auto& draws)
+                                                 { return draws.pass == "Line"; });
+        EXPECT_TRUE(isNamed) << feature;
+    }
+}
+
+TEST_F(PixelHistoryOfOutlines, TellWhichFilterLeavesAnObjectWithoutOutline)
+{
+    const PixelHistory history = TraceOutline("WideOutline", 4, 32);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Plain").fate);
+    const bool isFiltered =
+        std::ranges::any_of(history.filtered,
+                            [](const PixelFiltered& one)
+                            {
+                                return one.object == "Plain" && one.pass == "Line" &&
+                                       one.verdict == FilterVerdict::RenderingLayerMaskMiss;
+                            });
+    EXPECT_TRUE(isFiltered);
+}
+
+TEST_F(PixelHistoryOfOutlines, SayThatAFullScreenPassDoesNotReachSoFar)
+{
+    folder.Write("X.profile.yaml", "ScreenSpaceOutline: {m_Enable: true, m_OutlineWidth: 2}\n");
+    std::string scene = OutlinedScene("X");
+    const std::string named = "XRendererFeature";
+    scene.replace(scene.find(named), named.size(),
+                  "ScreenSpaceOutlineRenderFeature, m_ScreenSpaceOutlineShader: "
+                  "Hidden/ScreenSpaceOutline");
+    // Large enough that the passes are worth drawing in a part only.
+    scene.replace(scene.find("64, 64"), 6, "512, 512");
+    const PixelHistory near = Trace(folder.Load(scene), 385, 256);
+    EXPECT_TRUE(HasEvent(near, "Line", PixelFate::Drawn));
+    const PixelHistory far = Trace(folder.Load(scene), 500, 20);
+    EXPECT_TRUE(HasEvent(far, "Line", PixelFate::OutOfReach));
+    EXPECT_FALSE(HasEvent(far, "Line", PixelFate::Drawn));
+    EXPECT_THAT(far.written, ElementsAre(0, 0, 0));
+}
+
+} // namespace limn::test
