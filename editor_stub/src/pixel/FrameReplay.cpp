@@ -114,9 +114,13 @@ void FrameReplay::BindTargets(const CompiledRenderPass& pass, bool clearsUndefin
     if (pass.depth)
     {
         const DepthAttachment& depth = *pass.depth;
+        const auto isCleared = [&](LoadOp load)
+        {
+            return load == LoadOp::Clear || (load == LoadOp::DontCare && clearsUndefined);
+        };
         const ClearFlag flags =
-            (depth.load == LoadOp::Clear ? ClearFlag::Depth : ClearFlag::None) |
-            (depth.stencilLoad == LoadOp::Clear ? ClearFlag::Stencil : ClearFlag::None);
+            (isCleared(depth.load) ? ClearFlag::Depth : ClearFlag::None) |
+            (isCleared(depth.stencilLoad) ? ClearFlag::Stencil : ClearFlag::None);
         Add(ClearCommand{flags, Color(), depth.clearDepth, depth.clearStencil});
     }
 }

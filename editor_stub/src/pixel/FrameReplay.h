@@ -20,7 +20,7 @@ public:
 
     void AddPass(const CompiledRenderPass& pass); ///< all of it, as recorded
     /// The targets of a pass are bound and hold what they do when it begins.
-    /// @param clearsUndefined  colours that hold nothing yet are made 0
+    /// @param clearsUndefined  what holds nothing yet is made 0 and far
     void BindTargets(const CompiledRenderPass& pass, bool clearsUndefined = false);
     void Add(FrameCommand command) { m_Commands.commands.push_back(std::move(command)); }
     /// Adds a draw with another setup than its own.

@@ -121,7 +121,7 @@ void FrameTrace::FindRun()
     }
 }
 
-std::set<std::uint32_t> FrameTrace::Run(const std::function<void(const std::string&)>& progress)
+void FrameTrace::Run(const std::function<void(const std::string&)>& progress)
 {
     const std::vector<CompiledRenderPass>& passes = m_Traced.frame.passes;
     for (std::size_t i = 0; i < passes.size(); ++i)
@@ -140,7 +140,6 @@ std::set<std::uint32_t> FrameTrace::Run(const std::function<void(const std::stri
             TraceDraws(i);
         }
     }
-    return m_Reaching;
 }
 
 /// Whether it has the picture's shape, as far as whole texels can.
@@ -187,10 +186,10 @@ TargetTexels FrameTrace::BeforeFirst(const CompiledRenderPass& pass, const PassP
     bool isAll = !Clears(pass);
     for (const ColorAttachment& color : pass.colors)
     {
-        isAll = isAll && isKnown(*color.texture);
+        isAll = isAll && color.load == LoadOp::Load && isKnown(*color.texture);
         known.colors.push_back(isAll ? m_Known.at(color.texture->id()).texel : Texels());
     }
-    if (pass.depth && isAll && isKnown(*pass.depth->texture))
+    if (pass.depth && isAll && pass.depth->load == LoadOp::Load && isKnown(*pass.depth->texture))
     {
         known.depth = m_Known.at(pass.depth->texture->id()).texel;
         known.stencil = m_Known.at(pass.depth->texture->id()).stencil;
@@ -216,7 +215,7 @@ void FrameTrace::TraceDraws(std::size_t index)
     const CompiledRenderPass& pass = m_Traced.frame.passes[index];
     const auto [x, y] = PlaceIn(FirstTarget(pass));
     const PassProbe probe(m_Traced.frame, index, x, y, m_Device, m_Covers);
-    AddUncovered(pass, probe);
+    CountSteps(pass, probe);
     if (probe.reaching().empty() && !Clears(pass))
     {
         return;
@@ -240,37 +239,40 @@ void FrameTrace::TraceDraws(std::size_t index)
     Remember(pass, before);
 }
 
-/// Draws of no object, which are few, and are what features draw.
-void FrameTrace::AddUncovered(const CompiledRenderPass& pass, const PassProbe& probe)
+/// Who is drawn, and which draws of no object, which are few, do not reach the pixel.
+void FrameTrace::CountSteps(const CompiledRenderPass& pass, const PassProbe& probe)
 {
     for (std::size_t i = 0; i < probe.steps().size(); ++i)
     {
         const PassStep& step = probe.steps()[i];
         const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
-        if (draw == nullptr || std::ranges::binary_search(probe.reaching(), i) ||
-            !ObjectsOf(*draw, step).empty())
+        if (draw == nullptr)
         {
             continue;
         }
-        const DrawSetup& setup = m_Traced.frame.Setup(*draw);
-        const PixelUncovered own{step.sample, setup.shader->name(),
-                                 setup.shader->passName(setup.shaderPass), 1};
-        const auto known =
-            std::ranges::find_if(m_History.uncoveredDraws,
-                                 [&](const PixelUncovered& other)
-                                 {
-                                     return other.pass == own.pass && other.shader == own.shader &&
-                                            other.shaderPassName == own.shaderPassName;
-                                 });
-        if (known == m_History.uncoveredDraws.end())
+        const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
+        m_Drawn.insert(objects.begin(), objects.end());
+        if (objects.empty() && !std::ranges::binary_search(probe.reaching(), i))
         {
-            m_History.uncoveredDraws.push_back(own);
-        }
-        else
-        {
-            ++known->count;
+            AddUncovered(step, m_Traced.frame.Setup(*draw));
         }
     }
+}
+
+void FrameTrace::AddUncovered(const PassStep& step, const DrawSetup& setup)
+{
+    PixelUncovered own{step.sample, setup.shader->name(), setup.shader->passName(setup.shaderPass),
+                       1};
+    for (PixelUncovered& known : m_History.uncoveredDraws)
+    {
+        if (known.pass == own.pass && known.shader == own.shader &&
+            known.shaderPassName == own.shaderPassName)
+        {
+            ++known.count;
+            return;
+        }
+    }
+    m_History.uncoveredDraws.push_back(std::move(own));
 }
 
 /// Why the draw changes nothing.

@@ -27,8 +27,12 @@ public:
     /// @param history  has pixel and size; gets all that passes do
     FrameTrace(TracedFrame traced, VulkanDevice& device, PixelHistory& history);
 
-    /// @return the objects that reach the pixel, by their places in the scene
-    std::set<std::uint32_t> Run(const std::function<void(const std::string&)>& progress);
+    void Run(const std::function<void(const std::string&)>& progress);
+
+    /// Objects that passes of the picture draw, by their places in the scene.
+    const std::set<std::uint32_t>& drawn() const { return m_Drawn; }
+    /// Of these, those that reach the pixel.
+    const std::set<std::uint32_t>& reaching() const { return m_Reaching; }
 
 private:
     using Texels = std::vector<std::byte>;
@@ -48,7 +52,8 @@ private:
     void TraceDispatches(std::size_t pass);
     TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const;
     void Remember(const CompiledRenderPass& pass, const TargetTexels& texels);
-    void AddUncovered(const CompiledRenderPass& pass, const PassProbe& probe);
+    void CountSteps(const CompiledRenderPass& pass, const PassProbe& probe);
+    void AddUncovered(const PassStep& step, const DrawSetup& setup);
     void AddClear(const CompiledRenderPass& pass, const TargetTexels& first);
     PixelEvent EventOf(const CompiledRenderPass& pass, const PassProbe& probe, std::size_t which);
     void AddValues(const CompiledRenderPass& pass, const TargetTexels& before,
@@ -69,6 +74,7 @@ private:
     /// Draws that the device runs where `limn render` draws, by DrawCommand::firstInstance, with
     /// the part of the target that they are drawn in.
     std::map<std::uint32_t, std::optional<ViewportRect>> m_Run;
+    std::set<std::uint32_t> m_Drawn;
     std::set<std::uint32_t> m_Reaching;
 };
 

@@ -72,9 +72,17 @@ std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std:
     return found;
 }
 
+std::string WhyAbsent(const ExplainedObject& object)
+{
+    const bool isDrawn = std::ranges::any_of(object.draws, [](const auto& draw)
+                                             { return draw.verdict == FilterVerdict::Drawn; });
+    return !object.absence.empty() ? object.absence
+           : isDrawn ? "it is drawn only into targets that are not laid out as the picture is"
+                     : "every pass leaves it out";
+}
+
 /// Who is not drawn, who is left out by a filter and who is elsewhere.
-void AddObjects(const TracedScene& scene, const std::set<std::uint32_t>& covering,
-                PixelHistory& history)
+void AddObjects(const TracedScene& scene, const FrameTrace& trace, PixelHistory& history)
 {
     const std::vector<ExplainedObject> explained =
         ExplainObjects(scene.objects, scene.culled, scene.result.report, scene.camera);
@@ -83,20 +91,18 @@ void AddObjects(const TracedScene& scene, const std::set<std::uint32_t>& coverin
     for (std::size_t i = 0; i < explained.size(); ++i)
     {
         const ExplainedObject& object = explained[i];
-        const bool isDrawn = std::ranges::any_of(object.draws, [](const auto& draw)
-                                                 { return draw.verdict == FilterVerdict::Drawn; });
-        const bool isCovering = covering.contains(static_cast<std::uint32_t>(places[i]));
-        if (!isDrawn)
+        const auto place = static_cast<std::uint32_t>(places[i]);
+        if (!trace.drawn().contains(place))
         {
             undrawn.push_back(i);
         }
-        else if (!isCovering)
+        else if (!trace.reaching().contains(place))
         {
             history.uncovered.push_back(object.name);
         }
         for (const ExplainedDraw& draw : object.draws)
         {
-            if (isDrawn && isCovering && draw.verdict != FilterVerdict::Drawn)
+            if (trace.reaching().contains(place) && draw.verdict != FilterVerdict::Drawn)
             {
                 history.filtered.push_back({object.name, draw.pass, draw.verdict});
             }
@@ -108,10 +114,8 @@ void AddObjects(const TracedScene& scene, const std::set<std::uint32_t>& coverin
     const std::set<std::size_t> here = FindOnRay(scene, undrawnPlaces, history);
     for (const std::size_t i : undrawn)
     {
-        const std::string& absence = explained[i].absence;
-        history.absent.push_back({explained[i].name,
-                                  absence.empty() ? "every pass leaves it out" : absence,
-                                  here.contains(places[i])});
+        history.absent.push_back(
+            {explained[i].name, WhyAbsent(explained[i]), here.contains(places[i])});
     }
 }
 
@@ -161,7 +165,8 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
     FrameTrace trace({*scene.result.frame, scene.result.report, scene.objects,
                       scene.result.output.rt(), assets.compiler()},
                      device, history);
-    AddObjects(scene, trace.Run(progress), history);
+    trace.Run(progress);
+    AddObjects(scene, trace, history);
     return history;
 }
 

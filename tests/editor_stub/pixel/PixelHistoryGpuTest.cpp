@@ -3,6 +3,8 @@
 #include "vulkan/GpuTestDevice.h"
 
 #include <gmock/gmock.h>
+#include <limn/core/ComputeShader.h>
+#include <limn/core/RTHandle.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/core/ScriptableRenderer.h>
 
@@ -410,6 +412,172 @@ TEST_F(PixelHistoryGpu, DoesNotTakeAShadowMapForThePicture)
     EXPECT_EQ("MainLightShadow", history.elsewhere[0].pass);
     EXPECT_EQ("256x256", history.elsewhere[0].size);
     EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Caster").fate);
+}
+
+TEST_F(PixelHistoryGpu, NamesObjectsThatCommandsDraw)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Paint("green", "ZTest Always", "0, 1, 0, 1");
+    Quad("Left", "red", "position: [-0.5, 0, 0]");
+    Quad("Right", "red", "position: [0.5, 0, 0]");
+    Quad("Paint", "green", "active: false");
+    SceneAsset asset = Load();
+    const GameObject* right = asset.scene.Find("Right");
+    const auto green = asset.scene.Find("Paint")->renderer->sharedMaterial();
+    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
+        RenderPassEvent::AfterRenderingOpaques, "Own",
+        [=](CommandBuffer& cmd) { cmd.DrawRenderer(*right, green); }));
+    const PixelHistory history = Trace(std::move(asset), 15, 10);
+    ASSERT_TRUE(HasEvent(history, "Own", PixelFate::Drawn));
+    for (const PixelEvent& event : history.events)
+    {
+        if (event.pass == "Own")
+        {
+            EXPECT_EQ(Names{"Right"}, event.objects);
+            EXPECT_EQ("Test/green", event.shader);
+            EXPECT_EQ(k_Red, event.colors.at(0).before);
+            EXPECT_EQ(k_Green, event.colors.at(0).after);
+        }
+    }
+    EXPECT_EQ(Names{"Left"}, history.uncovered);
+}
+
+TEST_F(PixelHistoryGpu, ShowsDepthWhereAPassHasNoColour)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Front", "red");
+    Quad("Back", "red", "position: [0, 0, 2]");
+    SceneAsset asset = Load();
+    const GameObject* front = asset.scene.Find("Front");
+    const GameObject* back = asset.scene.Find("Back");
+    const auto red = front->renderer->sharedMaterial();
+    RenderTextureDescriptor descriptor(20, 20, GraphicsFormat::None);
+    descriptor.depthBufferBits = 32;
+    const RTHandle depth =
+        RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "OwnDepth");
+    asset.renderer.features.push_back(
+        std::make_unique<CommandFeature>(RenderPassEvent::BeforeRenderingOpaques, "Depths",
+                                         [=](CommandBuffer& cmd)
+                                         {
+                                             cmd.SetRenderTarget(depth);
+                                             cmd.ClearRenderTarget(true, false, Color::black);
+                                             cmd.DrawRenderer(*front, red);
+                                             cmd.DrawRenderer(*back, red);
+                                         }));
+    const PixelHistory history = Trace(std::move(asset), 10, 10);
+    std::vector<PixelEvent> events;
+    std::ranges::copy_if(history.events, std::back_inserter(events),
+                         [](const PixelEvent& event)
+                         { return event.depth && event.depth->texture == "OwnDepth"; });
+    ASSERT_EQ(3u, events.size());
+    EXPECT_EQ(PixelFate::Cleared, events[0].fate);
+    EXPECT_EQ(PixelFate::Drawn, events[1].fate);
+    EXPECT_EQ("Depths", events[1].pass);
+    EXPECT_THAT(events[1].colors, IsEmpty());
+    EXPECT_EQ(Floats{0}, events[1].depth->before);
+    EXPECT_THAT(events[1].depth->after, ElementsAre(FloatNear(0.6f, 1e-6f)));
+    EXPECT_EQ(PixelFate::Depth, events[2].fate);
+    EXPECT_FALSE(events[1].isRun) << "nothing reads that depth";
+}
+
+TEST_F(PixelHistoryGpu, TakesATargetThatHeldNothingForWritten)
+{
+    Paint("clear", "ZTest Always", "0, 0, 0, 0");
+    Paint("never", "ZTest Never", "1, 1, 1, 1");
+    Quad("Zero", "clear");
+    Quad("Never", "never");
+    SceneAsset asset = Load();
+    const GameObject* zero = asset.scene.Find("Zero");
+    const GameObject* never = asset.scene.Find("Never");
+    RenderTextureDescriptor descriptor(20, 20, GraphicsFormat::R8G8B8A8_UNorm);
+    const RTHandle own =
+        RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "Own");
+    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
+        RenderPassEvent::BeforeRenderingOpaques, "Fill",
+        [=](CommandBuffer& cmd)
+        {
+            cmd.SetRenderTarget(own, RTHandle());
+            cmd.DrawRenderer(*zero, zero->renderer->sharedMaterial());
+            cmd.DrawRenderer(*never, never->renderer->sharedMaterial());
+        }));
+    const PixelHistory history = Trace(std::move(asset), 10, 10);
+    std::vector<PixelEvent> events;
+    std::ranges::copy_if(history.events, std::back_inserter(events),
+                         [](const PixelEvent& event)
+                         { return !event.colors.empty() && event.colors[0].texture == "Own"; });
+    ASSERT_EQ(2u, events.size());
+    EXPECT_EQ(PixelFate::Drawn, events[0].fate);
+    EXPECT_THAT(events[0].colors.at(0).before, IsEmpty());
+    EXPECT_EQ((Floats{0, 0, 0, 0}), events[0].colors.at(0).after);
+    // Without a depth to test against, every test passes.
+    EXPECT_EQ(PixelFate::Drawn, events[1].fate);
+    EXPECT_EQ((Floats{1, 1, 1, 1}), events[1].colors.at(0).after);
+}
+
+TEST_F(PixelHistoryGpu, SeesBuffersAsTheFirstFrameDoesHoweverOftenItIsDrawnAgain)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Quad("Quad", "red");
+    const auto kernels = ComputeShader::FromText("#pragma kernel Count\n#pragma kernel Fill\n"
+                                                 "RWStructuredBuffer<uint> _Count;\n"
+                                                 "RWTexture2D<float> _Result;\n"
+                                                 "[numthreads(1, 1, 1)] void Count()\n"
+                                                 "{ _Count[0] += 1; }\n"
+                                                 "[numthreads(1, 1, 1)] void Fill(uint3 id : "
+                                                 "SV_DispatchThreadID)\n"
+                                                 "{ _Result[id.xy] = _Count[0] * 0.25; }\n",
+                                                 "count.compute", folder.assets.compiler());
+    const auto count = std::make_shared<GraphicsBuffer>(GraphicsBuffer::Target::Structured, 1, 4);
+    count->SetData(std::vector<std::uint32_t>{1});
+    RenderTextureDescriptor descriptor(20, 20, GraphicsFormat::R32_SFloat);
+    descriptor.enableRandomWrite = true;
+    const RTHandle result =
+        RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "Result");
+    SceneAsset asset = Load();
+    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
+        RenderPassEvent::BeforeRenderingOpaques, "Kernels",
+        [=](CommandBuffer& cmd)
+        {
+            cmd.SetComputeBufferParam(kernels, 0, "_Count", count);
+            cmd.SetComputeBufferParam(kernels, 1, "_Count", count);
+            cmd.SetComputeTextureParam(kernels, 1, "_Result", result.nameID());
+            cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+            cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+        }));
+    const PixelHistory history = Trace(std::move(asset), 10, 10);
+    std::vector<std::pair<PixelFate, Floats>> seen;
+    for (const PixelEvent& event : history.events)
+    {
+        if (event.shader == "count" || event.shaderPassName == "Fill")
+        {
+            seen.emplace_back(event.fate, event.colors.at(0).after);
+        }
+    }
+    using Seen = std::pair<PixelFate, Floats>;
+    EXPECT_THAT(seen,
+                ElementsAre(Seen{PixelFate::Dispatched, {0.5f}}, Seen{PixelFate::Same, {0.5f}},
+                            Seen{PixelFate::Dispatched, {0.75f}}));
+}
+
+TEST_F(PixelHistoryGpu, KnowsWhatAnOverlayCameraDraws)
+{
+    Paint("red", "", "1, 0, 0, 1");
+    Paint("green", "", "0, 1, 0, 1");
+    Quad("Ground", "red");
+    Quad("Above", "green", "layer: Hidden, position: [0, 0, 1]");
+    SceneAsset asset = Load();
+    auto overlay = std::make_shared<Camera>(asset.camera);
+    overlay->renderType = CameraRenderType::Overlay;
+    overlay->cullingMask = LayerMask::FromIndex(7);
+    asset.camera.cameraStack.push_back(overlay);
+    const PixelHistory history = Trace(std::move(asset), 10, 10);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Ground").fate);
+    EXPECT_EQ(PixelFate::Drawn, EventOf(history, "Above").fate);
+    EXPECT_THAT(history.absent, IsEmpty());
+    EXPECT_EQ(k_Green, history.color);
 }
 
 namespace
