@@ -1,7 +1,6 @@
 #include "pixel/PassProbe.h"
 
 #include <algorithm>
-#include <limn/core/Shader.h>
 
 namespace limn
 {

@@ -4,6 +4,7 @@
 #include "pixel/TexelValue.h"
 
 #include <functional>
+#include <limn/core/Shader.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <optional>
 #include <unordered_map>

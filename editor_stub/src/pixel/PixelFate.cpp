@@ -21,6 +21,11 @@ PipelineState Untested(PipelineState state)
     return state;
 }
 
+bool TestsDepth(const PipelineState& state)
+{
+    return state.zTest != CompareFunction::Always && state.zTest != CompareFunction::Disabled;
+}
+
 std::string CullReason(CullMode cull)
 {
     return cull == CullMode::Back
@@ -116,12 +121,12 @@ std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size
                                           : "its shader discards it: clip, discard or alpha test"};
     }
     tried.stencilEnabled = state.stencilEnabled;
-    if (!probe.Passes(which, tried))
+    if (state.stencilEnabled && !probe.Passes(which, tried))
     {
         const bool isFront = state.cull != CullMode::Front && probe.Reaches(which, CullMode::Back);
         return {PixelFate::Stencil, StencilReason(state, isFront, before)};
     }
-    if (!probe.Passes(which, state))
+    if (TestsDepth(state) && !before.depth.empty() && !probe.Passes(which, state))
     {
         return {PixelFate::Depth, DepthReason(state, probe.DepthOf(which), before)};
     }

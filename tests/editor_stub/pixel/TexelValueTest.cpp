@@ -52,8 +52,8 @@ TEST(TexelValue, ReadsFloatsOfEverySize)
     EXPECT_EQ((Floats{1.5f}), Value({0, 0, 0xC0, 0x3F}, GraphicsFormat::R32_SFloat));
     EXPECT_EQ((Floats{1.5f}), Value({0, 0, 0xC0, 0x3F}, GraphicsFormat::D32_SFloat));
     // Exponent 15 is 1; red 1 at bit 0, green 2 at bit 11, blue 0.5 at bit 22.
-    const std::uint32_t packed = 15u << 6 | (16u << 6) << 11 | (14u << 5) << 22;
-    const auto byte = [packed](int i)
+    constexpr std::uint32_t packed = 15u << 6 | (16u << 6) << 11 | (14u << 5) << 22;
+    const auto byte = [](int i)
     {
         return static_cast<int>((packed >> (8 * i)) & 255u);
     };
