@@ -181,32 +181,32 @@ ViewportRect PassProbe::TexelRect() const
     return {m_X, isTopRowFirst ? m_Y : pass().height - 1 - m_Y, 1, 1};
 }
 
+void PassProbe::Split(const Range& range, std::vector<Range>& ranges)
+{
+    const std::size_t count = range.end - range.begin;
+    for (std::size_t i = 0; i < k_Channels; ++i)
+    {
+        const Range part{range.begin + count * i / k_Channels,
+                         range.begin + count * (i + 1) / k_Channels};
+        if (part.begin < part.end)
+        {
+            ranges.push_back(part);
+        }
+    }
+}
+
 void PassProbe::FindReaching()
 {
-    const auto split = [](const Range& range, std::vector<Range>& ranges)
-    {
-        const std::size_t count = range.end - range.begin;
-        for (std::size_t i = 0; i < k_Channels; ++i)
-        {
-            const Range part{range.begin + count * i / k_Channels,
-                             range.begin + count * (i + 1) / k_Channels};
-            if (part.begin < part.end)
-            {
-                ranges.push_back(part);
-            }
-        }
-    };
     for (std::size_t i = 0; i < m_Steps.size(); ++i)
     {
-        const bool isClear =
-            std::holds_alternative<ClearCommand>(pass().commands[m_Steps[i].command]);
-        if (isClear && (!m_Steps[i].viewport || Contains(*m_Steps[i].viewport, TexelRect())))
+        const PassStep& step = m_Steps[i];
+        if (IsClear(step) && (!step.viewport || LiesIn(*step.viewport)))
         {
             m_Reaching.push_back(i);
         }
     }
     std::vector<Range> ranges;
-    split({0, m_Steps.size()}, ranges);
+    Split({0, m_Steps.size()}, ranges);
     while (!ranges.empty())
     {
         const std::size_t count = std::min(ranges.size(), k_Channels);
@@ -222,7 +222,7 @@ void PassProbe::FindReaching()
             }
             else if (reached.at(i))
             {
-                split(tried[i], ranges);
+                Split(tried[i], ranges);
             }
         }
     }
@@ -259,7 +259,7 @@ void PassProbe::AddCover(FrameReplay& replay, const Range& range, int channel, C
     for (std::size_t i = range.begin; i < range.end;)
     {
         const PassStep& step = m_Steps[i++];
-        if (std::holds_alternative<ClearCommand>(pass().commands[step.command]))
+        if (IsClear(step))
         {
             continue;
         }

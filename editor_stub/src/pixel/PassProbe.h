@@ -96,6 +96,11 @@ private:
     RenderTextureDescriptor ProbeDescriptor(GraphicsFormat format) const;
     ViewportRect TexelRect() const;
 
+    bool IsClear(const PassStep& step) const
+    {
+        return std::holds_alternative<ClearCommand>(pass().commands[step.command]);
+    }
+    static void Split(const Range& range, std::vector<Range>& ranges); ///< into up to four
     void FindReaching();
     /// Which of at most four ranges reach the texel.
     Reached Cover(std::span<const Range> ranges, CullMode cull) const;

@@ -25,7 +25,7 @@ bool ShowsShadows(const CompiledRenderPass& pass, const FrameTables& tables)
     {
         const auto* draw = std::get_if<DrawCommand>(&command);
         const DrawSetup* setup = draw != nullptr ? &tables.Setup(*draw) : nullptr;
-        return setup != nullptr && setup->shader != nullptr &&
+        return setup != nullptr &&
                setup->shader->passLightMode(setup->shaderPass) == "ShadowCaster";
     };
     return std::ranges::any_of(pass.commands, isCaster);
@@ -186,10 +186,10 @@ TargetTexels FrameTrace::BeforeFirst(const CompiledRenderPass& pass, const PassP
     bool isAll = !Clears(pass);
     for (const ColorAttachment& color : pass.colors)
     {
-        isAll = isAll && color.load == LoadOp::Load && isKnown(*color.texture);
+        isAll = isAll && isKnown(*color.texture);
         known.colors.push_back(isAll ? m_Known.at(color.texture->id()).texel : Texels());
     }
-    if (pass.depth && isAll && pass.depth->load == LoadOp::Load && isKnown(*pass.depth->texture))
+    if (pass.depth && isAll && isKnown(*pass.depth->texture))
     {
         known.depth = m_Known.at(pass.depth->texture->id()).texel;
         known.stencil = m_Known.at(pass.depth->texture->id()).stencil;
@@ -343,9 +343,9 @@ PixelEvent FrameTrace::EventOf(const CompiledRenderPass& pass, const PassProbe& 
     }
     const std::shared_ptr<const Mesh>& mesh = m_Traced.frame.MeshOf(*draw);
     event.mesh = mesh ? mesh->name() : "";
-    event.shader = setup.shader ? setup.shader->name() : "";
+    event.shader = setup.shader->name();
     event.shaderPass = setup.shaderPass;
-    event.shaderPassName = setup.shader ? setup.shader->passName(setup.shaderPass) : "";
+    event.shaderPassName = setup.shader->passName(setup.shaderPass);
     event.material = MaterialOf(setup, *draw, step.sample, objects);
     event.isRun = m_Run.contains(draw->firstInstance);
     return event;
@@ -454,34 +454,42 @@ void FrameTrace::TraceDispatches(std::size_t index)
         const DispatchSetup& setup = m_Traced.frame.Setup(*dispatch);
         for (const StorageTextureSlot& slot : setup.bindings->storageTextures)
         {
-            if (!IsPicture(*slot.texture))
+            if (IsPicture(*slot.texture))
+            {
+                TraceWrite(index, setup, slot.texture);
+            }
+            else
             {
                 m_History.elsewhere.push_back(
                     {pass.Title(), slot.texture->name(), slot.texture->DescribeSize()});
-                continue;
             }
-            FrameReplay replay(m_Traced.frame);
-            for (std::size_t i = 0; i <= index; ++i)
-            {
-                replay.AddPass(m_Traced.frame.passes[i]);
-            }
-            const auto [x, y] = PlaceIn(*slot.texture);
-            const std::shared_ptr<const RenderTexture> outputs[] = {slot.texture};
-            const Texels after = TexelAt(replay.Run(m_Device, outputs).front(), x, y);
-            PixelEvent event;
-            event.pass = pass.name;
-            event.shader = setup.shader->name();
-            event.shaderPass = setup.kernel;
-            event.shaderPassName = setup.shader->kernelName(setup.kernel);
-            event.colors.push_back(ValueIn(*slot.texture, slot.texture->graphicsFormat(),
-                                           m_Known[slot.texture->id()].texel, after));
-            const bool isChanged = event.colors.front().isChanged();
-            event.fate = isChanged ? PixelFate::Dispatched : PixelFate::Same;
-            event.reason = isChanged ? "" : "the kernel leaves the texel as it was";
-            m_Known[slot.texture->id()].texel = after;
-            m_History.events.push_back(std::move(event));
         }
     }
+}
+
+/// What the pass's kernel leaves in a texture.
+void FrameTrace::TraceWrite(std::size_t index, const DispatchSetup& setup,
+                            const std::shared_ptr<const RenderTexture>& texture)
+{
+    FrameReplay replay(m_Traced.frame);
+    for (std::size_t i = 0; i <= index; ++i)
+    {
+        replay.AddPass(m_Traced.frame.passes[i]);
+    }
+    const auto [x, y] = PlaceIn(*texture);
+    Texels& known = m_Known[texture->id()].texel;
+    const Texels after = TexelAt(replay.Run(m_Device, std::span(&texture, 1)).front(), x, y);
+    PixelEvent event;
+    event.pass = m_Traced.frame.passes[index].name;
+    event.shader = setup.shader->name();
+    event.shaderPass = setup.kernel;
+    event.shaderPassName = setup.shader->kernelName(setup.kernel);
+    event.colors.push_back(ValueIn(*texture, texture->graphicsFormat(), known, after));
+    const bool isChanged = event.colors.front().isChanged();
+    event.fate = isChanged ? PixelFate::Dispatched : PixelFate::Same;
+    event.reason = isChanged ? "" : "the kernel leaves the texel as it was";
+    known = after;
+    m_History.events.push_back(std::move(event));
 }
 
 } // namespace limn

@@ -50,6 +50,8 @@ private:
 
     void TraceDraws(std::size_t pass);
     void TraceDispatches(std::size_t pass);
+    void TraceWrite(std::size_t pass, const DispatchSetup& setup,
+                    const std::shared_ptr<const RenderTexture>& texture);
     TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const;
     void Remember(const CompiledRenderPass& pass, const TargetTexels& texels);
     void CountSteps(const CompiledRenderPass& pass, const PassProbe& probe);

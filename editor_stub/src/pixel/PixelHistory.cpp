@@ -6,6 +6,7 @@
 #include "view/SceneView.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limn/core/Culling.h>
 #include <limn/editor_stub/Raycast.h>
 #include <set>
@@ -130,6 +131,15 @@ void AddColor(const Image& image, PixelHistory& history)
 }
 
 } // namespace
+
+bool PixelValue::isChanged() const
+{
+    const auto isSame = [](float a, float b)
+    {
+        return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    return !std::ranges::equal(before, after, isSame);
+}
 
 const char* ToString(PixelFate fate)
 {

@@ -45,7 +45,7 @@ struct PixelValue
     std::vector<float> before; ///< components as shaders see them; empty = nothing yet
     std::vector<float> after;
 
-    bool isChanged() const { return before != after; }
+    bool isChanged() const;
 };
 
 /// A clear, draw or dispatch that reaches the pixel.

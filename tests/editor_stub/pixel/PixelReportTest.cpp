@@ -1,6 +1,7 @@
 #include "pixel/PixelReport.h"
 
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace limn::test
 {
@@ -111,6 +112,15 @@ TEST(PixelReport, NamesWhatIsElsewhereWhereMoreIsAskedFor)
               "targets that are not laid out as the picture is:\n"
               "  Shadow: _Shadow 256x256\n",
               text.substr(text.find("drawn, but")));
+}
+
+TEST(PixelValue, IsNotChangedWhereItIsNoNumberBeforeAndAfter)
+{
+    const float none = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_FALSE((PixelValue{"T", 0, 0, 1, 1, {none, 1}, {none, 1}}.isChanged()));
+    EXPECT_TRUE((PixelValue{"T", 0, 0, 1, 1, {none, 1}, {none, 2}}.isChanged()));
+    EXPECT_TRUE((PixelValue{"T", 0, 0, 1, 1, {0}, {none}}.isChanged()));
+    EXPECT_TRUE((PixelValue{"T", 0, 0, 1, 1, {}, {0}}.isChanged()));
 }
 
 TEST(PixelReport, SaysThatNoObjectIsThere)
