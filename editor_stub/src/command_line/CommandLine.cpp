@@ -305,8 +305,8 @@ void AddExplain(CLI::App& app, CommandLine& line)
                               ->type_name("NAME");
     CLI::Option* pixel =
         verb->add_option("--pixel", options.pixel,
-                         "What is drawn at this pixel of the picture, counted from the top left, "
-                         "and what is rejected there, by which test; this draws, on a device")
+                         "Say what is drawn at this pixel of the picture, counted from the top "
+                         "left, and what is rejected there, by which test; this draws, on a device")
             ->type_name("X,Y")
             ->check(CheckPixel)
             ->excludes(object);

@@ -10,7 +10,7 @@ namespace limn
 namespace
 {
 
-/// With what was set by SetData, and nothing of what kernels wrote.
+/// Makes a buffer of what SetData set, with nothing of what kernels wrote.
 std::shared_ptr<GraphicsBuffer> CopyAsSet(const GraphicsBuffer& buffer)
 {
     auto copy = std::make_shared<GraphicsBuffer>(buffer.target(), buffer.count(), buffer.stride());

@@ -39,7 +39,8 @@ bool Contains(const ViewportRect& rect, const ViewportRect& texel)
            texel.y - rect.y < rect.height;
 }
 
-/// Whether instances differ in what shaders get to know of them: then each can be drawn alone.
+/// Returns whether instances differ in what shaders get to know of them: then each can be drawn
+/// alone.
 bool IsDivisible(const DrawCommand& draw, const FrameTables& tables)
 {
     return draw.instanceCount > 1 && tables.Setup(draw).bindings->arguments() == nullptr &&
@@ -164,6 +165,16 @@ const DrawCommand& PassProbe::DrawOf(const PassStep& step) const
     return std::get<DrawCommand>(pass().commands[step.command]);
 }
 
+DrawCommand PassProbe::AtTexel(const PassStep& step) const
+{
+    DrawCommand draw = DrawOf(step);
+    draw.firstInstance += step.firstInstance;
+    draw.instanceCount = step.instanceCount;
+    draw.bounds.reset();
+    draw.scissor = TexelRect();
+    return draw;
+}
+
 RenderTextureDescriptor PassProbe::ProbeDescriptor(GraphicsFormat format) const
 {
     const RenderTexture& target =
@@ -174,7 +185,7 @@ RenderTextureDescriptor PassProbe::ProbeDescriptor(GraphicsFormat format) const
     return descriptor;
 }
 
-/// As scissors have it: by rows as they lie in memory.
+/// Returns the texel as scissors have it, by rows as they lie in memory.
 ViewportRect PassProbe::TexelRect() const
 {
     const bool isTopRowFirst = ProbeDescriptor(GraphicsFormat::None).isTopRowFirst;
@@ -236,11 +247,7 @@ PassProbe::Reached PassProbe::Cover(std::span<const Range> ranges, CullMode cull
                                                   ColorWriteMask::Blue, ColorWriteMask::Alpha};
     const auto target = std::make_shared<const RenderTexture>(
         "Covered", ProbeDescriptor(GraphicsFormat::R8G8B8A8_UNorm));
-    FrameReplay replay(m_Frame);
-    for (std::size_t i = 0; i < m_Pass; ++i)
-    {
-        replay.AddPass(m_Frame.passes[i]); // those that no vertex function reads are left out
-    }
+    FrameReplay replay = BeforePass();
     replay.Add(SetRenderTargetCommand{{target}, nullptr});
     replay.Add(ClearCommand{ClearFlag::Color, Color::clear});
     for (std::size_t i = 0; i < ranges.size(); ++i)
@@ -263,15 +270,11 @@ void PassProbe::AddCover(FrameReplay& replay, const Range& range, int channel, C
         {
             continue;
         }
-        DrawCommand draw = DrawOf(step);
-        draw.firstInstance += step.firstInstance;
-        draw.instanceCount = step.instanceCount;
+        DrawCommand draw = AtTexel(step);
         for (; i < range.end && m_Steps[i].command == step.command; ++i)
         {
             draw.instanceCount += m_Steps[i].instanceCount;
         }
-        draw.bounds.reset();
-        draw.scissor = TexelRect();
         DrawSetup setup = m_Covers.Cover(m_Frame.Setup(draw));
         setup.state.cull = cull;
         setup.state.zTest = CompareFunction::Always;
@@ -283,13 +286,20 @@ void PassProbe::AddCover(FrameReplay& replay, const Range& range, int channel, C
     }
 }
 
-FrameReplay PassProbe::Begin(std::size_t count) const
+/// Adds the passes before this one; those that nothing behind them reads are left out when it runs.
+FrameReplay PassProbe::BeforePass() const
 {
     FrameReplay replay(m_Frame);
     for (std::size_t i = 0; i < m_Pass; ++i)
     {
         replay.AddPass(m_Frame.passes[i]);
     }
+    return replay;
+}
+
+FrameReplay PassProbe::Begin(std::size_t count) const
+{
+    FrameReplay replay = BeforePass();
     replay.BindTargets(pass(), true);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -309,11 +319,9 @@ void PassProbe::AddAtTexel(FrameReplay& replay, const PassStep& step) const
         replay.Add(*clear);
         return;
     }
-    DrawCommand draw = DrawOf(step);
-    draw.firstInstance += step.firstInstance;
-    draw.instanceCount = step.instanceCount;
-    const bool isOutside = draw.scissor && !Contains(*draw.scissor, TexelRect());
-    draw.scissor = isOutside ? ViewportRect() : TexelRect();
+    DrawCommand draw = AtTexel(step);
+    const std::optional<ViewportRect>& scissor = DrawOf(step).scissor;
+    draw.scissor = !scissor || LiesIn(*scissor) ? *draw.scissor : ViewportRect();
     DrawSetup setup = m_Frame.Setup(draw);
     setup.fullScreen = nullptr; // of one texel it would promise too much
     replay.AddDraw(draw, std::move(setup));
@@ -380,15 +388,11 @@ Image PassProbe::Draw(std::size_t which, const PipelineState& state, GraphicsFor
     {
         replay.Add(SetViewportCommand{*step.viewport});
     }
-    DrawCommand draw = DrawOf(step);
-    draw.firstInstance += step.firstInstance;
-    draw.instanceCount = step.instanceCount;
-    draw.scissor = TexelRect();
     DrawSetup setup = SetupOf(which);
     setup = HasColorOutput(*setup.program) ? setup : m_Covers.Cover(setup);
     setup.fullScreen = nullptr;
     setup.state = state;
-    replay.AddDraw(draw, std::move(setup));
+    replay.AddDraw(AtTexel(step), std::move(setup));
     const std::shared_ptr<const RenderTexture> outputs[] = {target};
     return std::move(replay.Run(m_Device, outputs).front());
 }
@@ -420,11 +424,7 @@ float PassProbe::DepthOf(std::size_t which) const
     RenderTextureDescriptor descriptor = ProbeDescriptor(GraphicsFormat::None);
     descriptor.depthBufferBits = 16;
     const auto depth = std::make_shared<const RenderTexture>("Probe depth", descriptor);
-    FrameReplay replay(m_Frame);
-    for (std::size_t i = 0; i < m_Pass; ++i)
-    {
-        replay.AddPass(m_Frame.passes[i]);
-    }
+    FrameReplay replay = BeforePass();
     const PassStep& step = Step(which);
     replay.Add(SetRenderTargetCommand{{}, depth});
     replay.Add(ClearCommand{ClearFlag::Depth, Color()});
@@ -432,14 +432,10 @@ float PassProbe::DepthOf(std::size_t which) const
     {
         replay.Add(SetViewportCommand{*step.viewport});
     }
-    DrawCommand draw = DrawOf(step);
-    draw.firstInstance += step.firstInstance;
-    draw.instanceCount = step.instanceCount;
-    draw.scissor = TexelRect();
     DrawSetup setup = m_Covers.Cover(SetupOf(which));
     setup.state.zTest = CompareFunction::LessEqual;
     setup.state.zWrite = true;
-    replay.AddDraw(draw, std::move(setup));
+    replay.AddDraw(AtTexel(step), std::move(setup));
     const std::shared_ptr<const RenderTexture> outputs[] = {depth};
     const std::vector<std::byte> texel = TexelOf(replay.Run(m_Device, outputs).front());
     return TexelValue(texel, GraphicsFormat::D32_SFloat).front();

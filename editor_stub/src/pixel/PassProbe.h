@@ -22,10 +22,10 @@ struct PassStep
     std::string sample;                   ///< the innermost one it was recorded in
 };
 
-/// In their order.
+/// Returns a pass's steps in their order.
 std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables& tables);
 
-/// What a pass's targets hold at a texel: its bytes.
+/// The bytes that a pass's targets hold at a texel.
 struct TargetTexels
 {
     std::vector<std::vector<std::byte>> colors;
@@ -33,13 +33,14 @@ struct TargetTexels
     std::vector<std::byte> stencil; ///< as R8_UInt; empty likewise
 };
 
-/// What draws look like that show nothing but where they are: their own places, white.
+/// Programs of draws that show nothing but where they are: the draws' own places, white.
 class CoverPrograms
 {
 public:
     explicit CoverPrograms(const std::shared_ptr<ShaderCompiler>& compiler);
 
-    /// The draw with what its fragments show taken out, and the textures that only they read.
+    /// Returns the draw with what its fragments show taken out, and the textures that only they
+    /// read.
     DrawSetup Cover(const DrawSetup& draw);
 
 private:
@@ -47,7 +48,7 @@ private:
     std::unordered_map<const ShaderProgram*, std::shared_ptr<const ShaderProgram>> m_Programs;
 };
 
-/// Looks at one texel of the targets of one pass by running the frame again up to there.
+/// Looks at one texel of a pass's targets, by running the frame again up to there.
 class PassProbe
 {
 public:
@@ -56,12 +57,12 @@ public:
               CoverPrograms& covers);
 
     const std::vector<PassStep>& steps() const { return m_Steps; }
-    /// Those that reach the texel, whatever tests and shaders make of it; by their places among
-    /// steps(). No others change it.
+    /// Returns the places among steps() of those that reach the texel, whatever tests and shaders
+    /// make of it. No others change it.
     const std::vector<std::size_t>& reaching() const { return m_Reaching; }
 
-    /// What the targets hold behind the first `count` that reach the texel; 0 where that is
-    /// nothing.
+    /// Returns what the targets hold behind the first `count` that reach the texel; 0 where that
+    /// is nothing.
     TargetTexels After(std::size_t count) const;
 
     // Of the draw that is the which-th that reaches the texel:
@@ -69,15 +70,15 @@ public:
     const DrawCommand& DrawAt(std::size_t which) const { return DrawOf(Step(which)); }
     DrawSetup SetupOf(std::size_t which) const;
     bool LiesInScissor(std::size_t which) const;
-    /// The texel in a part of the targets.
+    /// Returns whether the texel lies in this part of the targets.
     bool LiesIn(const ViewportRect& rect) const;
-    /// Whether it reaches the texel with these faces culled.
+    /// Returns whether it reaches the texel with these faces culled.
     bool Reaches(std::size_t which, CullMode cull) const;
-    /// Whether a fragment gets past all tests, in this state in place of its own.
+    /// Returns whether a fragment gets past all tests, in this state in place of its own.
     bool Passes(std::size_t which, const PipelineState& state) const;
-    /// What its shader gives; nothing where that is no colour.
+    /// Returns what its shader gives; nothing where that is no colour.
     std::optional<std::vector<float>> OutputOf(std::size_t which) const;
-    /// Of the nearest fragment, 1 = near.
+    /// Returns the depth of the nearest fragment, 1 = near.
     float DepthOf(std::size_t which) const;
 
 private:
@@ -93,6 +94,8 @@ private:
     const CompiledRenderPass& pass() const { return m_Frame.passes[m_Pass]; }
     const PassStep& Step(std::size_t which) const { return m_Steps[m_Reaching[which]]; }
     const DrawCommand& DrawOf(const PassStep& step) const;
+    /// The draw of this step only, and of this texel.
+    DrawCommand AtTexel(const PassStep& step) const;
     RenderTextureDescriptor ProbeDescriptor(GraphicsFormat format) const;
     ViewportRect TexelRect() const;
 
@@ -102,12 +105,13 @@ private:
     }
     static void Split(const Range& range, std::vector<Range>& ranges); ///< into up to four
     void FindReaching();
-    /// Which of at most four ranges reach the texel.
+    /// Finds out which of at most four ranges reach the texel.
     Reached Cover(std::span<const Range> ranges, CullMode cull) const;
     void AddCover(FrameReplay& replay, const Range& range, int channel, CullMode cull) const;
+    FrameReplay BeforePass() const;
     FrameReplay Begin(std::size_t count) const;
     void AddAtTexel(FrameReplay& replay, const PassStep& step) const;
-    /// The draw onto a target of its own, which is cleared to white, with the pass's depth.
+    /// Draws onto a target of its own, which is cleared to white, with the pass's depth.
     Image Draw(std::size_t which, const PipelineState& state, GraphicsFormat format) const;
     std::vector<std::byte> TexelOf(const Image& image) const { return TexelAt(image, m_X, m_Y); }
 

@@ -18,7 +18,7 @@ namespace
 constexpr GraphicsFormat k_DepthFormat = GraphicsFormat::D32_SFloat;
 constexpr GraphicsFormat k_StencilFormat = GraphicsFormat::R8_UInt;
 
-/// The light's view, not the camera's.
+/// Returns whether the pass has the light's view, not the camera's.
 bool ShowsShadows(const CompiledRenderPass& pass, const FrameTables& tables)
 {
     const auto isCaster = [&](const PassCommand& command)
@@ -142,7 +142,7 @@ void FrameTrace::Run(const std::function<void(const std::string&)>& progress)
     }
 }
 
-/// Whether it has the picture's shape, as far as whole texels can.
+/// Returns whether it has the picture's shape, as far as whole texels can.
 bool FrameTrace::IsPicture(const Texture& texture) const
 {
     const std::int64_t across = std::int64_t{texture.width()} * m_History.height;
@@ -150,7 +150,7 @@ bool FrameTrace::IsPicture(const Texture& texture) const
     return std::abs(across - down) <= std::max(m_History.width, m_History.height);
 }
 
-/// The texel in which the pixel's middle lies.
+/// Returns the texel in which the pixel's middle lies.
 std::pair<int, int> FrameTrace::PlaceIn(const Texture& texture) const
 {
     const auto place = [](int pixel, int pixels, int texels)
@@ -239,7 +239,8 @@ void FrameTrace::TraceDraws(std::size_t index)
     Remember(pass, before);
 }
 
-/// Who is drawn, and which draws of no object, which are few, do not reach the pixel.
+/// Notes the objects that are drawn, and the draws of no object, which are few, that do not reach
+/// the pixel.
 void FrameTrace::CountSteps(const CompiledRenderPass& pass, const PassProbe& probe)
 {
     for (std::size_t i = 0; i < probe.steps().size(); ++i)
@@ -275,7 +276,7 @@ void FrameTrace::AddUncovered(const PassStep& step, const DrawSetup& setup)
     m_History.uncoveredDraws.push_back(std::move(own));
 }
 
-/// Why the draw changes nothing.
+/// Adds the reason for which the draw changes nothing.
 void FrameTrace::ExplainUnchanged(const PassProbe& probe, std::size_t which,
                                   const TargetTexels& before, PixelEvent& event) const
 {
@@ -384,8 +385,8 @@ void FrameTrace::AddValues(const CompiledRenderPass& pass, const TargetTexels& b
     }
 }
 
-/// The objects of the scene that the step draws, by their places: also where a command draws a
-/// mesh where an object is that has it.
+/// Returns the objects of the scene that the step draws, by their places: also where a command
+/// draws a mesh where an object is that has it.
 std::set<std::uint32_t> FrameTrace::ObjectsOf(const DrawCommand& draw, const PassStep& step) const
 {
     const CompiledFrame& frame = m_Traced.frame;
@@ -467,7 +468,7 @@ void FrameTrace::TraceDispatches(std::size_t index)
     }
 }
 
-/// What the pass's kernel leaves in a texture.
+/// Adds the texel that the pass's kernel leaves in a texture.
 void FrameTrace::TraceWrite(std::size_t index, const DispatchSetup& setup,
                             const std::shared_ptr<const RenderTexture>& texture)
 {

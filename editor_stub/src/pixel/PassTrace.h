@@ -31,12 +31,12 @@ public:
 
     /// Objects that passes of the picture draw, by their places in the scene.
     const std::set<std::uint32_t>& drawn() const { return m_Drawn; }
-    /// Of these, those that reach the pixel.
+    /// The ones among drawn() that reach the pixel.
     const std::set<std::uint32_t>& reaching() const { return m_Reaching; }
 
 private:
     using Texels = std::vector<std::byte>;
-    /// What is known of a texture: the texel at the pixel's place.
+    /// The texel of a texture at the pixel's place.
     struct Known
     {
         Texels texel;

@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// The state without the tests behind the fragment function.
+/// Returns the state without the tests behind the fragment function.
 PipelineState Untested(PipelineState state)
 {
     state.zTest = CompareFunction::Always;
@@ -63,7 +63,7 @@ bool Blends(const RenderTargetBlendState& blend)
     return blend != plain;
 }
 
-/// Of a draw that gets past all tests.
+/// Finds the reason for a draw that gets past all tests.
 std::pair<PixelFate, std::string> WhyItAddsNothing(const PassProbe& probe, std::size_t which,
                                                    std::size_t colors)
 {

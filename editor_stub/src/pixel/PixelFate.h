@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// Why a draw that reaches the texel leaves it as it was: the first test that rejects it, with its
-/// reason.
+/// Finds the reason for which a draw that reaches the texel leaves it as it was: the first test
+/// that rejects it.
 /// @param which    of PassProbe::reaching
 /// @param before   what the targets hold before it
 /// @param isEmpty  whether the frame is known to have nothing there for it to show

@@ -17,7 +17,7 @@ namespace limn
 namespace
 {
 
-/// What is left of a scene when its frame is recorded.
+/// The parts of a scene that outlive its move into a view, and its frame.
 struct TracedScene
 {
     std::vector<const GameObject*> objects;
@@ -26,7 +26,7 @@ struct TracedScene
     RenderResult result;
 };
 
-/// Of each object with a renderer, in the order of the scene.
+/// Returns the place of each object with a renderer, in the order of the scene.
 std::vector<std::size_t> ObjectsWithRenderer(const std::vector<const GameObject*>& objects)
 {
     std::vector<std::size_t> places;
@@ -40,7 +40,7 @@ std::vector<std::size_t> ObjectsWithRenderer(const std::vector<const GameObject*
     return places;
 }
 
-/// Which objects lie at the pixel, whether anything draws them or not; by their places.
+/// Finds the objects that lie at the pixel, whether anything draws them or not; by their places.
 std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std::size_t>& among,
                                 const PixelHistory& history)
 {
@@ -82,7 +82,7 @@ std::string WhyAbsent(const ExplainedObject& object)
                      : "every pass leaves it out";
 }
 
-/// Who is not drawn, who is left out by a filter and who is elsewhere.
+/// Adds the objects that are not drawn, left out by a filter or elsewhere.
 void AddObjects(const TracedScene& scene, const FrameTrace& trace, PixelHistory& history)
 {
     const std::vector<ExplainedObject> explained =

@@ -13,8 +13,8 @@ namespace limn
 
 class VulkanDevice;
 
-/// What became of one thing that a pass did at a pixel. Those from Scissor to Depth are in the
-/// order in which a device tries them.
+/// The fate of one thing that a pass did at a pixel. Those from Scissor to Depth are in the order
+/// in which a device tries them.
 enum class PixelFate
 {
     Cleared,
@@ -31,10 +31,10 @@ enum class PixelFate
     Same        ///< it wrote what was there
 };
 
-/// "drawn", "depth" ...: for programs.
+/// Returns the word for programs: "drawn", "depth" ...
 const char* ToString(PixelFate fate);
 
-/// What one texture holds at the pixel's place.
+/// A texture's texel at the pixel's place.
 struct PixelValue
 {
     std::string texture;
@@ -100,7 +100,7 @@ struct PixelElsewhere
     std::string size;
 };
 
-/// Why a pixel of the picture is as it is.
+/// All that passes do at one pixel of the picture, and all that they leave out there.
 struct PixelHistory
 {
     int x = 0; ///< from the top left of the picture

@@ -23,7 +23,7 @@ std::size_t ColumnsOf(std::string_view word)
         word, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-/// The words in lines, all but the first one `indent` blanks farther in.
+/// Breaks the words into lines, all but the first one `indent` blanks farther in.
 std::string WrappedLine(const std::string& words, std::size_t begin, std::size_t indent)
 {
     std::string text(begin, ' ');
@@ -162,7 +162,7 @@ std::string EventsText(const PixelHistory& history, bool areRejected)
     return text;
 }
 
-/// By pass and rule.
+/// Lists what filters leave out, by pass and rule.
 std::string FiltersText(const PixelHistory& history, bool isLong)
 {
     std::vector<std::pair<std::string, std::string>> order;
@@ -241,7 +241,7 @@ std::string RestSentence(const PixelHistory& history)
     return WrappedLine(text + ": -v names them", 0, 2);
 }
 
-/// What has nothing to do with the pixel.
+/// Names what has nothing to do with the pixel.
 std::string RestText(const PixelHistory& history)
 {
     std::string elsewhere;

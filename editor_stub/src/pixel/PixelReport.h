@@ -6,11 +6,11 @@
 namespace limn
 {
 
-/// For a person, in lines of about 80 columns.
+/// Writes the history for a person, in lines of about 80 columns.
 /// @param isLong  names also what does not cover the pixel
 std::string PixelText(const PixelHistory& history, bool isLong);
 
-/// All of it.
+/// Writes all of it for programs.
 Json PixelJson(const PixelHistory& history);
 
 } // namespace limn

@@ -15,7 +15,7 @@ namespace limn
 namespace
 {
 
-/// One of a format's components, by the format's name.
+/// A component of a format, by the format's name.
 struct Component
 {
     char letter = 'R';
@@ -92,7 +92,7 @@ float ValueOf(std::uint32_t bits, const Component& component, std::string_view t
     return isCurved ? Color(share, share, share).linear().r : share;
 }
 
-/// Three numbers with an exponent in common.
+/// Returns three numbers that have an exponent in common.
 std::vector<float> SharedExponent(std::span<const std::byte> texel,
                                   const std::vector<Component>& components)
 {
