@@ -195,6 +195,32 @@ std::vector<ExplainedVariant> VariantsOf(const CompiledFrame& frame)
 
 } // namespace
 
+std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
+                                            const CullingResults& culled,
+                                            const RenderReport& report, const Camera& camera)
+{
+    std::unordered_map<const Transform*, const GameObject*> owners;
+    for (const GameObject* object : objects)
+    {
+        owners[&object->transform] = object;
+    }
+    const ItemsOfObjects items = Group(culled);
+    const std::vector<const DrawRenderersReport*> filters = DecidingFilters(report);
+    std::vector<ExplainedObject> explained;
+    for (const GameObject* object : objects)
+    {
+        if (object->renderer)
+        {
+            explained.push_back(ExplainObject(*object, items, report, filters, camera));
+            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
+            {
+                explained.back().parents.push_back(owners.at(t)->name);
+            }
+        }
+    }
+    return explained;
+}
+
 Explanation Explain(SceneAsset asset, const AssetContext& assets)
 {
     CompileUsedShaders(asset);
@@ -207,11 +233,9 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
     const CullingResults culled = Cull(asset.scene, camera, aspect);
     std::vector<const GameObject*> objects; // stay where they are when the scene is moved
-    std::unordered_map<const Transform*, const GameObject*> owners;
     for (const auto& object : asset.scene.objects())
     {
         objects.push_back(object.get());
-        owners[&object->transform] = object.get();
     }
 
     RecordingDevice device;
@@ -224,20 +248,7 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     const ShaderCompiler::Statistics built = assets.compiler()->statistics();
     explanation.builtVariants = built.compiled + built.loadedFromCache;
     explanation.idleFeatures = FindIdleFeatures(result.report);
-    const ItemsOfObjects items = Group(culled);
-    const std::vector<const DrawRenderersReport*> filters = DecidingFilters(result.report);
-    for (const GameObject* object : objects)
-    {
-        if (object->renderer)
-        {
-            explanation.objects.push_back(
-                ExplainObject(*object, items, result.report, filters, camera));
-            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
-            {
-                explanation.objects.back().parents.push_back(owners.at(t)->name);
-            }
-        }
-    }
+    explanation.objects = ExplainObjects(objects, culled, result.report, camera);
     return explanation;
 }
 

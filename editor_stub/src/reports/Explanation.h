@@ -77,6 +77,12 @@ struct Explanation
     std::vector<ExplainedIdleFeature> idleFeatures; ///< the renderer's order
 };
 
+/// What became of each of the objects that has a renderer.
+/// @param culled  by this camera
+std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
+                                            const CullingResults& culled,
+                                            const RenderReport& report, const Camera& camera);
+
 /// @throws AssetError for a shader with errors
 Explanation Explain(SceneAsset asset, const AssetContext& assets);
 
