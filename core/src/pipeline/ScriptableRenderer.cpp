@@ -86,13 +86,16 @@ std::exception_ptr CleanUp(const ScriptableRenderer& renderer,
     return failure;
 }
 
-/// A sentence for every filter since `first` that let nothing through, each sentence once. Asked
-/// for features' passes only: the renderer's own may well have nothing to do.
-void NoteEmptyDraws(RenderReport& report, std::size_t first)
+/// Gives the draws since `first` to a feature, with a sentence for every one of them whose filter
+/// let nothing through, each sentence once. The renderer's own may well have nothing to do.
+///
+/// @param fromEnd  the feature's place in the report, from the end: 1 is the last
+void TakeFeatureDraws(RenderReport& report, std::size_t first, std::size_t fromEnd)
 {
     for (std::size_t i = first; i < report.draws.size(); ++i)
     {
-        const DrawRenderersReport& draw = report.draws[i];
+        DrawRenderersReport& draw = report.draws[i];
+        draw.feature = report.features.size() - fromEnd;
         if (draw.counts[static_cast<std::size_t>(FilterVerdict::Drawn)] > 0)
         {
             continue;
@@ -102,6 +105,21 @@ void NoteEmptyDraws(RenderReport& report, std::size_t first)
         if (std::find(notes.begin(), notes.end(), note) == notes.end())
         {
             report.notes.push_back(std::move(note));
+        }
+    }
+}
+
+/// Gives the filters since `first` to the feature that is reported next. A feature that hands its
+/// work to another one's pass asks the same filter twice, and is reported once.
+void NameFilters(RenderReport& report, std::size_t first, SampleName feature)
+{
+    for (std::size_t i = first; i < report.filters.size(); ++i)
+    {
+        report.filters[i].pass = feature;
+        report.filters[i].feature = report.features.size();
+        if (i > first && report.filters[i].filtering == report.filters[i - 1].filtering)
+        {
+            report.filters.erase(report.filters.begin() + static_cast<std::ptrdiff_t>(i--));
         }
     }
 }
@@ -215,12 +233,16 @@ void ScriptableRenderer::EnqueuePass(ScriptableRenderPass& pass)
 const ScriptableRendererFeature*
 ScriptableRenderer::FeatureOf(const ScriptableRenderPass& pass) const
 {
-    const auto index = static_cast<std::size_t>(std::ranges::find(m_FeaturePasses, &pass) -
+    const std::size_t index = FeatureIndexOf(pass);
+    return index < m_FeaturePassEnds.size() ? m_Features[index].get() : nullptr;
+}
+
+std::size_t ScriptableRenderer::FeatureIndexOf(const ScriptableRenderPass& pass) const
+{
+    const auto place = static_cast<std::size_t>(std::ranges::find(m_FeaturePasses, &pass) -
                                                 m_FeaturePasses.begin());
-    const auto end = std::ranges::upper_bound(m_FeaturePassEnds, index);
-    return end == m_FeaturePassEnds.end()
-               ? nullptr
-               : m_Features[static_cast<std::size_t>(end - m_FeaturePassEnds.begin())].get();
+    return static_cast<std::size_t>(std::ranges::upper_bound(m_FeaturePassEnds, place) -
+                                    m_FeaturePassEnds.begin());
 }
 
 const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const
@@ -295,6 +317,10 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
     m_FeaturePassEnds.clear();
     for (const auto& feature : m_Features)
     {
+        RenderReport& report = *renderingData.report;
+        const std::size_t passes = m_Queue.size();
+        const std::size_t filters = report.filters.size();
+        const std::size_t notes = report.notes.size();
         if (feature->isActive())
         {
             RunFeature(*feature, "AddRenderPasses",
@@ -302,10 +328,13 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
         }
         else if (renderingData.cameraData.renderType == CameraRenderType::Base)
         {
-            renderingData.report->notes.push_back(feature->name +
-                                                  ": not drawn, the feature is inactive");
+            report.notes.push_back(feature->name + ": not drawn, the feature is inactive");
         }
         m_FeaturePassEnds.push_back(m_Queue.size());
+        const SampleName name(feature->name);
+        NameFilters(report, filters, name);
+        report.features.push_back(
+            {name, m_Queue.size() - passes, notes, report.notes.size() - notes});
     }
 }
 
@@ -376,9 +405,9 @@ void ScriptableRenderer::ExecutePasses(ScriptableRenderContext& context,
                    {context.MarkPlace(), renderingData.report->passes.size()});
         const std::size_t drawsBefore = renderingData.report->draws.size();
         ExecuteRenderPass(context, *pass, renderingData);
-        if (std::ranges::find(m_FeaturePasses, pass) != m_FeaturePasses.end())
+        if (const std::size_t feature = FeatureIndexOf(*pass); feature < m_Features.size())
         {
-            NoteEmptyDraws(*renderingData.report, drawsBefore);
+            TakeFeatureDraws(*renderingData.report, drawsBefore, m_Features.size() - feature);
         }
     }
     BeforePass(context, renderingData, nullptr,

@@ -338,6 +338,8 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     ExpectPipelineVersion(pipelineVersion);
     result.report.passes.clear();
     result.report.draws.clear();
+    result.report.filters.clear();
+    result.report.features.clear();
     result.report.notes.clear();
     result.report.choices.clear();
     result.frame = nullptr; // else the next would have to leave it as it is

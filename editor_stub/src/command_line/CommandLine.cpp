@@ -115,6 +115,13 @@ void OnceParsed(CLI::App* verb, CommandLine& line, std::function<int(Console&)> 
     verb->final_callback([&line, run = std::move(run)] { line.run = run; });
 }
 
+std::string CheckPixel(const std::string& text)
+{
+    const bool isPixel = ParseClick(text) && text.find('@') == std::string::npos;
+    return isPixel ? std::string()
+                   : "'" + text + "' is no pixel; X,Y from the top left is expected: 640,360";
+}
+
 std::string CheckAssignment(const std::string& text)
 {
     const std::string problem = ValueAssignment::FormProblem(text);
@@ -293,16 +300,25 @@ void AddExplain(CLI::App& app, CommandLine& line)
     verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
         ->type_name("SCENE")
         ->required();
-    verb->add_option("--object", options.object,
-                     "Only objects of this name and what hangs below them")
-        ->type_name("NAME");
+    CLI::Option* object = verb->add_option("--object", options.object,
+                                           "Only objects of this name and what hangs below them")
+                              ->type_name("NAME");
+    CLI::Option* pixel =
+        verb->add_option("--pixel", options.pixel,
+                         "Say what is drawn at this pixel of the picture, counted from the top "
+                         "left, and what is rejected there, by which test; this draws, on a device")
+            ->type_name("X,Y")
+            ->check(CheckPixel)
+            ->excludes(object);
     verb->add_flag("--json", options.json, "As JSON");
     verb->add_option("--graph", options.graph,
                      "Write the frame as a picture: its passes, the textures between them, what is "
                      "left out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot")
         ->type_name("FILE")
-        ->check(CheckGraph);
+        ->check(CheckGraph)
+        ->excludes(pixel);
     AddValueOptions(*verb, options.profile, options.overrides);
+    AddDeviceOption(*verb, options.device);
     AddPluginOption(*verb, line);
     AddPackageOption(*verb, line);
     AddRootOption(*verb, line);

@@ -2,13 +2,17 @@
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
+#include "pixel/PixelReport.h"
 #include "reports/ExplanationText.h"
 #include "reports/FrameGraph.h"
 #include "reports/Json.h"
+#include "selection/SceneSelection.h"
 #include "view/SceneView.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/vulkan/VulkanDevice.h>
 #include <set>
 
 namespace limn
@@ -49,11 +53,13 @@ Json ToJson(const std::vector<ExplainedObject>& objects)
         Json draws = Json::array();
         for (const ExplainedDraw& draw : object.draws)
         {
-            const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+            const bool isTaken = draw.verdict == FilterVerdict::Drawn;
             draws.push_back({{"pass", draw.pass},
                              {"material", draw.material},
-                             {"drawn", isDrawn},
-                             {"rule", isDrawn ? Json() : Json(ToString(draw.verdict))}});
+                             {"drawn", draw.isDrawn()},
+                             {"rule", draw.isDrawn() ? Json()
+                                      : isTaken      ? Json(draw.obstacle)
+                                                     : Json(ToString(draw.verdict))}});
         }
         all.push_back({{"name", object.name},
                        {"absence", object.absence.empty() ? Json() : Json(object.absence)},
@@ -165,6 +171,11 @@ Json ToJson(const Explanation& explanation)
     {
         idleVolumes.push_back({{"name", volume.name}, {"why", volume.why}});
     }
+    Json idleFeatures = Json::array();
+    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
+    {
+        idleFeatures.push_back({{"name", feature.name}, {"why", feature.why}});
+    }
     const ExplainedTrigger& trigger = explanation.trigger;
     return {{"trigger",
              {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
@@ -172,6 +183,7 @@ Json ToJson(const Explanation& explanation)
             {"volumes", ToJson(explanation.volumes)},
             {"idleVolumes", idleVolumes},
             {"passes", passes},
+            {"idleFeatures", idleFeatures},
             {"leftOut", leftOut},
             {"frame", ToJson(explanation.frame)},
             {"textures", ToJson(explanation.frame.textures)},
@@ -206,11 +218,8 @@ void Select(Explanation& explanation, const ExplainOptions& options)
     }
 }
 
-} // namespace
-
-int RunExplain(const ExplainOptions& options, Console& console)
+RenderOptions RenderingOf(const ExplainOptions& options)
 {
-    RequireKind(options.scene, {FileKind::Scene}, "explain");
     RenderOptions rendering;
     rendering.scene = options.scene;
     rendering.profile = options.profile;
@@ -218,6 +227,52 @@ int RunExplain(const ExplainOptions& options, Console& console)
     rendering.packages = options.packages;
     rendering.plugins = options.plugins;
     rendering.roots = options.roots;
+    rendering.device = options.device;
+    return rendering;
+}
+
+int ExplainPixel(const ExplainOptions& options, Console& console)
+{
+    const RenderOptions rendering = RenderingOf(options);
+    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(rendering, console);
+    VulkanDevice device({options.device, false, compilerOptions.cacheFolder});
+    compilerOptions.missingFeatures = device.missingShaderFeatures();
+    AssetContext assets(compilerOptions);
+    SceneAsset asset = LoadForRendering(rendering, assets);
+    console.Print(asset.notes);
+    console.Verbose(device.ChoiceSentence());
+    const ClickText pixel = ParseClick(options.pixel).value();
+    const std::string problem = PixelProblem(pixel, asset.width, asset.height);
+    if (!problem.empty())
+    {
+        throw AssetError("--pixel " + options.pixel, {}, problem);
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const auto progress = [&](const std::string& text)
+    {
+        if (std::chrono::steady_clock::now() - begin > std::chrono::seconds(1))
+        {
+            console.Progress(text);
+        }
+    };
+    const PixelHistory history =
+        TracePixel(std::move(asset), assets, device, pixel.x, pixel.y, progress);
+    console.Progress("");
+    console.Results(options.json ? JsonText(PixelJson(history))
+                                 : PixelText(history, console.isVerbose()));
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace
+
+int RunExplain(const ExplainOptions& options, Console& console)
+{
+    RequireKind(options.scene, {FileKind::Scene}, "explain");
+    if (!options.pixel.empty())
+    {
+        return ExplainPixel(options, console);
+    }
+    const RenderOptions rendering = RenderingOf(options);
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);

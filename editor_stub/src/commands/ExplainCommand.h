@@ -14,6 +14,8 @@ struct ExplainOptions
 {
     std::string scene;
     std::string object; ///< "": all
+    std::string pixel;  ///< as ParsePixel takes it; "": none is asked about
+    std::string device; ///< that draws where a pixel is asked about
     bool json = false;
     std::string graph; ///< file for the frame as a picture; "": none
     std::string profile;
@@ -23,9 +25,11 @@ struct ExplainOptions
     std::vector<std::string> roots;
 };
 
-/// Says what a scene's frame draws and why: volume values, passes, textures, variants, objects.
+/// Says what a scene's frame draws and why: volume values, passes, textures, variants, objects; or
+/// what becomes of the draws at one pixel.
 /// @return an ExitCode
 /// @throws AssetError, also if the scene has no object of that name with a mesh
+/// @throws VulkanError where a pixel is asked about
 int RunExplain(const ExplainOptions& options, Console& console);
 
 } // namespace limn

@@ -90,8 +90,58 @@ ItemsOfObjects Group(const CullingResults& culled)
     return items;
 }
 
+/// The filters that decide what is drawn. Where a feature has told its own, its DrawRenderers calls
+/// are about objects that it has already chosen.
+std::vector<const DrawRenderersReport*> DecidingFilters(const RenderReport& report)
+{
+    std::vector<const DrawRenderersReport*> filters;
+    for (const DrawRenderersReport& draw : report.draws)
+    {
+        if (draw.feature == DrawRenderersReport::k_NoFeature ||
+            std::ranges::find(report.filters, draw.feature, &DrawRenderersReport::feature) ==
+                report.filters.end())
+        {
+            filters.push_back(&draw);
+        }
+    }
+    for (const DrawRenderersReport& filter : report.filters)
+    {
+        filters.push_back(&filter);
+    }
+    return filters;
+}
+
+/// What a feature said while it added no pass, without its name in front.
+std::string WhyIdle(const RenderReport& report, const FeatureReport& feature)
+{
+    const std::string prefix = feature.name.name() + ": ";
+    std::string why;
+    for (std::size_t i = 0; i < feature.noteCount; ++i)
+    {
+        std::string note = report.notes.at(feature.firstNote + i);
+        note.erase(0, note.starts_with(prefix) ? prefix.size() : 0);
+        why += (why.empty() ? "" : "; ") + note;
+    }
+    return why;
+}
+
+std::vector<ExplainedIdleFeature> FindIdleFeatures(const RenderReport& report)
+{
+    std::vector<ExplainedIdleFeature> idle;
+    for (const FeatureReport& feature : report.features)
+    {
+        if (feature.passes == 0)
+        {
+            idle.push_back({feature.name.name(), WhyIdle(report, feature)});
+        }
+    }
+    return idle;
+}
+
 ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& items,
-                              const RenderReport& report, const Camera& camera)
+                              const RenderReport& report,
+                              const std::vector<const DrawRenderersReport*>& filters,
+                              const Camera& camera)
 {
     ExplainedObject explained{object.name, {}, {}, {}};
     const auto own = items.find(&object);
@@ -102,14 +152,18 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
     }
     for (const RendererItem& item : own->second)
     {
-        for (const DrawRenderersReport& draw : report.draws)
+        for (const DrawRenderersReport* draw : filters)
         {
-            if (IsOfShadows(draw) && object.renderer->shadowCastingMode == ShadowCastingMode::Off)
+            if (IsOfShadows(*draw) && object.renderer->shadowCastingMode == ShadowCastingMode::Off)
             {
                 continue;
             }
-            explained.draws.push_back({draw.pass.name(), item.material->name(),
-                                       Judge(item.filter, draw.filtering, draw.drawing)});
+            const bool isIdle = draw->feature < report.features.size() &&
+                                report.features[draw->feature].passes == 0;
+            explained.draws.push_back(
+                {draw->pass.name(), item.material->name(),
+                 Judge(item.filter, draw->filtering, draw->drawing),
+                 isIdle ? WhyIdle(report, report.features[draw->feature]) : ""});
         }
     }
     return explained;
@@ -141,6 +195,32 @@ std::vector<ExplainedVariant> VariantsOf(const CompiledFrame& frame)
 
 } // namespace
 
+std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
+                                            const CullingResults& culled,
+                                            const RenderReport& report, const Camera& camera)
+{
+    std::unordered_map<const Transform*, const GameObject*> owners;
+    for (const GameObject* object : objects)
+    {
+        owners[&object->transform] = object;
+    }
+    const ItemsOfObjects items = Group(culled);
+    const std::vector<const DrawRenderersReport*> filters = DecidingFilters(report);
+    std::vector<ExplainedObject> explained;
+    for (const GameObject* object : objects)
+    {
+        if (object->renderer)
+        {
+            explained.push_back(ExplainObject(*object, items, report, filters, camera));
+            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
+            {
+                explained.back().parents.push_back(owners.at(t)->name);
+            }
+        }
+    }
+    return explained;
+}
+
 Explanation Explain(SceneAsset asset, const AssetContext& assets)
 {
     CompileUsedShaders(asset);
@@ -153,11 +233,9 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
     const CullingResults culled = Cull(asset.scene, camera, aspect);
     std::vector<const GameObject*> objects; // stay where they are when the scene is moved
-    std::unordered_map<const Transform*, const GameObject*> owners;
     for (const auto& object : asset.scene.objects())
     {
         objects.push_back(object.get());
-        owners[&object->transform] = object.get();
     }
 
     RecordingDevice device;
@@ -169,18 +247,8 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     explanation.variants = VariantsOf(*result.frame);
     const ShaderCompiler::Statistics built = assets.compiler()->statistics();
     explanation.builtVariants = built.compiled + built.loadedFromCache;
-    const ItemsOfObjects items = Group(culled);
-    for (const GameObject* object : objects)
-    {
-        if (object->renderer)
-        {
-            explanation.objects.push_back(ExplainObject(*object, items, result.report, camera));
-            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
-            {
-                explanation.objects.back().parents.push_back(owners.at(t)->name);
-            }
-        }
-    }
+    explanation.idleFeatures = FindIdleFeatures(result.report);
+    explanation.objects = ExplainObjects(objects, culled, result.report, camera);
     return explanation;
 }
 

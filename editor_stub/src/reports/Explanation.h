@@ -9,12 +9,22 @@
 namespace limn
 {
 
-/// What one DrawRenderers call did with one material of an object.
+/// What one filter of a pass or feature did with one material of an object.
 struct ExplainedDraw
 {
-    std::string pass;
+    std::string pass; ///< or the feature's name, where it does not draw by DrawRenderers
     std::string material;
     FilterVerdict verdict = FilterVerdict::Drawn;
+    std::string obstacle; ///< why the feature draws nothing, though its filter takes the object
+
+    bool isDrawn() const { return verdict == FilterVerdict::Drawn && obstacle.empty(); }
+};
+
+/// A renderer feature that draws nothing, and what it says of that.
+struct ExplainedIdleFeature
+{
+    std::string name;
+    std::string why; ///< "" where it says nothing
 };
 
 /// What became of an object with a renderer.
@@ -64,7 +74,14 @@ struct Explanation
     std::vector<ExplainedVariant> variants; ///< drawn with, once each, in the order of first use
     int builtVariants = 0;                  ///< those that had to be compiled or fetched
     std::vector<ExplainedObject> objects;   ///< scene order
+    std::vector<ExplainedIdleFeature> idleFeatures; ///< the renderer's order
 };
+
+/// What became of each of the objects that has a renderer.
+/// @param culled  by this camera
+std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
+                                            const CullingResults& culled,
+                                            const RenderReport& report, const Camera& camera);
 
 /// @throws AssetError for a shader with errors
 Explanation Explain(SceneAsset asset, const AssetContext& assets);

@@ -78,9 +78,7 @@ ReportLines OddObjects(const Explanation& explanation)
     std::map<std::string, std::vector<std::string>> names;
     for (const ExplainedObject& object : explanation.objects)
     {
-        const bool isDrawn = std::any_of(object.draws.begin(), object.draws.end(),
-                                         [](const ExplainedDraw& draw)
-                                         { return draw.verdict == FilterVerdict::Drawn; });
+        const bool isDrawn = std::ranges::any_of(object.draws, &ExplainedDraw::isDrawn);
         if (!object.absence.empty() || !isDrawn)
         {
             names[object.absence.empty() ? "every pass leaves it out" : object.absence].push_back(
@@ -186,7 +184,28 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
            Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
 }
 
-/// The passes with the counts of their draws, those of equal names with all of them.
+/// The counts of a pass's filters: of the feature's own where it told them.
+ReportLines CountsOf(const RenderReport& report, SampleName pass)
+{
+    ReportLines counts;
+    for (const auto* filters : {&report.filters, &report.draws})
+    {
+        for (const DrawRenderersReport& filter : *filters)
+        {
+            if (filter.pass == pass)
+            {
+                counts.push_back(CountsText(filter.counts));
+            }
+        }
+        if (!counts.empty())
+        {
+            break;
+        }
+    }
+    return counts;
+}
+
+/// The passes with the counts of their filters, those of equal names with all of them.
 ReportLines PassLines(const RenderReport& report)
 {
     ReportLines lines;
@@ -196,16 +215,12 @@ ReportLines PassLines(const RenderReport& report)
         std::string line = std::to_string(static_cast<int>(pass.renderPassEvent));
         line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name.name();
         const bool isNew = counted.insert(pass.name.name()).second;
-        std::size_t draws = 0;
-        for (const DrawRenderersReport& draw : report.draws)
+        const ReportLines counts = isNew ? CountsOf(report, pass.name) : ReportLines();
+        for (const std::string& count : counts)
         {
-            if (isNew && draw.pass == pass.name)
-            {
-                lines.push_back(line + ": " + CountsText(draw.counts));
-                ++draws;
-            }
+            lines.push_back(line + ": " + count);
         }
-        if (draws == 0)
+        if (counts.empty())
         {
             lines.push_back(line);
         }
@@ -233,11 +248,37 @@ std::string OneObject(const ExplainedObject& object, const std::string& indent)
                        "\n";
     for (const ExplainedDraw& draw : object.draws)
     {
-        const bool isDrawn = draw.verdict == FilterVerdict::Drawn;
+        const bool isTaken = draw.verdict == FilterVerdict::Drawn;
         text += indent + "  " + OneLine(draw.pass + ", " + draw.material) + ": " +
-                (isDrawn ? "drawn" : "left out, ") + (isDrawn ? "" : ToString(draw.verdict)) + "\n";
+                (draw.isDrawn() ? "drawn"
+                 : isTaken      ? "taken, but " + OneLine(draw.obstacle)
+                                : "left out, " + std::string(ToString(draw.verdict))) +
+                "\n";
     }
     return text;
+}
+
+/// The features that draw nothing, but for those of which the objects' own lines tell it.
+ReportLines IdleFeatures(const Explanation& explanation)
+{
+    std::set<std::string> told;
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            told.insert(draw.pass);
+        }
+    }
+    ReportLines lines;
+    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
+    {
+        if (!told.contains(feature.name))
+        {
+            lines.push_back(feature.name + ": " +
+                            (feature.why.empty() ? "it adds no pass" : feature.why));
+        }
+    }
+    return lines;
 }
 
 std::string Objects(const std::vector<ExplainedObject>& objects, const std::string& indent)
@@ -373,9 +414,10 @@ std::string LongText(const Explanation& explanation)
 std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong)
 {
     const std::vector<ExplainedObject>& objects = explanation.objects;
+    const std::string idle = Section("features that draw nothing", IdleFeatures(explanation));
     if (objects.size() <= k_ListedObjects)
     {
-        return Objects(objects, "");
+        return Objects(objects, "") + idle;
     }
     std::vector<std::string> passes;
     std::map<std::string, FilterCounts> counts;
@@ -395,7 +437,7 @@ std::string ObjectText(const Explanation& explanation, const std::string& name, 
     {
         lines.push_back(pass + ": " + CountsText(counts[pass]));
     }
-    return Section(OneLine(name) + ", " + Several(objects.size(), "object"), lines) +
+    return Section(OneLine(name) + ", " + Several(objects.size(), "object"), lines) + idle +
            (isLong ? Objects(objects, "  ") : "-v lists the objects\n");
 }
 

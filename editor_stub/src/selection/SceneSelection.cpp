@@ -228,13 +228,10 @@ private:
         const ClickText click = ParseClick(step.text).value_or(ClickText{-1, -1, 0.0});
         const int width = m_Asset.width;
         const int height = m_Asset.height;
-        if (click.x < 0 || click.x >= width || click.y < 0 || click.y >= height)
+        const std::string problem = PixelProblem(click, width, height);
+        if (!problem.empty())
         {
-            diagnostics.Error({}, "the pixel lies outside of the picture, which is " +
-                                      std::to_string(width) + "x" + std::to_string(height) +
-                                      ": 0," + "0 is its top left and " +
-                                      std::to_string(width - 1) + "," + std::to_string(height - 1) +
-                                      " its bottom right");
+            diagnostics.Error({}, problem);
             return;
         }
         TurnObjects(m_Asset.turns, click.time);
@@ -283,6 +280,16 @@ std::optional<ClickText> ParseClick(const std::string& text)
                         (at == text.size() || ReadNumber(all.substr(at + 1), click.time)) &&
                         std::isfinite(click.time);
     return isGood ? std::optional(click) : std::nullopt;
+}
+
+std::string PixelProblem(const ClickText& click, int width, int height)
+{
+    const bool isInside = click.x >= 0 && click.x < width && click.y >= 0 && click.y < height;
+    return isInside ? ""
+                    : "the pixel lies outside of the picture, which is " + std::to_string(width) +
+                          "x" + std::to_string(height) + ": 0,0 is its top left and " +
+                          std::to_string(width - 1) + "," + std::to_string(height - 1) +
+                          " its bottom right";
 }
 
 void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps)

@@ -32,6 +32,8 @@ struct ClickText
 
 /// Nothing if the text is no click.
 std::optional<ClickText> ParseClick(const std::string& text);
+/// What is wrong with the place in a picture of this size; "" if nothing.
+std::string PixelProblem(const ClickText& click, int width, int height);
 
 /// Does the steps one after another: what is selected at the end is in the rendering layers by
 /// which the scene's features know selected objects, and in `asset.selected`. A click that hits

@@ -72,6 +72,11 @@ public:
         {
             Add(a, c, b);
         }
+        if (untidiness == Untidiness::NoArea && number % 2 == 0)
+        {
+            Add(a, AddPoint(a, b, 1.0f), b);
+            Add(c, c, c);
+        }
         if (untidiness == Untidiness::Fins && number % 24 == 0)
         {
             Add(a, b, AddPoint(a, b, 1.0f + k_FinHeight));
@@ -113,6 +118,7 @@ const std::vector<std::string>& UntidinessNames()
                                                    "two objects",
                                                    "soup",
                                                    "T-junctions",
+                                                   "no area",
                                                    "open",
                                                    "fins"};
     return names;

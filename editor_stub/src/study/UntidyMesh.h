@@ -20,6 +20,7 @@ enum class Untidiness
     TwoObjects,        ///< at the same place; the mesh itself is tidy
     Soup,              ///< no triangle shares a vertex with another, half of them are turned
     TJunctions,        ///< every other triangle has a corner in the middle of its neighbour's side
+    NoArea,            ///< beside every other triangle lie two that are a line and a point
     Open,              ///< the first third of all triangles is missing
     Fins               ///< three faces meet at some edges, the third one standing off the mesh
 };

@@ -119,6 +119,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
         return &m_Stack;
     };
     request.compile.isLast = isLast;
+    request.compile.leavesOut = leavesOut;
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     pipeline.renderScale = m_Asset.renderScale;

@@ -37,6 +37,8 @@ public:
     RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false,
                         Timeline* timeline = nullptr);
 
+    bool leavesOut = true; ///< see FrameCompilerOptions
+
 private:
     SceneAsset m_Asset;
     UniversalRenderer m_Renderer;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limn/features/OutlineComponent.h>
+#include <limn/volume/YamlRead.h>
 
 namespace limn
 {
@@ -28,7 +29,9 @@ std::string WhyInactive(const OutlineComponent* component, std::string_view name
     }
     if (component->reach() <= 0.0f)
     {
-        return type + ".m_OutlineWidth is 0";
+        const double width = static_cast<double>(component->m_OutlineWidth.value());
+        return type + ".m_OutlineWidth is " + NumberText(width) +
+               (width > 0.0 ? ", which rounds to no pixel" : "");
     }
     if (component->m_OutlineColor.value().a <= 0.0f)
     {

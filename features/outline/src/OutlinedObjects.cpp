@@ -34,6 +34,10 @@ OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
     drawing.shaderTagIds.assign(ForwardShaderTags().begin(), ForwardShaderTags().end());
     const FilteringSettings filtering = settings.filtering();
     const JudgedItems judged = Judge(renderingData.cullResults.items, filtering, drawing);
+    if (renderingData.report != nullptr)
+    {
+        renderingData.report->filters.push_back({{}, filtering, drawing, judged.counts});
+    }
 
     OutlinedObjects found;
     std::unordered_map<const void*, int> groups;

@@ -105,5 +105,46 @@ TEST_F(Reports, SayNothingOfABuiltInPassWithNothingToDo)
     EXPECT_THAT(m_Harness.report.notes, IsEmpty());
 }
 
+/// A feature that adds no pass, and what it says and asks while it decides that.
+class SilentFeature final : public ScriptableRendererFeature
+{
+public:
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer&, RenderingData& data) override
+    {
+        FilteringSettings layers;
+        layers.layerMask = LayerMask::FromIndex(6);
+        for (int i = 0; i < 2; ++i) // the second time for a pass that it hands its work to
+        {
+            data.report->filters.push_back({{}, layers, {}, {0, 3, 0, 0, 0}});
+        }
+        data.report->notes.push_back(name + ": not drawn, it has no shader");
+    }
+};
+
+TEST_F(Reports, TellForEachFeatureItsPassesItsNotesAndItsFilters)
+{
+    test::LoggingPass builtIn("Built In", RenderPassEvent::BeforeRenderingOpaques, m_Log);
+    m_Harness.renderer.builtIn = {&builtIn};
+    m_Harness.AddFeature("first", m_Log, {});
+    m_Harness.renderer.AddFeature(std::make_unique<SilentFeature>()).name = "Silent";
+    m_Harness.AddFeature("drawing", m_Log, {&m_Pass});
+    m_Harness.Render();
+    const RenderReport& report = m_Harness.report;
+    ASSERT_EQ(report.features.size(), 3u);
+    EXPECT_EQ(report.features[0].passes, 0u);
+    EXPECT_EQ(report.features[0].noteCount, 0u);
+    EXPECT_EQ(report.features[1].name, "Silent");
+    EXPECT_EQ(report.features[1].passes, 0u);
+    ASSERT_EQ(report.features[1].noteCount, 1u);
+    EXPECT_EQ(report.notes.at(report.features[1].firstNote), "Silent: not drawn, it has no shader");
+    EXPECT_EQ(report.features[2].passes, 1u);
+    ASSERT_EQ(report.draws.size(), 1u);
+    EXPECT_EQ(report.draws[0].feature, 2u);
+    ASSERT_EQ(report.filters.size(), 1u) << "the same filter twice is one";
+    EXPECT_EQ(report.filters[0].feature, 1u);
+    EXPECT_EQ(report.filters[0].pass, "Silent");
+}
+
 } // namespace
 } // namespace limn

@@ -59,6 +59,15 @@ TEST_F(BareNamesGpu, ThatAreHostileReachNoStreamAsTheyAre)
     EXPECT_TRUE(std::filesystem::exists(out));
     ExpectHarmless(run.out, "render > out");
     ExpectHarmless(run.err, "render > err");
+    for (const std::vector<std::string>& form : {std::vector<std::string>{}, {"--json"}})
+    {
+        std::vector<std::string> args{"explain", "s.scene.yaml", "--pixel", "8,4", "-v"};
+        args.insert(args.end(), form.begin(), form.end());
+        const CommandRun pixel = RunCommand(args);
+        EXPECT_EQ(0, pixel.exitCode);
+        ExpectHarmless(pixel.out, "explain --pixel > out");
+        ExpectHarmless(pixel.err, "explain --pixel > err");
+    }
     Start("s.scene.yaml -o \"$(printf 'w\\033[2J\\nFORGED.png')\"");
     EXPECT_TRUE(WaitFor([this] { return !ReadText(folder / "out").empty(); }));
     EXPECT_EQ(0, Stop(SIGTERM));

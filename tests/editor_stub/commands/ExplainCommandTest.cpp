@@ -246,6 +246,76 @@ TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
               Explain({"--object", "Seen"}).out);
 }
 
+/// Five features that could draw the cubes: one does, the others do not, each for another reason.
+constexpr const char* k_SceneOfFeatures =
+    "camera: {position: [0, 0, -5]}\n"
+    "size: [64, 64]\n"
+    "layers: {6: Furniture}\n"
+    "renderingLayers: {3: Chosen}\n"
+    "renderer:\n"
+    "  features:\n"
+    "    - {type: WideOutlineRendererFeature, name: Wide, m_LayerMask: Everything}\n"
+    "    - {type: StrokeOutlineRendererFeature, name: Strokes, m_LayerMask: Everything,\n"
+    "       m_RenderingLayerMask: Chosen}\n"
+    "    - {type: RimOutlineRendererFeature, name: Rim, m_LayerMask: Furniture}\n"
+    "    - {type: InflatedOutlineRendererFeature, name: Hull, m_LayerMask: Everything}\n"
+    "    - {type: SelectionOutlineRendererFeature, name: Off, m_LayerMask: Everything,\n"
+    "       active: false}\n"
+    "volumes:\n"
+    "  - {name: On, profile: outlines.profile.yaml}\n"
+    "objects: [{name: A, mesh: Cube}, {name: B, mesh: Cube}]\n";
+
+constexpr const char* k_OutlinesOn = "WideOutline: {m_Enable: true}\n"
+                                     "StrokeOutline: {m_Enable: true}\n"
+                                     "RimOutline: {m_Enable: true}\n"
+                                     "SelectionOutline: {m_Enable: true}\n";
+
+TEST_F(ExplainCommand, NamesEveryFeatureThatCouldDrawTheObjectAndTheRuleThatKeptItOut)
+{
+    m_Folder.Write("outlines.profile.yaml", k_OutlinesOn);
+    EXPECT_EQ("A\n"
+              "  Draw Opaque Objects, Default-Material: drawn\n"
+              "  Draw Transparent Objects, Default-Material: left out, render queue\n"
+              "  Wide, Default-Material: drawn\n"
+              "  Strokes, Default-Material: left out, rendering layer mask\n"
+              "  Rim, Default-Material: left out, layer mask\n"
+              "features that draw nothing:\n"
+              "  Hull: not drawn, no volume at the camera sets InflatedOutline.m_Enable, which is "
+              "false by default\n"
+              "  Off: not drawn, the feature is inactive\n",
+              Explain({"--object", "A"}, k_SceneOfFeatures).out);
+}
+
+TEST_F(ExplainCommand, CountsTheFiltersOfFeaturesThatDoNotDrawByDrawRenderers)
+{
+    m_Folder.Write("outlines.profile.yaml", k_OutlinesOn);
+    const CommandRun run = Explain({}, k_SceneOfFeatures);
+    EXPECT_THAT(run.out, HasSubstr("Wide: 2 of 2 drawn\n"));
+    const auto json =
+        nlohmann::json::parse(Explain({"--json"}, k_SceneOfFeatures).out, nullptr, false);
+    ASSERT_TRUE(json.is_object());
+    EXPECT_EQ(4u, json["idleFeatures"].size());
+    EXPECT_EQ("Off", json["idleFeatures"][3]["name"]);
+    EXPECT_EQ("not drawn, the feature is inactive", json["idleFeatures"][3]["why"]);
+    EXPECT_EQ("rendering layer mask", json["objects"][0]["draws"][3]["rule"]);
+}
+
+/// The filter takes the object, and yet nothing of it is drawn.
+TEST_F(ExplainCommand, TellsWhatKeepsAFeatureFromDrawingAnObjectThatItTakes)
+{
+    m_Folder.Write("outlines.profile.yaml",
+                   "MaskDifferenceOutline: {m_Enable: true, m_ClipDistance: 0.1}\n");
+    const CommandRun run =
+        Explain({"--object", "A"}, "camera: {position: [0, 0, -5]}\n"
+                                   "renderer:\n"
+                                   "  features:\n"
+                                   "    - {type: MaskDifferenceOutlineRendererFeature, name: Mask, "
+                                   "m_LayerMask: Everything}\n"
+                                   "volumes: [{name: On, profile: outlines.profile.yaml}]\n"
+                                   "objects: [{name: A, mesh: Cube}]\n");
+    EXPECT_THAT(run.out, HasSubstr("  Mask, Default-Material: taken, but not drawn, "));
+}
+
 TEST(ExplainSample, CountsWhatHangsBelowTheObjectAskedFor)
 {
     std::vector<std::string> args{

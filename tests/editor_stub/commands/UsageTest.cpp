@@ -17,6 +17,7 @@ using Arguments = std::vector<std::string>;
 const std::string k_LimnUsage = "usage: limn VERB [OPTIONS]; see 'limn help'\n";
 const std::string k_RenderUsage =
     "usage: limn render SCENE -o FILE [OPTIONS]; see 'limn help render'\n";
+const std::string k_ExplainUsage = "usage: limn explain SCENE [OPTIONS]; see 'limn help explain'\n";
 const std::string k_ShaderUsage =
     "usage: limn shader FILE|DIR ... [OPTIONS]; see 'limn help shader'\n";
 
@@ -182,6 +183,21 @@ TEST(Usage, OptionsThatDoNotGoTogetherAreNamed)
                      "error: --emit and --variants exclude each other\n" + k_ShaderUsage);
     ExpectWrongUsage(Render({"-q", "-v"}),
                      "error: --quiet and --verbose exclude each other\n" + k_RenderUsage);
+    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--object", "A"},
+                     "error: --object and --pixel exclude each other\n" + k_ExplainUsage);
+    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--graph", "a.svg"},
+                     "error: --pixel and --graph exclude each other\n" + k_ExplainUsage);
+}
+
+TEST(Usage, APixelIsTwoWholeNumbers)
+{
+    for (const char* text : {"", "3", "3,", ",3", "3,4,5", "3x4", "a,b", "1.5,2", "3,4@1", "3, 4"})
+    {
+        ExpectWrongUsage({"explain", "s", "--pixel", text},
+                         "error: --pixel: '" + std::string(text) +
+                             "' is no pixel; X,Y from the top left is expected: 640,360\n" +
+                             k_ExplainUsage);
+    }
 }
 
 TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)

@@ -138,6 +138,12 @@ TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
          {
              outline.m_OutlineWidth.Override(0.0f);
          }},
+        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineWidth is 0.25, which rounds to no "
+         "pixel",
+         [](MaskDifferenceOutline& outline)
+         {
+             outline.m_OutlineWidth.Override(0.25f);
+         }},
         {"Outline: not drawn, MaskDifferenceOutline.m_OutlineColor has alpha 0",
          [](MaskDifferenceOutline& outline)
          {

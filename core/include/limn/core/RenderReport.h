@@ -8,13 +8,25 @@
 namespace limn
 {
 
-/// What became of one DrawRenderers call.
+/// What became of the renderers that one filter was asked about.
 struct DrawRenderersReport
 {
-    SampleName pass; ///< name of the pass that made it
+    SampleName pass; ///< name of the pass that asked
     FilteringSettings filtering;
     DrawingSettings drawing;
     FilterCounts counts{};
+    std::size_t feature = k_NoFeature; ///< index into RenderReport::features
+
+    static constexpr std::size_t k_NoFeature = static_cast<std::size_t>(-1); ///< the renderer's own
+};
+
+/// What a renderer feature added to a camera's frame.
+struct FeatureReport
+{
+    SampleName name;
+    std::size_t passes = 0;    ///< number of passes that it added; with none it draws nothing
+    std::size_t firstNote = 0; ///< index into RenderReport::notes of what it said meanwhile
+    std::size_t noteCount = 0;
 };
 
 struct ExecutedPassReport
@@ -27,7 +39,11 @@ struct ExecutedPassReport
 struct RenderReport
 {
     std::vector<ExecutedPassReport> passes; ///< in the order they ran
-    std::vector<DrawRenderersReport> draws; ///< in the order they were made
+    std::vector<DrawRenderersReport> draws; ///< DrawRenderers calls, in the order they were made
+    /// Filters of features that do not draw by DrawRenderers what they let through. A feature adds
+    /// its own in AddRenderPasses; the renderer fills in `pass`, the feature's name, and `feature`.
+    std::vector<DrawRenderersReport> filters;
+    std::vector<FeatureReport> features; ///< in the renderer's order, once a camera of the stack
     std::vector<std::string>
         notes; ///< sentences for the user, each a reason why something is absent
     std::vector<std::string> choices; ///< what features decided by themselves, and why

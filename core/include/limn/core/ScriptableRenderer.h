@@ -119,6 +119,8 @@ protected:
 private:
     friend class ScriptableRenderPass; // Blit swaps
 
+    /// Returns the number of features, or more, for a pass that no feature added.
+    std::size_t FeatureIndexOf(const ScriptableRenderPass& pass) const;
     void RecordRenderGraph(ScriptableRenderPass& pass, ScriptableRenderContext& context,
                            RenderingData& renderingData);
 

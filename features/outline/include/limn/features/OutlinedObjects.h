@@ -26,7 +26,9 @@ struct OutlinedObjects
     std::string why; ///< if there are none: what became of the renderers
 };
 
-/// An object whose shader has none of URP's forward passes is not drawn and not outlined.
+/// Returns what a feature outlines, and adds the filter to RenderReport::filters. An object whose
+/// shader has none of URP's forward passes is not drawn and not outlined.
+///
 /// @throws ContractError as OutlineSettings::filtering
 OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
                                     const OutlineSettings& settings, OutlineGrouping grouping);

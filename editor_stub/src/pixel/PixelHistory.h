@@ -1,0 +1,131 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <limn/core/Judge.h>
+#include <limn/editor_stub/SceneFile.h>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+class VulkanDevice;
+
+/// The fate of one thing that a pass did at a pixel. Those from Scissor to Depth are in the order
+/// in which a device tries them.
+enum class PixelFate
+{
+    Cleared,
+    Drawn,      ///< it changed the colour, or the depth of a pass without colours
+    Dispatched, ///< a kernel changed the texel
+    Scissor,
+    Culled,
+    Discarded, ///< by the shader, or by AlphaToMask
+    Stencil,
+    Depth,
+    ColorMask,
+    OutOfReach, ///< of a full-screen pass: all that it looks at there is empty
+    Blend,      ///< mixed with what was there, it leaves that as it was
+    Same        ///< it wrote what was there
+};
+
+/// Returns the word for programs: "drawn", "depth" ...
+const char* ToString(PixelFate fate);
+
+/// A texture's texel at the pixel's place.
+struct PixelValue
+{
+    std::string texture;
+    int x = 0; ///< texel, from the top left of the picture
+    int y = 0;
+    int width = 0; ///< of the texture
+    int height = 0;
+    std::vector<float> before; ///< components as shaders see them; empty = nothing yet
+    std::vector<float> after;
+
+    bool isChanged() const;
+};
+
+/// A clear, draw or dispatch that reaches the pixel.
+struct PixelEvent
+{
+    PixelFate fate = PixelFate::Drawn;
+    std::string pass;                 ///< the innermost sample that it was recorded in
+    std::vector<std::string> objects; ///< that are drawn; none where it is no object of the scene
+    std::string mesh;                 ///< "" = none
+    std::string material;             ///< "" = not known
+    std::string shader;               ///< "" of a clear
+    int shaderPass = 0;               ///< or kernel
+    std::string shaderPassName;       ///< "" if it has none
+    std::string reason;               ///< of a rejection, a clause: "it is behind what is there"
+    bool isRun = true;                ///< else the frame does without: the picture is the same
+    std::vector<PixelValue> colors;
+    std::optional<PixelValue> depth;   ///< one component, 1 = near
+    std::optional<PixelValue> stencil; ///< one component
+};
+
+/// An object that a pass's filter leaves out, though it covers the pixel.
+struct PixelFiltered
+{
+    std::string object;
+    std::string pass;
+    FilterVerdict verdict = FilterVerdict::Drawn;
+};
+
+/// An object that no pass draws.
+struct PixelAbsent
+{
+    std::string object;
+    std::string reason;
+    bool isHere = false; ///< it would be seen at the pixel, or behind what is
+};
+
+/// Draws of no object, all of one kind, that do not cover the pixel.
+struct PixelUncovered
+{
+    std::string pass;
+    std::string shader;
+    std::string shaderPassName; ///< "" if it has none
+    int count = 0;
+};
+
+/// A pass into a texture that is not laid out as the picture is: of another shape, or seen from a
+/// light.
+struct PixelElsewhere
+{
+    std::string pass;
+    std::string texture;
+    std::string size;
+};
+
+/// All that passes do at one pixel of the picture, and all that they leave out there.
+struct PixelHistory
+{
+    int x = 0; ///< from the top left of the picture
+    int y = 0;
+    int width = 0; ///< of the picture
+    int height = 0;
+    std::vector<float> color;       ///< in the end; linear
+    std::array<int, 3> written{};   ///< red, green and blue of the PNG
+    std::vector<PixelEvent> events; ///< in their order
+    std::vector<PixelFiltered> filtered;
+    std::vector<PixelAbsent> absent;
+    std::vector<std::string> uncovered; ///< objects that are drawn, but not over the pixel
+    std::vector<PixelUncovered> uncoveredDraws;
+    std::vector<PixelElsewhere> elsewhere;
+    std::vector<std::string> notes; ///< of rendering, for the user
+};
+
+/// Draws the scene and finds out what became of each draw at one of its pixels: by drawing parts of
+/// the frame again, at that pixel, with one test at a time switched off.
+/// @param x, y      from the top left of the picture
+/// @param progress  told what is being looked at: a pass, and which of how many
+/// @throws AssetError for a shader with errors
+/// @throws VulkanError
+/// @pre the pixel lies in the picture
+PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevice& device, int x,
+                        int y, const std::function<void(const std::string&)>& progress = nullptr);
+
+} // namespace limn
