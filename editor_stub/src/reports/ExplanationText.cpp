@@ -391,7 +391,7 @@ std::string ShortText(const Explanation& explanation)
            Several(explanation.objects.size(), "object") + ", " + TexturesText(explanation.frame) +
            ", " + Several(explanation.variants.size(), "shader variant") + " of " +
            std::to_string(explanation.builtVariants) +
-           " built: -v lists them, --object NAME explains one\n";
+           " built: -v lists them, --object NAME and --pixel X,Y explain one\n";
 }
 
 std::string LongText(const Explanation& explanation)

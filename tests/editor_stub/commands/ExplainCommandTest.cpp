@@ -100,7 +100,7 @@ TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
               "  limn_Output 64x64 R8G8B8A8_SRGB, 16.0 KiB, pass 1 and after\n"
               "  _CameraDepthAttachment 64x64 D32_SFloat, 16.0 KiB, pass 1\n"
               "3 objects, 3 textures of 32.0 KiB, 1 shader variant of 2 built: -v lists them, "
-              "--object NAME explains one\n",
+              "--object NAME and --pixel X,Y explain one\n",
               run.out);
 }
 
