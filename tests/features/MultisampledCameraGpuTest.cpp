@@ -1,6 +1,7 @@
 #include "features/OutlineGpuReference.h"
 #include "vulkan/GpuTestDevice.h"
 
+#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limn/core/BuiltinShaders.h>
@@ -254,6 +255,67 @@ TEST_F(MultisampledCameraGpu, KeepsWhatIsBrighterThanAnOutputHoldsToBlendAndToRe
         }
         EXPECT_GT(white, 100u);
     }
+    ExpectNoValidationMessages();
+}
+
+// Colours of which a half float, or a step of 8 bits, is a little more or less.
+TEST_F(MultisampledCameraGpu, OfNothingIsTheBackgroundThatACopyWouldShow)
+{
+    for (const Color& background :
+         {Color::black, Color{0.1f, 0.2f, 0.3f, 0.4f}, Color{0.0031f, 0.7071f, 0.9999f, 1.0f}})
+    {
+        for (const bool isHdr : {true, false})
+        {
+            m_Camera.allowHDR = isHdr;
+            m_Camera.backgroundColor = background;
+            const auto [all, lean] = DrawBothWays();
+            EXPECT_EQ(lean, all) << background.g << ", " << isHdr;
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+/// What the precision of the camera's colour changes of a picture, in steps of 8 bits.
+TEST_F(MultisampledCameraGpu, DiffersIn32BitsByWhatTheyRound)
+{
+    constexpr auto k_Format = GraphicsFormat::B10G11R11_UFloatPack32;
+    if (!SharedDevice().IsFormatSupported(k_Format, FormatUsage::Blend))
+    {
+        GTEST_SKIP() << "the device does not blend " << ToString(k_Format);
+    }
+    AddSquare("", "float4(p.x / 32, p.y / 32, p.x * p.y / 1024, 1)", 20.0f, 1.8f);
+    const auto draw = [this](HDRColorBufferPrecision precision)
+    {
+        m_Pipeline.hdrColorBufferPrecision = precision;
+        const RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        const auto& color = result.frame->passes.at(0).colors.at(0);
+        EXPECT_EQ(color.texture->graphicsFormat() == k_Format,
+                  precision == HDRColorBufferPrecision::_32Bits);
+        return SharedDevice().ReadBack(*result.output.rt());
+    };
+    const Image exact = draw(HDRColorBufferPrecision::_64Bits);
+    const Image coarse = draw(HDRColorBufferPrecision::_32Bits);
+    std::array<int, 3> largest{};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < exact.texels.size(); ++i)
+    {
+        const int error = std::abs(std::to_integer<int>(exact.texels[i]) -
+                                   std::to_integer<int>(coarse.texels[i]));
+        if (i % 4 != 3)
+        {
+            largest[i % 4] = std::max(largest[i % 4], error);
+            sum += error;
+        }
+    }
+    RecordProperty("mean",
+                   std::to_string(sum * 4.0 / 3.0 / static_cast<double>(exact.texels.size())));
+    // Red and green have 6 bits behind the first one, blue 5, so that a device that cuts the rest
+    // off loses up to a 64th and a 32nd: of 255 steps of sRGB 1.8 and 3.5, and the rounding of
+    // both.
+    EXPECT_LE(largest[0], 2);
+    EXPECT_LE(largest[1], 2);
+    EXPECT_LE(largest[2], 4);
+    EXPECT_GT(sum, 0.0) << "they are not the same picture";
     ExpectNoValidationMessages();
 }
 

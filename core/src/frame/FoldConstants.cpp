@@ -2,6 +2,7 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <glm/gtc/packing.hpp>
 
 namespace limn
 {
@@ -19,6 +20,39 @@ bool UsesDepth(const FrameNode& node, const FrameTables& tables)
                            return (draw && UsesDepth(tables.Setup(*draw).state)) ||
                                   (clear && (clear->flags & ClearFlag::DepthStencil));
                        });
+}
+
+/// What every fragment of a full-screen draw is.
+struct ConstantDraw
+{
+    std::string why; ///< "" = they differ, as far as anybody knows
+    Color output;    ///< linear
+};
+
+/// Returns a component as a texture of 16-bit floats holds it.
+float RoundToHalf(float value)
+{
+    return glm::unpackHalf1x16(glm::packHalf1x16(value));
+}
+
+/// Returns what a texture of the format `from` holds where it was cleared to a colour, as far as a
+/// texture of the format `to` can tell; nothing where that depends on how the device rounds.
+std::optional<Color> ColorHeldIn(GraphicsFormat from, GraphicsFormat to, const Color& color)
+{
+    if (from == to)
+    {
+        return color; // the device rounds once more what it has rounded
+    }
+    if (from == GraphicsFormat::R16G16B16A16_SFloat)
+    {
+        return Color{RoundToHalf(color.r), RoundToHalf(color.g), RoundToHalf(color.b), color.a};
+    }
+    const auto isExact = [](float component)
+    {
+        return component == 0.0f || component == 1.0f;
+    };
+    return isExact(color.r) && isExact(color.g) && isExact(color.b) ? std::optional(color)
+                                                                    : std::nullopt;
 }
 
 /// Goes through a frame in its order and knows of each texture what every texel of it is, if that
@@ -100,25 +134,49 @@ private:
         {
             return false;
         }
-        const std::string zero = WhyConstant(*draw.fullScreen);
-        if (zero.empty() || (node.targets.depth && UsesDepth(draw.state)))
+        const ConstantDraw constant = FindConstant(node, *draw.fullScreen);
+        if (constant.why.empty() || (node.targets.depth && UsesDepth(draw.state)))
         {
             return false;
         }
-        if (ChangesNothing(node, draw))
+        if (ChangesNothing(node, draw, constant.output))
         {
-            m_Why = "it changes nothing: " + zero;
+            m_Why = "it changes nothing: " + constant.why;
             return true;
         }
         if (isFirst && node.coversColor)
         {
-            m_Why = "it makes every texel the same: " + zero;
+            m_Why = "it makes every texel the same: " + constant.why;
             node.coversColor = false;
             node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, {ClearFlag::Color, draw.fullScreen->output});
+            Merge(*node.clear, {ClearFlag::Color, constant.output});
             return true;
         }
         return false;
+    }
+
+    ConstantDraw FindConstant(const FrameNode& node, const FullScreenPromise& promise)
+    {
+        if (promise.copied && node.targets.colors.size() == 1)
+        {
+            return FindCopiedConstant(*promise.copied, *node.targets.colors.front());
+        }
+        return {WhyConstant(promise), promise.output};
+    }
+
+    /// A copy of a texture that is one colour all over is that colour.
+    ConstantDraw FindCopiedConstant(const Texture& from, const RenderTexture& to) const
+    {
+        const auto found = m_States.textures.find(from.id());
+        if (found == m_States.textures.end() || !(found->second.constant.flags & ClearFlag::Color))
+        {
+            return {};
+        }
+        const std::optional<Color> held =
+            ColorHeldIn(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
+        return held ? ConstantDraw{"'" + from.name() + "' is the same all over",
+                                   {held->r, held->g, held->b, 1.0f}}
+                    : ConstantDraw{};
     }
 
     /// Why the fragment function gives the output that is promised; "" = it need not.
@@ -141,10 +199,10 @@ private:
         return {};
     }
 
-    static bool ChangesNothing(const FrameNode& node, const DrawSetup& draw)
+    static bool ChangesNothing(const FrameNode& node, const DrawSetup& draw, const Color& output)
     {
         return node.targets.colors.size() == 1 &&
-               LeavesTargetAsItIs(draw.state.targets.at(0), draw.fullScreen->output);
+               LeavesTargetAsItIs(draw.state.targets.at(0), output);
     }
 
     /// Depth that no draw uses is not attached.

@@ -399,5 +399,89 @@ TEST_F(LeftOutOfAFrame, IsACopyOfWhatIsCoveredAndItsAlphaIsOne)
     EXPECT_EQ(color.clearColor.a, 1.0f);
 }
 
+/// The camera's picture where nothing is drawn: a clear, and a copy.
+class CopyOfOneColour : public LeftOutOfAFrame
+{
+protected:
+    void Compile(const RenderTexturePtr& scene, const Color& color)
+    {
+        m_Frame.Bind(scene, m_Depth).Clear(ClearFlag::All, color);
+        m_Frame.Begin("Final Blit").Bind(m_Camera).Blit(2, {scene}, "copy").End();
+        LeftOutOfAFrame::Compile({m_Camera});
+    }
+
+    static RenderTexturePtr Smooth(GraphicsFormat format)
+    {
+        RenderTextureDescriptor descriptor(8, 4, format);
+        descriptor.msaaSamples = 4;
+        return std::make_shared<RenderTexture>("Scene", descriptor, SamplerState{}, true);
+    }
+};
+
+TEST_F(CopyOfOneColour, IsAClearAlsoWhereSamplesOrSizesDiffer)
+{
+    const RenderTexturePtr scenes[] = {
+        Smooth(GraphicsFormat::R16G16B16A16_SFloat), Smooth(GraphicsFormat::R8G8B8A8_UNorm),
+        test::Target("Scene", 16, 8, true, GraphicsFormat::R16G16B16A16_SFloat)};
+    for (const RenderTexturePtr& scene : scenes)
+    {
+        Compile(scene, {1, 0.5f, 0, 0.25f});
+        ASSERT_EQ(m_Last.passes.size(), 1u);
+        ASSERT_EQ(m_Last.passes[0].colors.size(), 1u);
+        EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Camera);
+        EXPECT_EQ(m_Last.passes[0].colors[0].load, LoadOp::Clear);
+        EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0.5f, 0, 1}));
+        EXPECT_FALSE(m_Last.passes[0].depth);
+        EXPECT_THAT(Reasons(), testing::Contains("Final Blit: it makes every texel the same: "
+                                                 "'Scene' is the same all over"));
+    }
+}
+
+// A half has 10 bits behind its first one: 0.1 is 1.6 / 16 there, the 1638.4th step of 1024
+// rounded.
+TEST_F(CopyOfOneColour, IsTheColourThatTheTextureHolds)
+{
+    Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {0.1f, 0.1f, 0.1f, 1});
+    ASSERT_EQ(m_Last.passes.size(), 1u);
+    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor.r, 1638.0f / 16384.0f);
+}
+
+TEST_F(CopyOfOneColour, IsDrawnWhereOnlyTheDeviceKnowsWhatTheTextureHolds)
+{
+    const RenderTexturePtr scene = Smooth(GraphicsFormat::B10G11R11_UFloatPack32);
+    Compile(scene, {0.1f, 0, 0, 1});
+    EXPECT_EQ(m_Last.passes.size(), 2u);
+    Compile(scene, Color::black);
+    EXPECT_EQ(m_Last.passes.size(), 1u);
+}
+
+TEST_F(CopyOfOneColour, IsNoneWhereSomethingIsDrawn)
+{
+    const RenderTexturePtr scene = Smooth(GraphicsFormat::R16G16B16A16_SFloat);
+    m_Frame.Bind(scene).Clear(ClearFlag::All).Draw(1);
+    m_Frame.Bind(m_Camera).Blit(2, {scene}, "copy");
+    EXPECT_THAT(LeftOutOfAFrame::Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
+}
+
+TEST_F(LeftOutOfAFrame, BlendsWithAlphaThatATextureLacksOnlyWithANote)
+{
+    const auto compile = [&](GraphicsFormat format, BlendMode destination)
+    {
+        const RenderTexturePtr scene = test::Target("Scene", 8, 4, true, format);
+        m_Frame.Begin("Glow").Bind(scene).Clear(ClearFlag::Color).Draw(1).Draw(2).End();
+        m_Frame.last().state.targets[0].destinationColorBlendMode = destination;
+        m_Frame.Bind(m_Camera).Blit(3, {scene}, "copy");
+        Compile({m_Camera});
+        return m_Last.notes;
+    };
+    using enum GraphicsFormat;
+    EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::DstAlpha),
+                ElementsAre("pass 'Glow' blends with the alpha of 'Scene', whose format "
+                            "B10G11R11_UFloatPack32 has none: it counts as 1; where that is the "
+                            "camera's colour, a hdrColorBufferPrecision of 64 bits has one"));
+    EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::OneMinusSrcAlpha), IsEmpty());
+    EXPECT_THAT(compile(R16G16B16A16_SFloat, BlendMode::DstAlpha), IsEmpty());
+}
+
 } // namespace
 } // namespace limn

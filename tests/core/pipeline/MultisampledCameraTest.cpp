@@ -134,6 +134,17 @@ TEST_F(MultisampledCamera, HasTheSamplesThatTheDeviceDoesOfColorAndDepth)
     EXPECT_EQ(Samples(), 4);
 }
 
+TEST_F(MultisampledCamera, HasNoSamplesAndNoCopyWhereNothingIsDrawn)
+{
+    m_Scene = Scene();
+    const RenderResult result = Render();
+    ASSERT_EQ(result.frame->passes.size(), 1u);
+    EXPECT_EQ(result.frame->passes[0].colors.at(0).texture, result.output.rt());
+    EXPECT_EQ(result.frame->passes[0].colors.at(0).load, LoadOp::Clear);
+    EXPECT_FALSE(result.frame->passes[0].depth);
+    EXPECT_THAT(result.frame->placed, IsEmpty());
+}
+
 TEST_F(MultisampledCamera, RefusesOtherNumbersOfSamples)
 {
     m_Pipeline.msaaSampleCount = 3;
