@@ -258,18 +258,23 @@ TEST_F(MultisampledCameraGpu, KeepsWhatIsBrighterThanAnOutputHoldsToBlendAndToRe
     ExpectNoValidationMessages();
 }
 
-// Colours of which a half float, or a step of 8 bits, is a little more or less.
+// Steps of 8 bits, as colours are written; between two of them the copy is drawn.
 TEST_F(MultisampledCameraGpu, OfNothingIsTheBackgroundThatACopyWouldShow)
 {
-    for (const Color& background :
-         {Color::black, Color{0.1f, 0.2f, 0.3f, 0.4f}, Color{0.0031f, 0.7071f, 0.9999f, 1.0f}})
+    const auto step = [](int r, int g, int b)
+    {
+        return Color(static_cast<float>(r) / 255.0f, static_cast<float>(g) / 255.0f,
+                     static_cast<float>(b) / 255.0f, 0.4f);
+    };
+    for (const Color& background : {step(0, 0, 0), step(255, 1, 254), step(49, 77, 121),
+                                    step(11, 12, 187), Color(0.0031f, 0.7071f, 0.9999f)})
     {
         for (const bool isHdr : {true, false})
         {
             m_Camera.allowHDR = isHdr;
             m_Camera.backgroundColor = background;
             const auto [all, lean] = DrawBothWays();
-            EXPECT_EQ(lean, all) << background.g << ", " << isHdr;
+            EXPECT_EQ(lean.texels, all.texels) << background.g << ", " << isHdr;
         }
     }
     ExpectNoValidationMessages();

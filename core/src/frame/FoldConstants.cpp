@@ -2,6 +2,7 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/packing.hpp>
 
 namespace limn
@@ -29,30 +30,40 @@ struct ConstantDraw
     Color output;    ///< linear
 };
 
-/// Returns a component as a texture of 16-bit floats holds it.
-float RoundToHalf(float value)
+/// Returns what an sRGB texture of 8 bits shows a component as that was rounded to a half float;
+/// nothing where that lies so near to the middle of two steps that devices differ.
+std::optional<float> ShowHalf(float component)
 {
-    return glm::unpackHalf1x16(glm::packHalf1x16(value));
+    constexpr float k_Steps = 255.0f;
+    constexpr float k_Sure = 0.4f; // of a step; conversions to sRGB are right within 0.6 of one
+    const float held = glm::unpackHalf1x16(glm::packHalf1x16(component));
+    const float shown = std::clamp(Color(held, held, held).gamma().r, 0.0f, 1.0f) * k_Steps;
+    const float step = std::round(shown) / k_Steps;
+    return std::abs(shown - std::round(shown)) < k_Sure
+               ? std::optional(Color(step, step, step).linear().r)
+               : std::nullopt;
 }
 
-/// Returns what a texture of the format `from` holds where it was cleared to a colour, as far as a
-/// texture of the format `to` can tell; nothing where that depends on how the device rounds.
-std::optional<Color> ColorHeldIn(GraphicsFormat from, GraphicsFormat to, const Color& color)
+/// Returns a colour to clear a texture of the format `to` to, so that it holds what a copy from one
+/// of the format `from` would give that was cleared to `color`; nothing where devices differ.
+std::optional<Color> ColorOfCopy(GraphicsFormat from, GraphicsFormat to, const Color& color)
 {
-    if (from == to)
-    {
-        return color; // the device rounds once more what it has rounded
-    }
-    if (from == GraphicsFormat::R16G16B16A16_SFloat)
-    {
-        return Color{RoundToHalf(color.r), RoundToHalf(color.g), RoundToHalf(color.b), color.a};
-    }
     const auto isExact = [](float component)
     {
         return component == 0.0f || component == 1.0f;
     };
-    return isExact(color.r) && isExact(color.g) && isExact(color.b) ? std::optional(color)
-                                                                    : std::nullopt;
+    if (from == to || (isExact(color.r) && isExact(color.g) && isExact(color.b)))
+    {
+        return color;
+    }
+    if (from != GraphicsFormat::R16G16B16A16_SFloat || to != GraphicsFormat::R8G8B8A8_SRGB)
+    {
+        return std::nullopt;
+    }
+    const std::optional<float> r = ShowHalf(color.r);
+    const std::optional<float> g = ShowHalf(color.g);
+    const std::optional<float> b = ShowHalf(color.b);
+    return r && g && b ? std::optional(Color(*r, *g, *b)) : std::nullopt;
 }
 
 /// Goes through a frame in its order and knows of each texture what every texel of it is, if that
@@ -172,11 +183,11 @@ private:
         {
             return {};
         }
-        const std::optional<Color> held =
-            ColorHeldIn(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
-        return held ? ConstantDraw{"'" + from.name() + "' is the same all over",
-                                   {held->r, held->g, held->b, 1.0f}}
-                    : ConstantDraw{};
+        const std::optional<Color> color =
+            ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
+        return color ? ConstantDraw{"'" + from.name() + "' is the same all over",
+                                    {color->r, color->g, color->b, 1.0f}}
+                     : ConstantDraw{};
     }
 
     /// Why the fragment function gives the output that is promised; "" = it need not.

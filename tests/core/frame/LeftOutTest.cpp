@@ -1,6 +1,7 @@
 #include "frame/FrameBuilder.h"
 #include "scene/TestScene.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace limn
@@ -399,15 +400,15 @@ TEST_F(LeftOutOfAFrame, IsACopyOfWhatIsCoveredAndItsAlphaIsOne)
     EXPECT_EQ(color.clearColor.a, 1.0f);
 }
 
-/// The camera's picture where nothing is drawn: a clear, and a copy.
+/// The camera's picture where nothing is drawn: a clear, and a copy to an output of 8 bits of sRGB.
 class CopyOfOneColour : public LeftOutOfAFrame
 {
 protected:
     void Compile(const RenderTexturePtr& scene, const Color& color)
     {
         m_Frame.Bind(scene, m_Depth).Clear(ClearFlag::All, color);
-        m_Frame.Begin("Final Blit").Bind(m_Camera).Blit(2, {scene}, "copy").End();
-        LeftOutOfAFrame::Compile({m_Camera});
+        m_Frame.Begin("Final Blit").Bind(m_Output).Blit(2, {scene}, "copy").End();
+        LeftOutOfAFrame::Compile({m_Output});
     }
 
     static RenderTexturePtr Smooth(GraphicsFormat format)
@@ -416,42 +417,57 @@ protected:
         descriptor.msaaSamples = 4;
         return std::make_shared<RenderTexture>("Scene", descriptor, SamplerState{}, true);
     }
+
+    /// Linear, of a step of 255 of sRGB.
+    static float LinearOf(double step)
+    {
+        return static_cast<float>(std::pow((step / 255.0 + 0.055) / 1.055, 2.4));
+    }
+
+    const RenderTexturePtr m_Output =
+        test::Target("Output", 8, 4, false, GraphicsFormat::R8G8B8A8_SRGB);
 };
 
 TEST_F(CopyOfOneColour, IsAClearAlsoWhereSamplesOrSizesDiffer)
 {
     const RenderTexturePtr scenes[] = {
-        Smooth(GraphicsFormat::R16G16B16A16_SFloat), Smooth(GraphicsFormat::R8G8B8A8_UNorm),
+        Smooth(GraphicsFormat::R16G16B16A16_SFloat), Smooth(GraphicsFormat::R8G8B8A8_SRGB),
         test::Target("Scene", 16, 8, true, GraphicsFormat::R16G16B16A16_SFloat)};
     for (const RenderTexturePtr& scene : scenes)
     {
-        Compile(scene, {1, 0.5f, 0, 0.25f});
+        Compile(scene, {1, 0, 1, 0.25f});
         ASSERT_EQ(m_Last.passes.size(), 1u);
         ASSERT_EQ(m_Last.passes[0].colors.size(), 1u);
-        EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Camera);
+        EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Output);
         EXPECT_EQ(m_Last.passes[0].colors[0].load, LoadOp::Clear);
-        EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0.5f, 0, 1}));
+        EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0, 1, 1}));
         EXPECT_FALSE(m_Last.passes[0].depth);
         EXPECT_THAT(Reasons(), testing::Contains("Final Blit: it makes every texel the same: "
                                                  "'Scene' is the same all over"));
     }
 }
 
-// A half has 10 bits behind its first one: 0.1 is 1.6 / 16 there, the 1638.4th step of 1024
-// rounded.
-TEST_F(CopyOfOneColour, IsTheColourThatTheTextureHolds)
+TEST_F(CopyOfOneColour, IsTheStepThatTheOutputShows)
 {
-    Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {0.1f, 0.1f, 0.1f, 1});
+    Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {LinearOf(123.3), 5.0f, -1.0f, 1});
     ASSERT_EQ(m_Last.passes.size(), 1u);
-    EXPECT_EQ(m_Last.passes[0].colors[0].clearColor.r, 1638.0f / 16384.0f);
+    const Color& color = m_Last.passes[0].colors[0].clearColor;
+    EXPECT_FLOAT_EQ(color.r, LinearOf(123.0));
+    EXPECT_FLOAT_EQ(color.g, 1.0f);
+    EXPECT_EQ(color.b, 0.0f);
 }
 
-TEST_F(CopyOfOneColour, IsDrawnWhereOnlyTheDeviceKnowsWhatTheTextureHolds)
+TEST_F(CopyOfOneColour, IsDrawnWhereDevicesDifferInWhatItShows)
 {
-    const RenderTexturePtr scene = Smooth(GraphicsFormat::B10G11R11_UFloatPack32);
-    Compile(scene, {0.1f, 0, 0, 1});
-    EXPECT_EQ(m_Last.passes.size(), 2u);
-    Compile(scene, Color::black);
+    for (const double step : {127.5, 127.55, 127.45})
+    {
+        Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {0, LinearOf(step), 0, 1});
+        EXPECT_EQ(m_Last.passes.size(), 2u) << step;
+    }
+    const RenderTexturePtr coarse = Smooth(GraphicsFormat::B10G11R11_UFloatPack32);
+    Compile(coarse, {LinearOf(123.0), 0, 0, 1});
+    EXPECT_EQ(m_Last.passes.size(), 2u) << "rounded or cut off";
+    Compile(coarse, Color::black);
     EXPECT_EQ(m_Last.passes.size(), 1u);
 }
 
@@ -459,8 +475,8 @@ TEST_F(CopyOfOneColour, IsNoneWhereSomethingIsDrawn)
 {
     const RenderTexturePtr scene = Smooth(GraphicsFormat::R16G16B16A16_SFloat);
     m_Frame.Bind(scene).Clear(ClearFlag::All).Draw(1);
-    m_Frame.Bind(m_Camera).Blit(2, {scene}, "copy");
-    EXPECT_THAT(LeftOutOfAFrame::Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
+    m_Frame.Bind(m_Output).Blit(2, {scene}, "copy");
+    EXPECT_THAT(LeftOutOfAFrame::Compile({m_Output}), ElementsAre(": draw 1", ": draw 2"));
 }
 
 TEST_F(LeftOutOfAFrame, BlendsWithAlphaThatATextureLacksOnlyWithANote)

@@ -86,7 +86,7 @@ TEST_F(InactiveObjectsOfAScene, ShareWithActiveOnesWhatThoseNeed)
     const MeshRenderer& renderer = *asset.scene.objects().at(1)->renderer;
     EXPECT_TRUE(renderer.mesh);
     ASSERT_EQ(renderer.sharedMaterials.size(), 1u);
-    EXPECT_EQ(renderer.sharedMaterials[0]->GetTexture("_BaseMap")->name(), "whole");
+    EXPECT_EQ(renderer.sharedMaterials[0]->GetTexture("_BaseMap")->name(), "whole.png");
 }
 
 TEST_F(InactiveObjectsOfAScene, AreCheckedForWhatIsMissing)
