@@ -280,6 +280,23 @@ TEST_F(MultisampledCameraGpu, OfNothingIsTheBackgroundThatACopyWouldShow)
     ExpectNoValidationMessages();
 }
 
+// Between two steps the device decides; some of these are a little more or less than the middle.
+TEST_F(MultisampledCameraGpu, OfNothingIsTheSameBetweenTwoSteps)
+{
+    for (const float step : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f})
+    {
+        m_Camera.backgroundColor = {step, step, step};
+        m_Request.compile.leavesOut = false;
+        const RenderResult all = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        const Image expected = SharedDevice().ReadBack(*all.output.rt());
+        m_Request.compile.leavesOut = true;
+        const RenderResult lean = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        EXPECT_EQ(SharedDevice().ReadBack(*lean.output.rt()).texels, expected.texels) << step;
+        EXPECT_EQ(lean.frame->passes.at(0).colors.at(0).texture->descriptor().msaaSamples, 1);
+    }
+    ExpectNoValidationMessages();
+}
+
 /// What the precision of the camera's colour changes of a picture, in steps of 8 bits.
 TEST_F(MultisampledCameraGpu, DiffersIn32BitsByWhatTheyRound)
 {

@@ -66,6 +66,21 @@ std::optional<Color> ColorOfCopy(GraphicsFormat from, GraphicsFormat to, const C
     return r && g && b ? std::optional(Color(*r, *g, *b)) : std::nullopt;
 }
 
+/// Returns the set-up of a draw that reads another texture in place of the one that it copies.
+DrawSetup CopyingInstead(DrawSetup setup, const std::shared_ptr<const Texture>& texture)
+{
+    auto bindings = std::make_shared<DrawBindings>(*setup.bindings);
+    auto promise = std::make_shared<FullScreenPromise>(*setup.fullScreen);
+    for (TextureSlot& slot : bindings->textures)
+    {
+        slot.texture = slot.texture == promise->copied ? texture : slot.texture;
+    }
+    promise->copied = nullptr; // else the copy would be left out, with what its format rounds
+    setup.bindings = std::move(bindings);
+    setup.fullScreen = std::move(promise);
+    return setup;
+}
+
 /// Goes through a frame in its order and knows of each texture what every texel of it is, if that
 /// is known.
 class ConstantFolder
@@ -91,6 +106,7 @@ private:
     {
         m_Place = node.place;
         FoldDraws(node);
+        LeaveOutSamples(node);
         LeaveOutDepth(node);
         CollectReads(node, m_Tables);
         const bool draws = HasDraws(node);
@@ -164,6 +180,40 @@ private:
             return true;
         }
         return false;
+    }
+
+    /// What is still a copy of one colour, of a texture of several samples, is one of a texture of
+    /// one sample.
+    void LeaveOutSamples(FrameNode& node)
+    {
+        for (PassCommand& command : node.commands)
+        {
+            auto* draw = std::get_if<DrawCommand>(&command);
+            const FullScreenPromise* promise =
+                draw ? m_Tables.Setup(*draw).fullScreen.get() : nullptr;
+            const auto from =
+                promise ? std::dynamic_pointer_cast<const RenderTexture>(promise->copied) : nullptr;
+            if (from && HasSamples(*from) && StateOf(from).isPending &&
+                (StateOf(from).constant.flags & ClearFlag::Color))
+            {
+                m_Tables.setups.push_back(
+                    CopyingInstead(m_Tables.Setup(*draw), WithOneSample(*from)));
+                draw->setup = static_cast<std::uint32_t>(m_Tables.setups.size() - 1);
+            }
+        }
+    }
+
+    /// Makes a texture that is to hold what the other one does.
+    std::shared_ptr<const RenderTexture> WithOneSample(const RenderTexture& texture)
+    {
+        RenderTextureDescriptor descriptor = texture.descriptor();
+        descriptor.msaaSamples = 1;
+        const auto twin = std::make_shared<const RenderTexture>(texture.name(), descriptor,
+                                                                texture.sampler(), true);
+        TextureState& state = StateOf(twin);
+        state.constant = m_States.textures[texture.id()].constant;
+        state.isPending = true;
+        return twin;
     }
 
     ConstantDraw FindConstant(const FrameNode& node, const FullScreenPromise& promise)
@@ -308,7 +358,7 @@ private:
         }
     }
 
-    const FrameTables& m_Tables;
+    FrameTables& m_Tables;
     TextureStates& m_States;
     std::vector<FrameNode> m_Nodes;
     std::string m_Why; ///< draws of the node went; "" = none
