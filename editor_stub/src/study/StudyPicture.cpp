@@ -77,6 +77,7 @@ Image StudyPicture::Colors()
     }
     Render();
     m_Request.compile.leavesOut = true;
+    m_Pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
     return m_Device.ReadBack(*m_Request.alsoReadBack.at(0).rt());
 }
 
