@@ -1,6 +1,7 @@
 #include "features/OutlineGpuReference.h"
 #include "vulkan/GpuTestDevice.h"
 
+#include <array>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 #include <limn/core/BuiltinShaders.h>
@@ -254,6 +255,89 @@ TEST_F(MultisampledCameraGpu, KeepsWhatIsBrighterThanAnOutputHoldsToBlendAndToRe
         }
         EXPECT_GT(white, 100u);
     }
+    ExpectNoValidationMessages();
+}
+
+// Steps of 8 bits, as colours are written; between two of them the copy is drawn.
+TEST_F(MultisampledCameraGpu, OfNothingIsTheBackgroundThatACopyWouldShow)
+{
+    const auto step = [](int r, int g, int b)
+    {
+        return Color(static_cast<float>(r) / 255.0f, static_cast<float>(g) / 255.0f,
+                     static_cast<float>(b) / 255.0f, 0.4f);
+    };
+    for (const Color& background : {step(0, 0, 0), step(255, 1, 254), step(49, 77, 121),
+                                    step(11, 12, 187), Color(0.0031f, 0.7071f, 0.9999f)})
+    {
+        for (const bool isHdr : {true, false})
+        {
+            m_Camera.allowHDR = isHdr;
+            m_Camera.backgroundColor = background;
+            const auto [all, lean] = DrawBothWays();
+            EXPECT_EQ(lean.texels, all.texels) << background.g << ", " << isHdr;
+        }
+    }
+    ExpectNoValidationMessages();
+}
+
+// Between two steps the device decides; some of these are a little more or less than the middle.
+TEST_F(MultisampledCameraGpu, OfNothingIsTheSameBetweenTwoSteps)
+{
+    for (const float step : {0.1f, 0.3f, 0.5f, 0.7f, 0.9f})
+    {
+        m_Camera.backgroundColor = {step, step, step};
+        m_Request.compile.leavesOut = false;
+        const RenderResult all = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        const Image expected = SharedDevice().ReadBack(*all.output.rt());
+        m_Request.compile.leavesOut = true;
+        const RenderResult lean = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        EXPECT_EQ(SharedDevice().ReadBack(*lean.output.rt()).texels, expected.texels) << step;
+        EXPECT_EQ(lean.frame->passes.at(0).colors.at(0).texture->descriptor().msaaSamples, 1);
+    }
+    ExpectNoValidationMessages();
+}
+
+/// What the precision of the camera's colour changes of a picture, in steps of 8 bits.
+TEST_F(MultisampledCameraGpu, DiffersIn32BitsByWhatTheyRound)
+{
+    constexpr auto k_Format = GraphicsFormat::B10G11R11_UFloatPack32;
+    if (!SharedDevice().IsFormatSupported(k_Format, FormatUsage::Blend))
+    {
+        GTEST_SKIP() << "the device does not blend " << ToString(k_Format);
+    }
+    AddSquare("", "float4(p.x / 32, p.y / 32, p.x * p.y / 1024, 1)", 20.0f, 1.8f);
+    const auto draw = [this](HDRColorBufferPrecision precision)
+    {
+        m_Pipeline.hdrColorBufferPrecision = precision;
+        const RenderResult result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        const auto& color = result.frame->passes.at(0).colors.at(0);
+        EXPECT_EQ(color.texture->graphicsFormat() == k_Format,
+                  precision == HDRColorBufferPrecision::_32Bits);
+        return SharedDevice().ReadBack(*result.output.rt());
+    };
+    const Image exact = draw(HDRColorBufferPrecision::_64Bits);
+    const Image coarse = draw(HDRColorBufferPrecision::_32Bits);
+    std::array<int, 3> largest{};
+    double sum = 0.0;
+    for (std::size_t i = 0; i < exact.texels.size(); ++i)
+    {
+        const int error = std::abs(std::to_integer<int>(exact.texels[i]) -
+                                   std::to_integer<int>(coarse.texels[i]));
+        if (i % 4 != 3)
+        {
+            largest[i % 4] = std::max(largest[i % 4], error);
+            sum += error;
+        }
+    }
+    RecordProperty("mean",
+                   std::to_string(sum * 4.0 / 3.0 / static_cast<double>(exact.texels.size())));
+    // Red and green have 6 bits behind the first one, blue 5, so that a device that cuts the rest
+    // off loses up to a 64th and a 32nd: of 255 steps of sRGB 1.8 and 3.5, and the rounding of
+    // both.
+    EXPECT_LE(largest[0], 2);
+    EXPECT_LE(largest[1], 2);
+    EXPECT_LE(largest[2], 4);
+    EXPECT_GT(sum, 0.0) << "they are not the same picture";
     ExpectNoValidationMessages();
 }
 

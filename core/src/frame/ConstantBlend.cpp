@@ -73,15 +73,19 @@ bool ReplacesColor(const RenderTargetBlendState& blend)
            blend.colorBlendOperation == BlendOp::Add;
 }
 
-bool ReadsTargetAlpha(const RenderTargetBlendState& blend)
+bool FactorsReadAlpha(const RenderTargetBlendState& blend)
 {
     const auto reads = [](BlendMode mode)
     {
         return mode == BlendMode::DstAlpha || mode == BlendMode::OneMinusDstAlpha ||
                mode == BlendMode::SrcAlphaSaturate;
     };
-    return reads(blend.sourceColorBlendMode) || reads(blend.destinationColorBlendMode) ||
-           blend.colorBlendOperation > BlendOp::Max;
+    return reads(blend.sourceColorBlendMode) || reads(blend.destinationColorBlendMode);
+}
+
+bool ReadsTargetAlpha(const RenderTargetBlendState& blend)
+{
+    return FactorsReadAlpha(blend) || blend.colorBlendOperation > BlendOp::Max;
 }
 
 } // namespace limn

@@ -17,6 +17,9 @@ bool ReplacesTarget(const RenderTargetBlendState& blend);
 /// may be blended.
 bool ReplacesColor(const RenderTargetBlendState& blend);
 
+/// Returns whether a factor of the colour's blending is made of the alpha before.
+bool FactorsReadAlpha(const RenderTargetBlendState& blend);
+
 /// Whether the colour that a draw leaves depends on the alpha before.
 bool ReadsTargetAlpha(const RenderTargetBlendState& blend);
 

@@ -2,6 +2,8 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/gtc/packing.hpp>
 
 namespace limn
 {
@@ -19,6 +21,64 @@ bool UsesDepth(const FrameNode& node, const FrameTables& tables)
                            return (draw && UsesDepth(tables.Setup(*draw).state)) ||
                                   (clear && (clear->flags & ClearFlag::DepthStencil));
                        });
+}
+
+/// What every fragment of a full-screen draw is.
+struct ConstantDraw
+{
+    std::string why; ///< "" = they differ, as far as anybody knows
+    Color output;    ///< linear
+};
+
+/// Returns what an sRGB texture of 8 bits shows a component as that was rounded to a half float;
+/// nothing where that lies so near to the middle of two steps that devices differ.
+std::optional<float> ShowHalf(float component)
+{
+    constexpr float k_Steps = 255.0f;
+    constexpr float k_Sure = 0.4f; // of a step; conversions to sRGB are right within 0.6 of one
+    const float held = glm::unpackHalf1x16(glm::packHalf1x16(component));
+    const float shown = std::clamp(Color(held, held, held).gamma().r, 0.0f, 1.0f) * k_Steps;
+    const float step = std::round(shown) / k_Steps;
+    return std::abs(shown - std::round(shown)) < k_Sure
+               ? std::optional(Color(step, step, step).linear().r)
+               : std::nullopt;
+}
+
+/// Returns a colour to clear a texture of the format `to` to, so that it holds what a copy from one
+/// of the format `from` would give that was cleared to `color`; nothing where devices differ.
+std::optional<Color> ColorOfCopy(GraphicsFormat from, GraphicsFormat to, const Color& color)
+{
+    const auto isExact = [](float component)
+    {
+        return component == 0.0f || component == 1.0f;
+    };
+    if (from == to || (isExact(color.r) && isExact(color.g) && isExact(color.b)))
+    {
+        return color;
+    }
+    if (from != GraphicsFormat::R16G16B16A16_SFloat || to != GraphicsFormat::R8G8B8A8_SRGB)
+    {
+        return std::nullopt;
+    }
+    const std::optional<float> r = ShowHalf(color.r);
+    const std::optional<float> g = ShowHalf(color.g);
+    const std::optional<float> b = ShowHalf(color.b);
+    return r && g && b ? std::optional(Color(*r, *g, *b)) : std::nullopt;
+}
+
+/// Returns the set-up of a draw that reads another texture in place of the one that it copies.
+DrawSetup CopyingInstead(DrawSetup setup, const std::shared_ptr<const Texture>& texture)
+{
+    auto bindings = std::make_shared<DrawBindings>(*setup.bindings);
+    auto promise = std::make_shared<FullScreenPromise>(*setup.fullScreen);
+    for (TextureSlot& slot : bindings->textures)
+    {
+        slot.texture = slot.texture == promise->copied ? texture : slot.texture;
+    }
+    promise->copied = nullptr; // else the copy would be left out, with what its format rounds
+    setup.bindings = std::move(bindings);
+    setup.fullScreen = std::move(promise);
+    return setup;
 }
 
 /// Goes through a frame in its order and knows of each texture what every texel of it is, if that
@@ -46,6 +106,7 @@ private:
     {
         m_Place = node.place;
         FoldDraws(node);
+        LeaveOutSamples(node);
         LeaveOutDepth(node);
         CollectReads(node, m_Tables);
         const bool draws = HasDraws(node);
@@ -100,25 +161,83 @@ private:
         {
             return false;
         }
-        const std::string zero = WhyConstant(*draw.fullScreen);
-        if (zero.empty() || (node.targets.depth && UsesDepth(draw.state)))
+        const ConstantDraw constant = FindConstant(node, *draw.fullScreen);
+        if (constant.why.empty() || (node.targets.depth && UsesDepth(draw.state)))
         {
             return false;
         }
-        if (ChangesNothing(node, draw))
+        if (ChangesNothing(node, draw, constant.output))
         {
-            m_Why = "it changes nothing: " + zero;
+            m_Why = "it changes nothing: " + constant.why;
             return true;
         }
         if (isFirst && node.coversColor)
         {
-            m_Why = "it makes every texel the same: " + zero;
+            m_Why = "it makes every texel the same: " + constant.why;
             node.coversColor = false;
             node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, {ClearFlag::Color, draw.fullScreen->output});
+            Merge(*node.clear, {ClearFlag::Color, constant.output});
             return true;
         }
         return false;
+    }
+
+    /// What is still a copy of one colour, of a texture of several samples, is one of a texture of
+    /// one sample.
+    void LeaveOutSamples(FrameNode& node)
+    {
+        for (PassCommand& command : node.commands)
+        {
+            auto* draw = std::get_if<DrawCommand>(&command);
+            const FullScreenPromise* promise =
+                draw ? m_Tables.Setup(*draw).fullScreen.get() : nullptr;
+            const auto from =
+                promise ? std::dynamic_pointer_cast<const RenderTexture>(promise->copied) : nullptr;
+            if (from && HasSamples(*from) && StateOf(from).isPending &&
+                (StateOf(from).constant.flags & ClearFlag::Color))
+            {
+                m_Tables.setups.push_back(
+                    CopyingInstead(m_Tables.Setup(*draw), WithOneSample(*from)));
+                draw->setup = static_cast<std::uint32_t>(m_Tables.setups.size() - 1);
+            }
+        }
+    }
+
+    /// Makes a texture that is to hold what the other one does.
+    std::shared_ptr<const RenderTexture> WithOneSample(const RenderTexture& texture)
+    {
+        RenderTextureDescriptor descriptor = texture.descriptor();
+        descriptor.msaaSamples = 1;
+        const auto twin = std::make_shared<const RenderTexture>(texture.name(), descriptor,
+                                                                texture.sampler(), true);
+        TextureState& state = StateOf(twin);
+        state.constant = m_States.textures[texture.id()].constant;
+        state.isPending = true;
+        return twin;
+    }
+
+    ConstantDraw FindConstant(const FrameNode& node, const FullScreenPromise& promise)
+    {
+        if (promise.copied && node.targets.colors.size() == 1)
+        {
+            return FindCopiedConstant(*promise.copied, *node.targets.colors.front());
+        }
+        return {WhyConstant(promise), promise.output};
+    }
+
+    /// A copy of a texture that is one colour all over is that colour.
+    ConstantDraw FindCopiedConstant(const Texture& from, const RenderTexture& to) const
+    {
+        const auto found = m_States.textures.find(from.id());
+        if (found == m_States.textures.end() || !(found->second.constant.flags & ClearFlag::Color))
+        {
+            return {};
+        }
+        const std::optional<Color> color =
+            ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
+        return color ? ConstantDraw{"'" + from.name() + "' is the same all over",
+                                    {color->r, color->g, color->b, 1.0f}}
+                     : ConstantDraw{};
     }
 
     /// Why the fragment function gives the output that is promised; "" = it need not.
@@ -141,10 +260,10 @@ private:
         return {};
     }
 
-    static bool ChangesNothing(const FrameNode& node, const DrawSetup& draw)
+    static bool ChangesNothing(const FrameNode& node, const DrawSetup& draw, const Color& output)
     {
         return node.targets.colors.size() == 1 &&
-               LeavesTargetAsItIs(draw.state.targets.at(0), draw.fullScreen->output);
+               LeavesTargetAsItIs(draw.state.targets.at(0), output);
     }
 
     /// Depth that no draw uses is not attached.
@@ -239,7 +358,7 @@ private:
         }
     }
 
-    const FrameTables& m_Tables;
+    FrameTables& m_Tables;
     TextureStates& m_States;
     std::vector<FrameNode> m_Nodes;
     std::string m_Why; ///< draws of the node went; "" = none

@@ -19,6 +19,7 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     frame.states.isLast = options.isLast && options.leavesOut;
     static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
     std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
+    NoteMissingAlpha(nodes, frame);
     if (options.leavesOut)
     {
         FindAccess(nodes, frame);

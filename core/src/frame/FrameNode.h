@@ -102,6 +102,9 @@ void EraseEmptySamples(FrameNode& node);
 std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands,
                                       const FrameTables& tables);
 
+/// Notes the draws that blend with the alpha of an HDR target of 32 bits, which has none.
+void NoteMissingAlpha(const std::vector<FrameNode>& nodes, CompiledFrame& frame);
+
 /// Works out what each node reads, and which draws cover their target: what they cover is dropped.
 void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables);
 

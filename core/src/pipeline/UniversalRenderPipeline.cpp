@@ -124,9 +124,33 @@ int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor c
     return both == color.msaaSamples ? both : SupportedSampleCount(device, camera);
 }
 
+/// Returns the format of a camera's colour that goes to the output.
+/// Unity: UniversalRenderPipeline.MakeRenderTextureGraphicsFormat (URP 14).
+GraphicsFormat ColorFormat(bool isHdr, HDRColorBufferPrecision precision,
+                           const GraphicsDevice& device, RenderReport& report)
+{
+    constexpr GraphicsFormat k_Of32Bits = GraphicsFormat::B10G11R11_UFloatPack32;
+    if (!isHdr)
+    {
+        return GraphicsFormat::R8G8B8A8_SRGB;
+    }
+    if (precision == HDRColorBufferPrecision::_32Bits)
+    {
+        if (device.IsFormatSupported(k_Of32Bits, FormatUsage::Render) &&
+            device.IsFormatSupported(k_Of32Bits, FormatUsage::Blend))
+        {
+            return k_Of32Bits;
+        }
+        report.notes.push_back("the camera's colour has 64 bits a pixel in place of 32 "
+                               "(hdrColorBufferPrecision): the device cannot draw and blend " +
+                               std::string(ToString(k_Of32Bits)));
+    }
+    return GraphicsFormat::R16G16B16A16_SFloat;
+}
+
 RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, float renderScale,
-                                               int msaaSampleCount, const GraphicsDevice& device,
-                                               RenderReport& report)
+                                               int msaaSampleCount, GraphicsFormat colorFormat,
+                                               const GraphicsDevice& device, RenderReport& report)
 {
     const Camera& camera = *request.camera;
     const glm::ivec2 size =
@@ -138,9 +162,7 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, flo
         ofTarget.msaaSamples = camera.allowMSAA && msaaSampleCount > 1 ? target.msaaSamples : 1;
         return ofTarget;
     }
-    RenderTextureDescriptor descriptor(
-        size.x, size.y,
-        camera.allowHDR ? GraphicsFormat::R16G16B16A16_SFloat : GraphicsFormat::R8G8B8A8_SRGB, 32);
+    RenderTextureDescriptor descriptor(size.x, size.y, colorFormat, 32);
     if (!camera.allowMSAA || msaaSampleCount == 1)
     {
         return descriptor;
@@ -192,7 +214,6 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.cameraType = request.camera->cameraType;
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
     data.cameraData.defaultOpaqueSortFlags = OpaqueSortFlags(*request.camera);
-    data.cameraData.isHdrEnabled = request.camera->allowHDR;
     data.cameraData.backgroundColor = camera.backgroundColor.linear();
     data.cameraData.volumeLayerMask = request.camera->volumeLayerMask;
     data.cameraData.worldSpaceCameraPos = camera.transform.position();
@@ -350,8 +371,11 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     result.output = output;
 
     const float scale = RenderScaleOf(*request.camera, renderScale);
-    const RenderTextureDescriptor descriptor =
-        CameraTargetDescriptor(request, scale, msaaSampleCount, *m_Device, result.report);
+    const bool isHdr = request.camera->allowHDR && supportsHDR;
+    const GraphicsFormat colorFormat = ColorFormat(
+        isHdr && !request.camera->targetTexture, hdrColorBufferPrecision, *m_Device, result.report);
+    const RenderTextureDescriptor descriptor = CameraTargetDescriptor(
+        request, scale, msaaSampleCount, colorFormat, *m_Device, result.report);
     RTHandles::SetReferenceSize(descriptor.width, descriptor.height);
     m_TemporaryTextures.BeginFrame();
     m_Context->Begin(result.report, request.camera->renderOrigin(), std::move(m_Commands),
@@ -361,6 +385,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
         RenderingData renderingData =
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
+        renderingData.cameraData.isHdrEnabled = isHdr;
         renderingData.cameraData.renderScale = scale;
         renderingData.cameraData.pipelineVersion = pipelineVersion;
         renderingData.cameraData.maxShadowDistance = MaxShadowDistance(*camera, shadows);

@@ -94,8 +94,8 @@ std::span<const GraphicsFormat> Substitutes(GraphicsFormat format)
     static constexpr GraphicsFormat k_Norm8[] = {R8G8B8A8_UNorm, B8G8R8A8_UNorm};
     static constexpr GraphicsFormat k_Float16[] = {R16G16B16A16_SFloat, R32G32B32A32_SFloat};
     static constexpr GraphicsFormat k_Float32[] = {R32G32B32A32_SFloat};
-    static constexpr GraphicsFormat k_UInt[] = {R32G32B32A32_UInt};
-    static constexpr GraphicsFormat k_SInt[] = {R32G32B32A32_SInt};
+    static constexpr GraphicsFormat k_UInt32[] = {R32G32B32A32_UInt};
+    static constexpr GraphicsFormat k_SInt32[] = {R32G32B32A32_SInt};
     const std::string_view name = ToString(format);
     const auto has = [&](const char* part)
     {
@@ -111,11 +111,11 @@ std::span<const GraphicsFormat> Substitutes(GraphicsFormat format)
     }
     if (has("_UInt"))
     {
-        return k_UInt;
+        return k_UInt32;
     }
     if (has("_SInt"))
     {
-        return k_SInt;
+        return k_SInt32;
     }
     const bool isWideNorm = has("16_UNorm") || has("16_SNorm") || has("R32"); // a half has 11 bits
     const bool isFloat = has("Float") || has("10_") || has("SNorm");

@@ -24,7 +24,7 @@ std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode
 
 InspectReport InspectScene(const std::string& file, AssetContext& assets, Console& console)
 {
-    const SceneAsset asset = LoadScene(file, assets);
+    const SceneAsset asset = LoadScene(file, assets, InactiveObjects::Check);
     console.Print(asset.notes);
     InspectReport report;
     for (const Volume& volume : asset.volumes)

@@ -42,7 +42,8 @@ bool IsUnread(std::string_view key)
 /// Whether LoadUnityRenderPipeline reads the setting.
 bool IsDrawnWith(std::string_view key)
 {
-    bool isFound = key == "m_MSAA" || key == "m_RenderScale" ||
+    bool isFound = key == "m_MSAA" || key == "m_SupportsHDR" ||
+                   key == "m_HDRColorBufferPrecision" || key == "m_RenderScale" ||
                    key == "m_AdditionalLightsPerObjectLimit" ||
                    key == "m_AdditionalLightsRenderingMode";
     ShadowSettings settings;

@@ -23,6 +23,11 @@ inline constexpr EnumEntry k_TransparencySortModes[] = {
 inline constexpr EnumEntry k_MsaaQualities[] = {
     {"Disabled", 1}, {"_2x", 2}, {"_4x", 4}, {"_8x", 8}};
 
+/// Unity: UnityEngine.Rendering.Universal.HDRColorBufferPrecision, and what scene files call it.
+inline constexpr EnumEntry k_HdrPrecisions[] = {{"_32Bits", 0}, {"_64Bits", 1}};
+inline constexpr int k_LeastHdrBits = 32;
+inline constexpr EnumEntry k_HdrBits[] = {{"_32Bits", k_LeastHdrBits}, {"_64Bits", 64}};
+
 /// Unity: UnityEngine.Rendering.Universal.LightRenderingMode.
 inline constexpr int k_NoAdditionalLights = 0;
 inline constexpr int k_PerVertexLights = 2;
@@ -59,6 +64,7 @@ enum class SceneValue
     ClearFlags,
     TransparencySortMode,
     MsaaQuality,
+    HdrPrecision,
     Mesh,
     ColliderType,
     Axis,
@@ -125,13 +131,17 @@ inline constexpr SceneKey k_Scale{"scale", Scale};
 inline constexpr SceneKey k_Scene[] = {
     {"size", Size, "Width and height in pixels"},
     {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
+    {"supportsHDR", Bool, "Cameras with allowHDR draw into an HDR colour; on unless it is set"},
+    {"hdrColorBufferPrecision", HdrPrecision,
+     "Bits a pixel of an HDR colour: 32 of them hold no alpha, and fewer steps; 64 unless it is "
+     "set"},
     {"renderScale", Number, "The size that cameras draw in, as a share of the picture's",
      k_RenderScales},
     {"maxAdditionalLightsCount", Integer, "How many of `lights` light an object: the brightest",
      k_LightLimits},
     {"renderPipelineAsset", Text,
-     "Unity's, for its m_MSAA, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows in "
-     "place of these keys"},
+     "Unity's, for its m_MSAA, m_SupportsHDR, m_HDRColorBufferPrecision, m_RenderScale, "
+     "m_AdditionalLightsPerObjectLimit and shadows in place of these keys"},
     {"pipelineVersion", Integer,
      "The major version of URP that the features were written for; below 12 the camera's colour "
      "brings its depth along. Unless it is set, that of the Unity project which "

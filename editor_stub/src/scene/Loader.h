@@ -27,8 +27,10 @@ struct SceneLoader
     AssetDiagnostics& diagnostics;
     References& references;
     SceneAsset& asset;
+    InactiveObjects inactive = InactiveObjects::Load;
     std::map<std::string, SceneMaterial, std::less<>> materials = {};
-    std::shared_ptr<const Material> defaultMaterial; ///< of objects without one; made when needed
+    /// The material of objects without one; made when needed.
+    std::shared_ptr<const Material> defaultMaterial = nullptr;
     /// By the id of the mesh that they were baked for: objects of one mesh go on sharing one.
     std::map<std::uint64_t, std::shared_ptr<const Mesh>> outlineMeshes = {};
 
@@ -46,6 +48,8 @@ void ReadVolumes(const YamlNode& node, SceneLoader& loader);
 void ReadMaterials(const YamlNode& node, SceneLoader& loader);
 /// Reads the materials that nothing has named, for their errors; their pictures are not decoded.
 void CheckUnusedMaterials(SceneLoader& loader);
+/// Finds one of the scene's materials by name, read or not; null, with an error, if there is none.
+SceneMaterial* FindMaterial(const YamlNode& node, const std::string& subject, SceneLoader& loader);
 /// One of the scene's materials by name; null, with an error, if there is none or it is wrong.
 std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
                                                  SceneLoader& loader);
@@ -55,6 +59,8 @@ void ReadObjects(const YamlNode& node, SceneLoader& loader);
 /// A built-in mesh by name, or one from a glTF file; null, with an error, if there is none.
 std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
                                      SceneLoader& loader);
+/// Looks for the errors of a mesh that nobody draws: a file that is there is not read.
+void CheckMesh(const YamlNode& node, const std::string& subject, SceneLoader& loader);
 
 /// The items of a sequence; an error if the node is something else, Null apart.
 std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,

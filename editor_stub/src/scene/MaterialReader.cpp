@@ -169,21 +169,13 @@ void CheckUnusedMaterials(SceneLoader& loader)
     loader.references.decodesPictures = true;
 }
 
-std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
-                                                 SceneLoader& loader)
+SceneMaterial* FindMaterial(const YamlNode& node, const std::string& subject, SceneLoader& loader)
 {
     const std::optional<std::string> name = ReadString(node, subject, loader.diagnostics);
     const auto found = name ? loader.materials.find(*name) : loader.materials.end();
     if (found != loader.materials.end())
     {
-        SceneMaterial& material = found->second;
-        if (!material.isRead)
-        {
-            material.isRead = true;
-            material.material =
-                ReadMaterial(*name, *material.node, loader.references, loader.diagnostics);
-        }
-        return material.material;
+        return &found->second;
     }
     if (name)
     {
@@ -196,6 +188,23 @@ std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std
                                  subject + ": unknown material " + UnknownName(*name, names));
     }
     return nullptr;
+}
+
+std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std::string& subject,
+                                                 SceneLoader& loader)
+{
+    SceneMaterial* found = FindMaterial(node, subject, loader);
+    if (found == nullptr)
+    {
+        return nullptr;
+    }
+    if (!found->isRead)
+    {
+        found->isRead = true;
+        found->material =
+            ReadMaterial(node.scalar(), *found->node, loader.references, loader.diagnostics);
+    }
+    return found->material;
 }
 
 } // namespace limn

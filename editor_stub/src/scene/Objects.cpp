@@ -25,6 +25,30 @@ struct Inherited
     ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
 };
 
+/// Returns whether an object with these settings is looked at for its errors alone.
+bool IsOnlyChecked(const Inherited& settings, const SceneLoader& loader)
+{
+    return !settings.active && loader.inactive == InactiveObjects::Check;
+}
+
+void CheckMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
+{
+    settings.materials.clear();
+    if (const YamlNode* one = map.Find("material"))
+    {
+        FindMaterial(*one, map.SubjectOf("material"), loader);
+    }
+    if (const YamlNode* many = map.Find("materials"))
+    {
+        const std::string list = map.SubjectOf("materials");
+        int index = 0;
+        for (const YamlNode& item : ReadItems(*many, list, loader.diagnostics))
+        {
+            FindMaterial(item, list + "[" + std::to_string(index++) + "]", loader);
+        }
+    }
+}
+
 void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
 {
     const YamlNode* one = map.Find("material");
@@ -34,6 +58,11 @@ void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& lo
         loader.diagnostics.Error(many->location(), map.SubjectOf("materials") +
                                                        ": there is a material already; keep one "
                                                        "of 'material' and 'materials'");
+        return;
+    }
+    if (IsOnlyChecked(settings, loader))
+    {
+        CheckMaterialNames(map, settings, loader);
         return;
     }
     if (one)
@@ -62,7 +91,7 @@ MeshRenderer MakeRenderer(std::shared_ptr<const Mesh> mesh, const Inherited& set
     renderer.renderingLayerMask = settings.renderingLayerMask;
     renderer.shadowCastingMode = settings.shadowCastingMode;
     renderer.sharedMaterials = settings.materials;
-    if (renderer.sharedMaterials.empty())
+    if (renderer.sharedMaterials.empty() && !IsOnlyChecked(settings, loader))
     {
         if (!loader.defaultMaterial)
         {
@@ -103,6 +132,17 @@ void ReadLayersOf(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
     }
 }
 
+std::shared_ptr<const Mesh> MeshOf(const YamlNode& node, const std::string& subject,
+                                   const Inherited& settings, SceneLoader& loader)
+{
+    if (!IsOnlyChecked(settings, loader))
+    {
+        return ReadMesh(node, subject, loader);
+    }
+    CheckMesh(node, subject, loader);
+    return nullptr;
+}
+
 void ReadObject(const YamlNode& node, const std::string& place, Inherited settings,
                 SceneLoader& loader)
 {
@@ -138,7 +178,7 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     if (const YamlNode* mesh = map.Find("mesh"))
     {
         object.renderer =
-            MakeRenderer(ReadMesh(*mesh, map.SubjectOf("mesh"), loader), settings, loader);
+            MakeRenderer(MeshOf(*mesh, map.SubjectOf("mesh"), settings, loader), settings, loader);
     }
     settings.parent = &object.transform;
     if (const YamlNode* children = map.Find("children"))
@@ -153,14 +193,37 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     map.Finish();
 }
 
+bool IsMeshFile(const YamlNode& node)
+{
+    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
+    return extension == ".gltf" || extension == ".glb";
+}
+
 } // namespace
+
+void CheckMesh(const YamlNode& node, const std::string& subject, SceneLoader& loader)
+{
+    if (!IsMeshFile(node))
+    {
+        ReadMesh(node, subject, loader);
+        return;
+    }
+    AssetContext& assets = loader.references.assets();
+    loader.references.Read(node, subject,
+                           [&assets](const std::filesystem::path& path)
+                           {
+                               assets.Reach(path);
+                               std::error_code ignored; // the reader says what is wrong
+                               const bool isThere = std::filesystem::is_regular_file(path, ignored);
+                               return isThere ? nullptr : assets.LoadMesh(path);
+                           });
+}
 
 std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
                                      SceneLoader& loader)
 {
     AssetContext& assets = loader.references.assets();
-    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
-    if (extension == ".gltf" || extension == ".glb")
+    if (IsMeshFile(node))
     {
         return loader.references.Read(node, subject,
                                       [&assets](const std::filesystem::path& path)

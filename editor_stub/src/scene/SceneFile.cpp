@@ -33,11 +33,15 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     SceneAsset& asset = loader.asset;
     AssetDiagnostics& diagnostics = loader.diagnostics;
     const YamlNode* count = map.Find("msaaSampleCount");
+    const YamlNode* hdr = map.Find("supportsHDR");
+    const YamlNode* bits = map.Find("hdrColorBufferPrecision");
     const YamlNode* scale = map.Find("renderScale");
     const YamlNode* lights = map.Find("maxAdditionalLightsCount");
     const YamlNode* shadows = map.Find("shadows");
     const YamlNode* pipeline = map.Find("renderPipelineAsset");
     for (const auto& [node, what] : {std::pair(count, "msaaSampleCount: the count comes"),
+                                     std::pair(hdr, "supportsHDR: it comes"),
+                                     std::pair(bits, "hdrColorBufferPrecision: it comes"),
                                      std::pair(scale, "renderScale: it comes"),
                                      std::pair(lights, "maxAdditionalLightsCount: it comes"),
                                      std::pair(shadows, "shadows: they come")})
@@ -53,6 +57,13 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     {
         asset.msaaSampleCount =
             ReadEnum(*count, k_MsaaQualities, "msaaSampleCount", diagnostics).value_or(1);
+    }
+    map.Read("supportsHDR", asset.supportsHDR);
+    if (bits)
+    {
+        const auto value = ReadEnum(*bits, k_HdrBits, "hdrColorBufferPrecision", diagnostics);
+        asset.hdrColorBufferPrecision = value == k_LeastHdrBits ? HDRColorBufferPrecision::_32Bits
+                                                                : HDRColorBufferPrecision::_64Bits;
     }
     map.Read("renderScale", asset.renderScale);
     if (lights)
@@ -76,6 +87,8 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         const UnityRenderPipeline loaded =
             loader.references.Read(*pipeline, "renderPipelineAsset", load);
         asset.msaaSampleCount = loaded.msaaSampleCount;
+        asset.supportsHDR = loaded.supportsHDR;
+        asset.hdrColorBufferPrecision = loaded.hdrColorBufferPrecision;
         asset.renderScale = loaded.renderScale;
         asset.maxAdditionalLightsCount = loaded.maxAdditionalLightsCount;
         asset.shadows = loaded.shadows;
@@ -227,7 +240,8 @@ void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& 
     }
 }
 
-SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets)
+SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
+                     InactiveObjects inactive)
 {
     assets.Reach(path);
     assets.AddRootsAround(path);
@@ -236,7 +250,7 @@ SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets)
     References references(assets, {path.parent_path()}, diagnostics);
     SceneAsset asset;
     asset.path = path;
-    SceneLoader loader{diagnostics, references, asset, {}, nullptr};
+    SceneLoader loader{diagnostics, references, asset, inactive};
     if (documents.size() > 1)
     {
         diagnostics.Error(documents[1].location(),

@@ -161,6 +161,8 @@ private:
             return EnumSchema(k_TransparencySortModes);
         case SceneValue::MsaaQuality:
             return EnumSchema(k_MsaaQualities);
+        case SceneValue::HdrPrecision:
+            return EnumSchema(k_HdrBits);
         case SceneValue::Mesh:
             return MeshSchema();
         case SceneValue::ColliderType:

@@ -37,6 +37,8 @@ StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, Graphic
         m_Volumes.Register(&volume);
     }
     m_Pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+    m_Pipeline.supportsHDR = m_Asset.supportsHDR;
+    m_Pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
     m_Pipeline.renderScale = m_Asset.renderScale;
     m_Pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     m_Pipeline.pipelineVersion = m_Asset.pipelineVersion;
@@ -63,6 +65,7 @@ Image StudyPicture::Colors()
 {
     constexpr const char* k_CameraColor = "_CameraColorAttachmentA";
     m_Request.compile.leavesOut = false; // a colour that goes straight into the output is 8 bits
+    m_Pipeline.hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits; // 32 bits have few steps
     m_Request.alsoReadBack.clear();
     Render();
     for (const CompiledRenderPass& pass : m_Result.frame->passes)
@@ -74,6 +77,7 @@ Image StudyPicture::Colors()
     }
     Render();
     m_Request.compile.leavesOut = true;
+    m_Pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
     return m_Device.ReadBack(*m_Request.alsoReadBack.at(0).rt());
 }
 

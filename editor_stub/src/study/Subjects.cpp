@@ -94,7 +94,7 @@ SceneAsset MakeSubject(const CellId& id, bool isBlack, const std::filesystem::pa
                  assets);
         return asset;
     }
-    SceneAsset asset = LoadScene(scene, assets);
+    SceneAsset asset = LoadScene(scene, assets, InactiveObjects::Check);
     asset.width = id.pictureWidth;
     asset.height = id.pictureHeight;
     MarkOutlined(asset);

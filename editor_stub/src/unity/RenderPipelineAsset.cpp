@@ -56,6 +56,12 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
     pipeline.shadows.softShadowsSupported = false; // Unity's defaults
     pipeline.shadows.additionalLightShadowsSupported = false;
     YamlMapReader fields(root->fields, "", diagnostics); // it has many more
+    fields.Read("m_SupportsHDR", pipeline.supportsHDR);
+    if (const YamlNode* node = fields.Find("m_HDRColorBufferPrecision"))
+    {
+        pipeline.hdrColorBufferPrecision = static_cast<HDRColorBufferPrecision>(
+            ReadEnum(*node, k_HdrPrecisions, "m_HDRColorBufferPrecision", diagnostics).value_or(0));
+    }
     fields.Read("m_RenderScale", pipeline.renderScale, scene_keys::k_RenderScales);
     fields.Read("m_AdditionalLightsPerObjectLimit", pipeline.maxAdditionalLightsCount,
                 scene_keys::k_LightLimits);

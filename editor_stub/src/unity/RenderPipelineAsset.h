@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/ShadowSettings.h>
+#include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/AssetContext.h>
 
 namespace limn
@@ -10,7 +10,10 @@ namespace limn
 /// Unity: UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14).
 struct UnityRenderPipeline
 {
-    int msaaSampleCount = 1;  ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
+    int msaaSampleCount = 1; ///< m_MSAA: 1, 2, 4 or 8 samples a pixel
+    bool supportsHDR = true; ///< m_SupportsHDR
+    /// m_HDRColorBufferPrecision; 32 bits, Unity's default, where the asset is older than the key
+    HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_32Bits;
     float renderScale = 1.0f; ///< m_RenderScale, 0.1 ... 2
     /// m_AdditionalLightsPerObjectLimit, 0 ... 8; 0 where m_AdditionalLightsRenderingMode is
     /// Disabled

@@ -52,7 +52,7 @@ SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
     {
         assets.LoadPlugin(plugin);
     }
-    SceneAsset asset = LoadScene(options.scene, assets);
+    SceneAsset asset = LoadScene(options.scene, assets, InactiveObjects::Check);
     if (!options.profile.empty())
     {
         ReplaceProfile(asset, options.profile, assets);
@@ -122,6 +122,8 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     request.compile.leavesOut = leavesOut;
     request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
+    pipeline.supportsHDR = m_Asset.supportsHDR;
+    pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
     pipeline.renderScale = m_Asset.renderScale;
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.pipelineVersion = m_Asset.pipelineVersion;

@@ -1,6 +1,7 @@
 #include "frame/FrameBuilder.h"
 #include "scene/TestScene.h"
 
+#include <cmath>
 #include <gmock/gmock.h>
 
 namespace limn
@@ -397,6 +398,105 @@ TEST_F(LeftOutOfAFrame, IsACopyOfWhatIsCoveredAndItsAlphaIsOne)
     EXPECT_EQ(color.texture, m_Camera);
     EXPECT_EQ(color.load, LoadOp::Clear);
     EXPECT_EQ(color.clearColor.a, 1.0f);
+}
+
+/// The camera's picture where nothing is drawn: a clear, and a copy to an output of 8 bits of sRGB.
+class CopyOfOneColour : public LeftOutOfAFrame
+{
+protected:
+    void Compile(const RenderTexturePtr& scene, const Color& color)
+    {
+        m_Frame.Bind(scene, m_Depth).Clear(ClearFlag::All, color);
+        m_Frame.Begin("Final Blit").Bind(m_Output).Blit(2, {scene}, "copy").End();
+        LeftOutOfAFrame::Compile({m_Output});
+    }
+
+    static RenderTexturePtr Smooth(GraphicsFormat format)
+    {
+        RenderTextureDescriptor descriptor(8, 4, format);
+        descriptor.msaaSamples = 4;
+        return std::make_shared<RenderTexture>("Scene", descriptor, SamplerState{}, true);
+    }
+
+    /// Linear, of a step of 255 of sRGB.
+    static float LinearOf(double step)
+    {
+        return static_cast<float>(std::pow((step / 255.0 + 0.055) / 1.055, 2.4));
+    }
+
+    const RenderTexturePtr m_Output =
+        test::Target("Output", 8, 4, false, GraphicsFormat::R8G8B8A8_SRGB);
+};
+
+TEST_F(CopyOfOneColour, IsAClearAlsoWhereSamplesOrSizesDiffer)
+{
+    const RenderTexturePtr scenes[] = {
+        Smooth(GraphicsFormat::R16G16B16A16_SFloat), Smooth(GraphicsFormat::R8G8B8A8_SRGB),
+        test::Target("Scene", 16, 8, true, GraphicsFormat::R16G16B16A16_SFloat)};
+    for (const RenderTexturePtr& scene : scenes)
+    {
+        Compile(scene, {1, 0, 1, 0.25f});
+        ASSERT_EQ(m_Last.passes.size(), 1u);
+        ASSERT_EQ(m_Last.passes[0].colors.size(), 1u);
+        EXPECT_EQ(m_Last.passes[0].colors[0].texture, m_Output);
+        EXPECT_EQ(m_Last.passes[0].colors[0].load, LoadOp::Clear);
+        EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0, 1, 1}));
+        EXPECT_FALSE(m_Last.passes[0].depth);
+        EXPECT_THAT(Reasons(), testing::Contains("Final Blit: it makes every texel the same: "
+                                                 "'Scene' is the same all over"));
+    }
+}
+
+TEST_F(CopyOfOneColour, IsTheStepThatTheOutputShows)
+{
+    Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {LinearOf(123.3), 5.0f, -1.0f, 1});
+    ASSERT_EQ(m_Last.passes.size(), 1u);
+    const Color& color = m_Last.passes[0].colors[0].clearColor;
+    EXPECT_FLOAT_EQ(color.r, LinearOf(123.0));
+    EXPECT_FLOAT_EQ(color.g, 1.0f);
+    EXPECT_EQ(color.b, 0.0f);
+}
+
+TEST_F(CopyOfOneColour, IsDrawnWhereDevicesDifferInWhatItShows)
+{
+    for (const double step : {127.5, 127.55, 127.45})
+    {
+        Compile(Smooth(GraphicsFormat::R16G16B16A16_SFloat), {0, LinearOf(step), 0, 1});
+        EXPECT_EQ(m_Last.passes.size(), 2u) << step;
+    }
+    const RenderTexturePtr coarse = Smooth(GraphicsFormat::B10G11R11_UFloatPack32);
+    Compile(coarse, {LinearOf(123.0), 0, 0, 1});
+    EXPECT_EQ(m_Last.passes.size(), 2u) << "rounded or cut off";
+    Compile(coarse, Color::black);
+    EXPECT_EQ(m_Last.passes.size(), 1u);
+}
+
+TEST_F(CopyOfOneColour, IsNoneWhereSomethingIsDrawn)
+{
+    const RenderTexturePtr scene = Smooth(GraphicsFormat::R16G16B16A16_SFloat);
+    m_Frame.Bind(scene).Clear(ClearFlag::All).Draw(1);
+    m_Frame.Bind(m_Output).Blit(2, {scene}, "copy");
+    EXPECT_THAT(LeftOutOfAFrame::Compile({m_Output}), ElementsAre(": draw 1", ": draw 2"));
+}
+
+TEST_F(LeftOutOfAFrame, BlendsWithAlphaThatATextureLacksOnlyWithANote)
+{
+    const auto compile = [&](GraphicsFormat format, BlendMode destination)
+    {
+        const RenderTexturePtr scene = test::Target("Scene", 8, 4, true, format);
+        m_Frame.Begin("Glow").Bind(scene).Clear(ClearFlag::Color).Draw(1).Draw(2).End();
+        m_Frame.last().state.targets[0].destinationColorBlendMode = destination;
+        m_Frame.Bind(m_Camera).Blit(3, {scene}, "copy");
+        Compile({m_Camera});
+        return m_Last.notes;
+    };
+    using enum GraphicsFormat;
+    EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::DstAlpha),
+                ElementsAre("pass 'Glow' blends with the alpha of 'Scene', whose format "
+                            "B10G11R11_UFloatPack32 has none: it counts as 1; where that is the "
+                            "camera's colour, a hdrColorBufferPrecision of 64 bits has one"));
+    EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::OneMinusSrcAlpha), IsEmpty());
+    EXPECT_THAT(compile(R16G16B16A16_SFloat, BlendMode::DstAlpha), IsEmpty());
 }
 
 } // namespace

@@ -134,6 +134,34 @@ TEST_F(MultisampledCamera, HasTheSamplesThatTheDeviceDoesOfColorAndDepth)
     EXPECT_EQ(Samples(), 4);
 }
 
+TEST_F(MultisampledCamera, HasNoSamplesAndNoCopyWhereNothingIsDrawn)
+{
+    m_Scene = Scene();
+    m_Camera.backgroundColor = {49.0f / 255.0f, 77.0f / 255.0f, 121.0f / 255.0f};
+    const RenderResult result = Render();
+    ASSERT_EQ(result.frame->passes.size(), 1u);
+    EXPECT_EQ(result.frame->passes[0].colors.at(0).texture, result.output.rt());
+    EXPECT_EQ(result.frame->passes[0].colors.at(0).load, LoadOp::Clear);
+    EXPECT_FALSE(result.frame->passes[0].depth);
+    EXPECT_THAT(result.frame->placed, IsEmpty());
+}
+
+// 76.5 / 255: the device decides which step the output shows, so that the copy has to stay.
+TEST_F(MultisampledCamera, HasNoSamplesWhereNothingIsDrawnBeforeABackgroundBetweenTwoSteps)
+{
+    m_Scene = Scene();
+    m_Camera.backgroundColor = {0.3f, 0.3f, 0.3f};
+    const RenderResult result = Render();
+    ASSERT_EQ(result.frame->passes.size(), 2u);
+    const auto& color = result.frame->passes[0].colors.at(0);
+    EXPECT_EQ(color.load, LoadOp::Clear);
+    EXPECT_EQ(color.resolve, nullptr);
+    EXPECT_EQ(color.texture->descriptor().msaaSamples, 1);
+    EXPECT_EQ(color.texture->graphicsFormat(), GraphicsFormat::R16G16B16A16_SFloat);
+    EXPECT_EQ(result.frame->passes[1].colors.at(0).texture, result.output.rt());
+    EXPECT_EQ(result.frame->passes[1].barriers.at(0).texture, color.texture);
+}
+
 TEST_F(MultisampledCamera, RefusesOtherNumbersOfSamples)
 {
     m_Pipeline.msaaSampleCount = 3;

@@ -48,6 +48,7 @@ const std::string k_Pipeline = k_Behaviour + "  m_Script: {fileID: 11500000, gui
                                              "  - {fileID: 11400000, guid: ab, type: 2}\n"
                                              "  - {fileID: 11400000, guid: cd, type: 2}\n"
                                              "  m_DefaultRendererIndex: 1\n"
+                                             "  m_UseSRPBatcher: 1\n"
                                              "  m_SupportsHDR: 1\n"
                                              "  m_MSAA: 4\n"
                                              "  m_ShadowDistance: 50\n"
@@ -92,9 +93,9 @@ TEST_F(InspectAsset, OfAPipelineSaysWhatLimnDrawsWithAndWhatItLeavesOut)
     ASSERT_LT(drawn, left);
     ASSERT_NE(std::string::npos, left);
     EXPECT_THAT(text.substr(drawn, left - drawn),
-                ContainsRegex("m_MSAA +4\n +m_ShadowDistance +50\n"
+                ContainsRegex("m_SupportsHDR +1\n +m_MSAA +4\n +m_ShadowDistance +50\n"
                               " +m_Cascade3Split +.x: 0.1, y: 0.3.\n$"));
-    EXPECT_THAT(text.substr(left), ContainsRegex("\n +m_SupportsHDR +1\n$"));
+    EXPECT_THAT(text.substr(left), ContainsRegex("\n +m_UseSRPBatcher +1\n$"));
 
     const nlohmann::json json = AsJson("High.asset");
     EXPECT_EQ("pipeline", json["kind"]);

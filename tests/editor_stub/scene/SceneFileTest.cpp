@@ -127,6 +127,54 @@ TEST(SceneFile, TakesTheSamplesOfUnitysPipelineAsset)
                 testing::Contains(testing::HasSubstr("no render pipeline in this Unity asset")));
 }
 
+TEST(SceneFile, SaysHowManyBitsAnHdrColourHas)
+{
+    using enum HDRColorBufferPrecision;
+    SceneFolder folder;
+    const SceneAsset plain = folder.LoadWithCamera("");
+    EXPECT_TRUE(plain.supportsHDR);
+    EXPECT_EQ(_64Bits, plain.hdrColorBufferPrecision);
+    const auto precision = [&](const std::string& value)
+    {
+        return folder.LoadWithCamera("hdrColorBufferPrecision: " + value + "\n")
+            .hdrColorBufferPrecision;
+    };
+    EXPECT_EQ(_32Bits, precision("32"));
+    EXPECT_EQ(_32Bits, precision("_32Bits"));
+    EXPECT_EQ(_64Bits, precision("64"));
+    EXPECT_FALSE(folder.LoadWithCamera("supportsHDR: false\n").supportsHDR);
+    EXPECT_EQ(folder.ProblemsOf("camera:\nhdrColorBufferPrecision: 16\n"),
+              std::vector<std::string>{
+                  "2:26: hdrColorBufferPrecision: 16 is none of _32Bits 32, _64Bits 64"});
+}
+
+TEST(SceneFile, TakesTheBitsOfUnitysPipelineAsset)
+{
+    using enum HDRColorBufferPrecision;
+    SceneFolder folder;
+    const auto load = [&](const std::string& lines)
+    {
+        folder.Write("urp.asset", "%YAML 1.1\n"
+                                  "%TAG !u! tag:unity3d.com,2011:\n"
+                                  "--- !u!114 &11400000\n"
+                                  "MonoBehaviour:\n"
+                                  "  m_MSAA: 1\n" +
+                                      lines);
+        return folder.LoadWithCamera("renderPipelineAsset: urp.asset\n");
+    };
+    const SceneAsset wide = load("  m_SupportsHDR: 1\n  m_HDRColorBufferPrecision: 1\n");
+    EXPECT_TRUE(wide.supportsHDR);
+    EXPECT_EQ(_64Bits, wide.hdrColorBufferPrecision);
+    const SceneAsset flat = load("  m_SupportsHDR: 0\n  m_HDRColorBufferPrecision: 0\n");
+    EXPECT_FALSE(flat.supportsHDR);
+    EXPECT_EQ(_32Bits, flat.hdrColorBufferPrecision);
+    EXPECT_EQ(_32Bits, load("").hdrColorBufferPrecision) << "URP before 13 has no other";
+    EXPECT_THAT(folder.ProblemsOf("camera:\nhdrColorBufferPrecision: 32\n"
+                                  "renderPipelineAsset: urp.asset\n"),
+                testing::Contains("2:26: hdrColorBufferPrecision: it comes from "
+                                  "renderPipelineAsset already; keep one of them"));
+}
+
 TEST(SceneFile, DrawsAtAnotherSize)
 {
     SceneFolder folder;

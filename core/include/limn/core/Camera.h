@@ -111,7 +111,9 @@ struct Camera
     /// it is on, where a camera of Unity's begins without. In a stack each camera that has it on
     /// gets them, over all that is drawn so far. Unity: UniversalAdditionalCameraData.
     bool renderPostProcessing = true;
-    bool allowHDR = true;         ///< camera target R16G16B16A16_SFloat, else R8G8B8A8_SRGB
+    /// Its colour is HDR if the pipeline supportsHDR, of hdrColorBufferPrecision; else
+    /// R8G8B8A8_SRGB.
+    bool allowHDR = true;
     bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
     LayerMask volumeLayerMask{1}; ///< layers whose volumes apply
     std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position

@@ -42,10 +42,12 @@ struct FrameCompilerOptions
 /// Its steps, each in a file of core/src/frame:
 /// - SplitIntoNodes: commands on the same targets form a node; a target bound and never drawn into
 ///   or cleared forms none; each dispatch is a node, which changes the textures that it may write;
+/// - NoteMissingAlpha: draws that blend with an alpha which an HDR target of 32 bits lacks;
 /// - FindAccess: what each node reads, and whether it covers what its target held;
-/// - FoldConstants: a draw that is known to change nothing goes; a node without draws only says
-///   what its targets hold from now on, and is run where something reads that; depth is attached
-///   where a draw uses it;
+/// - FoldConstants: a draw that is known to change nothing goes; one that makes its target one
+///   colour, as a copy of one colour does, is a clear; a node without draws only says what its
+///   targets hold from now on, and is run where something reads that; depth is attached where a
+///   draw uses it;
 /// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
 ///   draws into the copy, or is resolved into it; what blends, where the copy holds the same;
 /// - LeaveOutUnread: a node whose targets nothing reads goes, unless it isKept or writes a buffer;

@@ -72,7 +72,7 @@ struct CameraData
     bool usesReversedZBuffer = true;
     CameraType cameraType = CameraType::Game;
     bool postProcessEnabled = true; ///< Camera::renderPostProcessing
-    bool isHdrEnabled = true;       ///< Camera::allowHDR
+    bool isHdrEnabled = true;       ///< the camera's allowHDR, and the pipeline's supportsHDR
     Color backgroundColor;          ///< Camera::backgroundColor, linear
     float maxShadowDistance = 0.0f; ///< metres from the camera; 0 = none reach into its view
     LayerMask volumeLayerMask;      ///< Camera::volumeLayerMask, of the stack's base camera

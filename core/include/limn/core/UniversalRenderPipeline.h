@@ -10,6 +10,14 @@
 namespace limn
 {
 
+/// How many bits of a camera's colour a pixel has where it is HDR.
+/// Unity: UnityEngine.Rendering.Universal.HDRColorBufferPrecision (URP 14).
+enum class HDRColorBufferPrecision
+{
+    _32Bits = 0, ///< B10G11R11_UFloatPack32, which has no alpha
+    _64Bits = 1  ///< R16G16B16A16_SFloat
+};
+
 /// What to render once.
 struct RenderRequest
 {
@@ -57,6 +65,15 @@ public:
     /// or 8. Where the device lacks them there are fewer, with a note. Unity:
     /// UniversalRenderPipelineAsset.msaaSampleCount.
     int msaaSampleCount = 1;
+
+    /// Whether cameras with allowHDR draw into an HDR colour. Unity:
+    /// UniversalRenderPipelineAsset.supportsHDR.
+    bool supportsHDR = true;
+
+    /// The size of a pixel of an HDR colour. Where the device cannot draw and blend 32 bits it is
+    /// 64 bits, with a note. Unity: UniversalRenderPipelineAsset.hdrColorBufferPrecision, where 32
+    /// bits are the default.
+    HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits;
 
     /// The size of what cameras draw into, as a share of their picture's, 0.1 ... 2: their picture
     /// is made of that by bilinear sampling. Within 0.05 of 1, and for cameras of type SceneView,

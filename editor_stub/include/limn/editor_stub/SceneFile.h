@@ -4,6 +4,7 @@
 #include <limn/core/Camera.h>
 #include <limn/core/Scene.h>
 #include <limn/core/ScriptableRendererFeature.h>
+#include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/editor_stub/SelectController.h>
@@ -40,7 +41,10 @@ struct SceneAsset
     std::filesystem::path path;
     int width = 1280; ///< of the picture, pixels
     int height = 720;
-    int msaaSampleCount = 1;          ///< UniversalRenderPipeline::msaaSampleCount
+    int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
+    bool supportsHDR = true; ///< UniversalRenderPipeline::supportsHDR
+    /// UniversalRenderPipeline::hdrColorBufferPrecision
+    HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits;
     float renderScale = 1.0f;         ///< UniversalRenderPipeline::renderScale
     int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount
     ShadowSettings shadows;           ///< UniversalRenderPipeline::shadows
@@ -64,11 +68,19 @@ void TurnObjects(const std::vector<Turn>& turns, double seconds);
 /// picture's; "" if nothing is.
 std::string ScaledSizeProblem(const SceneAsset& scene);
 
+/// What becomes of the meshes, pictures and materials that only inactive objects use.
+enum class InactiveObjects
+{
+    Load, ///< they are loaded, so that the objects may be switched on
+    Check ///< they are looked for, and not decoded; such an object has no mesh and no material
+};
+
 /// A scene from a *.scene.yaml file. Paths in it start from its folder and lead into that folder,
 /// the Unity project around it or another root of the assets.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
 ///     of the wrong type or outside their range, and files it refers to that are missing or wrong,
 ///     with the errors of those
-SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets);
+SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
+                     InactiveObjects inactive = InactiveObjects::Load);
 
 } // namespace limn

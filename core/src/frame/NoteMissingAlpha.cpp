@@ -1,0 +1,45 @@
+#include "frame/ConstantBlend.h"
+#include "frame/FrameNode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+bool BlendsWithAlpha(const FrameNode& node, std::size_t target, const FrameTables& tables)
+{
+    return std::ranges::any_of(node.commands,
+                               [&](const PassCommand& command)
+                               {
+                                   const auto* draw = std::get_if<DrawCommand>(&command);
+                                   return draw != nullptr &&
+                                          FactorsReadAlpha(
+                                              tables.Setup(*draw).state.targets.at(target));
+                               });
+}
+
+} // namespace
+
+void NoteMissingAlpha(const std::vector<FrameNode>& nodes, CompiledFrame& frame)
+{
+    for (const FrameNode& node : nodes)
+    {
+        const auto& colors = node.targets.colors;
+        for (std::size_t i = 0; i < colors.size(); ++i)
+        {
+            const GraphicsFormat format = colors[i]->graphicsFormat();
+            if (format == GraphicsFormat::B10G11R11_UFloatPack32 && BlendsWithAlpha(node, i, frame))
+            {
+                frame.notes.push_back("pass '" + node.name + "' blends with the alpha of '" +
+                                      colors[i]->name() + "', whose format " + ToString(format) +
+                                      " has none: it counts as 1; where that is the camera's "
+                                      "colour, a hdrColorBufferPrecision of 64 bits has one");
+            }
+        }
+    }
+}
+
+} // namespace limn
