@@ -7,8 +7,24 @@ namespace limn
 
 VulkanError::VulkanError(const std::string& sentence) : std::runtime_error(sentence) {}
 
+namespace
+{
+
+/// Returns what a result means and what helps, ", ..." behind its name; "" where that says it.
+std::string MeaningOf(const std::string& result)
+{
+    return result == "VK_ERROR_OUT_OF_DEVICE_MEMORY"
+               ? ", the device has no memory left; a smaller picture needs less"
+           : result == "VK_ERROR_OUT_OF_HOST_MEMORY" ? ", the machine has no memory left"
+           : result == "VK_ERROR_DEVICE_LOST"        ? ", the device has stopped"
+                                                     : "";
+}
+
+} // namespace
+
 VulkanError::VulkanError(std::string call, std::string result, std::string object)
-    : std::runtime_error(call + ": " + result + (object.empty() ? "" : " ('" + object + "')")),
+    : std::runtime_error(call + " failed" + (object.empty() ? "" : " for '" + object + "'") + ": " +
+                         result + MeaningOf(result)),
       m_Call(std::move(call)),
       m_Result(std::move(result)),
       m_Object(std::move(object))

@@ -14,7 +14,7 @@ public:
     /// @param sentence  complete; call, result and object stay empty
     explicit VulkanError(const std::string& sentence);
 
-    /// what() reads "vkCreateImage: VK_ERROR_OUT_OF_DEVICE_MEMORY ('CameraColor')".
+    /// what() reads "vkCreateImage failed for 'Color': VK_ERROR_TOO_MANY_OBJECTS".
     VulkanError(std::string call, std::string result, std::string object);
 
     const std::string& call() const { return m_Call; }     ///< e.g. "vkCreateImage"
