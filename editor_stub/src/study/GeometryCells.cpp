@@ -186,6 +186,12 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     {
         result.notes.push_back(why);
     }
+    if (alpha.width != id.pictureWidth || alpha.height != id.pictureHeight)
+    {
+        result.notes.push_back("the camera draws " + std::to_string(alpha.width) + "x" +
+                               std::to_string(alpha.height) +
+                               " pixels (renderScale): its widths and errors are in these");
+    }
     if (!m_Folder.empty())
     {
         WritePictures(alpha, reference, result);

@@ -137,10 +137,11 @@ TEST_F(ReportGpu, RefusesWhatItCannotMeasure)
     EXPECT_EQ(RunCommand({"report", "a", "b", "-o", "r"}).exitCode, 2);
 }
 
-/// The error of strokes around a cube, in a scene with these lines in place of the plain camera.
-double ErrorOfStrokes(const test::WorkingFolder& working, AssetContext& assets,
-                      VulkanDevice& device, const std::string& name, const std::string& camera,
-                      const std::string& more)
+/// What is found of strokes around a cube, in a scene with these lines in place of the plain
+/// camera.
+CellResult MeasureStrokes(const test::WorkingFolder& working, AssetContext& assets,
+                          VulkanDevice& device, const std::string& name, const std::string& camera,
+                          const std::string& more)
 {
     const std::string head = "size: [160, 120]\n" + more + "camera: {position: [0, 1, -3], " +
                              "lookAt: [0, 0, 0]" + camera + "}\n";
@@ -157,7 +158,7 @@ objects:
     const CellResult result =
         bench.Measure({CellKind::Geometry, "Strokes", "scene", 4.0, 160, 120, ""});
     EXPECT_GT(result.Value("bandPixels"), 300.0);
-    return result.Value("meanAbsoluteError");
+    return result;
 }
 
 TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheSceneHas)
@@ -168,7 +169,10 @@ TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheScene
     const auto error =
         [&](const std::string& name, const std::string& camera, const std::string& more = "")
     {
-        return ErrorOfStrokes(working, assets, device, name, ", cullingMask: [0]" + camera, more);
+        const CellResult result =
+            MeasureStrokes(working, assets, device, name, ", cullingMask: [0]" + camera, more);
+        EXPECT_EQ(result.notes.empty(), !more.starts_with("renderScale")) << name;
+        return result.Value("meanAbsoluteError");
     };
     EXPECT_LT(error("plain.scene.yaml", ""), 0.005);
     EXPECT_LT(error("sky.scene.yaml", ", clearFlags: Skybox",
@@ -177,6 +181,11 @@ TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheScene
     EXPECT_LT(error("white.scene.yaml", ", clearFlags: Skybox, backgroundColor: [1, 1, 1]"), 0.005);
     EXPECT_LT(error("half.scene.yaml", "", "renderScale: 0.5\n"), 0.01);
     EXPECT_LT(error("twice.scene.yaml", "", "renderScale: 2\n"), 0.005);
+    EXPECT_THAT(MeasureStrokes(working, assets, device, "half.scene.yaml", ", cullingMask: [0]",
+                               "renderScale: 0.5\n")
+                    .notes,
+                testing::ElementsAre("the camera draws 80x60 pixels (renderScale): its widths and "
+                                     "errors are in these"));
     // A code of sRGB near white is 0.009 apart from the next.
     EXPECT_LT(error("ldr.scene.yaml", ", allowHDR: false"), 0.005 + 0.0045);
 }
