@@ -75,10 +75,10 @@ struct ExtremeLevels
     std::vector<ExtremeView> views{ExtremeView::Perspective, ExtremeView::Orthographic,
                                    ExtremeView::Oblique};
     std::vector<bool> standardZ{false, true};
-    std::vector<Untidiness> meshes{
-        Untidiness::None,        Untidiness::TurnedAtRandom, Untidiness::Doubled,
-        Untidiness::DoubleSided, Untidiness::TwoObjects,     Untidiness::Soup,
-        Untidiness::TJunctions,  Untidiness::NoArea,         Untidiness::Open};
+    std::vector<Untidiness> meshes{Untidiness::None,       Untidiness::TurnedAtRandom,
+                                   Untidiness::Doubled,    Untidiness::DoubleSided,
+                                   Untidiness::TwoObjects, Untidiness::Soup,
+                                   Untidiness::TJunctions, Untidiness::Open};
 
     std::vector<int> Counts() const; ///< of each factor
     ExtremeCase At(const Combination& combination) const;

@@ -30,8 +30,8 @@ std::string WhyInactive(const OutlineComponent* component, std::string_view name
     if (component->reach() <= 0.0f)
     {
         const double width = static_cast<double>(component->m_OutlineWidth.value());
-        return type + ".m_OutlineWidth is " + NumberText(width) +
-               (width > 0.0 ? ", which rounds to no pixel" : "");
+        return type + ".m_OutlineWidth is " +
+               (width > 0.0 ? NumberText(width) + ", which rounds to no pixel" : "0");
     }
     if (component->m_OutlineColor.value().a <= 0.0f)
     {

@@ -12,6 +12,21 @@ namespace limn
 namespace
 {
 
+/// What is no farther from a line than this part of its length lies on it.
+constexpr double k_Apart = 1e-5;
+
+/// Returns whether no corner of a face lies on the side opposite to it.
+bool HasArea(const WeldedMesh::Face& face, const std::vector<glm::vec3>& points)
+{
+    const glm::dvec3 a(points[face.points[0]]);
+    const glm::dvec3 ab = glm::dvec3(points[face.points[1]]) - a;
+    const glm::dvec3 ac = glm::dvec3(points[face.points[2]]) - a;
+    const glm::dvec3 bc = ac - ab;
+    const glm::dvec3 area = glm::cross(ab, ac); // twice: the longest side times the height on it
+    const double longest = std::max({glm::dot(ab, ab), glm::dot(ac, ac), glm::dot(bc, bc)});
+    return glm::dot(area, area) > k_Apart * k_Apart * longest * longest;
+}
+
 /// Puts positions in an order; -0 counts as 0.
 std::tuple<float, float, float> PositionOrder(const glm::vec3& p)
 {
@@ -152,7 +167,6 @@ private:
     std::optional<std::pair<std::uint32_t, double>> NextOn(const WeldedMesh::Side& side,
                                                            std::uint32_t from, double place) const
     {
-        constexpr double k_Apart = 1e-5; // from the side, of its length
         const glm::dvec3 start(m_Points[side.points[0]]);
         const glm::dvec3 along = glm::dvec3(m_Points[side.points[1]]) - start;
         const double squared = glm::dot(along, along);
@@ -189,8 +203,7 @@ WeldedMesh Weld(const Mesh& mesh, int subMesh)
     {
         const WeldedMesh::Face face{{pointOf[data.triangles[i]], pointOf[data.triangles[i + 1]],
                                      pointOf[data.triangles[i + 2]]}};
-        const auto& p = face.points;
-        if (p[0] != p[1] && p[1] != p[2] && p[2] != p[0])
+        if (HasArea(face, welded.points)) // else its neighbours' sides meet without it
         {
             welded.faces.push_back(face);
         }
