@@ -138,7 +138,8 @@ private:
     {
         m_Answers.resize(m_Code.size(), Answer::None);
         std::size_t open = std::max<std::size_t>(index, 1) - 1;
-        for (; open > 2 && Text(open) != "(" && m_Answers[open] == Answer::None; --open)
+        for (; open > 2 && Text(open) != "(" && m_Answers[open] == Answer::None;
+             open -= open > 0 ? 1 : 0)
         {
             const std::size_t partner = m_Code.tokens().MatchingOpen(open);
             if (Text(open) == ";" || Text(open) == "{" || (Text(open) == "}" && partner == open))
