@@ -23,7 +23,7 @@ bool UsesDepth(const FrameNode& node, const FrameTables& tables)
                        });
 }
 
-/// What every fragment of a full-screen draw is.
+/// The one colour that every fragment of a full-screen draw has.
 struct ConstantDraw
 {
     std::string why; ///< "" = they differ, as far as anybody knows
@@ -182,8 +182,8 @@ private:
         return false;
     }
 
-    /// What is still a copy of one colour, of a texture of several samples, is one of a texture of
-    /// one sample.
+    /// A draw that still copies one colour from a texture of several samples gets a texture of one
+    /// sample to copy from.
     void LeaveOutSamples(FrameNode& node)
     {
         for (PassCommand& command : node.commands)

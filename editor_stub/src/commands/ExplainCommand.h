@@ -25,8 +25,8 @@ struct ExplainOptions
     std::vector<std::string> roots;
 };
 
-/// Says what a scene's frame draws and why: volume values, passes, textures, variants, objects; or
-/// what becomes of the draws at one pixel.
+/// Prints what a scene's frame draws and why: volume values, passes, textures, variants, objects;
+/// or what becomes of the draws at one pixel.
 /// @return an ExitCode
 /// @throws AssetError, also if the scene has no object of that name with a mesh
 /// @throws VulkanError where a pixel is asked about

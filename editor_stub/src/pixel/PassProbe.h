@@ -65,7 +65,7 @@ public:
     /// is nothing.
     TargetTexels After(std::size_t count) const;
 
-    // Of the draw that is the which-th that reaches the texel:
+    // Each of these answers for the which-th draw that reaches the texel.
 
     const DrawCommand& DrawAt(std::size_t which) const { return DrawOf(Step(which)); }
     DrawSetup SetupOf(std::size_t which) const;

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// What became of the renderers that one filter was asked about.
+/// The verdicts of one filter on the renderers that it was asked about.
 struct DrawRenderersReport
 {
     SampleName pass; ///< name of the pass that asked
@@ -20,7 +20,7 @@ struct DrawRenderersReport
     static constexpr std::size_t k_NoFeature = static_cast<std::size_t>(-1); ///< the renderer's own
 };
 
-/// What a renderer feature added to a camera's frame.
+/// The part of a renderer feature in a camera's frame.
 struct FeatureReport
 {
     SampleName name;

@@ -66,7 +66,7 @@ public:
     /// UniversalRenderPipelineAsset.msaaSampleCount.
     int msaaSampleCount = 1;
 
-    /// Whether cameras with allowHDR draw into an HDR colour. Unity:
+    /// Cameras with allowHDR draw into an HDR colour if it is true. Unity:
     /// UniversalRenderPipelineAsset.supportsHDR.
     bool supportsHDR = true;
 

@@ -68,7 +68,7 @@ void TurnObjects(const std::vector<Turn>& turns, double seconds);
 /// picture's; "" if nothing is.
 std::string ScaledSizeProblem(const SceneAsset& scene);
 
-/// What becomes of the meshes, pictures and materials that only inactive objects use.
+/// The treatment of meshes, pictures and materials that only inactive objects use.
 enum class InactiveObjects
 {
     Load, ///< they are loaded, so that the objects may be switched on
