@@ -52,8 +52,9 @@ Shader "Hidden/Limn/StrokeOutline"
             ZWrite Off
             ZTest Always
             Cull Off
-            Blend One One, One One
-            BlendOp Max, Add
+            Blend One One
+            BlendOp Max
+            BlendOp 1 Add, Max
 
             HLSLPROGRAM
             #pragma vertex StrokeVertex
@@ -123,7 +124,21 @@ Shader "Hidden/Limn/StrokeOutline"
             }
             #endif
 
-            float4 StrokeFragment(StrokeVaryings input) : SV_Target
+            struct StrokeTargets
+            {
+                float4 coverage : SV_Target0; // by the side that the outline comes from
+                float4 edges : SV_Target1;    // what edges correct, 0, 0, coverage by what is seen
+            };
+
+            // Which of the sides left, top, right and bottom something comes from that goes in this
+            // direction. What goes along an axis comes from both sides of the other axis.
+            float4 SidesOf(float2 direction)
+            {
+                const float alongAxis = -0.17; // sine of 10 degrees
+                return step(alongAxis, float4(direction, -direction));
+            }
+
+            StrokeTargets StrokeFragment(StrokeVaryings input)
             {
                 float2 pixel = input.positionCS.xy;
                 float2 whole = input.ends.zw - input.ends.xy;
@@ -139,7 +154,8 @@ Shader "Hidden/Limn/StrokeOutline"
                 float away = length(apart);
                 float2 direction = away > 1e-4 ? apart / away : outward;
                 // Behind the edge of something thin is the outline of its other side.
-                bool isInside = across < 0.0 && place == onEdge && OwnDepth(pixel) > 0.0;
+                bool isBehind = across < 0.0 && OwnDepth(pixel) > 0.0;
+                bool isInside = isBehind && place == onEdge;
                 float distance = isInside ? -away : away;
                 float covered = BoxCoverage(direction, _OutlineWidth - distance);
 
@@ -147,14 +163,19 @@ Shader "Hidden/Limn/StrokeOutline"
                 float extent = 0.5 * (abs(along.x) + abs(along.y));
                 float share = (clamp(place + extent, 0.0, reach) - clamp(place - extent, 0.0, reach)) /
                               (2.0 * extent);
-                float correction = EdgeCorrection(pixel, nearest, outward, across, share);
+                StrokeTargets output;
+                // At round borders the way from the next edges differs, at corners their normals do:
+                // only what differs in both comes from another side. What is inside has no side.
+                float4 sides = SidesOf(direction) * SidesOf(outward);
+                sides = dot(sides, 1.0) > 0.0 ? sides : SidesOf(direction);
+                output.coverage = covered * (isBehind ? float4(1.0, 1.0, 0.0, 0.0) : sides);
+                output.edges = float4(EdgeCorrection(pixel, nearest, outward, across, share),
+                                      0.0, 0.0, covered);
             #if defined(_STROKE_OCCLUSION)
                 float depth = lerp(input.depths.x, input.depths.y, onEdge / max(reach, 1e-6));
-                bool isVisible = IsVisible(nearest, outward, depth);
-                return float4(isVisible ? covered : 0.0, isVisible ? 0.0 : covered, 0.0, correction);
-            #else
-                return float4(covered, 0.0, 0.0, correction);
+                output.edges.a = IsVisible(nearest, outward, depth) ? covered : 0.0;
             #endif
+                return output;
             }
             ENDHLSL
         }
@@ -171,7 +192,10 @@ Shader "Hidden/Limn/StrokeOutline"
             #pragma vertex TileVertex
             #pragma fragment CompositeFragment
 
+            #pragma shader_feature_local _ _STROKE_OCCLUSION
+
             TEXTURE2D(_StrokeCoverage);
+            TEXTURE2D(_StrokeEdges);
             float4 _Tiles[1022]; // left, top, right, bottom
             half4 _OutlineColor;
             half4 _OccludedColor;
@@ -186,11 +210,18 @@ Shader "Hidden/Limn/StrokeOutline"
             half4 CompositeFragment(float4 positionCS : SV_POSITION) : SV_Target
             {
                 float2 pixel = positionCS.xy - _OutlineRegion.xy;
-                float4 strokes = SAMPLE_TEXTURE2D_LOD(_StrokeCoverage, sampler_PointClamp,
-                                                      pixel * _StrokeDepth_TexelSize.xy, 0);
-                float objects = saturate((OwnDepth(pixel) > 0.0 ? 1.0 : 0.0) + strokes.a);
-                float covered = saturate(max(strokes.r, strokes.g) - objects);
-                half4 color = strokes.r >= strokes.g ? _OutlineColor : _OccludedColor;
+                float2 uv = pixel * _StrokeDepth_TexelSize.xy;
+                float4 sides = SAMPLE_TEXTURE2D_LOD(_StrokeCoverage, sampler_PointClamp, uv, 0);
+                float4 edges = SAMPLE_TEXTURE2D_LOD(_StrokeEdges, sampler_PointClamp, uv, 0);
+                float objects = saturate((OwnDepth(pixel) > 0.0 ? 1.0 : 0.0) + edges.r);
+                float largest = max(max(sides.x, sides.y), max(sides.z, sides.w));
+                // Outlines that come from opposite sides cover different parts of the pixel.
+                float both = min(sides.x + sides.z, sides.y + sides.w);
+                float covered = saturate(saturate(max(largest, both)) - objects);
+                half4 color = _OutlineColor;
+            #if defined(_STROKE_OCCLUSION)
+                color = edges.a >= largest ? _OutlineColor : _OccludedColor;
+            #endif
                 return half4(color.rgb, color.a * covered);
             }
             ENDHLSL

@@ -38,6 +38,7 @@ struct StrokeDraws
     ShaderArrays tiles{1, {}}; ///< left, top, right, bottom in pixels of the region
     RTHandle depth;
     RTHandle coverage;
+    RTHandle edges;
 
     /// @param strokes  of the group; those out of reach of the picture are left out
     /// @param width    of the outline, pixels

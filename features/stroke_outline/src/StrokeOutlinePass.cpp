@@ -1,5 +1,6 @@
 #include "StrokeDraws.h"
 
+#include <array>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRenderer.h>
@@ -31,6 +32,7 @@ const ShaderPropertyId _Strokes = Shader::PropertyToID("_Strokes");
 const ShaderPropertyId _Tiles = Shader::PropertyToID("_Tiles");
 const ShaderPropertyId _StrokeDepth = Shader::PropertyToID("_StrokeDepth");
 const ShaderPropertyId _StrokeCoverage = Shader::PropertyToID("_StrokeCoverage");
+const ShaderPropertyId _StrokeEdges = Shader::PropertyToID("_StrokeEdges");
 
 /// How opaque strokes are where the silhouette is visible, and where it is hidden.
 void SetColors(Material& material, const StrokeOutline& component, OutlineOcclusion occlusion)
@@ -145,6 +147,13 @@ void StrokeOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData&)
         RenderingUtils::ReAllocateIfNeeded(
             group->coverage, group->region.Descriptor(GraphicsFormat::R16G16B16A16_SFloat),
             FilterMode::Point, TextureWrapMode::Clamp, "_StrokeCoverage");
+        // Red is what edges correct, alpha what is covered by what is seen.
+        const bool hasOcclusion = m_Settings.m_Occlusion != OutlineOcclusion::All;
+        RenderingUtils::ReAllocateIfNeeded(
+            group->edges,
+            group->region.Descriptor(hasOcclusion ? GraphicsFormat::R16G16B16A16_SFloat
+                                                  : GraphicsFormat::R16_SFloat),
+            FilterMode::Point, TextureWrapMode::Clamp, "_StrokeEdges");
     }
 }
 
@@ -171,11 +180,13 @@ void StrokeOutlinePass::DrawGroup(CommandBuffer& cmd, const StrokeDraws& group,
     properties.SetVector(_OutlineRegion, glm::vec4(region.corner, region.size));
     properties.SetVector(_OutlinePicture, glm::vec4(region.picture, 0, 0));
     properties.SetTexture(_StrokeDepth, group.depth.rt());
-    CoreUtils::SetRenderTarget(cmd, group.coverage, ClearFlag::Color, Color::clear);
+    CoreUtils::SetRenderTarget(cmd, std::array{group.coverage, group.edges}, {}, ClearFlag::Color,
+                               Color::clear);
     DrawQuads(cmd, m_Material, k_StrokePass, _Strokes, group.strokes, properties);
 
     properties.Remove(_Strokes);
     properties.SetTexture(_StrokeCoverage, group.coverage.rt());
+    properties.SetTexture(_StrokeEdges, group.edges.rt());
     CoreUtils::SetRenderTarget(cmd, camera.renderer->cameraColorTargetHandle());
     DrawQuads(cmd, m_Material, k_CompositePass, _Tiles, group.tiles, properties);
 }

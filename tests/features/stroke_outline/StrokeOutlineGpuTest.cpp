@@ -159,6 +159,66 @@ TEST_F(StrokeOutlineGpu, IsOffByAPixelAtMostWhereThereAreTips)
     }
 }
 
+constexpr glm::dvec2 k_CombMiddle(47.3, 48.6);
+
+/// Parallel bars, so far apart that the outlines of two neighbours leave `gap` pixels between them.
+ScreenTriangles CombTriangles(double turn, double width, double gap)
+{
+    constexpr double k_Thickness = 3.0;
+    const glm::dvec2 along(std::cos(turn), std::sin(turn));
+    const glm::dvec2 across(-along.y, along.x);
+    ScreenTriangles triangles;
+    for (int i = -2; i <= 2; ++i)
+    {
+        const glm::dvec2 middle = k_CombMiddle + across * (i * (k_Thickness + 2.0 * width + gap));
+        for (const auto& triangle :
+             NeedleTriangles(middle - along * 18.0, middle + along * 18.0, k_Thickness))
+        {
+            triangles.push_back(triangle);
+        }
+    }
+    return triangles;
+}
+
+/// A pixel between two bars holds parts of two outlines, and they add up. The bars' corners are
+/// left out: coverage is that of straight borders.
+TEST_F(StrokeOutlineGpu, CoversTheUnionWhereOutlinesOfTwoPartsNearlyMeet)
+{
+    for (const double degrees : {0.0, 7.0, 31.0, 45.0, 83.0, 90.0, 140.0})
+    {
+        for (const double width : {1.0, 3.0})
+        {
+            for (const double gap : {0.1, 0.4, 0.9})
+            {
+                SCOPED_TRACE(std::to_string(degrees) + " degrees, width " + std::to_string(width) +
+                             ", gap " + std::to_string(gap));
+                const double turn = glm::radians(degrees);
+                const ScreenTriangles comb = CombTriangles(turn, width, gap);
+                const Silhouette silhouette(comb);
+                StrokePicture picture(static_cast<float>(width));
+                picture.Add("comb", comb);
+                const Coverage measured = picture.Alpha();
+                Coverage exact = ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height);
+                for (int y = 0; y < k_Height; ++y)
+                {
+                    for (int x = 0; x < k_Width; ++x)
+                    {
+                        const glm::dvec2 place = glm::dvec2(x + 0.5, y + 0.5) - k_CombMiddle;
+                        if (std::abs(place.x * std::cos(turn) + place.y * std::sin(turn)) > 16.0)
+                        {
+                            exact.At(x, y) = measured.At(x, y);
+                        }
+                    }
+                }
+                const OutlineScore score = Score(measured, exact, {&silhouette});
+                EXPECT_GT(score.bandPixels, 200u);
+                EXPECT_LE(score.meanAbsoluteError, 0.004);
+                EXPECT_LE(score.largest, 0.1);
+            }
+        }
+    }
+}
+
 TEST_F(StrokeOutlineGpu, KeepsAThinNeedleWhole)
 {
     const ScreenTriangles needle = NeedleTriangles({30.2, 40.3}, {66.7, 55.1}, 0.3);
