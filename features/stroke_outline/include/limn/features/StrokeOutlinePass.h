@@ -31,12 +31,15 @@ struct StrokeOutlineSettings : OutlineSettings
 class SilhouetteFinder;
 struct StrokeDraws;
 
-/// Draws silhouette edges as strokes on the screen, the widest coverage wins, and what they cover
-/// outside of the objects into the camera's colour, for each group on its own.
+/// Draws silhouette edges as strokes on the screen, and what they cover outside of the objects into
+/// the camera's colour, for each group on its own. In a pixel the largest coverage counts, or the
+/// sum of two that come from opposite sides.
 ///
 /// _StrokeDepth: D32_SFloat, size of the region: the group's own device depth, 0 where it is not.
-/// _StrokeCoverage: R16G16B16A16_SFloat, the same size: what the strokes cover, r visible, g
-/// hidden; a: by how much the group covers more of the pixel than _StrokeDepth says.
+/// _StrokeCoverage: R16G16B16A16_SFloat, the same size: what strokes cover that come from the left,
+/// the top, the right and the bottom.
+/// _StrokeEdges: the same size; r: by how much the group covers more of the pixel than _StrokeDepth
+/// says. R16_SFloat; R16G16B16A16_SFloat with occlusion, a: what strokes cover that are seen.
 class StrokeOutlinePass final : public ScriptableRenderPass
 {
 public:
