@@ -12,6 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <limn/core/DrawError.h>
+#include <limn/core/TargetOrientation.h>
 
 namespace limn
 {

@@ -3,6 +3,7 @@
 #include "draw/CopyKernel.h"
 
 #include <algorithm>
+#include <limn/core/TargetOrientation.h>
 
 namespace limn
 {
