@@ -8,7 +8,7 @@
 #include "CountDraws.h"
 #include "NoDevice.h"
 #include "Samples.h"
-#include "draw/SortEntries.h"
+#include "renderers/SortEntries.h"
 #include "scale/PlainLoops.h"
 
 #include <atomic>

@@ -2,9 +2,9 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 
 #include "TemporaryFolder.h"
-#include "hlsl/Preprocessor.h"
-#include "hlsl/Rewriter.h"
-#include "spirv/GlslangSession.h"
+#include "preprocess/Preprocessor.h"
+#include "lowering/Rewriter.h"
+#include "preprocess/GlslangSession.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
 

@@ -2,11 +2,11 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/VariantCount.h>
 
-#include "hlsl/Rewriter.h"
-#include "hlsl/rewrites/Rewrites.h"
-#include "program/IncludeResolver.h"
-#include "program/PragmaScanner.h"
-#include "spirv/GlslangIncluder.h"
+#include "lowering/Rewriter.h"
+#include "desugar/Rewrites.h"
+#include "includes/IncludeResolver.h"
+#include "keywords/PragmaScanner.h"
+#include "preprocess/GlslangIncluder.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,7 +1,7 @@
 #include <limn/core/ComputeShader.h>
 
-#include "material/RequireFinite.h"
-#include "scene/UniqueId.h"
+#include "support/RequireFinite.h"
+#include "support/UniqueId.h"
 
 #include <algorithm>
 #include <limn/core/BuiltinShaders.h>

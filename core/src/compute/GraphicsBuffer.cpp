@@ -1,6 +1,6 @@
 #include <limn/core/GraphicsBuffer.h>
 
-#include "scene/UniqueId.h"
+#include "support/UniqueId.h"
 
 #include <algorithm>
 #include <cstring>

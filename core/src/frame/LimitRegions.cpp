@@ -1,4 +1,4 @@
-#include "draw/ProjectedBounds.h"
+#include "cull/ProjectedBounds.h"
 #include "frame/ConstantBlend.h"
 #include "frame/FrameNode.h"
 

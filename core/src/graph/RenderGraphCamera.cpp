@@ -1,8 +1,8 @@
 #include "graph/RenderGraphCamera.h"
 
 #include "graph/RenderGraphRun.h"
-#include "pipeline/MakeDrawingSettings.h"
-#include "pipeline/RunPassCode.h"
+#include "passes/MakeDrawingSettings.h"
+#include "passes/RunPassCode.h"
 
 namespace limn
 {

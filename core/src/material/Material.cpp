@@ -3,8 +3,8 @@
 #include <limits>
 #include <type_traits>
 
-#include "material/RequireFinite.h"
-#include "scene/UniqueId.h"
+#include "support/RequireFinite.h"
+#include "support/UniqueId.h"
 #include <limn/core/Material.h>
 #include <limn/core/Mathf.h>
 

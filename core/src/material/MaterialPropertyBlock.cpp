@@ -1,6 +1,6 @@
 #include <limn/core/MaterialPropertyBlock.h>
 
-#include "material/RequireFinite.h"
+#include "support/RequireFinite.h"
 
 #include <algorithm>
 #include <bit>

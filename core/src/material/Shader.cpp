@@ -1,6 +1,6 @@
 #include <limn/core/Shader.h>
 
-#include "scene/UniqueId.h"
+#include "support/UniqueId.h"
 
 #include <algorithm>
 #include <charconv>

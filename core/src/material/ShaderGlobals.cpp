@@ -1,6 +1,6 @@
 #include "material/ShaderGlobals.h"
 
-#include "material/RequireFinite.h"
+#include "support/RequireFinite.h"
 
 #include <atomic>
 #include <limn/core/Shader.h>

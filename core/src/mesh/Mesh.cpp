@@ -1,6 +1,6 @@
 #include <limn/core/Mesh.h>
 
-#include "scene/UniqueId.h"
+#include "support/UniqueId.h"
 
 #include "mesh/MeshProblems.h"
 #include <cmath>

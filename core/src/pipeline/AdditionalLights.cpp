@@ -1,6 +1,6 @@
 #include "pipeline/AdditionalLights.h"
 
-#include "draw/ObjectLights.h"
+#include "cull/ObjectLights.h"
 
 #include <algorithm>
 #include <cmath>

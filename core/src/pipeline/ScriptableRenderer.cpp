@@ -1,6 +1,6 @@
 #include "graph/RenderGraphCamera.h"
-#include "pipeline/CameraUniforms.h"
-#include "pipeline/RunPassCode.h"
+#include "passes/CameraUniforms.h"
+#include "passes/RunPassCode.h"
 
 #include <algorithm>
 #include <exception>

@@ -1,7 +1,7 @@
 #include "pipeline/AdditionalLights.h"
-#include "pipeline/AdditionalLightsShadowCasterPass.h"
-#include "pipeline/CameraUniforms.h"
-#include "pipeline/MainLightShadowCasterPass.h"
+#include "shadows/AdditionalLightsShadowCasterPass.h"
+#include "passes/CameraUniforms.h"
+#include "shadows/MainLightShadowCasterPass.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
-#include "pipeline/AdditionalLightsShadowCasterPass.h"
+#include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "pipeline/CameraTextures.h"
 #include "pipeline/DrawSkyboxPass.h"
-#include "pipeline/MainLightShadowCasterPass.h"
+#include "shadows/MainLightShadowCasterPass.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,9 +1,9 @@
 #include "scene/RendererTable.h"
 
-#include "draw/PerDraw.h"
+#include "scene/PerDraw.h"
 #include "scene/ObjectHash.h"
-#include "scene/ParallelFor.h"
-#include "scene/UniqueId.h"
+#include "support/ParallelFor.h"
+#include "support/UniqueId.h"
 #include "scene/WorldMatrices.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <limn/shaderlab/Diagnostic.h>
 
-#include "hlsl/Rewriter.h"
+#include "lowering/Rewriter.h"
 
 #include <vector>
 

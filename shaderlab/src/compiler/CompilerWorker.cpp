@@ -5,7 +5,7 @@
 
 #include "compiler/ProgramCompiler.h"
 #include "compiler/WorkerMessages.h"
-#include "spirv/GlslangSession.h"
+#include "preprocess/GlslangSession.h"
 
 #include <cerrno>
 #include <csignal>

@@ -3,7 +3,7 @@
 #include <limn/shaderlab/PassProgram.h>
 #include <limn/shaderlab/ShaderProgram.h>
 
-#include "program/IncludeResolver.h"
+#include "includes/IncludeResolver.h"
 #include "text/ByteStream.h"
 
 #include <vector>

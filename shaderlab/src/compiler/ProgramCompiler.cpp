@@ -6,10 +6,10 @@
 
 #include "compiler/CompilerMessages.h"
 #include "compiler/PlatformMacros.h"
-#include "hlsl/Checks.h"
-#include "hlsl/Preprocessor.h"
-#include "hlsl/Rewriter.h"
-#include "hlsl/SourceLines.h"
+#include "lowering/Checks.h"
+#include "preprocess/Preprocessor.h"
+#include "lowering/Rewriter.h"
+#include "tokens/SourceLines.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
 

@@ -2,7 +2,7 @@
 
 #include <limn/shaderlab/ShaderProgram.h>
 
-#include "program/IncludeResolver.h"
+#include "includes/IncludeResolver.h"
 
 #include <atomic>
 #include <cstdint>

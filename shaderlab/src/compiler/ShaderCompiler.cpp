@@ -7,8 +7,8 @@
 #include "compiler/PlatformMacros.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
-#include "program/PassMacro.h"
-#include "program/PragmaScanner.h"
+#include "keywords/PassMacro.h"
+#include "keywords/PragmaScanner.h"
 #include "spirv/ScalarLayout.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "program/IncludeResolver.h"
+#include "includes/IncludeResolver.h"
 #include "text/ByteStream.h"
 
 #include <limn/shaderlab/ShaderCompiler.h>

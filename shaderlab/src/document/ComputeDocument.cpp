@@ -2,7 +2,7 @@
 
 #include <limn/shaderlab/ReadFile.h>
 
-#include "program/PragmaScanner.h"
+#include "keywords/PragmaScanner.h"
 #include "text/Text.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hlsl/Tokens.h"
-#include "program/IntegerExpression.h"
+#include "tokens/Tokens.h"
+#include "tokens/IntegerExpression.h"
 
 #include <string>
 #include <string_view>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hlsl/Tokens.h"
+#include "tokens/Tokens.h"
 
 #include <cstddef>
 #include <cstdint>

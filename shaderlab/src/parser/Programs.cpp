@@ -1,7 +1,7 @@
 #include "parser/Parser.h"
 
-#include "hlsl/Lines.h"
-#include "program/PragmaScanner.h"
+#include "tokens/Lines.h"
+#include "keywords/PragmaScanner.h"
 #include "text/Text.h"
 
 namespace limn

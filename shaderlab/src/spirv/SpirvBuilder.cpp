@@ -2,8 +2,8 @@
 
 #include "hlsl/Editor.h"
 #include "spirv/Arithmetic.h"
-#include "spirv/GlslangLog.h"
-#include "spirv/GlslangSession.h"
+#include "preprocess/GlslangLog.h"
+#include "preprocess/GlslangSession.h"
 #include "spirv/HalfPrecision.h"
 #include "spirv/StorageAccess.h"
 #include "stages/EntryPointWriter.h"

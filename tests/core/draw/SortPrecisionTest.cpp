@@ -1,4 +1,4 @@
-#include "draw/SortEntries.h"
+#include "renderers/SortEntries.h"
 
 #include <array>
 #include <cmath>

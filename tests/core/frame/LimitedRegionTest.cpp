@@ -1,4 +1,4 @@
-#include "draw/ProjectedBounds.h"
+#include "cull/ProjectedBounds.h"
 #include "frame/FrameBuilder.h"
 #include "scene/TestScene.h"
 

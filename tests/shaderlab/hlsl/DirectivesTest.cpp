@@ -1,4 +1,4 @@
-#include "spirv/GlslangIncluder.h"
+#include "preprocess/GlslangIncluder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <hlsl/Resolver.h>
-#include <hlsl/Rewriter.h>
+#include <lowering/Rewriter.h>
 #include <hlsl/TreeParser.h>
-#include <hlsl/lowering/Lowering.h>
+#include <lowering/Lowering.h>
 
 #include <string>
 

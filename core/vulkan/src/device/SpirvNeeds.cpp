@@ -1,6 +1,6 @@
 #include "device/SpirvNeeds.h"
 
-#include "programs/Spirv.h"
+#include "device/Spirv.h"
 
 #include <algorithm>
 #include <limn/core/DrawError.h>

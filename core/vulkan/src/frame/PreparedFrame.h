@@ -1,6 +1,6 @@
 #pragma once
 
-#include "descriptors/FrameDescriptors.h"
+#include "frame/FrameDescriptors.h"
 #include "frame/DynamicState.h"
 
 namespace limn::vulkan

@@ -3,9 +3,9 @@
 
 #include "device/Translate.h"
 #include "frame/FrameRecorder.h"
-#include "memory/CopyBandwidth.h"
+#include "submit/CopyBandwidth.h"
 #include "resources/ImageSupport.h"
-#include "resources/ReadBackCopy.h"
+#include "submit/ReadBackCopy.h"
 
 namespace limn
 {

@@ -1,6 +1,6 @@
 #include "programs/ImageFormats.h"
 
-#include "programs/Spirv.h"
+#include "device/Spirv.h"
 
 #include <algorithm>
 #include <limn/shaderlab/Diagnostic.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "programs/Spirv.h"
+#include "device/Spirv.h"
 
 namespace limn::vulkan
 {

@@ -1,0 +1,179 @@
+#include "passes/CameraUniforms.h"
+
+#include <cmath>
+#include <glm/matrix.hpp>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/CoreUtils.h>
+
+namespace limn
+{
+
+namespace
+{
+
+const ShaderPropertyId unity_WorldToCamera{"unity_WorldToCamera"};
+const ShaderPropertyId unity_CameraToWorld{"unity_CameraToWorld"};
+const ShaderPropertyId unity_CameraProjection{"unity_CameraProjection"};
+const ShaderPropertyId unity_CameraInvProjection{"unity_CameraInvProjection"};
+const ShaderPropertyId limn_Origin{"limn_Origin"};
+const ShaderPropertyId limn_CameraPos{"limn_CameraPos"};
+const ShaderPropertyId _WorldSpaceCameraPos{"_WorldSpaceCameraPos"};
+const ShaderPropertyId _ProjectionParams{"_ProjectionParams"};
+const ShaderPropertyId _ScreenParams{"_ScreenParams"};
+const ShaderPropertyId _ScaledScreenParams{"_ScaledScreenParams"};
+const ShaderPropertyId _ScreenSize{"_ScreenSize"};
+const ShaderPropertyId _ZBufferParams{"_ZBufferParams"};
+const ShaderPropertyId unity_OrthoParams{"unity_OrthoParams"};
+const ShaderPropertyId _ScaleBiasRt{"_ScaleBiasRt"};
+const ShaderPropertyId _GlobalMipBias{"_GlobalMipBias"};
+const ShaderPropertyId _Time{"_Time"};
+const ShaderPropertyId _SinTime{"_SinTime"};
+const ShaderPropertyId _CosTime{"_CosTime"};
+const ShaderPropertyId _TimeParameters{"_TimeParameters"};
+const ShaderPropertyId unity_DeltaTime{"unity_DeltaTime"};
+const ShaderPropertyId _MainLightPosition{"_MainLightPosition"};
+const ShaderPropertyId unity_SHAr{"unity_SHAr"};
+const ShaderPropertyId unity_SHAg{"unity_SHAg"};
+const ShaderPropertyId unity_SHAb{"unity_SHAb"};
+const ShaderPropertyId unity_SpecCube0{"unity_SpecCube0"};
+const ShaderPropertyId unity_SpecCube1{"unity_SpecCube1"};
+const ShaderPropertyId _MainLightColor{"_MainLightColor"};
+const ShaderPropertyId _LightColor0{"_LightColor0"};
+const ShaderPropertyId unity_AmbientSky{"unity_AmbientSky"};
+const ShaderPropertyId unity_AmbientEquator{"unity_AmbientEquator"};
+const ShaderPropertyId unity_AmbientGround{"unity_AmbientGround"};
+const ShaderPropertyId _MainLightLayerMask{"_MainLightLayerMask"};
+
+void Vector(CommandBuffer& cmd, ShaderPropertyId id, const glm::vec4& value)
+{
+    cmd.SetGlobalVector(id, value);
+}
+
+void Matrix(CommandBuffer& cmd, ShaderPropertyId id, const glm::mat4& value)
+{
+    cmd.SetGlobalMatrix(id, value);
+}
+
+glm::mat4 Inverse(const glm::dmat4& matrix)
+{
+    return glm::mat4(glm::inverse(matrix));
+}
+
+/// 0 for 0: an orthographic camera may have a plane there, and nothing that it draws asks how deep
+/// a perspective camera would see it.
+double Reciprocal(double x)
+{
+    return x == 0.0 ? 0.0 : 1.0 / x;
+}
+
+/// For Linear01Depth and LinearEyeDepth (urp.md §5.4).
+glm::vec4 ZBufferParams(double n, double f, bool usesReversedZBuffer)
+{
+    if (!usesReversedZBuffer)
+    {
+        return glm::vec4(1.0 - f * Reciprocal(n), f * Reciprocal(n), Reciprocal(f) - Reciprocal(n),
+                         Reciprocal(n));
+    }
+    return glm::vec4(f * Reciprocal(n) - 1.0, 1.0, Reciprocal(n) - Reciprocal(f), Reciprocal(f));
+}
+
+void SetMatrices(CommandBuffer& cmd, const CameraData& data)
+{
+    RenderingUtils::SetViewAndProjectionMatrices(cmd, data.viewMatrix, data.gpuProjectionMatrix,
+                                                 true);
+    glm::dmat4 worldToCamera(1.0);
+    worldToCamera[2][2] = -1.0;
+    worldToCamera *= data.viewMatrix;
+    Matrix(cmd, unity_WorldToCamera, glm::mat4(worldToCamera));
+    Matrix(cmd, unity_CameraToWorld, Inverse(worldToCamera));
+    // OpenGL's, whatever the target is, as scripts see it.
+    const glm::dmat4 projection = data.GetProjectionMatrix();
+    Matrix(cmd, unity_CameraProjection, glm::mat4(projection));
+    Matrix(cmd, unity_CameraInvProjection, Inverse(projection));
+    SetOriginUniforms(cmd, data);
+}
+
+} // namespace
+
+void SetOriginUniforms(CommandBuffer& cmd, const CameraData& data)
+{
+    const glm::dvec3& origin = data.renderOrigin;
+    Vector(cmd, limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
+    const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
+    Vector(cmd, limn_CameraPos, glm::vec4(position - origin, 0.0f));
+}
+
+void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
+                                                  const glm::mat4& gpuProjectionMatrix,
+                                                  bool setInverseMatrices)
+{
+    cmd.SetViewProjectionMatrices(viewMatrix, gpuProjectionMatrix, setInverseMatrices);
+}
+
+void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
+{
+    const Camera& camera = *data.camera;
+    const double n = camera.nearClipPlane;
+    const double f = camera.farClipPlane;
+    const auto w = static_cast<float>(data.cameraTargetDescriptor.width);
+    const auto h = static_cast<float>(data.cameraTargetDescriptor.height);
+    const auto pictureWidth = static_cast<float>(data.pixelWidth);
+    const auto pictureHeight = static_cast<float>(data.pixelHeight);
+    SetMatrices(cmd, data);
+    Vector(cmd, _WorldSpaceCameraPos, glm::vec4(camera.transform.position(), 0.0f));
+    const bool isFlipped = data.IsCameraProjectionMatrixFlipped();
+    Vector(cmd, _ProjectionParams, glm::vec4(ProjectionSign(isFlipped), n, f, Reciprocal(f)));
+    Vector(cmd, _ScreenParams,
+           {pictureWidth, pictureHeight, 1.0f + 1.0f / pictureWidth, 1.0f + 1.0f / pictureHeight});
+    Vector(cmd, _ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    Vector(cmd, _ScreenSize, {w, h, 1.0f / w, 1.0f / h});
+    Vector(cmd, _ZBufferParams, ZBufferParams(n, f, data.usesReversedZBuffer));
+    Vector(cmd, unity_OrthoParams,
+           {camera.orthographicSize * data.aspectRatio, camera.orthographicSize, 0.0f,
+            camera.orthographic ? 1.0f : 0.0f});
+    Vector(cmd, _ScaleBiasRt, ScaleBiasRt(isFlipped));
+    Vector(cmd, _GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
+    // No reflection probe sees anything.
+    for (const ShaderPropertyId probe : {unity_SpecCube0, unity_SpecCube1})
+    {
+        cmd.SetGlobalTexture(probe, DefaultTexture("black", TextureDimension::Cube));
+    }
+}
+
+void SetTimeUniforms(CommandBuffer& cmd, double t)
+{
+    const auto sines = [t](double (*function)(double))
+    {
+        return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t));
+    };
+    Vector(cmd, _Time, glm::vec4(t / 20, t, t * 2, t * 3));
+    Vector(cmd, _SinTime, sines([](double x) { return std::sin(x); }));
+    Vector(cmd, _CosTime, sines([](double x) { return std::cos(x); }));
+    Vector(cmd, _TimeParameters, glm::vec4(t, std::sin(t), std::cos(t), 0.0));
+    Vector(cmd, unity_DeltaTime, {0.0f, 0.0f, 0.0f, 0.0f});
+}
+
+void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
+{
+    const DirectionalLight& light = scene.mainLight;
+    Vector(cmd, _MainLightPosition, glm::vec4(-light.direction, 0.0f));
+    const glm::vec4 color(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
+    // The second name is the built-in pipeline's, which its shaders may declare by themselves.
+    for (const ShaderPropertyId name : {_MainLightColor, _LightColor0})
+    {
+        Vector(cmd, name, color);
+    }
+    cmd.SetGlobalInt(_MainLightLayerMask, static_cast<int>(light.renderingLayerMask.bits));
+    const glm::vec4 ambient = scene.ambientLight.linear().vector();
+    for (const ShaderPropertyId side :
+         {unity_AmbientSky, unity_AmbientEquator, unity_AmbientGround})
+    {
+        Vector(cmd, side, ambient);
+    }
+    // The same from all sides: of the spherical harmonics only the constant term.
+    Vector(cmd, unity_SHAr, {0.0f, 0.0f, 0.0f, ambient.r});
+    Vector(cmd, unity_SHAg, {0.0f, 0.0f, 0.0f, ambient.g});
+    Vector(cmd, unity_SHAb, {0.0f, 0.0f, 0.0f, ambient.b});
+}
+
+} // namespace limn

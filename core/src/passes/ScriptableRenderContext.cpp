@@ -1,0 +1,296 @@
+#include "resolve/DrawRecorder.h"
+#include "targets/IdentifiedTargets.h"
+#include "renderers/ObjectDraws.h"
+
+#include <algorithm>
+#include <limn/core/ScriptableRenderContext.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+FrameCommands Emptied(FrameCommands frame)
+{
+    frame.commands.clear();
+    frame.uniformData.clear();
+    frame.setups.clear();
+    frame.dispatchSetups.clear();
+    frame.meshes.clear();
+    frame.instances.clear();
+    frame.perDraw.clear();
+    frame.objects = nullptr;
+    return frame;
+}
+
+/// Whether each sample that begins in the buffer ends in it, and the other way round.
+bool HasWholeSamples(const CommandBuffer& commandBuffer)
+{
+    int open = 0;
+    for (const RecordedCommand& command : commandBuffer.commands())
+    {
+        open += std::holds_alternative<BeginSampleCommand>(command) ? 1 : 0;
+        open -= std::holds_alternative<EndSampleCommand>(command) ? 1 : 0;
+        if (open < 0)
+        {
+            return false;
+        }
+    }
+    return open == 0 && !commandBuffer.commands().empty();
+}
+
+} // namespace
+
+ScriptableRenderContext::ScriptableRenderContext()
+    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName)),
+      m_Identified(std::make_unique<IdentifiedTargets>(m_Frame, m_Globals))
+{
+}
+
+ScriptableRenderContext::ScriptableRenderContext(RenderReport& report, const glm::dvec3& origin)
+    : ScriptableRenderContext()
+{
+    Begin(report, origin);
+}
+
+void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& origin,
+                                    FrameCommands spare, bool usesReversedZBuffer)
+{
+    m_Report = &report;
+    m_Origin = origin;
+    m_PassName = {};
+    m_Frame = Emptied(std::move(spare));
+    m_Frame.usesReversedZBuffer = usesReversedZBuffer;
+    m_Globals.Clear();
+    m_Recorder->Begin(m_Report->notes, m_Origin);
+    m_Identified->EndCamera();
+}
+
+void ScriptableRenderContext::SetObjectLights(std::span<const Light* const> lights, int limit)
+{
+    m_Recorder->objectLights().Begin(lights, limit);
+}
+
+void ScriptableRenderContext::BeginCamera(CameraTargets camera)
+{
+    m_Recorder->BeginCamera();
+    m_Identified->BeginCamera(std::move(camera), m_Report->notes);
+}
+
+void ScriptableRenderContext::EndCamera()
+{
+    m_Identified->EndCamera();
+}
+
+ScriptableRenderContext::~ScriptableRenderContext() = default;
+
+void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandBuffer)
+{
+    const bool isSample = !commandBuffer.name.empty() && HasWholeSamples(commandBuffer);
+    if (isSample)
+    {
+        m_Frame.commands.emplace_back(BeginSampleCommand{SampleName(commandBuffer.name)});
+    }
+    Run(commandBuffer);
+    if (isSample)
+    {
+        m_Frame.commands.emplace_back(EndSampleCommand{});
+    }
+}
+
+void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
+{
+    m_Recorder->TakeShaderGlobals();
+    for (const RecordedCommand& command : commandBuffer.commands())
+    {
+        std::visit(
+            [&](const auto& c)
+            {
+                using Command = std::decay_t<decltype(c)>;
+                if constexpr (std::is_same_v<Command, RecordedDraw>)
+                {
+                    m_Recorder->Draw(c, commandBuffer.PropertiesOf(c));
+                }
+                else if constexpr (std::is_same_v<Command, SetViewProjectionCommand>)
+                {
+                    m_Recorder->SetViewProjection(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetViewCommand> ||
+                                   std::is_same_v<Command, SetProjectionCommand>)
+                {
+                    m_Recorder->SetMatrix(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetBufferDataCommand>)
+                {
+                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferData");
+                    c.buffer->Set({c.bytes, c.offset});
+                }
+                else if constexpr (std::is_same_v<Command, SetBufferCounterCommand>)
+                {
+                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferCounterValue");
+                    c.buffer->SetCounterValue(c.value);
+                }
+                else if constexpr (std::is_same_v<Command, SetGlobalCommand>)
+                {
+                    m_Recorder->SetGlobal(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetKeywordCommand>)
+                {
+                    m_Recorder->SetKeyword(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetRenderTargetCommand>)
+                {
+                    m_Recorder->SetRenderTarget(c);
+                }
+                else if constexpr (std::is_constructible_v<FrameCommand, Command>)
+                {
+                    m_Frame.commands.emplace_back(c);
+                }
+                else if constexpr (std::is_same_v<Command, SetScissorCommand>)
+                {
+                    m_Recorder->commonState().scissor = c.rect;
+                }
+                else if constexpr (std::is_same_v<Command, SetInvertCullingCommand>)
+                {
+                    m_Recorder->commonState().invertsCulling = c.isInverted;
+                }
+                else if constexpr (std::is_same_v<Command, SetGlobalDepthBiasCommand>)
+                {
+                    m_Recorder->commonState().depthBias = c.bias;
+                    m_Recorder->commonState().slopeDepthBias = c.slopeBias;
+                }
+                else if constexpr (std::is_same_v<Command, GenerateMipsCommand>)
+                {
+                    GenerateMips(*m_Identified->Resolve(c));
+                }
+                else if constexpr (std::is_same_v<Command, DrawRendererListCommand>)
+                {
+                    DrawRenderers(*c.list->cullingResults, c.list->drawSettings,
+                                  c.list->filteringSettings, c.list->stateBlock);
+                }
+                else if constexpr (std::is_same_v<Command, RecordedDispatch>)
+                {
+                    m_Recorder->Dispatch(c);
+                }
+                else if constexpr (std::is_same_v<Command, CopyBufferCommand>)
+                {
+                    m_Recorder->Copy(c, m_Identified->CopyKernel("CopyBuffer"));
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeParamsCommand>)
+                {
+                    c.shader->SetFromMaterial(c.kernel, *c.material);
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeParamCommand>)
+                {
+                    c.shader->Set(c.kernel, c.id, c.value);
+                }
+                else if constexpr (std::is_same_v<Command, SetComputeKeywordCommand>)
+                {
+                    c.shader->SetKeyword(c.keyword, c.isOn);
+                }
+                else if constexpr (std::is_same_v<Command, SetMaterialKeywordCommand>)
+                {
+                    c.material->SetKeyword(c.keyword, c.isOn);
+                }
+                else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
+                {
+                    m_Identified->SetCameraColor(c);
+                }
+                else if constexpr (std::is_same_v<Command, CopyTextureCommand>)
+                {
+                    const CommonDrawState state = std::exchange(m_Recorder->commonState(), {});
+                    ExecuteCommandBuffer(m_Identified->Resolve(c));
+                    m_Recorder->commonState() = state;
+                }
+                else
+                {
+                    ExecuteCommandBuffer(m_Identified->Resolve(c));
+                }
+            },
+            command);
+    }
+}
+
+void ScriptableRenderContext::DrawRenderers(const CullingResults& cullingResults,
+                                            const DrawingSettings& drawingSettings,
+                                            const FilteringSettings& filteringSettings,
+                                            const RenderStateBlock& stateBlock)
+{
+    JudgedItems judged = Judge(cullingResults.items, filteringSettings, drawingSettings);
+    m_Report->draws.push_back({m_PassName, filteringSettings, drawingSettings, judged.counts});
+    if (!judged.drawn.empty())
+    {
+        m_Recorder->TakeShaderGlobals();
+        const auto runs = SortIntoRuns(judged.drawn, drawingSettings.sortingSettings);
+        DrawObjects(judged.drawn, runs, drawingSettings, stateBlock, *m_Recorder);
+    }
+}
+
+/// When the node that drew into it last ends, or the kernel that wrote to it: whoever samples it
+/// comes behind that.
+void ScriptableRenderContext::GenerateMips(const RenderTexture& texture)
+{
+    const auto isIt = [&](const auto& other)
+    {
+        return other.get() == &texture;
+    };
+    auto& commands = m_Frame.commands;
+    for (auto command = commands.rbegin(); command != commands.rend(); ++command)
+    {
+        auto* target = std::get_if<SetRenderTargetCommand>(&*command);
+        if (target != nullptr && std::ranges::any_of(target->colors, isIt))
+        {
+            target->generatesMips = true;
+            return;
+        }
+        auto* dispatch = std::get_if<DispatchCommand>(&*command);
+        if (dispatch != nullptr &&
+            std::ranges::any_of(m_Frame.Setup(*dispatch).bindings->storageTextures, isIt,
+                                &StorageTextureSlot::texture))
+        {
+            dispatch->generatesMips = true;
+            return;
+        }
+    }
+    m_Report->notes.push_back("GenerateMips of '" + texture.name() +
+                              "': nothing has drawn into it in this frame, so they stay");
+}
+
+RendererList ScriptableRenderContext::CreateRendererList(const RendererListParams& param) const
+{
+    return RendererList(param);
+}
+
+RendererList ScriptableRenderContext::CreateRendererList(const RendererListDesc& desc) const
+{
+    return RendererList(desc.ToParams());
+}
+
+ScriptableRenderContext::Place ScriptableRenderContext::MarkPlace()
+{
+    return m_Recorder->MarkPlace();
+}
+
+void ScriptableRenderContext::RecordAt(const Place& place, const std::function<void()>& record)
+{
+    std::vector<FrameCommand>& commands = m_Frame.commands;
+    const auto count = static_cast<std::ptrdiff_t>(commands.size());
+    m_Recorder->WithGlobalsOf(place, record);
+    std::rotate(commands.begin() + static_cast<std::ptrdiff_t>(place.command),
+                commands.begin() + count, commands.end());
+}
+
+bool ScriptableRenderContext::Reads(const Texture& texture) const
+{
+    return m_Recorder->Reads(texture);
+}
+
+FrameCommands ScriptableRenderContext::TakeCommands()
+{
+    m_Recorder->Begin(m_Report->notes, m_Origin);
+    return std::exchange(m_Frame, {});
+}
+
+} // namespace limn

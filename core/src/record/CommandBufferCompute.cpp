@@ -1,0 +1,244 @@
+#include <limn/core/CommandBuffer.h>
+
+#include "record/Arguments.h"
+#include "support/RequireFinite.h"
+
+namespace limn
+{
+
+namespace
+{
+
+using ComputeShaderPtr = std::shared_ptr<ComputeShader>;
+
+constexpr int k_MostGroups = 65535; // Direct3D's
+constexpr int k_AllKernels = ComputeShader::k_AllKernels;
+
+void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
+{
+    if (!shader)
+    {
+        throw ContractError("a kernel needs a compute shader, but it is null");
+    }
+}
+
+void ExpectBuffer(const std::shared_ptr<const GraphicsBuffer>& buffer, const char* call)
+{
+    if (!buffer)
+    {
+        throw ContractError(std::string(call) + ": the buffer is null");
+    }
+}
+
+} // namespace
+
+void CommandBuffer::SetBufferBytes(const std::shared_ptr<GraphicsBuffer>& buffer,
+                                   const GraphicsBuffer::Part& part)
+{
+    ExpectBuffer(buffer, "SetBufferData");
+    m_Commands.emplace_back(
+        SetBufferDataCommand{buffer, {part.bytes.begin(), part.bytes.end()}, part.offset});
+}
+
+void CommandBuffer::SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
+                                          std::uint32_t counterValue)
+{
+    ExpectBuffer(buffer, "SetBufferCounterValue");
+    m_Commands.emplace_back(SetBufferCounterCommand{buffer, counterValue});
+}
+
+void CommandBuffer::CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
+                               const std::shared_ptr<const GraphicsBuffer>& dest)
+{
+    constexpr const char* k_Call = "CopyBuffer";
+    ExpectBuffer(source, k_Call);
+    ExpectBuffer(dest, k_Call);
+    const std::string subject =
+        std::string(k_Call) + " from '" + source->name() + "' to '" + dest->name() + "': ";
+    if (source == dest)
+    {
+        throw ContractError(subject + "they are one buffer");
+    }
+    if (source->size() != dest->size())
+    {
+        throw ContractError(subject + std::to_string(source->size()) + " bytes and " +
+                            std::to_string(dest->size()) + "; both must have the same");
+    }
+    if (!source->Has(GraphicsBuffer::Target::CopySource) ||
+        !dest->Has(GraphicsBuffer::Target::CopyDestination))
+    {
+        throw ContractError(subject + "the first is made with GraphicsBuffer::Target::CopySource, "
+                                      "the second with CopyDestination");
+    }
+    m_Commands.emplace_back(CopyBufferCommand{
+        source, dest, 0, 0, static_cast<std::uint32_t>((source->size() + 3) / 4)});
+}
+
+void CommandBuffer::CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>& src,
+                                     const std::shared_ptr<const GraphicsBuffer>& dst,
+                                     std::uint32_t dstOffsetBytes)
+{
+    constexpr const char* k_Call = "CopyCounterValue";
+    ExpectBuffer(src, k_Call);
+    ExpectBuffer(dst, k_Call);
+    if (!src->hasCounter())
+    {
+        throw ContractError(std::string(k_Call) + ": '" + src->name() +
+                            "' has none; only targets Append and Counter have one");
+    }
+    if (dstOffsetBytes % 4 != 0 || dst->size() < 4 || dstOffsetBytes > dst->size() - 4)
+    {
+        throw ContractError(std::string(k_Call) + " to byte " + std::to_string(dstOffsetBytes) +
+                            " of '" + dst->name() + "', which has " + std::to_string(dst->size()) +
+                            "; it is four bytes at a multiple of 4");
+    }
+    m_Commands.emplace_back(CopyBufferCommand{
+        src, dst, static_cast<std::uint32_t>(src->counterOffset() / 4), dstOffsetBytes / 4, 1});
+}
+
+void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
+                                    int kernelIndex, int threadGroupsX, int threadGroupsY,
+                                    int threadGroupsZ)
+{
+    ExpectShader(computeShader);
+    const std::string& kernel = computeShader->kernelName(kernelIndex);
+    const int counts[] = {threadGroupsX, threadGroupsY, threadGroupsZ};
+    RecordedDispatch dispatch;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        if (counts[i] < 1 || counts[i] > k_MostGroups)
+        {
+            throw ContractError("DispatchCompute of '" + computeShader->name() + "', kernel '" +
+                                kernel + "': " + std::to_string(counts[0]) + "x" +
+                                std::to_string(counts[1]) + "x" + std::to_string(counts[2]) +
+                                " groups; each count is from 1 to " + std::to_string(k_MostGroups));
+        }
+        dispatch.groups[i] = static_cast<std::uint32_t>(counts[i]);
+    }
+    dispatch.shader = std::move(computeShader);
+    dispatch.kernel = kernelIndex;
+    m_Commands.emplace_back(std::move(dispatch));
+}
+
+void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> computeShader,
+                                    int kernelIndex,
+                                    std::shared_ptr<const GraphicsBuffer> indirectBuffer,
+                                    std::uint32_t argsOffset)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    RecordedDispatch dispatch;
+    dispatch.arguments =
+        ArgumentsRange("DispatchCompute", std::move(indirectBuffer), argsOffset, 3);
+    dispatch.shader = std::move(computeShader);
+    dispatch.kernel = kernelIndex;
+    m_Commands.emplace_back(std::move(dispatch));
+}
+
+void CommandBuffer::SetParam(const ComputeShaderPtr& shader, int kernel, ShaderPropertyId id,
+                             ShaderPropertyValue value)
+{
+    ExpectShader(shader);
+    if (kernel != k_AllKernels)
+    {
+        shader->kernelName(kernel); // throws
+    }
+    RequireFinite(value, id, "compute shader '" + shader->name() + "': ");
+    m_Commands.emplace_back(SetComputeParamCommand{shader, kernel, id, std::move(value)});
+}
+
+void CommandBuffer::SetComputeFloatParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                         float value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeIntParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                       int value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeVectorParam(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, const glm::vec4& value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeVectorArrayParam(const ComputeShaderPtr& computeShader,
+                                               ShaderPropertyId id, std::vector<glm::vec4> values)
+{
+    SetParam(computeShader, k_AllKernels, id, std::move(values));
+}
+
+void CommandBuffer::SetComputeMatrixParam(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, const glm::mat4& value)
+{
+    SetParam(computeShader, k_AllKernels, id, value);
+}
+
+void CommandBuffer::SetComputeMatrixArrayParam(const ComputeShaderPtr& computeShader,
+                                               ShaderPropertyId id, std::vector<glm::mat4> values)
+{
+    SetParam(computeShader, k_AllKernels, id, std::move(values));
+}
+
+void CommandBuffer::SetComputeFloatParams(const ComputeShaderPtr& computeShader,
+                                          ShaderPropertyId id, std::vector<float> values)
+{
+    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
+}
+
+void CommandBuffer::SetComputeIntParams(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
+                                        std::vector<int> values)
+{
+    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
+}
+
+void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader, int kernelIndex,
+                                           ShaderPropertyId id, RenderTargetIdentifier rt)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    m_Commands.emplace_back(
+        SetComputeTextureCommand{computeShader, kernelIndex, id, std::move(rt)});
+}
+
+void CommandBuffer::SetComputeBufferParam(const ComputeShaderPtr& computeShader, int kernelIndex,
+                                          ShaderPropertyId id,
+                                          std::shared_ptr<const GraphicsBuffer> buffer)
+{
+    SetParam(computeShader, kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
+}
+
+void CommandBuffer::SetComputeConstantBufferParam(const ComputeShaderPtr& computeShader,
+                                                  ShaderPropertyId id,
+                                                  std::shared_ptr<const GraphicsBuffer> buffer,
+                                                  int offset, int size)
+{
+    SetParam(computeShader, k_AllKernels, id, ConstantRange(std::move(buffer), offset, size));
+}
+
+void CommandBuffer::SetComputeParamsFromMaterial(const ComputeShaderPtr& computeShader,
+                                                 int kernelIndex,
+                                                 std::shared_ptr<const Material> material)
+{
+    ExpectShader(computeShader);
+    computeShader->kernelName(kernelIndex); // throws
+    if (!material)
+    {
+        throw ContractError("SetComputeParamsFromMaterial of '" + computeShader->name() +
+                            "': the material is null");
+    }
+    m_Commands.emplace_back(
+        SetComputeParamsCommand{computeShader, kernelIndex, std::move(material)});
+}
+
+void CommandBuffer::SetKeyword(const ComputeShaderPtr& computeShader, std::string_view keyword,
+                               bool value)
+{
+    ExpectShader(computeShader);
+    m_Commands.emplace_back(SetComputeKeywordCommand{computeShader, std::string(keyword), value});
+}
+
+} // namespace limn

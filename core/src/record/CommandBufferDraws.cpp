@@ -1,0 +1,251 @@
+#include <glm/ext/matrix_clip_space.hpp>
+#include <limn/core/CommandBuffer.h>
+#include <limn/core/RendererList.h>
+#include <limn/core/Scene.h>
+#include <limn/core/TargetOrientation.h>
+
+#include "record/ExpectDraw.h"
+#include "record/MatrixIds.h"
+
+namespace limn
+{
+
+namespace
+{
+
+/// 0...1 in x and y, seen from the front.
+const std::shared_ptr<const Mesh>& BlitQuad()
+{
+    static const auto quad = []
+    {
+        MeshData data;
+        // From the corner at which Blit.hlsl's triangle begins: most devices round coordinates
+        // alike. Unity's is a quad too: vertex functions tell its corners apart by their
+        // coordinates.
+        data.vertices = {{0, 1, 0}, {1, 1, 0}, {1, 0, 0}, {0, 0, 0}};
+        data.uv = {{0, 1}, {1, 1}, {1, 0}, {0, 0}};
+        data.triangles = {0, 1, 2, 0, 2, 3};
+        return std::make_shared<const Mesh>("Blit Quad", std::move(data));
+    }();
+    return quad;
+}
+
+void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTexture& dest,
+                const std::shared_ptr<const Material>& material, int pass)
+{
+    if (source.get() == &dest)
+    {
+        throw ContractError(
+            "Blit: '" + source->name() +
+            "' is both source and destination; copy it first, and draw from the copy");
+    }
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+}
+
+/// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
+/// @param properties  gets it: what a draw brings along wins over what is global
+void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& dest)
+{
+    static const ShaderPropertyId limn_Origin{"limn_Origin"};
+    // Near and far are given the other way round, which is reversed Z.
+    static const glm::mat4 upright = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
+    const glm::mat4 projection = IsProjectionFlipped(dest) ? WithFlippedY(upright) : upright;
+    properties.SetMatrix(unity_MatrixV, glm::mat4(1.0f));
+    properties.SetMatrix(glstate_matrix_projection, projection);
+    properties.SetMatrix(unity_MatrixVP, projection);
+    properties.SetVector(limn_Origin, glm::vec4(0.0f)); // positions are the world's
+}
+
+} // namespace
+
+void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
+                             std::shared_ptr<const Material> material, int subMesh, int shaderPass,
+                             const MaterialPropertyBlock& properties)
+{
+    ExpectDrawable(material, shaderPass, matrix);
+    if (!mesh)
+    {
+        throw ContractError("DrawMesh needs a mesh, but it is null");
+    }
+    ExpectSubMesh(*mesh, subMesh);
+    RecordedDraw draw;
+    draw.mesh = std::move(mesh);
+    draw.subMesh = subMesh;
+    draw.matrix = glm::dmat4(matrix);
+    draw.material = std::move(material);
+    draw.shaderPass = shaderPass;
+    draw.properties = Keep(properties);
+    m_Commands.emplace_back(std::move(draw));
+}
+
+void CommandBuffer::DrawMultipleMeshes(std::span<const glm::mat4> matrices,
+                                       std::span<const std::shared_ptr<const Mesh>> meshes,
+                                       std::span<const int> subsetIndices, int count,
+                                       const std::shared_ptr<const Material>& material,
+                                       int shaderPass, const MaterialPropertyBlock& properties)
+{
+    const std::size_t available = std::min({matrices.size(), meshes.size(), subsetIndices.size()});
+    if (count < 0 || static_cast<std::size_t>(count) > available)
+    {
+        throw ContractError("DrawMultipleMeshes: the count is " + std::to_string(count) +
+                            ", but one of the lists has " + std::to_string(available));
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+    {
+        DrawMesh(meshes[i], matrices[i], material, subsetIndices[i], shaderPass, properties);
+    }
+}
+
+void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                      const std::shared_ptr<const Material>& material,
+                                      int shaderPass, std::span<const glm::mat4> matrices,
+                                      int count, const MaterialPropertyBlock& properties)
+{
+    if (count < 0 || static_cast<std::size_t>(count) > matrices.size())
+    {
+        throw ContractError("DrawMeshInstanced: " + std::to_string(count) + " of " +
+                            std::to_string(matrices.size()) + " matrices");
+    }
+    DrawMeshInstanced(mesh, submeshIndex, material, shaderPass,
+                      matrices.first(static_cast<std::size_t>(count)), properties);
+}
+
+void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+                                      const std::shared_ptr<const Material>& material,
+                                      int shaderPass, std::span<const glm::mat4> matrices,
+                                      const MaterialPropertyBlock& properties)
+{
+    constexpr std::size_t k_Most = 1023; // Unity's
+    if (matrices.size() > k_Most)
+    {
+        throw ContractError("DrawMeshInstanced: " + std::to_string(matrices.size()) +
+                            " matrices; at most " + std::to_string(k_Most));
+    }
+    ExpectMaterial(material);
+    const bool isEach = shaderPass == k_AllPasses;
+    const int end = isEach ? material->passCount() : shaderPass + 1;
+    for (int pass = isEach ? 0 : shaderPass; pass < end; ++pass)
+    {
+        for (const glm::mat4& matrix : matrices)
+        {
+            DrawMesh(mesh, matrix, material, submeshIndex, pass, properties);
+        }
+    }
+}
+
+void CommandBuffer::DrawRenderer(const GameObject& object,
+                                 const std::shared_ptr<const Material>& material, int submeshIndex,
+                                 int shaderPass, const MaterialPropertyBlock& properties)
+{
+    if (!object.renderer)
+    {
+        throw ContractError("DrawRenderer: the object '" + object.name + "' has no renderer");
+    }
+    if (!object.renderer->mesh)
+    {
+        return;
+    }
+    ExpectSubMesh(*object.renderer->mesh, submeshIndex);
+    RecordedDraw draw;
+    draw.mesh = object.renderer->mesh;
+    draw.subMesh = submeshIndex;
+    draw.matrix = object.transform.worldMatrix();
+    draw.material = material;
+    draw.shaderPass = shaderPass;
+    draw.renderingLayers = object.renderer->renderingLayerMask;
+    const auto& own = object.renderer->PropertiesOf(static_cast<std::size_t>(submeshIndex));
+    if (!own)
+    {
+        DrawPasses(std::move(draw), properties);
+        return;
+    }
+    MaterialPropertyBlock both = *own;
+    both.SetAll(properties);
+    DrawPasses(std::move(draw), both);
+}
+
+void CommandBuffer::Blit(const RTHandle& source, const RTHandle& dest,
+                         const std::shared_ptr<const Material>& material, int pass)
+{
+    if (!source || !dest)
+    {
+        throw ContractError(std::string("Blit: the ") + (source ? "destination" : "source") +
+                            " is an empty handle");
+    }
+    if (!source.rt() || !dest.rt())
+    {
+        Blit(source.nameID(), dest.nameID(), material, pass);
+        return;
+    }
+    ExpectBlit(source.rt(), *dest.rt(), material, pass);
+    SetRenderTarget(dest);
+    DrawBlit(source.rt(), *dest.rt(), material, pass);
+}
+
+void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source,
+                             const RenderTexture& dest,
+                             const std::shared_ptr<const Material>& material, int pass)
+{
+    static const ShaderPropertyId _MainTex{"_MainTex"};
+    ExpectBlit(source, dest, material, pass);
+    RecordedDraw draw;
+    draw.mesh = BlitQuad();
+    draw.material = material;
+    draw.shaderPass = pass;
+    draw.isBlit = true;
+    static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
+    if (source)
+    {
+        properties.SetTexture(_MainTex, source);
+    }
+    SetBlitMatrices(properties, dest);
+    DrawPasses(std::move(draw), properties);
+    properties.Clear();
+}
+
+/// Of the draw's material, the pass that it names or each.
+void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
+{
+    ExpectMaterial(draw.material);
+    const bool isEach = draw.shaderPass == k_AllPasses;
+    const int first = isEach ? 0 : draw.shaderPass;
+    const int end = isEach ? draw.material->passCount() : first + 1;
+    for (draw.shaderPass = first; draw.shaderPass < end; ++draw.shaderPass)
+    {
+        ExpectDrawable(draw.material, draw.shaderPass, glm::mat4(draw.matrix));
+        draw.properties = Keep(properties);
+        m_Commands.emplace_back(draw);
+    }
+}
+
+void CommandBuffer::DrawRendererList(const RendererList& rendererList)
+{
+    if (!rendererList.isValid())
+    {
+        throw ContractError("DrawRendererList: the list is empty; CreateRendererList makes one");
+    }
+    m_Commands.push_back(DrawRendererListCommand{rendererList.params()});
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
+                         std::shared_ptr<const Material> material, int pass)
+{
+    ExpectMaterial(material);
+    if (pass != k_AllPasses)
+    {
+        ExpectDrawable(material, pass, glm::mat4(1.0f));
+    }
+    m_Commands.emplace_back(
+        IdentifiedBlitCommand{std::move(source), std::move(dest), std::move(material), pass});
+}
+
+void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+{
+    m_Commands.emplace_back(IdentifiedBlitCommand{std::move(source), std::move(dest), nullptr, 0});
+}
+
+} // namespace limn

@@ -1,0 +1,53 @@
+#pragma once
+
+#include "resolve/DrawRecorder.h"
+
+#include <limn/core/Culling.h>
+
+namespace limn
+{
+
+/// Instances of one pass, mesh and winding.
+struct ObjectBatch
+{
+    std::uint32_t pass = 0;
+    std::uint32_t meshPart = 0; ///< of the table
+    bool isMirrored = false;
+    std::uint32_t first = 0; ///< among the rows
+    std::uint32_t count = 0;
+};
+
+/// Rows that follow upon each other and draw the same but for their place.
+struct ClassRun
+{
+    std::uint32_t rowClass = 0; ///< of the table: the first of those that they have
+    std::uint32_t first = 0;    ///< among the items
+    std::uint32_t count = 0;
+    std::uint32_t passes = 0; ///< of what is drawn: the class's number, unless lights differ
+};
+
+/// Sort, and what it finds: all runs, until the thread's next call.
+std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
+
+/// What rows draw. Draws that may change places become one batch whatever lies between them, at
+/// the place of the first; others only where they follow upon each other.
+/// @param items     in the order in which they are drawn
+/// @param runs      all of them
+/// @param passesOf  by ClassRun::passes: the passes that each of its rows draws, in this order
+/// @param commutes  by pass: passes of equal numbers other than 0 give the same picture in any
+///                  order
+/// @param rows      the batches' rows of the table are appended
+/// @return in the order in which they are drawn; until the thread's next call
+std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
+                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
+                                         const std::vector<std::uint32_t>& commutes,
+                                         std::vector<std::uint32_t>& rows);
+
+/// Appends the draws of a DrawRenderers call.
+/// @param items  in the order in which they are drawn; not empty
+/// @param runs   all of them
+void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
+                 const DrawingSettings& drawing, const RenderStateBlock& stateBlock,
+                 DrawRecorder& recorder);
+
+} // namespace limn

@@ -1,0 +1,537 @@
+#include "resolve/DrawRecorder.h"
+
+#include "record/MatrixIds.h"
+
+#include "scene/PerDraw.h"
+#include "cull/ProjectedBounds.h"
+#include "record/Topology.h"
+#include "material/ShaderGlobals.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/matrix.hpp>
+#include <limn/core/DrawError.h>
+#include <limn/core/TargetOrientation.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
+{
+    const auto* texture = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    return texture ? *texture : nullptr;
+}
+
+/// Of a number, vector or colour.
+bool isZero(const ShaderPropertyValue& value)
+{
+    return std::visit(
+        [](const auto& v)
+        {
+            using Value = std::decay_t<decltype(v)>;
+            if constexpr (std::is_arithmetic_v<Value> || std::is_same_v<Value, glm::vec4>)
+            {
+                return v == Value(0);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return v == Color::clear;
+            }
+            return false;
+        },
+        value);
+}
+
+float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
+{
+    if (tag.reachProperty)
+    {
+        const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
+        const auto* number = value ? std::get_if<float>(value) : nullptr;
+        return number ? std::abs(*number) : -1.0f;
+    }
+    return tag.reach.value_or(-1.0f);
+}
+
+} // namespace
+
+bool isInstanceable(const ShaderProgram& program)
+{
+    const auto& buffers = program.layout.storageBuffers;
+    return !(program.layout.pushStages & ShaderStage::Vertex) &&
+           std::all_of(buffers.begin(), buffers.end(),
+                       [](const StorageBufferBinding& buffer)
+                       { return buffer.stages == ShaderStage::Vertex; });
+}
+
+void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& origin)
+{
+    m_Changes.clear();
+    m_KeepsChanges = false;
+    ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
+    m_Origin = origin;
+    m_State = {};
+    m_ObjectLights.Begin({}, 0);
+    m_ShaderGlobalsVersion = 0;
+    m_ShaderGlobals.clear();
+    m_Notes = &notes;
+    m_Target = nullptr;
+    m_Depth = nullptr;
+    m_IsFlipped = true;
+    if (std::exchange(m_HasDraws, false))
+    {
+        EraseUnused(m_MeshPlaces);
+        EraseUnused(m_WithShader);
+        EraseUnused(m_Quads);
+        m_Promises.resize(std::exchange(m_PromiseCount, 0));
+    }
+    m_Resolver.Begin(notes);
+}
+
+void DrawRecorder::BeginCamera()
+{
+    m_State = {};
+    m_IsFlipped = true; // as its uniforms are set; its first target may turn them
+    ++m_GlobalsVersion; // what the last camera's draws have bound, this one's have to bind anew
+    m_Resolver.BeginCamera();
+}
+
+void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
+{
+    if (m_KeepsChanges)
+    {
+        const ShaderPropertyValue* before = m_Globals.Find(command.id);
+        m_Changes.push_back({command.id, before ? std::optional(*before) : std::nullopt});
+    }
+    m_Globals.Put(command.id, command.value);
+    ++m_GlobalsVersion;
+}
+
+void DrawRecorder::SetKeyword(const SetKeywordCommand& command)
+{
+    const auto place =
+        std::ranges::lower_bound(m_KnownKeywords, command.keyword.name(), {}, &GlobalKeyword::name);
+    if (place == m_KnownKeywords.end() || *place != command.keyword)
+    {
+        m_KnownKeywords.insert(place, command.keyword);
+    }
+    SetGlobal({command.keyword.id(), command.isOn ? 1 : 0});
+    m_AreKeywordsOld = true;
+}
+
+std::span<const std::string> DrawRecorder::keywords()
+{
+    if (!std::exchange(m_AreKeywordsOld, false))
+    {
+        return std::span(m_Keywords).first(m_KeywordCount);
+    }
+    // Most frames have those of the one before: the texts stay.
+    std::size_t count = 0;
+    for (const GlobalKeyword& keyword : m_KnownKeywords)
+    {
+        const ShaderPropertyValue* isOn = m_Globals.Find(keyword.id());
+        if (isOn == nullptr || *isOn != ShaderPropertyValue(1))
+        {
+            continue;
+        }
+        m_Keywords.resize(std::max(m_Keywords.size(), count + 1));
+        if (m_Keywords[count] != keyword.name())
+        {
+            m_Keywords[count] = keyword.name();
+        }
+        ++count;
+    }
+    m_KeywordCount = count;
+    return std::span(m_Keywords).first(count);
+}
+
+void DrawRecorder::TakeShaderGlobals()
+{
+    const std::uint64_t version = ShaderGlobals::version();
+    if (std::exchange(m_ShaderGlobalsVersion, version) == version)
+    {
+        return;
+    }
+    ShaderGlobals::ForEach(
+        [&](ShaderPropertyId id, const ShaderPropertyValue& value)
+        {
+            const ShaderPropertyValue* now = m_Globals.Find(id);
+            const auto taken = m_ShaderGlobals.find(id);
+            if (now == nullptr || (taken != m_ShaderGlobals.end() && *now == taken->second))
+            {
+                Take(id, value);
+                m_ShaderGlobals[id] = value;
+            }
+        });
+}
+
+void DrawRecorder::Take(ShaderPropertyId id, const ShaderPropertyValue& value)
+{
+    if (const std::optional<GlobalKeyword> keyword = GlobalKeyword::OfId(id))
+    {
+        SetKeyword({*keyword, value == ShaderPropertyValue(1)});
+    }
+    else
+    {
+        SetGlobal({id, value});
+    }
+}
+
+DrawRecorder::Place DrawRecorder::MarkPlace()
+{
+    m_KeepsChanges = true;
+    return {m_Frame.commands.size(), m_Changes.size(), m_State};
+}
+
+void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>& record)
+{
+    MaterialPropertyBlock now = m_Globals;
+    const std::size_t count = m_Changes.size();
+    for (std::size_t i = count; i-- > place.globalChange;)
+    {
+        const GlobalChange& change = m_Changes[i];
+        if (change.before)
+        {
+            m_Globals.Set(change.id, *change.before);
+        }
+        else
+        {
+            m_Globals.Remove(change.id);
+        }
+    }
+    ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
+    const CommonDrawState state = std::exchange(m_State, place.state);
+    record();
+    m_State = state;
+    m_Changes.resize(count);
+    m_Globals = std::move(now);
+    ++m_GlobalsVersion;
+    m_AreKeywordsOld = true;
+}
+
+DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
+                               const DrawProperties& properties, const RenderStateBlock& stateBlock,
+                               const RecordedDraw* recorded)
+{
+    m_HasDraws = true;
+    ExpectSameDepth(material);
+    DrawSetup draw;
+    const bool isProcedural = recorded != nullptr && recorded->isProcedural;
+    draw.program = material.Compile(shaderPass, isProcedural ? ProceduralKeywords() : keywords());
+    ExpectTopology(recorded != nullptr ? recorded->topology : MeshTopology::Triangles,
+                   draw.program->layout.geometryInput, material);
+    draw.shader = material.shader();
+    draw.shaderPass = shaderPass;
+    draw.state = Override(m_Resolver.StateOf(material, shaderPass, m_Globals), stateBlock);
+    draw.state.offsetUnits += m_State.depthBias;
+    draw.state.offsetFactor += m_State.slopeDepthBias;
+    ExpectStencil(draw.state, material, shaderPass);
+    PropertySources sources{properties.own, &material, &m_Globals};
+    sources.lights = recorded != nullptr ? LightsOf(*recorded, *draw.program) : properties.lights;
+    sources.arguments =
+        recorded != nullptr && recorded->arguments.buffer ? &recorded->arguments : nullptr;
+    draw.bindings =
+        m_Resolver.Resolve(draw.program, sources, m_GlobalsVersion, m_Frame.uniformData);
+    return draw;
+}
+
+std::span<const std::string> DrawRecorder::ProceduralKeywords()
+{
+    const std::span<const std::string> all = keywords();
+    m_ProceduralKeywords.resize(all.size() + 1);
+    std::ranges::merge(all, std::span(&k_ProceduralInstancing, 1), m_ProceduralKeywords.begin());
+    return m_ProceduralKeywords;
+}
+
+const MaterialPropertyBlock* DrawRecorder::LightsOf(const RecordedDraw& recorded,
+                                                    const ShaderProgram& program)
+{
+    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
+    if (!isPlaced || !m_ObjectLights.isNeeded() || !ReadsObjectLights(program))
+    {
+        return nullptr;
+    }
+    const Bounds& bounds = recorded.mesh->bounds();
+    const glm::dmat4& world = recorded.matrix;
+    glm::dvec3 extent(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+        extent += glm::abs(glm::dvec3(world[axis])) * static_cast<double>(bounds.extents[axis]);
+    }
+    const glm::dvec3 center(world * glm::dvec4(bounds.center, 1.0));
+    return &m_ObjectLights.ValuesOf(m_ObjectLights.Find(center, extent));
+}
+
+const std::shared_ptr<const Mesh>& DrawRecorder::QuadIndices(std::uint32_t count)
+{
+    Quads& quads = m_Quads[count];
+    quads.isUsed = true;
+    if (!quads.mesh)
+    {
+        quads.mesh = MakeQuads(count);
+    }
+    return quads.mesh;
+}
+
+std::uint32_t DrawRecorder::Add(DrawSetup setup)
+{
+    auto& setups = m_Frame.setups;
+    if (setups.empty() || setups.back() != setup)
+    {
+        setups.push_back(std::move(setup));
+    }
+    return static_cast<std::uint32_t>(setups.size() - 1);
+}
+
+std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
+{
+    if (!mesh)
+    {
+        return DrawCommand::k_NoMesh;
+    }
+    MeshPlace& place = m_MeshPlaces[mesh.get()];
+    if (!std::exchange(place.isUsed, true))
+    {
+        place.index = static_cast<std::uint32_t>(m_Frame.meshes.size());
+        m_Frame.meshes.push_back(mesh);
+    }
+    return place.index;
+}
+
+void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties)
+{
+    DrawSetup setup = LookUp(*recorded.material, recorded.shaderPass, {properties},
+                             RenderStateBlock(), &recorded);
+    const PerDrawData perDraw =
+        MakePerDrawData(recorded.matrix, recorded.renderingLayers, m_Origin);
+    setup.fullScreen = Promise(recorded, properties, setup.state);
+    if (recorded.isBlit && !m_Depth)
+    {
+        NoteMissingDepth(setup.state, *recorded.material, recorded.shaderPass);
+    }
+    DrawCommand draw;
+    draw.scissor = m_State.scissor;
+    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
+    if (isPlaced && setup.shader->staysWithinMesh(setup.shaderPass))
+    {
+        draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
+    }
+    const bool isOfQuads = recorded.topology == MeshTopology::Quads;
+    draw.mesh = Add(isOfQuads ? QuadIndices(recorded.vertexCount / 4) : recorded.mesh);
+    draw.subMesh = recorded.subMesh;
+    draw.vertexCount = recorded.vertexCount;
+    draw.firstInstance = static_cast<std::uint32_t>(m_Frame.instances.size());
+    draw.instanceCount = recorded.instanceCount;
+    m_Frame.instances.insert(m_Frame.instances.end(), recorded.instanceCount,
+                             static_cast<std::uint32_t>(m_Frame.perDraw.size()));
+    m_Frame.perDraw.push_back(perDraw);
+    const bool isMirrored = perDraw.worldTransformParams[3] < 0.0f;
+    setup.state.topology = isOfQuads ? MeshTopology::Triangles : recorded.topology;
+    setup.state.frontFaceFlipped = FlipsFrontFace(isMirrored);
+    draw.setup = Add(std::move(setup));
+    if (recorded.isProcedural || !recorded.mesh || !MergeIntoLast(draw))
+    {
+        m_Frame.commands.emplace_back(draw);
+    }
+}
+
+void DrawRecorder::Dispatch(const RecordedDispatch& recorded)
+{
+    const ComputeShader& shader = *recorded.shader;
+    Dispatch(recorded,
+             {&shader.kernelValues(recorded.kernel), nullptr, &m_Globals, &shader, recorded.kernel,
+              recorded.arguments.buffer ? &recorded.arguments : nullptr});
+}
+
+void DrawRecorder::Dispatch(const RecordedDispatch& recorded, const PropertySources& sources)
+{
+    DispatchSetup setup;
+    setup.program = recorded.shader->Compile(recorded.kernel, keywords());
+    setup.shader = recorded.shader;
+    setup.kernel = recorded.kernel;
+    setup.bindings = m_Resolver.Resolve(setup.program, sources, m_Frame.uniformData);
+    auto& setups = m_Frame.dispatchSetups;
+    if (setups.empty() || setups.back() != setup)
+    {
+        setups.push_back(std::move(setup));
+    }
+    m_Frame.commands.emplace_back(DispatchCommand{static_cast<std::uint32_t>(setups.size() - 1),
+                                                  recorded.groups, false, false});
+}
+
+std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
+                                                  const PerDrawData& perDraw) const
+{
+    const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
+    const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+    if (viewProjection == nullptr)
+    {
+        return std::nullopt;
+    }
+    // As shaders do it: relative to the origin where that is not the world's.
+    glm::mat4 relative = glm::make_mat4(perDraw.objectToWorld);
+    glm::mat4 toClip = *viewProjection;
+    const ShaderPropertyValue* originCS = m_Globals.Find(limn_OriginCS);
+    if (m_Origin != glm::dvec3(0.0) && originCS != nullptr)
+    {
+        relative[3] = glm::vec4(glm::make_vec3(perDraw.worldTransformParams), 1.0f);
+        toClip[3] = std::get<glm::vec4>(*originCS);
+    }
+    return ProjectBounds(bounds, radius, relative, toClip);
+}
+
+std::shared_ptr<const Material>
+DrawRecorder::WithShader(const std::shared_ptr<const Material>& material,
+                         const std::shared_ptr<const Shader>& shader)
+{
+    Variant& result = m_WithShader[{material, material->version(), shader}];
+    result.isUsed = true;
+    if (!result.material)
+    {
+        result.material = std::make_shared<const Material>(*material, shader);
+    }
+    return result.material;
+}
+
+void DrawRecorder::SetRenderTarget(const SetRenderTargetCommand& command)
+{
+    m_Depth = command.depth;
+    m_Frame.commands.emplace_back(command);
+    m_Target = command.colors.empty() ? command.depth.get() : command.colors.front().get();
+    if (IsProjectionFlipped(*m_Target) != m_IsFlipped)
+    {
+        m_IsFlipped = !m_IsFlipped;
+        TurnProjection();
+    }
+}
+
+/// A shader of another compiler than the renderer's may take near for far.
+void DrawRecorder::ExpectSameDepth(const Material& material) const
+{
+    if (material.shader()->usesReversedZBuffer() != m_Frame.usesReversedZBuffer)
+    {
+        const auto text = [](bool isReversed)
+        {
+            return isReversed ? "1 near ... 0 far" : "0 near ... 1 far";
+        };
+        throw DrawError("material '" + material.name() + "': shader '" + material.shader()->name() +
+                        "' is compiled for depths of " + text(!m_Frame.usesReversedZBuffer) +
+                        ", but the frame has " + text(m_Frame.usesReversedZBuffer) +
+                        "; give it the renderer's shaderCompiler()");
+    }
+}
+
+/// Without any depth target the stencil test passes, as everywhere; one that lacks the stencil
+/// is a mistake in the set-up.
+void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& material,
+                                 int shaderPass) const
+{
+    if (state.stencilEnabled && m_Depth && !HasStencil(m_Depth->graphicsFormat()))
+    {
+        throw DrawError("material '" + material.name() + "': pass " + std::to_string(shaderPass) +
+                        " of shader '" + material.shader()->name() +
+                        "' uses the stencil, but the depth target '" + m_Depth->name() +
+                        "' has the format " + ToString(m_Depth->graphicsFormat()) +
+                        "; give it depthBufferBits 24 or 32");
+    }
+}
+
+/// Says once a frame that a blit tests what is not there. ZTest LEqual is what passes have that say
+/// nothing, and a blit lies at the near plane, where it always passes.
+void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& material,
+                                    int shaderPass)
+{
+    const bool testsStencil =
+        state.stencilEnabled && (state.stencilFront.compare != CompareFunction::Always ||
+                                 state.stencilBack.compare != CompareFunction::Always);
+    const bool testsDepth = state.zTest != CompareFunction::Disabled &&
+                            state.zTest != CompareFunction::Always &&
+                            state.zTest != CompareFunction::LessEqual;
+    if (m_Target == nullptr || !(testsStencil || testsDepth))
+    {
+        return;
+    }
+    std::string note = "Blit: pass " + std::to_string(shaderPass) + " of shader '" +
+                       material.shader()->name() + "' tests the " +
+                       (testsStencil ? "stencil" : "depth") + ", but the target '" +
+                       m_Target->name() +
+                       "' has none, so the test passes everywhere. Blit into "
+                       "BuiltinRenderTextureType::CameraTarget or into a texture made with "
+                       "depthBufferBits, or bind colour and depth and blit to CurrentActive. "
+                       "The camera's colour has a depth in URP 7 to 11: where the feature is "
+                       "written for one of those, set pipelineVersion to it";
+    if (std::ranges::find(*m_Notes, note) == m_Notes->end())
+    {
+        m_Notes->push_back(std::move(note));
+    }
+}
+
+/// Whether it can be a draw over the whole of the target.
+bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& state) const
+{
+    return (!recorded.mesh || recorded.isBlit) && !recorded.arguments.buffer && !m_State.scissor &&
+           recorded.topology == MeshTopology::Triangles &&
+           (!m_State.invertsCulling || state.cull == CullMode::Off);
+}
+
+/// What the pass's LimnFullScreen tag comes to with the values of this draw.
+std::shared_ptr<const FullScreenPromise>
+DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties,
+                      const PipelineState& state)
+{
+    const FullScreenTag* tag = recorded.material->shader()->fullScreenTag(recorded.shaderPass);
+    if (tag == nullptr || !MayCover(recorded, state))
+    {
+        return nullptr;
+    }
+    const PropertySources sources{properties, recorded.material.get(), &m_Globals};
+    FullScreenPromise promise;
+    promise.output = tag->output;
+    for (const ShaderPropertyId id : tag->zeroes)
+    {
+        const ShaderPropertyValue* value = sources.Find(id);
+        if (const auto texture = TextureIn(value); texture && !promise.zeroTextures.full())
+        {
+            promise.zeroTextures.push_back(texture);
+        }
+        else if (value && isZero(*value))
+        {
+            promise.zeroProperty = id;
+        }
+    }
+    promise.reach = ReachOf(*tag, sources);
+    promise.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    m_Promises.resize(std::max(m_Promises.size(), m_PromiseCount + 1));
+    auto& kept = m_Promises[m_PromiseCount++];
+    if (!kept || *kept != promise)
+    {
+        kept = std::make_shared<const FullScreenPromise>(std::move(promise));
+    }
+    return kept;
+}
+
+/// Draws that differ in their transform only become instances of one.
+bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
+{
+    auto* last =
+        m_Frame.commands.empty() ? nullptr : std::get_if<DrawCommand>(&m_Frame.commands.back());
+    if (last == nullptr || draw.mesh == DrawCommand::k_NoMesh || last->mesh != draw.mesh ||
+        last->subMesh != draw.subMesh || last->drawsObjects != draw.drawsObjects ||
+        last->setup != draw.setup || last->scissor != draw.scissor ||
+        !isInstanceable(*m_Frame.Setup(draw).program))
+    {
+        return false;
+    }
+    ++last->instanceCount;
+    last->bounds = last->bounds && draw.bounds ? std::optional(Union(*last->bounds, *draw.bounds))
+                                               : std::nullopt;
+    return true;
+}
+
+} // namespace limn

@@ -1,0 +1,433 @@
+#include "resolve/DrawResolver.h"
+
+#include "resolve/StorageSlots.h"
+#include "resolve/UniformWriter.h"
+
+#include <algorithm>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/DrawError.h>
+#include <limn/shaderlab/Case.h>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string Subject(ShaderPropertyId id, const PropertySources& sources)
+{
+    return sources.Subject() + ": property '" + id.name() + "'";
+}
+
+/// A sampler whose name says what it does: "sampler_LinearClamp", "my_point_repeat_sampler".
+std::optional<SamplerState> SamplerByName(const std::string& lower)
+{
+    const auto has = [&](std::string_view word)
+    {
+        return lower.find(word) != std::string::npos;
+    };
+    const bool filtered = has("point") || has("linear");
+    const bool wrapped = has("clamp") || has("repeat") || has("mirror");
+    if (!filtered || !wrapped)
+    {
+        return std::nullopt;
+    }
+    SamplerState state;
+    state.filterMode = has("point")       ? FilterMode::Point
+                       : has("trilinear") ? FilterMode::Trilinear
+                                          : FilterMode::Bilinear;
+    state.wrapModeU = has("clamp")        ? TextureWrapMode::Clamp
+                      : has("mirroronce") ? TextureWrapMode::MirrorOnce
+                      : has("mirror")     ? TextureWrapMode::Mirror
+                                          : TextureWrapMode::Repeat;
+    state.wrapModeV = state.wrapModeU;
+    state.wrapModeW = state.wrapModeU;
+    return state;
+}
+
+/// What a renderer makes for shaders, and what they see before that.
+struct CameraTexture
+{
+    const char* name;
+    const char* color; ///< Unity's, where nothing was written yet: 0 is far with reversed Z
+    const char* look;
+    const char* event;
+    bool isDepth = false;
+};
+constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150", true},
+                                              {"_CameraNormalsTexture", "gray", "gray", "150"},
+                                              {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
+                                              {"_CameraOpaqueTexture", "gray", "gray", "400"}};
+
+} // namespace
+
+const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
+{
+    const ShaderPropertyValue* value = lights != nullptr ? lights->Find(id) : nullptr;
+    if (value == nullptr && block != nullptr)
+    {
+        value = block->Find(id);
+    }
+    if (value == nullptr)
+    {
+        value = material != nullptr ? material->Find(id) : compute->values().Find(id);
+    }
+    return value != nullptr ? value : globals->Find(id);
+}
+
+bool PropertySources::HasBuffers() const
+{
+    return globals->hasBuffers() || (block != nullptr && block->hasBuffers()) ||
+           (material != nullptr ? material->hasBuffers() : compute->values().hasBuffers());
+}
+
+bool PropertySources::IsKeywordEnabled(std::string_view keyword) const
+{
+    return material != nullptr ? material->IsKeywordEnabled(keyword)
+                               : compute->IsKeywordEnabled(keyword);
+}
+
+std::string PropertySources::Subject() const
+{
+    return material != nullptr ? "material '" + material->name() + "'"
+                               : "compute shader '" + compute->name() + "', kernel '" +
+                                     compute->kernelName(kernel) + "'";
+}
+
+void DrawResolver::Begin(std::vector<std::string>& notes)
+{
+    m_Notes = &notes;
+    m_SharedNotes.clear();
+    m_Noted.clear();
+    if (!std::exchange(m_HasResolved, false))
+    {
+        return;
+    }
+    m_Built.resize(std::exchange(m_BuiltCount, 0));
+    // What the frame before did not use may be used by nobody any more.
+    EraseUnused(m_Ids);
+    EraseUnused(m_States);
+    EraseUnused(m_Shared);
+    EraseUnused(m_Bound);
+}
+
+PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
+                                    const MaterialPropertyBlock& globals)
+{
+    m_HasResolved = true;
+    KnownState& known = m_States[{shaderPass, material.id()}];
+    if (!known.isKnown || known.materialVersion != material.version())
+    {
+        bool readsGlobals = false;
+        known.state = ResolveState(material.shader()->passState(shaderPass), material, globals,
+                                   &readsGlobals);
+        known.isKnown = !readsGlobals;
+        known.materialVersion = material.version();
+    }
+    known.isUsed = true;
+    return known.state;
+}
+
+std::shared_ptr<const DrawBindings>
+DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
+                      const PropertySources& sources, std::uint64_t globalsVersion,
+                      std::vector<std::byte>& uniformData)
+{
+    m_HasResolved = true;
+    const Material& material = *sources.material;
+    ProgramIds& ids = IdsOf(pass, material.shader()->name());
+    if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr ||
+        sources.lights != nullptr)
+    {
+        return Build(ids, sources, uniformData);
+    }
+    Shared& shared = m_Shared[{pass.get(), material.id()}];
+    if (!shared.isUsed || shared.materialVersion != material.version() ||
+        shared.globalsVersion != globalsVersion)
+    {
+        Build(ids, sources, uniformData);
+        shared = {material.version(), globalsVersion, m_BuiltCount - 1, true};
+    }
+    return m_Built[shared.built];
+}
+
+std::shared_ptr<const DrawBindings>
+DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
+                      const PropertySources& sources, std::vector<std::byte>& uniformData)
+{
+    m_HasResolved = true;
+    return Build(IdsOf(kernel, sources.compute->name()), sources, uniformData);
+}
+
+/// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
+void DrawResolver::Note(const std::string& message, const std::string& shader)
+{
+    SharedNote& note =
+        m_SharedNotes.try_emplace(message, SharedNote{m_Notes->size(), {}}).first->second;
+    if (std::ranges::find(note.shaders, shader) != note.shaders.end())
+    {
+        return;
+    }
+    note.shaders.push_back(shader);
+    m_Notes->resize(std::max(m_Notes->size(), note.index + 1));
+    constexpr std::size_t k_Listed = 4;
+    std::string others;
+    for (std::size_t i = 1; i < std::min(note.shaders.size(), k_Listed); ++i)
+    {
+        others += (i == 1 ? " (and '" : ", '") + note.shaders[i] + "'";
+    }
+    others += note.shaders.size() > k_Listed ? ", …)" : note.shaders.size() > 1 ? ")" : "";
+    (*m_Notes)[note.index] = "shader '" + note.shaders[0] + "'" + others + ": " + message;
+}
+
+DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const ShaderProgram>& pass)
+{
+    ProgramIds ids;
+    ids.pass = pass;
+    for (const UniformBuffer& buffer : pass->layout.buffers)
+    {
+        ids.buffers.push_back({buffer.name,
+                               buffer.name == k_DynamicKeywordBuffer,
+                               {buffer.members.begin(), buffer.members.end()}});
+    }
+    for (const TextureBinding& texture : pass->layout.textures)
+    {
+        ids.textures.emplace_back(texture.name);
+    }
+    ids.defaults.resize(ids.textures.size());
+    for (const SamplerBinding& sampler : pass->layout.samplers)
+    {
+        // Or of the texture that it is named after: "sampler_MainTex" → _MainTex.
+        const std::string lower = ToLower(sampler.name);
+        SamplerSource source{SamplerByName(lower), {}};
+        if (!source.state && lower.starts_with("sampler"))
+        {
+            source.texture = ShaderPropertyId(sampler.name.substr(7));
+        }
+        else if (!source.state)
+        {
+            source.state = SamplerState();
+        }
+        ids.samplers.push_back(source);
+    }
+    for (const StorageBufferBinding& buffer : pass->layout.storageBuffers)
+    {
+        ids.storageBuffers.push_back(
+            {buffer.name, buffer.name == "limn_PerDraw", buffer.name == "limn_Instances"});
+    }
+    for (const StorageTextureBinding& texture : pass->layout.storageTextures)
+    {
+        ids.storageTextures.emplace_back(texture.name);
+    }
+    return ids;
+}
+
+DrawResolver::ProgramIds& DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
+                                              const std::string& shader)
+{
+    const auto [known, isNew] = m_Ids.try_emplace(pass.get());
+    ProgramIds& ids = known->second;
+    if (isNew)
+    {
+        ids = MakeIds(pass);
+    }
+    if (!std::exchange(ids.isUsed, true))
+    {
+        for (const Diagnostic& diagnostic : pass->diagnostics)
+        {
+            if (diagnostic.severity == Severity::Note)
+            {
+                Note(diagnostic.message, shader);
+            }
+        }
+    }
+    return ids;
+}
+
+std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
+                                                        const PropertySources& sources,
+                                                        std::vector<std::byte>& uniformData)
+{
+    m_Building.uniforms.clear();
+    m_Building.textures.clear();
+    m_Building.samplers.clear();
+    m_Building.buffers.clear();
+    m_Building.storageTextures.clear();
+    m_Building.perDrawBinding.reset();
+    AddUniforms(ids, sources, uniformData);
+    AddTextures(ids, sources);
+    AddStorage(ids, sources);
+    m_Built.resize(std::max(m_Built.size(), m_BuiltCount + 1));
+    std::shared_ptr<const DrawBindings>& built = m_Built[m_BuiltCount++];
+    if (!built || *built != m_Building)
+    {
+        built = std::make_shared<const DrawBindings>(m_Building);
+    }
+    m_Building.textures.clear(); // they are not kept for longer than the frame has them
+    m_Building.buffers.clear();
+    m_Building.storageTextures.clear();
+    return built;
+}
+
+void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sources,
+                               std::vector<std::byte>& uniformData)
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    const bool hasBuffers = sources.HasBuffers();
+    for (std::size_t b = 0; b < layout.buffers.size(); ++b)
+    {
+        const UniformBuffer& buffer = layout.buffers[b];
+        if (hasBuffers)
+        {
+            if (const BufferRange* range = FindBuffer(ids.buffers[b].id, sources))
+            {
+                m_Building.buffers.push_back(UniformSlot(buffer, *range, sources));
+                continue;
+            }
+        }
+        const std::size_t offset =
+            (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
+        uniformData.resize(offset + buffer.size);
+        const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
+        if (ids.buffers[b].isOfKeywords)
+        {
+            WriteDynamicKeywords(buffer, sources, bytes);
+        }
+        else
+        {
+            for (const UniformPlace& member : ids.buffers[b].members)
+            {
+                WriteUniform(member, sources, bytes);
+            }
+        }
+        m_Building.uniforms.push_back(
+            {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
+    }
+}
+
+/// What somebody else made and the shader names.
+void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sources)
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    for (std::size_t i = 0; i < layout.storageBuffers.size(); ++i)
+    {
+        const StorageBufferBinding& buffer = layout.storageBuffers[i];
+        const StoragePlace& place = ids.storageBuffers[i];
+        if (place.isPerDraw)
+        {
+            m_Building.perDrawBinding = buffer.binding;
+        }
+        else if (!place.isDevices)
+        {
+            m_Building.buffers.push_back(StorageSlot(buffer, place.id, sources));
+        }
+    }
+    for (std::size_t i = 0; i < layout.storageTextures.size(); ++i)
+    {
+        m_Building.storageTextures.push_back(
+            WritableSlot(layout.storageTextures[i], ids.storageTextures[i], sources));
+    }
+    if (sources.arguments != nullptr)
+    {
+        m_Building.buffers.push_back(ArgumentsSlot(*sources.arguments, sources));
+    }
+}
+
+/// With their samplers.
+void DrawResolver::AddTextures(ProgramIds& ids, const PropertySources& sources)
+{
+    const PropertyLayout& layout = ids.pass->layout;
+    for (std::size_t i = 0; i < layout.textures.size(); ++i)
+    {
+        const TextureBinding& binding = layout.textures[i];
+        TextureSlot slot{binding.binding, TextureOf(ids, i, sources), std::nullopt};
+        m_Bound[slot.texture->id()] = {true, m_Camera};
+        if (binding.combinedSampler)
+        {
+            slot.sampler = slot.texture->sampler();
+        }
+        m_Building.textures.push_back(std::move(slot));
+    }
+    for (std::size_t i = 0; i < layout.samplers.size(); ++i)
+    {
+        const SamplerSource& source = ids.samplers[i];
+        // Where no texture is set: default textures have the default sampler.
+        const auto texture = source.state ? nullptr : FindTexture(source.texture, sources);
+        SamplerState state = texture ? texture->sampler() : source.state.value_or(SamplerState());
+        state.comparison = layout.samplers[i].comparison;
+        state.standardZ =
+            sources.material != nullptr && !sources.material->shader()->usesReversedZBuffer();
+        m_Building.samplers.push_back({layout.samplers[i].binding, state});
+    }
+}
+
+/// What is bound to a texture of a shader.
+std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::size_t index,
+                                                       const PropertySources& sources)
+{
+    const ShaderPropertyId id = ids.textures[index];
+    const TextureBinding& binding = ids.pass->layout.textures[index];
+    if (binding.multisampled)
+    {
+        throw DrawError(Subject(id, sources) + " is a texture of several samples a texel in "
+                                               "the shader; those cannot be bound yet");
+    }
+    std::shared_ptr<const Texture> texture = FindTexture(id, sources);
+    if (!texture)
+    {
+        const bool hasDefault = sources.material != nullptr && binding.type == UniformType::Float;
+        return hasDefault ? DefaultOf(id, binding.dimension, sources, ids.defaults[index])
+                          : FailUnset<Texture>(id, "texture", sources);
+    }
+    if (texture->dimension() != binding.dimension)
+    {
+        throw DrawError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
+                        " texture in the shader but is set to the " +
+                        ToString(texture->dimension()) + " texture '" + texture->name() + "'");
+    }
+    ExpectComponents(binding.type, *texture, id, sources);
+    return texture;
+}
+
+/// The default that a Properties entry names, or gray and a note, once for each shader.
+std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
+                                                       TextureDimension dimension,
+                                                       const PropertySources& sources,
+                                                       std::shared_ptr<const Texture>& known)
+{
+    if (known)
+    {
+        return known;
+    }
+    const Shader& shader = *sources.material->shader();
+    if (const int index = shader.FindPropertyIndex(id.name()); index >= 0)
+    {
+        const ShaderProperty& property =
+            shader.document().properties[static_cast<std::size_t>(index)];
+        known = DefaultTexture(property.defaultTexture, dimension);
+        return known;
+    }
+    const auto* made = std::find_if(std::begin(k_CameraTextures), std::end(k_CameraTextures),
+                                    [&](const CameraTexture& t) { return t.name == id.name(); });
+    const bool isMade = made != std::end(k_CameraTextures);
+    if (m_Noted.insert({shader.id(), id}).second)
+    {
+        const std::string subject =
+            "shader '" + shader.name() + "'" +
+            (m_PassName == SampleName() ? "" : " in pass '" + m_PassName.name() + "'") +
+            ": texture '" + id.name() + "' is ";
+        m_Notes->push_back(
+            subject + (isMade ? std::string(made->look) +
+                                    " everywhere: nothing has written it yet; "
+                                    "UniversalRenderer has it made for passes behind event " +
+                                    made->event
+                              : "gray: it is no property of the shader, and neither material "
+                                "'" +
+                                    sources.material->name() + "' nor anything global sets it"));
+    }
+    const bool isFarWhite = isMade && made->isDepth && !shader.usesReversedZBuffer();
+    return DefaultTexture(isFarWhite ? "white" : isMade ? made->color : "gray", dimension);
+}
+
+} // namespace limn

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "shadows/ShadowSquares.h"
+
+#include <limn/core/ScriptableRenderPass.h>
+
+namespace limn
+{
+
+/// Draws the shadow map of spots and points and gives it to shaders, in frames in which something
+/// that receives such shadows is seen and something throws them: a square for each spot and for
+/// each of a point's six sides.
+/// Unity: UnityEngine.Rendering.Universal.Internal.AdditionalLightsShadowCasterPass (URP 14).
+class AdditionalLightsShadowCasterPass final : public ScriptableRenderPass
+{
+public:
+    AdditionalLightsShadowCasterPass();
+
+    /// Finds out what throws shadows onto what is seen.
+    /// @return whether the pass has anything to draw; else shaders need no shadows
+    bool Setup(const RenderingData& renderingData);
+
+    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    static void Forget(CommandBuffer& cmd);
+
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+private:
+    /// What a square of the map sees.
+    struct Slice
+    {
+        std::size_t light = 0;  ///< of LightData::additionalLights
+        glm::dmat4 view{1.0};   ///< world to light space, right-handed, looking along -z
+        double halfAngle = 0.0; ///< of the light, radians, from the middle to a side
+        double slope = 0.0;     ///< of what the square sees: metres across per metre away
+        double texelSize = 0.0; ///< metres, at the light's range
+        ViewportRect tile;
+        CullingResults plain;
+        CullingResults twoSided; ///< whose back faces throw shadows too
+    };
+
+    void FindSlices(const RenderingData& renderingData);
+    void PlaceSlices(const RenderingData& renderingData);
+    void DrawSlice(ScriptableRenderContext& context, RenderingData& renderingData,
+                   const Slice& slice) const;
+    void SetReceiverConstants(CommandBuffer& cmd, const RenderingData& renderingData) const;
+
+    RTHandle m_ShadowMap;
+    std::vector<Slice> m_Slices;
+    std::vector<ShadowSquares> m_Requests; ///< of lights; this and the next for their memory
+    std::vector<ViewportRect> m_Tiles;
+};
+
+} // namespace limn

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "shadows/ShadowCascades.h"
+
+#include <limn/core/ScriptableRenderPass.h>
+
+namespace limn
+{
+
+/// Draws the main light's shadow map and gives it to shaders, in frames in which something that
+/// receives shadows is seen and something throws them.
+/// Unity: UnityEngine.Rendering.Universal.Internal.MainLightShadowCasterPass (URP 14).
+class MainLightShadowCasterPass final : public ScriptableRenderPass
+{
+public:
+    MainLightShadowCasterPass();
+
+    /// Finds out what throws shadows onto what is seen.
+    /// @return whether the pass has anything to draw; else shaders need no shadows
+    bool Setup(const RenderingData& renderingData);
+
+    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    static void Forget(CommandBuffer& cmd);
+
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+private:
+    /// What is drawn into a tile.
+    struct Casters
+    {
+        CullingResults plain;
+        CullingResults twoSided; ///< whose back faces throw shadows too
+    };
+
+    void DrawCascade(ScriptableRenderContext& context, RenderingData& renderingData,
+                     std::size_t cascade) const;
+    void SetReceiverConstants(CommandBuffer& cmd, const RenderingData& renderingData) const;
+
+    RTHandle m_ShadowMap;
+    ShadowCascades m_Cascades;
+    std::array<Casters, k_MostCascades> m_Casters;
+};
+
+} // namespace limn

@@ -1,0 +1,66 @@
+#include "shadows/ShadowConstants.h"
+
+namespace limn
+{
+
+int SoftnessOf(const LightShadowLook& light, const ShadowSettings& settings)
+{
+    if (light.shadows != LightShadows::Soft || !settings.softShadowsSupported)
+    {
+        return 0;
+    }
+    return static_cast<int>(light.softShadowQuality == SoftShadowQuality::UsePipelineSettings
+                                ? settings.softShadowQuality
+                                : light.softShadowQuality);
+}
+
+glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& settings, double texelSize)
+{
+    const glm::vec2 texels = light.usePipelineSettings
+                                 ? glm::vec2(settings.shadowDepthBias, settings.shadowNormalBias)
+                                 : light.bias;
+    const int softness = SoftnessOf(light, settings);
+    const double reach = softness > 0 ? softness + 0.5 : 1.0;
+    return glm::vec4(glm::dvec2(texels) * (-texelSize * reach), 0.0, 0.0);
+}
+
+glm::ivec3 TiersOf(const ShadowSettings& settings)
+{
+    return {settings.additionalLightsShadowResolutionTierLow,
+            settings.additionalLightsShadowResolutionTierMedium,
+            settings.additionalLightsShadowResolutionTierHigh};
+}
+
+int ResolutionOf(const Light& light, const glm::ivec3& tiers)
+{
+    using Tier = AdditionalLightsShadowResolutionTier;
+    const Tier tier = light.additionalLightsShadowResolutionTier;
+    return tier == Tier::Custom ? light.shadowResolution : tiers[static_cast<int>(tier)];
+}
+
+glm::vec2 FadeScaleAndBias(double distance, double border)
+{
+    const double end = distance * distance;
+    const double begin = end * (1.0 - border) * (1.0 - border);
+    constexpr double k_Sharp = 1000.0;
+    return border < 1e-4 ? glm::vec2(k_Sharp, -end * k_Sharp)
+                         : glm::vec2(1.0 / (end - begin), -begin / (end - begin));
+}
+
+void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
+                       const CullingResults& plain, const CullingResults& twoSided)
+{
+    const FilteringSettings filtering(RenderQueueRange::all);
+    if (!plain.items.empty())
+    {
+        context.DrawRenderers(plain, drawing, filtering);
+    }
+    if (!twoSided.items.empty())
+    {
+        RenderStateBlock bothSides(RenderStateMask::Raster);
+        bothSides.rasterState.cullingMode = CullMode::Off;
+        context.DrawRenderers(twoSided, drawing, filtering, bothSides);
+    }
+}
+
+} // namespace limn

@@ -1,0 +1,181 @@
+#include "includes/PackageFolders.h"
+
+#include <limn/shaderlab/FindPackages.h>
+#include <limn/shaderlab/ReadFile.h>
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::string_view k_Pipelines = "com.unity.render-pipelines.";
+
+/// In the order of their names.
+std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& parent)
+{
+    std::error_code error;
+    std::vector<std::filesystem::path> folders;
+    for (std::filesystem::directory_iterator entry(parent, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+        folders.push_back(entry->path());
+    }
+    std::sort(folders.begin(), folders.end());
+    return folders;
+}
+
+std::filesystem::path ManifestOf(const std::filesystem::path& folder)
+{
+    const std::filesystem::path manifest = folder / "package.json";
+    std::error_code error;
+    return std::filesystem::is_regular_file(manifest, error) ? manifest : std::filesystem::path();
+}
+
+/// The name in a package.json; "" where it has none.
+std::string NameIn(const std::filesystem::path& manifest)
+{
+    const FileContent content = TryReadFile(manifest);
+    const auto json = nlohmann::json::parse(content.bytes, nullptr, false);
+    const bool hasName =
+        content.isRead() && json.is_object() && json.contains("name") && json["name"].is_string();
+    return hasName ? json["name"].get<std::string>() : std::string();
+}
+
+} // namespace
+
+std::map<std::string, std::filesystem::path> FindPackages(const std::filesystem::path& folder)
+{
+    std::map<std::string, std::filesystem::path> packages;
+    const auto add = [&](const std::filesystem::path& candidate)
+    {
+        const std::filesystem::path manifest = ManifestOf(candidate);
+        const std::string name = manifest.empty() ? std::string() : NameIn(manifest);
+        if (!name.empty())
+        {
+            packages.try_emplace(name, candidate);
+        }
+    };
+    add(folder);
+    if (packages.empty())
+    {
+        std::ranges::for_each(FoldersBelow(folder), add);
+    }
+    return packages;
+}
+
+std::string OwnPackageNames(const std::filesystem::path& project)
+{
+    std::string names;
+    for (const std::filesystem::path& folder : FoldersBelow(project / "Packages"))
+    {
+        names += folder.filename().string() + "/";
+    }
+    return names;
+}
+
+PackageFolders::PackageFolders(std::filesystem::path shaderFile,
+                               std::optional<std::filesystem::path> project)
+    : m_ShaderFile(std::move(shaderFile)), m_Project(std::move(project))
+{
+}
+
+const std::filesystem::path& PackageFolders::around()
+{
+    if (!std::exchange(m_IsOwnListed, true))
+    {
+        ListOwn();
+    }
+    return m_Around;
+}
+
+const std::filesystem::path* PackageFolders::FindOwn(const std::string& name)
+{
+    around(); // lists them
+    const auto found = m_Own.find(name);
+    return found == m_Own.end() ? nullptr : &found->second;
+}
+
+const std::filesystem::path* PackageFolders::Find(const std::string& name)
+{
+    if (const std::filesystem::path* own = FindOwn(name))
+    {
+        return own;
+    }
+    if (!std::exchange(m_IsCachedListed, true))
+    {
+        ListCached();
+    }
+    const auto found = m_Cached.find(name);
+    return found == m_Cached.end() ? nullptr : &found->second;
+}
+
+bool PackageFolders::hasOwnPipeline()
+{
+    return FindOwn(std::string(k_Pipelines) + "core") ||
+           FindOwn(std::string(k_Pipelines) + "universal");
+}
+
+void PackageFolders::ListOwn()
+{
+    // The nearest wins.
+    for (std::filesystem::path folder = m_ShaderFile.parent_path(); folder.has_relative_path();
+         folder = folder.parent_path())
+    {
+        // Unity's names are com.company.package; npm's, of a folder that holds everything, are not.
+        const bool isNamed =
+            Add(folder, m_Own) && std::ranges::count(NameIn(folder / "package.json"), '.') > 1;
+        if (isNamed && m_Around.empty())
+        {
+            m_Around = folder;
+        }
+    }
+    if (m_Project)
+    {
+        AddBelow(*m_Project / "Packages", m_Own);
+    }
+}
+
+void PackageFolders::ListCached()
+{
+    if (!m_Around.empty() && NameIn(m_Around / "package.json").starts_with(k_Pipelines))
+    {
+        AddBelow(m_Around.parent_path(), m_Cached);
+    }
+    if (m_Project)
+    {
+        AddBelow(*m_Project / "Library/PackageCache", m_Cached);
+    }
+}
+
+void PackageFolders::AddBelow(const std::filesystem::path& parent, Folders& folders)
+{
+    for (const std::filesystem::path& folder : FoldersBelow(parent))
+    {
+        Add(folder, folders);
+    }
+}
+
+bool PackageFolders::Add(const std::filesystem::path& folder, Folders& folders)
+{
+    const std::filesystem::path manifest = ManifestOf(folder);
+    if (manifest.empty())
+    {
+        return false;
+    }
+    m_Manifests.push_back(manifest);
+    const std::string name = NameIn(manifest);
+    if (!name.empty())
+    {
+        folders.try_emplace(name, folder);
+    }
+    return !name.empty();
+}
+
+} // namespace limn

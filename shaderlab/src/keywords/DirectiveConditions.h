@@ -1,0 +1,48 @@
+#pragma once
+
+#include "tokens/IntegerExpression.h"
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace limn
+{
+
+/// What Unity's compiler defines for every program by itself.
+inline constexpr std::pair<std::string_view, std::string_view> k_PredefinedMacros[] = {
+    {"SHADER_API_VULKAN", "1"},
+    {"SHADER_API_DESKTOP", "1"},
+    {"UNITY_COMPILER_HLSL", "1"},
+    {"UNITY_VERSION", "202230"}};
+
+/// Follows `#define` and `#if` far enough to tell which pragmas count: Unity decides that by the
+/// program's own macros and by those of the platform, before any keyword is set.
+class DirectiveConditions
+{
+public:
+    DirectiveConditions();
+
+    bool isActive() const { return m_Levels.empty() || m_Levels.back().active; }
+
+    /// Takes `#directive rest`; what is neither a condition nor a definition has no effect.
+    void Apply(std::string_view directive, std::string_view rest);
+
+private:
+    struct Level
+    {
+        bool outerActive;
+        bool taken; ///< a branch of it was active already
+        bool active;
+    };
+
+    void Open(bool condition);
+    void Branch(bool condition);
+    void Define(std::string_view rest);
+    bool Evaluate(std::string_view expression) const;
+
+    IntegerNames m_Macros; ///< those without arguments
+    std::vector<Level> m_Levels;
+};
+
+} // namespace limn

@@ -1,0 +1,70 @@
+#include "lowering/Lowering.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The variable that `a.b[i].xy` is a part of.
+const HlslNode& RootOf(const HlslNode& target)
+{
+    const HlslNode* node = &target;
+    while (node->child && (node->kind == HlslNodeKind::Member ||
+                           node->kind == HlslNodeKind::Index || node->kind == HlslNodeKind::Paren))
+    {
+        node = node->child;
+    }
+    return *node;
+}
+
+/// Whether a function of the name gives something back by the parameter at the index.
+bool isGivenBack(std::span<const HlslFunction* const> functions, std::size_t index)
+{
+    return std::any_of(functions.begin(), functions.end(),
+                       [&](const HlslFunction* function)
+                       {
+                           return index < function->parameters.size() &&
+                                  (function->parameters[index].Has("out") ||
+                                   function->parameters[index].Has("inout"));
+                       });
+}
+
+} // namespace
+
+void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals,
+                         std::set<const HlslVariable*>& written)
+{
+    const auto write = [&](const HlslNode& target)
+    {
+        const HlslNode& variable = RootOf(target);
+        if (variable.kind == HlslNodeKind::Name && !variable.local &&
+            globals.isUniform(variable.variable))
+        {
+            written.insert(variable.variable);
+        }
+    };
+    const std::string_view text = tokens.Text(node.token);
+    const bool isStep = text == "++" || text == "--";
+    if (node.kind == HlslNodeKind::Assign ||
+        (isStep && (node.kind == HlslNodeKind::Prefix || node.kind == HlslNodeKind::Postfix)))
+    {
+        write(*node.child);
+    }
+    const bool isMethod = node.kind == HlslNodeKind::Method;
+    std::size_t index = 0;
+    const HlslNode* const first = isMethod ? node.child->next : node.child;
+    for (const HlslNode* argument = first; argument; argument = argument->next, ++index)
+    {
+        const bool isCall = isMethod || node.kind == HlslNodeKind::Call;
+        if (isCall && (isGivenBack(globals.FindFunctions(text), index) ||
+                       isGivenBack(globals.FindMethods(text), index)))
+        {
+            write(*argument);
+        }
+    }
+}
+
+} // namespace limn

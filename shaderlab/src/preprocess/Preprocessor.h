@@ -1,0 +1,33 @@
+#pragma once
+
+#include <limn/shaderlab/PassProgram.h>
+
+#include "tokens/SourceLines.h"
+#include "includes/IncludeResolver.h"
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+struct PreprocessedHlsl
+{
+    std::string text;
+    /// Somewhere a SHADER_STAGE_… macro is named: other stages may have another text. Most programs
+    /// name none, and then one run of the preprocessor serves all stages.
+    bool namesStages = false;
+};
+
+/// The HLSL of one stage with all includes and macros resolved. `#line N "file"` directives in it
+/// say where each line comes from; no other directives but `#pragma pack_matrix` are left.
+///
+/// @param warnings  gets those of `#warning` and of glslang
+/// @throws AssetError at the lines of unknown includes and other mistakes
+/// @throws UnsupportedProgramError where a file of another render pipeline is missing
+PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
+                                std::span<const std::string> keywords, IncludeResolver& resolver,
+                                SourceLines& lines, std::vector<Diagnostic>& warnings);
+
+} // namespace limn
