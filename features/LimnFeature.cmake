@@ -10,7 +10,7 @@ function(limn_embed target function)
         string(APPEND entries "    {\"${path}\", R\"limn_embed(${text})limn_embed\"sv},\n")
     endforeach()
     file(CONFIGURE OUTPUT embedded_${function}.cpp @ONLY CONTENT [[
-#include <limn/shaderlab/EmbeddedFile.h>
+#include <limn/base/EmbeddedFile.h>
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Woverlength-strings" // files may have more than 64 KiB
 namespace limn::embedded

@@ -2,9 +2,9 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 
 #include "TemporaryFolder.h"
-#include "preprocess/Preprocessor.h"
 #include "lowering/Rewriter.h"
 #include "preprocess/GlslangSession.h"
+#include "preprocess/Preprocessor.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
 

@@ -6,12 +6,12 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <limn/base/ReadFile.h>
 #include <limn/core/OutlineNormals.h>
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/features/Features.h>
 #include <limn/features/RenderObjects.h>
-#include <limn/shaderlab/ReadFile.h>
 #include <map>
 
 namespace limn::test

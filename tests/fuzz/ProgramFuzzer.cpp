@@ -2,10 +2,10 @@
 #include <limn/shaderlab/ProgramSupport.h>
 #include <limn/shaderlab/VariantCount.h>
 
-#include "lowering/Rewriter.h"
 #include "desugar/Rewrites.h"
 #include "includes/IncludeResolver.h"
 #include "keywords/PragmaScanner.h"
+#include "lowering/Rewriter.h"
 #include "preprocess/GlslangIncluder.h"
 
 #include <cstddef>

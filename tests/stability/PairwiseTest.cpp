@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <gtest/gtest.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <set>
 
 namespace limn::study

@@ -1,6 +1,6 @@
 #include "scene/PerDraw.h"
-#include "support/ParallelFor.h"
 #include "scene/RendererTable.h"
+#include "support/ParallelFor.h"
 
 #include <algorithm>
 #include <array>

@@ -1,8 +1,8 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/DrawError.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {

@@ -4,8 +4,8 @@
 #include "mesh/MeshProblems.h"
 #include <algorithm>
 #include <cstdio>
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/ReadFile.h>
 #include <string_view>
 #include <tiny_gltf.h>
 #include <utility>

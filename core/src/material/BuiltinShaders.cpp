@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <array>
+#include <limn/base/Case.h>
 #include <limn/core/BuiltinShaders.h>
-#include <limn/shaderlab/Case.h>
 
 namespace limn
 {

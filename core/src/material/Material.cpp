@@ -9,8 +9,8 @@
 #include <limn/core/Mathf.h>
 
 #include "material/PropertyValues.h"
+#include <limn/base/Case.h>
 #include <limn/core/RenderQueueRange.h>
-#include <limn/shaderlab/Case.h>
 
 namespace limn
 {

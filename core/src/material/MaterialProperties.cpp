@@ -1,7 +1,7 @@
 // What a Material has by its shader's Properties block as a whole.
 #include <algorithm>
+#include <limn/base/Case.h>
 #include <limn/core/Material.h>
-#include <limn/shaderlab/Case.h>
 
 namespace limn
 {

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <limn/shaderlab/Case.h>
+#include <limn/base/Case.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>

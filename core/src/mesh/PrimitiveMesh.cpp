@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limn/shaderlab/Case.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Case.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn
 {

@@ -1,6 +1,6 @@
+#include "renderers/ObjectDraws.h"
 #include "resolve/DrawRecorder.h"
 #include "targets/IdentifiedTargets.h"
-#include "renderers/ObjectDraws.h"
 
 #include <algorithm>
 #include <limn/core/ScriptableRenderContext.h>

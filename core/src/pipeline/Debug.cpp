@@ -4,10 +4,10 @@
 #include <charconv>
 #include <cmath>
 #include <cstdio>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/RenderReport.h>
 #include <limn/core/RenderingData.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {

@@ -1,6 +1,6 @@
+#include "passes/CameraUniforms.h"
 #include "pipeline/AdditionalLights.h"
 #include "shadows/AdditionalLightsShadowCasterPass.h"
-#include "passes/CameraUniforms.h"
 #include "shadows/MainLightShadowCasterPass.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-#include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "pipeline/CameraTextures.h"
 #include "pipeline/DrawSkyboxPass.h"
+#include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "shadows/MainLightShadowCasterPass.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
+#include <limn/base/Diagnostic.h>
 #include <limn/core/RenderStateBlock.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <string>
 
 namespace limn

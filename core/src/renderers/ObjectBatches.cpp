@@ -1,7 +1,7 @@
 // What may be drawn at once.
-#include "support/Emptied.h"
 #include "renderers/ObjectDraws.h"
 #include "scene/RendererTable.h"
+#include "support/Emptied.h"
 
 #include <algorithm>
 #include <utility>

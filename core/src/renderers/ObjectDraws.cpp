@@ -1,9 +1,9 @@
 #include "renderers/ObjectDraws.h"
 
-#include "support/Emptied.h"
-#include "scene/PerDraw.h"
 #include "cull/ProjectedBounds.h"
+#include "scene/PerDraw.h"
 #include "scene/RendererTable.h"
+#include "support/Emptied.h"
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include "renderers/ObjectDraws.h"
 #include "renderers/SortEntries.h"
-#include "support/ParallelFor.h"
 #include "scene/RendererTable.h"
+#include "support/ParallelFor.h"
 
 #include <algorithm>
 #include <bit>

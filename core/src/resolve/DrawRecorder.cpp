@@ -2,10 +2,10 @@
 
 #include "record/MatrixIds.h"
 
-#include "scene/PerDraw.h"
 #include "cull/ProjectedBounds.h"
-#include "record/Topology.h"
 #include "material/ShaderGlobals.h"
+#include "record/Topology.h"
+#include "scene/PerDraw.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "resolve/DrawResolver.h"
 #include "cull/ObjectLights.h"
+#include "resolve/DrawResolver.h"
 
 #include <functional>
 #include <limn/core/CommandBuffer.h>

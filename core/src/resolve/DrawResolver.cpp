@@ -4,9 +4,9 @@
 #include "resolve/UniformWriter.h"
 
 #include <algorithm>
+#include <limn/base/Case.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/DrawError.h>
-#include <limn/shaderlab/Case.h>
 #include <utility>
 
 namespace limn

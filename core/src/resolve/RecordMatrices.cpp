@@ -1,6 +1,6 @@
 // The camera's matrices, and what must come before a frame's draws.
-#include "resolve/DrawRecorder.h"
 #include "record/MatrixIds.h"
+#include "resolve/DrawRecorder.h"
 #include "scene/PerDraw.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "resolve/DrawResolver.h"
 #include "material/UniformPlace.h"
+#include "resolve/DrawResolver.h"
 
 #include <span>
 

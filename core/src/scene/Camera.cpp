@@ -3,9 +3,9 @@
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
 #include <limits>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Camera.h>
 #include <limn/core/TargetOrientation.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {

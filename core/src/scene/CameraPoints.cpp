@@ -1,5 +1,5 @@
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Camera.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <string>
 
 #include <glm/geometric.hpp>

@@ -1,10 +1,10 @@
 #include "scene/RendererTable.h"
 
-#include "scene/PerDraw.h"
 #include "scene/ObjectHash.h"
+#include "scene/PerDraw.h"
+#include "scene/WorldMatrices.h"
 #include "support/ParallelFor.h"
 #include "support/UniqueId.h"
-#include "scene/WorldMatrices.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "scene/WorldMatrices.h"
 
 #include <cmath>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Transform.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {

@@ -1,9 +1,9 @@
 #include "shadows/AdditionalLightsShadowCasterPass.h"
 
 #include "passes/CameraUniforms.h"
+#include "scene/RendererTable.h"
 #include "shadows/ShadowCascades.h"
 #include "shadows/ShadowConstants.h"
-#include "scene/RendererTable.h"
 
 #include <algorithm>
 #include <array>

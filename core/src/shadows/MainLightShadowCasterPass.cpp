@@ -1,9 +1,9 @@
 #include "shadows/MainLightShadowCasterPass.h"
 
-#include "scene/PerDraw.h"
 #include "passes/CameraUniforms.h"
-#include "shadows/ShadowConstants.h"
+#include "scene/PerDraw.h"
 #include "scene/RendererTable.h"
+#include "shadows/ShadowConstants.h"
 
 #include <algorithm>
 #include <array>

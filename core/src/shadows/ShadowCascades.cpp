@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Camera.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <string>
 
 namespace limn

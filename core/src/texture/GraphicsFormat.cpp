@@ -1,7 +1,7 @@
 #include <limn/core/GraphicsFormat.h>
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string>
 #include <string_view>
 

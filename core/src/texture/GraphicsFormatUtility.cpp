@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string_view>
 
 namespace limn

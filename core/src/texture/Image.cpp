@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/WriteFile.h>
 #include <png.h>
 #include <string>
 

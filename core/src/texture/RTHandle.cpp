@@ -1,7 +1,7 @@
 #include "texture/ScaledTexture.h"
 
+#include <limn/base/Diagnostic.h>
 #include <limn/core/RenderTargetIdentifier.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,6 +1,6 @@
 #include <limn/core/RenderTexture.h>
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <utility>
 
 namespace limn

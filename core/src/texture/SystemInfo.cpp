@@ -1,7 +1,7 @@
 #include <algorithm>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/SystemInfo.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <mutex>
 #include <span>
 #include <string_view>

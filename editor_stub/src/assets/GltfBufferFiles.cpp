@@ -1,7 +1,7 @@
 #include "assets/GltfBufferFiles.h"
 
 #include <charconv>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 #include <nlohmann/json.hpp>
 #include <string_view>
 

@@ -1,8 +1,8 @@
 #include "assets/OutputFiles.h"
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/WriteFile.h>
 
 namespace limn
 {

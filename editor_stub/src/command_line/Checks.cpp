@@ -6,8 +6,8 @@
 #include <charconv>
 #include <cmath>
 #include <filesystem>
-#include <limn/shaderlab/Case.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Case.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/shaderlab/FindPackages.h>
 
 namespace limn

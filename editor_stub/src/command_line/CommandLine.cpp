@@ -16,9 +16,9 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
+#include <limn/base/Case.h>
 #include <limn/editor_stub/Overrides.h>
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/shaderlab/Case.h>
 #include <limn/volume/ProfileEdit.h>
 #include <limn/volume/YamlRead.h>
 #include <optional>

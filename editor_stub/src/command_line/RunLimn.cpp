@@ -7,10 +7,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <limn/base/TerminalText.h>
 #include <limn/core/Debug.h>
 #include <limn/core/DrawError.h>
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/shaderlab/TerminalText.h>
 #include <limn/vulkan/VulkanError.h>
 #include <new>
 

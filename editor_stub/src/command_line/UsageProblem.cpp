@@ -3,8 +3,8 @@
 #include "command_line/OptionText.h"
 
 #include <CLI/CLI.hpp>
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/TerminalText.h>
 
 namespace limn
 {

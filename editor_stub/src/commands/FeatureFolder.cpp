@@ -1,6 +1,6 @@
 #include "commands/FeatureFolder.h"
 
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 
 namespace limn
 {

@@ -3,9 +3,9 @@
 #include "commands/FeatureFolder.h"
 
 #include <algorithm>
+#include <limn/base/EmbeddedFile.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
-#include <limn/shaderlab/EmbeddedFile.h>
 #include <map>
 
 namespace limn

@@ -6,8 +6,8 @@
 #include "port/csharp/ReadCSharp.h"
 
 #include <array>
+#include <limn/base/ReadFile.h>
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/shaderlab/ReadFile.h>
 #include <set>
 
 namespace limn

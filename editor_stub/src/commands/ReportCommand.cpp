@@ -15,9 +15,9 @@
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
+#include <limn/base/HashContent.h>
+#include <limn/base/ReadFile.h>
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/shaderlab/HashContent.h>
-#include <limn/shaderlab/ReadFile.h>
 #include <span>
 #include <sstream>
 #include <thread>

@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <limn/base/TerminalText.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabParser.h>
-#include <limn/shaderlab/TerminalText.h>
 #include <map>
 #include <mutex>
 #include <thread>

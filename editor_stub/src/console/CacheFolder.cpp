@@ -2,7 +2,7 @@
 
 #include <charconv>
 #include <cstdlib>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <optional>
 #include <string_view>
 

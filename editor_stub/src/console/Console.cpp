@@ -3,8 +3,8 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
-#include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/TerminalText.h>
 #include <map>
 
 namespace limn

@@ -2,7 +2,7 @@
 
 #include "console/Terminal.h"
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <ostream>
 #include <string>
 #include <string_view>

@@ -3,7 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 #include <memory>
 #include <spawn.h>
 #include <stdexcept>

@@ -5,7 +5,7 @@
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <fstream>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 #include <link.h>
 #include <memory>
 #include <optional>

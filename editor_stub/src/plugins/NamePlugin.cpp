@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <dlfcn.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/FeatureCode.h>
 #include <limn/core/TypeName.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <limn/vulkan/VulkanError.h>
 #include <map>
 #include <mutex>

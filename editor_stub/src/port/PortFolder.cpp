@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limn/shaderlab/EmbeddedFile.h>
+#include <limn/base/EmbeddedFile.h>
 
 namespace limn
 {

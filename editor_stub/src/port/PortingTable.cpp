@@ -1,8 +1,8 @@
 #include "port/PortingTable.h"
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/EmbeddedFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/EmbeddedFile.h>
 #include <span>
 
 namespace limn

@@ -1,7 +1,7 @@
 #include "reports/ExplanationText.h"
 
 #include <algorithm>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 #include <map>
 #include <set>
 #include <sstream>

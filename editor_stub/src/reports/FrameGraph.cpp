@@ -2,8 +2,8 @@
 
 #include "console/RunProgram.h"
 
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/WriteFile.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 #include <nlohmann/json.hpp>
 #include <string>
 

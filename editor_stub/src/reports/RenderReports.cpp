@@ -2,7 +2,7 @@
 #include "reports/ExplainedFrame.h"
 #include "reports/Json.h"
 
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 
 #include <algorithm>
 #include <limits>

@@ -1,7 +1,7 @@
 #include "scene/MapReader.h"
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn
 {

@@ -7,8 +7,8 @@
 #include "schema/SettingsCollector.h"
 
 #include <algorithm>
+#include <limn/base/WriteFile.h>
 #include <limn/core/Material.h>
-#include <limn/shaderlab/WriteFile.h>
 #include <limn/volume/YamlSplicer.h>
 
 namespace limn

@@ -1,7 +1,7 @@
 #include "scene/ReadEnum.h"
 #include "scene/ShadowKeys.h"
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn
 {

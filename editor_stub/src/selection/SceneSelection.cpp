@@ -4,8 +4,8 @@
 
 #include <charconv>
 #include <cmath>
+#include <limn/base/Case.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
-#include <limn/shaderlab/Case.h>
 #include <limn/volume/YamlRead.h>
 
 namespace limn

@@ -1,7 +1,7 @@
 #include "shaders/ShaderDescription.h"
 
+#include <limn/base/TerminalText.h>
 #include <limn/shaderlab/PrintShaderLab.h>
-#include <limn/shaderlab/TerminalText.h>
 
 namespace limn
 {

@@ -1,8 +1,8 @@
 #include "shaders/ShaderEmit.h"
 
 #include "console/CacheFolder.h"
-#include <limn/shaderlab/Case.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/Case.h>
+#include <limn/base/WriteFile.h>
 
 #include <cctype>
 #include <spirv_hlsl.hpp>

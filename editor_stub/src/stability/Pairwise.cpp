@@ -1,7 +1,7 @@
 #include "stability/Pairwise.h"
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <random>
 
 namespace limn::study

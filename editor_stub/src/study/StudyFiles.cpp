@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
-#include <limn/shaderlab/FileRoots.h>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/FileRoots.h>
+#include <limn/base/ReadFile.h>
 #include <limn/volume/AssetDiagnostics.h>
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 #include "study/Study.h"
 
 #include <filesystem>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 #include <set>
 #include <span>
 

@@ -1,9 +1,9 @@
 #include "study_pages/ReportText.h"
 
 #include <algorithm>
-#include <limn/shaderlab/EmbeddedFile.h>
-#include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/EmbeddedFile.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/TerminalText.h>
 
 namespace limn
 {

@@ -1,7 +1,7 @@
 #include "study_pages/ReportText.h"
 
 #include <algorithm>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 
 namespace limn::study
 {

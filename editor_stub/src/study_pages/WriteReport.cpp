@@ -6,8 +6,8 @@
 #include "study_pages/ReportText.h"
 #include "study_pages/Results.h"
 
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/WriteFile.h>
 #include <stdexcept>
 #include <system_error>
 

@@ -5,7 +5,7 @@
 #include "unity/UnityProject.h"
 
 #include <charconv>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 #include <limn/volume/YamlRead.h>
 
 namespace limn

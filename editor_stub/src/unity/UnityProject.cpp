@@ -1,6 +1,6 @@
 #include "unity/UnityProject.h"
 
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 #include <sstream>
 
 namespace limn

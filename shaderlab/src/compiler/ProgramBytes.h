@@ -4,7 +4,7 @@
 #include <limn/shaderlab/ShaderProgram.h>
 
 #include "includes/IncludeResolver.h"
-#include "text/ByteStream.h"
+#include <limn/base/ByteStream.h>
 
 #include <vector>
 

@@ -7,11 +7,11 @@
 #include "compiler/CompilerMessages.h"
 #include "compiler/PlatformMacros.h"
 #include "lowering/Checks.h"
-#include "preprocess/Preprocessor.h"
 #include "lowering/Rewriter.h"
-#include "tokens/SourceLines.h"
+#include "preprocess/Preprocessor.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
+#include "tokens/SourceLines.h"
 
 #include <algorithm>
 #include <future>

@@ -3,8 +3,8 @@
 #include "compiler/ProgramBytes.h"
 
 #include <algorithm>
-#include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/WriteFile.h>
 #include <string>
 
 namespace limn

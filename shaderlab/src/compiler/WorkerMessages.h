@@ -1,7 +1,7 @@
 #pragma once
 
 #include "includes/IncludeResolver.h"
-#include "text/ByteStream.h"
+#include <limn/base/ByteStream.h>
 
 #include <limn/shaderlab/ShaderCompiler.h>
 

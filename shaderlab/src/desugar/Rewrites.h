@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/shaderlab/PassProgram.h>
 
 #include "hlsl/Editor.h"

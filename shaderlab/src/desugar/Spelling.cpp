@@ -1,9 +1,9 @@
 #include "desugar/Rewrites.h"
 
-#include "lowering/Checks.h"
 #include "hlsl/Editor.h"
 #include "hlsl/Types.h"
-#include "text/WordList.h"
+#include "lowering/Checks.h"
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 #include <map>

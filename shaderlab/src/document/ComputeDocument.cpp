@@ -1,9 +1,9 @@
 #include <limn/shaderlab/ComputeDocument.h>
 
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 
 #include "keywords/PragmaScanner.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 

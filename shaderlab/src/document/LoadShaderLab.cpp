@@ -1,6 +1,6 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 
 #include <algorithm>
 

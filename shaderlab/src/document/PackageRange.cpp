@@ -1,6 +1,6 @@
 #include <limn/shaderlab/PackageRange.h>
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <array>

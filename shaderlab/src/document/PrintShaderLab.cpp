@@ -1,7 +1,7 @@
 #include <limn/shaderlab/PrintShaderLab.h>
 
 #include "document/PrintState.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <cstddef>
 #include <string_view>

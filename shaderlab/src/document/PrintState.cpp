@@ -2,7 +2,7 @@
 
 #include "document/StateNames.h"
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 
 #include <algorithm>

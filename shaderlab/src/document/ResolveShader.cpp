@@ -3,7 +3,7 @@
 #include <limn/shaderlab/PackageRange.h>
 #include <limn/shaderlab/ProgramSupport.h>
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <optional>

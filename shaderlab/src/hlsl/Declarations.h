@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tokens/Tokens.h"
 #include "tokens/IntegerExpression.h"
+#include "tokens/Tokens.h"
 
 #include <string>
 #include <string_view>

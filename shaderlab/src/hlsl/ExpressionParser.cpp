@@ -1,7 +1,7 @@
 #include "hlsl/TreeParser.h"
 
-#include "text/Text.h"
-#include "text/WordList.h"
+#include <limn/base/Text.h>
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 #include <iterator>

@@ -1,6 +1,6 @@
 #include "hlsl/Tree.h"
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 namespace limn
 {

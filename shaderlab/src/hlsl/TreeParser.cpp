@@ -1,6 +1,6 @@
 #include "hlsl/TreeParser.h"
 
-#include "text/WordList.h"
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 

@@ -1,10 +1,10 @@
 #include "includes/FilesBeside.h"
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/HashContent.h>
 #include <limn/shaderlab/EmbeddedIncludes.h>
-#include <limn/shaderlab/HashContent.h>
 
 #include <algorithm>
 #include <map>

@@ -1,9 +1,9 @@
 #include "includes/IncludeResolver.h"
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
-#include <limn/shaderlab/EmbeddedFile.h>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/EmbeddedFile.h>
+#include <limn/base/ReadFile.h>
 
 #include <algorithm>
 #include <unordered_map>

@@ -3,8 +3,8 @@
 #include "includes/FilesBeside.h"
 #include "includes/PackageFolders.h"
 
-#include <limn/shaderlab/FileRoots.h>
-#include <limn/shaderlab/HashContent.h>
+#include <limn/base/FileRoots.h>
+#include <limn/base/HashContent.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 
 #include <optional>

@@ -1,7 +1,7 @@
 #include "includes/PackageFolders.h"
 
+#include <limn/base/ReadFile.h>
 #include <limn/shaderlab/FindPackages.h>
-#include <limn/shaderlab/ReadFile.h>
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 #include "keywords/DirectiveConditions.h"
 
 #include "tokens/IntegerExpression.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 namespace limn
 {

@@ -1,6 +1,6 @@
 #include "keywords/PassMacro.h"
 
-#include <limn/shaderlab/Case.h>
+#include <limn/base/Case.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,9 +1,9 @@
 #include "keywords/PragmaScanner.h"
 
-#include "tokens/Lines.h"
 #include "keywords/DirectiveConditions.h"
 #include "keywords/KeywordSets.h"
-#include "text/Text.h"
+#include "tokens/Lines.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <charconv>

@@ -2,7 +2,7 @@
 
 #include "keywords/DynamicKeywords.h"
 #include "keywords/KeywordSets.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <limn/shaderlab/VariantCount.h>
 
 #include "keywords/DynamicKeywords.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <set>

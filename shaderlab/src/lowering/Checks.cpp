@@ -1,7 +1,7 @@
 #include "lowering/Checks.h"
 
 #include "hlsl/Repeats.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <set>

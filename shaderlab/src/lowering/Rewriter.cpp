@@ -2,15 +2,15 @@
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "lowering/Checks.h"
 #include "hlsl/Editor.h"
 #include "hlsl/Reach.h"
 #include "hlsl/Repeats.h"
 #include "hlsl/TreeParser.h"
+#include "lowering/Checks.h"
 #include "lowering/Lowering.h"
 #include "stages/GeometryEntryWriter.h"
 #include "stages/KernelEntryWriter.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <map>

@@ -1,6 +1,6 @@
 #include "parser/Parser.h"
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 

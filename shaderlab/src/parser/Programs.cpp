@@ -1,8 +1,8 @@
 #include "parser/Parser.h"
 
-#include "tokens/Lines.h"
 #include "keywords/PragmaScanner.h"
-#include "text/Text.h"
+#include "tokens/Lines.h"
+#include <limn/base/Text.h>
 
 namespace limn
 {

@@ -2,7 +2,7 @@
 
 #include "lowering/Checks.h"
 #include "tokens/Lines.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #include "preprocess/GlslangLog.h"
 
 #include "tokens/Lines.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <charconv>

@@ -4,16 +4,16 @@
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "lowering/Checks.h"
-#include "tokens/Tokens.h"
 #include "desugar/Rewrites.h"
 #include "keywords/DirectiveConditions.h"
 #include "keywords/DynamicKeywords.h"
 #include "keywords/PassMacro.h"
+#include "lowering/Checks.h"
 #include "preprocess/GlslangIncluder.h"
 #include "preprocess/GlslangLog.h"
 #include "preprocess/GlslangSession.h"
-#include "text/Text.h"
+#include "tokens/Tokens.h"
+#include <limn/base/Text.h>
 
 #include <glslang/Public/ResourceLimits.h>
 

@@ -2,8 +2,8 @@
 
 #include <limn/shaderlab/PassProgram.h>
 
-#include "tokens/SourceLines.h"
 #include "includes/IncludeResolver.h"
+#include "tokens/SourceLines.h"
 
 #include <span>
 #include <string>

@@ -1,9 +1,9 @@
 #include "spirv/SpirvBuilder.h"
 
 #include "hlsl/Editor.h"
-#include "spirv/Arithmetic.h"
 #include "preprocess/GlslangLog.h"
 #include "preprocess/GlslangSession.h"
+#include "spirv/Arithmetic.h"
 #include "spirv/HalfPrecision.h"
 #include "spirv/StorageAccess.h"
 #include "stages/EntryPointWriter.h"

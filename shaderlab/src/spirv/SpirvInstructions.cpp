@@ -1,6 +1,6 @@
 #include "spirv/SpirvInstructions.h"
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <spirv-tools/libspirv.h>
 
 namespace limn

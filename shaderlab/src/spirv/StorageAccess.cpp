@@ -1,7 +1,7 @@
 #include "spirv/StorageAccess.h"
 
 #include <glslang/SPIRV/spirv.hpp>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <spirv-tools/optimizer.hpp>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "stages/KernelEntryWriter.h"
 
 #include "stages/EntryPointWriter.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #include "stages/StageInterface.h"
 
 #include "hlsl/Types.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,6 @@
 #include "tokens/Lines.h"
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 

@@ -2,8 +2,8 @@
 
 #include <limn/shaderlab/PassProgram.h>
 
-#include "tokens/Tokens.h"
 #include "includes/IncludeResolver.h"
+#include "tokens/Tokens.h"
 
 #include <map>
 #include <optional>

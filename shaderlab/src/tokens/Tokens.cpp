@@ -2,7 +2,7 @@
 
 #include "tokens/Lines.h"
 #include "tokens/SourceLines.h"
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <array>

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <limits>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/GltfMesh.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "TemporaryFolder.h"
 #include "ThrownMessage.h"

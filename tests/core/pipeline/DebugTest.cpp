@@ -1,9 +1,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/Debug.h>
 #include <limn/core/RenderingData.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <stdexcept>
 
 #include "ThrownMessage.h"

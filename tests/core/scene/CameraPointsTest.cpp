@@ -2,8 +2,8 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Camera.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn::test
 {

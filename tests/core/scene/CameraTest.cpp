@@ -2,8 +2,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <limits>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Camera.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "ThrownMessage.h"
 

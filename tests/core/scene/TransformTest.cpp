@@ -1,8 +1,8 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Transform.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <random>
 #include <vector>
 

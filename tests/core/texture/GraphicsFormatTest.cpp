@@ -1,8 +1,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsFormatUtility.h>
 #include <limn/core/RenderTexture.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <set>
 
 #include "ThrownMessage.h"

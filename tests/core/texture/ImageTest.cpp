@@ -1,8 +1,8 @@
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Image.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "FileSizeLimit.h"
 #include "TemporaryFolder.h"

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/RTHandle.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "ThrownMessage.h"
 

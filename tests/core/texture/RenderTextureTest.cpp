@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/RenderTexture.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "ThrownMessage.h"
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Texture.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 #include "ThrownMessage.h"
 

@@ -3,7 +3,7 @@
 #include "commands/WorkingFolder.h"
 
 #include <gtest/gtest.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn::test
 {

@@ -4,9 +4,9 @@
 #include "reports/FrameGraph.h"
 
 #include <gmock/gmock.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/FrameCompiler.h>
 #include <limn/core/ScriptableRenderContext.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <nlohmann/json.hpp>
 
 #include <cstdlib>

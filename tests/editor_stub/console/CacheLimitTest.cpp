@@ -3,7 +3,7 @@
 
 #include <console/CacheFolder.h>
 #include <gmock/gmock.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn::test
 {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <regex>
 #include <set>
 

@@ -3,9 +3,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/RenderTexture.h>
 #include <limn/core/SystemInfo.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn::test
 {

@@ -1,7 +1,7 @@
 #include "core/ThrownMessage.h"
 
 #include <gtest/gtest.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <scene/MapReader.h>
 
 namespace limn::test

@@ -5,7 +5,7 @@
 #include "core/FileSizeLimit.h"
 
 #include <gmock/gmock.h>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn::study
 {

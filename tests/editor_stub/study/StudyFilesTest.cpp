@@ -6,7 +6,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <limits>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn::study
 {

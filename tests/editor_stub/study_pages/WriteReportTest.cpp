@@ -9,8 +9,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <iterator>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/Image.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>

@@ -1,4 +1,4 @@
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
-#include <limn/shaderlab/Diagnostic.h>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/TerminalText.h>
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <hlsl/Resolver.h>
-#include <lowering/Rewriter.h>
 #include <hlsl/TreeParser.h>
 #include <lowering/Lowering.h>
+#include <lowering/Rewriter.h>
 
 #include <string>
 

@@ -1,7 +1,7 @@
 #include "ShaderTestSupport.h"
 
-#include <limn/shaderlab/FileRoots.h>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/FileRoots.h>
+#include <limn/base/ReadFile.h>
 
 #include <sys/stat.h>
 

@@ -1,7 +1,7 @@
 #include "ShaderTestSupport.h"
 #include "core/FileSizeLimit.h"
 
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 
 #include <fcntl.h>
 #include <future>

@@ -3,7 +3,7 @@
 #include <limn/volume/YamlSplicer.h>
 
 #include <algorithm>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 #include <limn/volume/BoolParameter.h>
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/VolumeProfileLoader.h>

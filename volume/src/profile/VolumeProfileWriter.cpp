@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limn/shaderlab/HashContent.h>
+#include <limn/base/HashContent.h>
 #include <set>
 #include <vector>
 

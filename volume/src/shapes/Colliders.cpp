@@ -2,7 +2,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <limn/volume/BoxCollider.h>
 #include <limn/volume/CapsuleCollider.h>
 #include <limn/volume/SphereCollider.h>

@@ -1,7 +1,7 @@
 #include <limn/volume/YamlMapReader.h>
 
 #include <algorithm>
-#include <limn/shaderlab/Case.h>
+#include <limn/base/Case.h>
 
 namespace limn
 {

@@ -4,7 +4,7 @@
 #include "yaml/TreeBuilder.h"
 
 #include <algorithm>
-#include <limn/shaderlab/ReadFile.h>
+#include <limn/base/ReadFile.h>
 #include <optional>
 #include <sstream>
 #include <yaml-cpp/exceptions.h>

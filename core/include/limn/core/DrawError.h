@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn
 {

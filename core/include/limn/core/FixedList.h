@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string>
 
 namespace limn

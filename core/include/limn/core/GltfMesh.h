@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/base/FileRoots.h>
 #include <limn/core/Mesh.h>
-#include <limn/shaderlab/FileRoots.h>
 #include <memory>
 
 namespace limn

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <memory>
 #include <ranges>
 #include <span>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string>
 
 namespace limn

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsDevice.h>
-#include <limn/shaderlab/Diagnostic.h>
 
 namespace limn
 {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <functional>
-#include <limn/shaderlab/Case.h>
+#include <limn/base/Case.h>
 
 namespace limn
 {

@@ -1,7 +1,7 @@
 #include "device/Translate.h"
 
 #include <array>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 namespace limn::vulkan
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "submit/FrameSlot.h"
 #include "submit/DeviceResources.h"
+#include "submit/FrameSlot.h"
 
 namespace limn::vulkan
 {

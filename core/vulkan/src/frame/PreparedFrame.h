@@ -1,7 +1,7 @@
 #pragma once
 
-#include "frame/FrameDescriptors.h"
 #include "frame/DynamicState.h"
+#include "frame/FrameDescriptors.h"
 
 namespace limn::vulkan
 {

@@ -3,8 +3,8 @@
 
 #include "device/Translate.h"
 #include "frame/FrameRecorder.h"
-#include "submit/CopyBandwidth.h"
 #include "resources/ImageSupport.h"
+#include "submit/CopyBandwidth.h"
 #include "submit/ReadBackCopy.h"
 
 namespace limn

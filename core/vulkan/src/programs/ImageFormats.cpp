@@ -3,7 +3,7 @@
 #include "device/Spirv.h"
 
 #include <algorithm>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string>
 #include <utility>
 

@@ -3,9 +3,9 @@
 #include "device/Check.h"
 #include <algorithm>
 #include <cstring>
-#include <limn/shaderlab/HashContent.h>
-#include <limn/shaderlab/ReadFile.h>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/HashContent.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/WriteFile.h>
 
 namespace limn::vulkan
 {

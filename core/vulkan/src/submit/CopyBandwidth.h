@@ -1,7 +1,7 @@
 #pragma once
 
-#include "submit/SubmitQueue.h"
 #include "memory/MemoryAllocator.h"
+#include "submit/SubmitQueue.h"
 
 namespace limn::vulkan
 {

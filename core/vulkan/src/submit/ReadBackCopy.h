@@ -1,8 +1,8 @@
 #pragma once
 
-#include "submit/FrameSlot.h"
 #include "resources/BufferPool.h"
 #include "resources/ImagePool.h"
+#include "submit/FrameSlot.h"
 #include <limn/core/PendingReadback.h>
 
 namespace limn::vulkan

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/base/FileRoots.h>
 #include <limn/core/Material.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/PrimitiveMesh.h>
@@ -9,7 +10,6 @@
 #include <limn/core/Texture.h>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/features/FeatureRegistry.h>
-#include <limn/shaderlab/FileRoots.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <map>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <string>
 #include <string_view>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 
 namespace limn::study
 {

@@ -2,13 +2,13 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limn/base/EmbeddedFile.h>
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/FeatureRegistry.h>
 #include <limn/features/HeadersHash.h>
 #include <limn/features/Version.h>
-#include <limn/shaderlab/EmbeddedFile.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <span>
 

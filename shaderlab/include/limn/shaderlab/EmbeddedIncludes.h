@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/EmbeddedFile.h>
+#include <limn/base/EmbeddedFile.h>
 
 #include <span>
 #include <string>

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 #include <memory>
 #include <span>
 #include <string>

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsDevice.h>
-#include <limn/shaderlab/Diagnostic.h>
 #include <limn/vulkan/VulkanDeviceInfo.h>
 
 namespace limn

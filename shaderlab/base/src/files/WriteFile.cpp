@@ -1,8 +1,8 @@
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 
-#include "text/FileDescriptor.h"
+#include "files/FileDescriptor.h"
 
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
 #include <algorithm>
 #include <fcntl.h>

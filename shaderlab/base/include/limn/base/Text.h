@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/shaderlab/Case.h>
+#include <limn/base/Case.h>
 
 #include <string_view>
 

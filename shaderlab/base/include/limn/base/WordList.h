@@ -1,6 +1,6 @@
 #pragma once
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <string_view>

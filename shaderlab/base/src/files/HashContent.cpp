@@ -1,4 +1,4 @@
-#include <limn/shaderlab/HashContent.h>
+#include <limn/base/HashContent.h>
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

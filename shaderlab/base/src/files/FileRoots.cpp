@@ -1,7 +1,7 @@
-#include <limn/shaderlab/FileRoots.h>
+#include <limn/base/FileRoots.h>
 
 #include <algorithm>
-#include <limn/shaderlab/WriteFile.h>
+#include <limn/base/WriteFile.h>
 
 namespace limn
 {

@@ -1,6 +1,6 @@
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <cstdint>

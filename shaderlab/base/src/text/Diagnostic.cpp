@@ -1,10 +1,10 @@
-#include <limn/shaderlab/Diagnostic.h>
+#include <limn/base/Diagnostic.h>
 
-#include "text/Text.h"
+#include <limn/base/Text.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 
 namespace limn
 {
