@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails where a layer includes one above it (or beside it), or a library that only another one may use.
+"""Fails where a layer includes one above it (or beside it), where two folders of one layer include each other, also by
+way of others, and where a library or a header of the operating system is included by a layer that may not.
 
 Usage: check_includes.py ROOT_OF_LIMN. Before it looks at the tree it looks at made-up ones, so that a check that
 finds nothing can be believed.
@@ -12,16 +13,19 @@ from pathlib import Path
 # Each layer and what it may include besides itself. core/vulkan stands beside core; nobody but editor_stub and samples
 # sees it.
 LAYERS = {
-    "shaderlab": [],
-    "core/vulkan": ["core", "shaderlab"],
-    "core": ["shaderlab"],
-    "volume": ["core", "shaderlab"],
-    "features": ["volume", "core", "shaderlab"],
-    "editor_stub": ["features", "core/vulkan", "volume", "core", "shaderlab"],
-    "samples": ["editor_stub", "features", "core/vulkan", "volume", "core", "shaderlab"],
+    "shaderlab/base": [],
+    "shaderlab": ["shaderlab/base"],
+    "core/vulkan": ["core", "shaderlab", "shaderlab/base"],
+    "core": ["shaderlab", "shaderlab/base"],
+    "volume": ["core", "shaderlab", "shaderlab/base"],
+    "features": ["volume", "core", "shaderlab", "shaderlab/base"],
+    "editor_stub": ["features", "core/vulkan", "volume", "core", "shaderlab", "shaderlab/base"],
+    "samples": ["editor_stub", "features", "core/vulkan", "volume", "core", "shaderlab", "shaderlab/base"],
 }
 # <limn/...> headers by the folder behind limn/; limn/limn.h is the features'.
-LAYER_OF_HEADERS = {"vulkan": "core/vulkan", "limn.h": "features"}
+LAYER_OF_HEADERS = {"vulkan": "core/vulkan", "limn.h": "features", "base": "shaderlab/base"}
+# Layers whose folders still include each other.
+CIRCULAR = ["editor_stub"]
 # Libraries that stay inside the layers named; any other may include what its target links.
 LIBRARIES = {
     "vulkan/": ["core/vulkan"],
@@ -66,9 +70,45 @@ def why_not(root, file, layer, quote, name):
     return None
 
 
+def circles(edges):
+    """Returns the sets of folders that include each other, each sorted, by Tarjan's algorithm."""
+    index, low, stack, found = {}, {}, [], []
+
+    def visit(folder):
+        index[folder] = low[folder] = len(index)
+        stack.append(folder)
+        for other in edges.get(folder, ()):
+            if other not in index:
+                visit(other)
+                low[folder] = min(low[folder], low[other])
+            elif other in stack:
+                low[folder] = min(low[folder], index[other])
+        if low[folder] == index[folder]:
+            circle = stack[stack.index(folder) :]
+            del stack[stack.index(folder) :]
+            if len(circle) > 1:
+                found.append(sorted(circle))
+
+    for folder in sorted(edges):
+        if folder not in index:
+            visit(folder)
+    return found
+
+
+def circle_problems(root, layer, edges):
+    """What is wrong with the folders of a layer; edges: {folder: {other folder: an include, 'file:line: name'}}."""
+    problems = []
+    for circle in circles(edges):
+        for folder in circle:
+            for other in sorted(set(edges[folder]) & set(circle)):
+                problems.append(f"{edges[folder][other]}: {layer}/src/{other} includes {folder}, directly or by way of others")
+    return problems
+
+
 def check(root):
     """How many includes there are, and 'file:line: what is wrong' for the bad ones."""
     count, problems = 0, []
+    folders = {}  # {layer: {folder: {other: include}}}
     for layer in ["shaderlab", "core", "volume", "features", "editor_stub", "samples"]:
         files = sorted(p for p in (root / layer).rglob("*") if p.suffix in (".h", ".cpp", ".hpp", ".inl"))
         for file in files:
@@ -76,10 +116,20 @@ def check(root):
             for match in INCLUDE.finditer(text):
                 count += 1
                 path = file.relative_to(root)
+                line = text.count("\n", 0, match.start(2)) + 1
+                place = f"{path.as_posix()}:{line}: {match[2]}"
                 reason = why_not(root, file, layer_of(path), match[1], match[2])
                 if reason:
-                    line = text.count("\n", 0, match.start(2)) + 1
-                    problems.append(f"{path.as_posix()}:{line}: {match[2]}: {reason}")
+                    problems.append(f"{place}: {reason}")
+                source = root / layer_of(path) / "src"
+                if match[1] == '"' and (source / match[2]).is_file() and source in file.parents:
+                    folder, other = file.parent.relative_to(source), Path(match[2]).parent
+                    if folder != other:
+                        edges = folders.setdefault(layer_of(path), {}).setdefault(folder.as_posix(), {})
+                        edges.setdefault(other.as_posix(), place)
+    for layer, edges in folders.items():
+        if layer not in CIRCULAR:
+            problems += circle_problems(root, layer, edges)
     return count, problems
 
 
@@ -96,7 +146,11 @@ def self_check():
         ("volume/src/H.cpp", '"../../core/src/Own.h"', True),
         ("core/src/deep/I.cpp", '"E2.h"', True),
         ("editor_stub/src/J.cpp", "<yaml-cpp/yaml.h>", True),
+        ("core/src/a/Q.h", '"b/R.h"', True),  # a, b and c go round in a circle
+        ("core/src/b/R.h", '"c/S.h"', True),
+        ("core/src/c/S.h", '"a/Q.h"', True),
         ("core/src/deep/K.cpp", '"Own.h"', False),
+        ("core/src/deep/T.cpp", '"a/Q.h"', False),
         ("features/glow/src/L.cpp", '"Glow.h"', False),
         ("core/vulkan/src/M.cpp", "<vulkan/vulkan.h>", False),
         ("editor_stub/src/N.cpp", "<limn/vulkan/VulkanDevice.h>", False),

@@ -1,6 +1,6 @@
 #include "cull/ObjectLights.h"
 
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,5 +1,5 @@
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

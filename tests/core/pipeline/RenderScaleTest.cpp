@@ -6,7 +6,7 @@
 #include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn::test
 {

@@ -7,8 +7,8 @@
 #include <set>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
 #include "frame/FrameBuilder.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

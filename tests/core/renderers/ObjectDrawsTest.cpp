@@ -3,7 +3,7 @@
 #include <map>
 #include <random>
 
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

@@ -4,7 +4,7 @@
 #include <limn/core/BuiltinShaders.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

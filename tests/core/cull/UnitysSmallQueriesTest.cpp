@@ -1,5 +1,5 @@
-#include "draw/DrawHarness.h"
 #include "pipeline/RendererHarness.h"
+#include "renderers/DrawHarness.h"
 
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>

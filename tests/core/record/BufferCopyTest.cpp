@@ -5,7 +5,7 @@
 #include <limn/core/RenderTexturePool.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

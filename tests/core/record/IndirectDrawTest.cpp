@@ -3,7 +3,7 @@
 #include <limn/core/FrameCompiler.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

@@ -6,7 +6,7 @@
 #include <limn/core/Camera.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn::test
 {

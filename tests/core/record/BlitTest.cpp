@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "ThrownMessage.h"
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "draw/DrawHarness.h"
+#include "renderers/DrawHarness.h"
 
 namespace limn
 {

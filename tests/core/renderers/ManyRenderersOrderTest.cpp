@@ -1,4 +1,4 @@
-#include "draw/ManyRenderers.h"
+#include "renderers/ManyRenderers.h"
 
 #include <numeric>
 
