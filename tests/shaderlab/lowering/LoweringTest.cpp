@@ -1,4 +1,4 @@
-#include "TreeTestSupport.h"
+#include "hlsl/TreeTestSupport.h"
 
 #include <gtest/gtest.h>
 
