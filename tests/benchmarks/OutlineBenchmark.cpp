@@ -11,17 +11,15 @@
 // nobody tidied.
 
 #include "Samples.h"
+#include "editor_stub/study/UntidyScene.h"
 #include "features/outline/TechniquePicture.h"
 #include "study/StudyPicture.h"
-#include "study/StudyScene.h"
 #include "study/Techniques.h"
-#include "study/UntidyMesh.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
-#include <limn/core/PrimitiveMesh.h>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
@@ -152,31 +150,12 @@ void PrintErrors(VulkanDevice& device, const Options& options)
     }
 }
 
-/// A black object of one kind of mesh, seen by a camera with perspective.
-SceneAsset UntidyScene(PrimitiveType type, Untidiness untidiness, AssetContext& assets)
-{
-    SceneAsset asset = EmptyPicture(200, 190);
-    asset.camera.orthographic = false;
-    asset.camera.nearClipPlane = 0.1f;
-    asset.camera.fieldOfView = 40.0f;
-    asset.camera.transform.localPosition = {0.1f, -0.05f, -3.6f};
-    const auto mesh = MakeUntidy(*CreatePrimitive(type), untidiness);
-    for (int i = 0; i < (untidiness == Untidiness::TwoObjects ? 2 : 1); ++i)
-    {
-        AddOutlined(asset, "object", mesh, assets).transform.localRotation =
-            EulerToRotation({25.0f, 31.0f, 8.0f});
-    }
-    return asset;
-}
-
 /// @return the mean error of an outline of 8 pixels; NaN where the device draws no such outline
 double UntidyError(VulkanDevice& device, AssetContext& assets, const study::Technique& technique,
                    PrimitiveType type, Untidiness untidiness)
 {
     constexpr double k_PixelsWide = 8.0;
-    // A kind that looks as the tidy mesh does is held to the outline of the tidy mesh.
-    const bool isTidyToSee = untidiness < Untidiness::Open;
-    const SceneAsset model = UntidyScene(type, isTidyToSee ? Untidiness::None : untidiness, assets);
+    const SceneAsset model = TidyScene(type, untidiness, assets);
     const Coverage exact =
         ExactOutlineCoverage(OutlinedSilhouette(model), {k_PixelsWide}, model.width, model.height);
     try
