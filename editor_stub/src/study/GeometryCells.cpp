@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limn/shaderlab/TerminalText.h>
 #include <map>
 #include <numeric>
 
@@ -41,10 +42,10 @@ namespace
 std::string TheyStand(const std::vector<std::string>& names)
 {
     constexpr std::size_t k_Named = 3;
-    std::string text = names.front();
+    std::string text = OneLine(names.front());
     for (std::size_t i = 1; i < std::min(names.size(), k_Named); ++i)
     {
-        text += (i + 1 == names.size() ? " and " : ", ") + names[i];
+        text += (i + 1 == names.size() ? " and " : ", ") + OneLine(names[i]);
     }
     if (names.size() > k_Named)
     {

@@ -181,5 +181,29 @@ TEST(MeshDepths, AreThoseOfTheFacesThatAreDrawn)
     EXPECT_EQ(depths(CullMode::Front).size(), 2u);
 }
 
+/// A ray through the picture meets the plane of a turned quad, found without any projection.
+TEST(MeshDepths, AreThoseOfRaysThroughThePicture)
+{
+    constexpr double k_Near = 0.5;
+    constexpr double k_Far = 20.0;
+    Camera camera; // at the origin, looks along +z
+    camera.nearClipPlane = k_Near;
+    camera.farClipPlane = k_Far;
+    camera.fieldOfView = 90.0f;
+    Transform transform;
+    transform.localPosition = {0.0f, 0.0f, 4.0f};
+    transform.localScale = {6.0f, 6.0f, 1.0f};
+    transform.localRotation = EulerToRotation({0.0f, 45.0f, 0.0f}); // z = 4 - x
+    const Surfaces quad = Of(MeshDepths(*CreatePrimitive(PrimitiveType::Quad), 0, transform, camera,
+                                        80, 80, CullMode::Off));
+    for (const double x : {28.0, 33.25, 40.0, 61.0})
+    {
+        const double slope = (x - 40.0) / 40.0; // of the ray: x = slope z
+        const double z = 4.0 / (1.0 + slope);
+        const double nearness = k_Near * (k_Far - z) / (z * (k_Far - k_Near));
+        EXPECT_NEAR(quad.NearestAt({x, 41.5}).nearness, nearness, 1e-6) << x;
+    }
+}
+
 } // namespace
 } // namespace limn::study

@@ -351,6 +351,22 @@ TEST_F(ReportGpu, SaysWhatStandsInFrontAndWhichCamerasItLeavesOut)
     EXPECT_THAT(page, HasSubstr("What is seen and what is hidden of the outline"));
 }
 
+TEST_F(ReportGpu, WritesTheNameOfWhatStandsInFrontAsText)
+{
+    m_Working.folder.Write("s.scene.yaml",
+                           std::string(k_Scene) +
+                               "  - {name: \"<b>Wall\\nerror: \\e[31m\", mesh: cube, position: "
+                               "[-0.5, 0.3, -1], scale: [1, 3, 0.1]}\n");
+    const CommandRun run = Report("r");
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("also where <b>Wall"));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("\nerror: ")));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("\033[31m")));
+    const std::string page = test::ReadText("r/report.html");
+    EXPECT_THAT(page, HasSubstr("also where &lt;b&gt;Wall"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("<b>Wall")));
+}
+
 TEST_F(ReportGpu, RefusesAnOutlineThatOnlyAnOverlayDraws)
 {
     const std::string plain = k_Scene;
