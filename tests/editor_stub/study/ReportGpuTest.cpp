@@ -288,6 +288,8 @@ TEST_F(PartlyHiddenGpu, IsHiddenByWhatTheCameraDrawsOpaqueInFrontAndByNothingEls
         "  - {name: Glass, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], material: "
         "glass}\n",
         "  - {name: Away, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], layer: Away}\n",
+        "  - {name: Shadow, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], "
+        "shadowCastingMode: ShadowsOnly}\n",
         "  - {name: Off, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], active: "
         "false}\n",
         "  - {name: Back, mesh: quad, scale: [80, 200, 1], position: [-40, 0, -50], rotation: [0, "
@@ -382,6 +384,31 @@ TEST_F(ReportGpu, RefusesAnOutlineThatOnlyAnOverlayDraws)
                            std::string(plain).replace(camera, 1, ", rect: [0, 0, 0.5, 1]}"));
     EXPECT_THAT(Report("r").err, HasSubstr("'rect'"));
     EXPECT_FALSE(std::filesystem::exists("r"));
+}
+
+TEST(StudyOfScenesGpu, IsOfTheBaseCameraAndItsTimesAreOfAllCameras)
+{
+    const test::WorkingFolder working;
+    VulkanDevice device;
+    AssetContext assets{test::CachedCompiler()};
+    const std::string overlay = "{position: [0, 1, -2], lookAt: [0, 0, 0], cullingMask: [0]}";
+    const CellResult stack =
+        MeasureStrokes(working, assets, device, "stack.scene.yaml",
+                       ", cullingMask: [0], cameraStack: [" + overlay + ", " + overlay + "]", "");
+    EXPECT_LT(stack.Value("meanAbsoluteError"), 0.005);
+    EXPECT_THAT(stack.notes,
+                testing::ElementsAre("only the base camera is measured: what the 2 overlay cameras "
+                                     "of its cameraStack draw counts for the times and not for the "
+                                     "errors"));
+    MeasureStrokes(working, assets, device, "one.scene.yaml", ", cullingMask: [0]", "");
+    const auto draws = [&](const char* scene)
+    {
+        StudyBench bench{working.folder / scene, "", assets, device};
+        const CellId id{CellKind::Cost, "Strokes", "scene", 4.0, 160, 120, ""};
+        return bench.MeasureCosts(std::span(&id, 1), 1).front().Value("draws");
+    };
+    // The cube's own depth, its strokes and the composite, for either overlay.
+    EXPECT_EQ(draws("stack.scene.yaml"), draws("one.scene.yaml") + 2 * 3);
 }
 
 class StudyBenchGpu : public testing::Test
