@@ -139,6 +139,10 @@ SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhoue
                                 const Surfaces& own, const Surfaces& others, HiddenAt where)
 {
     SeenOutline result{whole, {}};
+    if (others.isEmpty())
+    {
+        return result;
+    }
     Seer seer(silhouette, width, own, others, where);
     for (int y = 0; y < whole.height; ++y)
     {

@@ -33,6 +33,7 @@ public:
     /// Must be called after the last Add and before the first NearestAt.
     void Finish();
     Hit NearestAt(const glm::dvec2& point) const;
+    bool isEmpty() const { return m_Triangles.empty(); }
 
 private:
     std::vector<DepthTriangle> m_Triangles;

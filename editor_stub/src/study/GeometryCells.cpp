@@ -13,28 +13,6 @@
 namespace limn::study
 {
 
-/// What the outlines of one subject and width are compared with.
-struct StudyBench::Reference
-{
-    std::string name; ///< of the cell, without its technique and its variant
-    Silhouette silhouette;
-    Coverage whole; ///< whatever stands in front
-    SceneSurfaces surfaces;
-    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
-    std::vector<std::string> notes;       ///< what every cell of the subject must say
-
-    const SeenOutline& SeenAt(HiddenAt where, double width)
-    {
-        const auto [found, isNew] = seen.try_emplace(where);
-        if (isNew)
-        {
-            found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
-                                                surfaces.others, where);
-        }
-        return found->second;
-    }
-};
-
 namespace
 {
 
@@ -61,6 +39,68 @@ struct HeldTo
     bool isWhole = true; ///< not only a part of the outline
     std::string note;    ///< says which part; "" where nothing stands in front
 };
+
+} // namespace
+
+/// What the outlines of one subject and width are compared with.
+struct StudyBench::Reference
+{
+    std::string name; ///< of the cell, without its technique and its variant
+    Silhouette silhouette;
+    Coverage whole; ///< whatever stands in front
+    SceneSurfaces surfaces;
+    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
+    std::vector<std::string> notes;       ///< what every cell of the subject must say
+
+    HeldTo Of(const CellId& id, const Technique& technique);
+
+private:
+    const SeenOutline& SeenAt(HiddenAt where, double width);
+};
+
+const SeenOutline& StudyBench::Reference::SeenAt(HiddenAt where, double width)
+{
+    const auto [found, isNew] = seen.try_emplace(where);
+    if (isNew)
+    {
+        found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
+                                            surfaces.others, where);
+    }
+    return found->second;
+}
+
+HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
+{
+    const SeenOutline& outline = SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
+    std::vector<std::string> names;
+    for (const std::size_t owner : outline.hiding)
+    {
+        names.push_back(surfaces.names[owner]);
+    }
+    const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
+    if (id.variant == k_HiddenPart)
+    {
+        Coverage hidden = whole;
+        std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
+                               std::minus());
+        return {hidden, false,
+                "measured against what is hidden of the outline: " + they + " in front of it"};
+    }
+    if (names.empty())
+    {
+        return {whole, true, ""};
+    }
+    if (id.variant == k_SeenPart || technique.hiddenAt)
+    {
+        return {outline.seen, false,
+                "measured against what is seen of the outline: " + they + " in front of the rest"};
+    }
+    return {whole, true,
+            "measured against the whole outline, also where " + they + " in front of it"};
+}
+
+namespace
+{
 
 constexpr int k_Steps = 16; ///< of a sixteenth of a pixel each
 const glm::dvec2 k_Motion(1.0, 0.3);
@@ -213,52 +253,6 @@ StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
     return *m_Reference;
 }
 
-namespace
-{
-
-/// Returns what the technique of a cell is held to.
-template <typename Reference>
-HeldTo HeldToOf(const CellId& id, const Technique& technique, Reference& reference)
-{
-    const auto standing = [&reference](const SeenOutline& outline)
-    {
-        std::vector<std::string> names;
-        for (const std::size_t owner : outline.hiding)
-        {
-            names.push_back(reference.surfaces.names[owner]);
-        }
-        return TheyStand(names);
-    };
-    const SeenOutline& outline =
-        reference.SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
-    if (outline.hiding.empty())
-    {
-        return {id.variant == k_HiddenPart ? Coverage(outline.seen.width, outline.seen.height)
-                                           : reference.whole,
-                id.variant != k_HiddenPart, ""};
-    }
-    if (id.variant == k_HiddenPart)
-    {
-        Coverage hidden = reference.whole;
-        std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
-                               std::minus());
-        return {hidden, false,
-                "measured against what is hidden of the outline: " + standing(outline) +
-                    " in front of it"};
-    }
-    if (id.variant == k_SeenPart || technique.hiddenAt)
-    {
-        return {outline.seen, false,
-                "measured against what is seen of the outline: " + standing(outline) +
-                    " in front of the rest"};
-    }
-    return {reference.whole, true,
-            "measured against the whole outline, also where " + standing(outline) +
-                " in front of it"};
-}
-
-} // namespace
-
 CellResult StudyBench::Measure(const CellId& id)
 {
     switch (id.kind)
@@ -285,7 +279,7 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     const Coverage alpha = picture->Alpha();
     Reference& reference = ReferenceOf(id);
-    const HeldTo exact = HeldToOf(id, TechniqueOf(id), reference);
+    const HeldTo exact = reference.Of(id, TechniqueOf(id));
     if (const std::string why = WhyNotCompared(id); why.empty())
     {
         AddScores(alpha, exact.coverage, id.width, result);
@@ -312,16 +306,6 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     if (!m_Folder.empty())
     {
         WritePictures(alpha, exact.coverage, reference.silhouette, result);
-        if (id.subject == k_SceneSubject)
-        {
-            const Image output = Picture(id, false)->Output();
-            const double scale = static_cast<double>(output.width) / alpha.width; // renderScale's
-            Box bounds = reference.silhouette.bounds();
-            bounds.low *= scale;
-            bounds.high *= scale;
-            result.pictures["scene"] =
-                WriteScenePicture(output, bounds, id.width * scale, m_Folder, id);
-        }
     }
     return result;
 }
@@ -339,6 +323,16 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
             WriteStudyPicture(AlphaImage(exact, window), m_Folder, result.id, "reference");
         result.pictures["difference"] = WriteStudyPicture(DifferenceImage(alpha, exact, window),
                                                           m_Folder, result.id, "difference");
+    }
+    if (result.id.subject == k_SceneSubject)
+    {
+        const Image output = Picture(result.id, false)->Output();
+        const double scale = static_cast<double>(output.width) / alpha.width; // renderScale's
+        Box bounds = silhouette.bounds();
+        bounds.low *= scale;
+        bounds.high *= scale;
+        result.pictures["scene"] =
+            WriteScenePicture(output, bounds, result.id.width * scale, m_Folder, result.id);
     }
 }
 
