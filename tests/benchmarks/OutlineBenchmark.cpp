@@ -4,10 +4,17 @@
 //
 //   cmake --preset release -DLIMN_BUILD_TESTS=ON
 //   cmake --build --preset release --target outline_benchmark
-//   build/release/tests/outline_benchmark [--quick] [--pairs N] [--device NAME] [error|time]...
+//   build/release/tests/outline_benchmark [--quick] [--pairs N] [--device NAME]
+//   [error|kinds|time]...
+//
+// `kinds` prints a table in Markdown: the mean error of every technique for every kind of mesh that
+// nobody tidied.
 
 #include "Samples.h"
+#include "editor_stub/study/UntidyScene.h"
 #include "features/outline/TechniquePicture.h"
+#include "study/StudyPicture.h"
+#include "study/Techniques.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -143,6 +150,69 @@ void PrintErrors(VulkanDevice& device, const Options& options)
     }
 }
 
+/// @return the mean error of an outline of 8 pixels; NaN where the device draws no such outline
+double UntidyError(VulkanDevice& device, AssetContext& assets, const study::Technique& technique,
+                   PrimitiveType type, Untidiness untidiness)
+{
+    constexpr double k_PixelsWide = 8.0;
+    const SceneAsset model = TidyScene(type, untidiness, assets);
+    const Coverage exact =
+        ExactOutlineCoverage(OutlinedSilhouette(model), {k_PixelsWide}, model.width, model.height);
+    try
+    {
+        SceneAsset asset = UntidyScene(type, untidiness, assets);
+        UseTechnique(asset, technique, k_PixelsWide, assets);
+        return ScoreOutline(StudyPicture(std::move(asset), assets, device).Alpha(), exact)
+            .meanAbsoluteError;
+    }
+    catch (const ContractError& error)
+    {
+        std::fprintf(stderr, "%s: %s\n", technique.info.name.c_str(), error.what());
+        return std::numeric_limits<double>::quiet_NaN();
+    }
+}
+
+void PrintKinds(VulkanDevice& device, const Options& options)
+{
+    ShaderCompilerOptions compilerOptions = CachedCompiler();
+    compilerOptions.missingFeatures = device.missingShaderFeatures();
+    AssetContext assets{compilerOptions};
+    const std::vector<study::Technique>& techniques = study::Techniques();
+    const std::vector<PrimitiveType> types =
+        options.quick ? std::vector<PrimitiveType>{PrimitiveType::Cube}
+                      : std::vector<PrimitiveType>{PrimitiveType::Cube, PrimitiveType::Torus,
+                                                   PrimitiveType::Sphere};
+    std::printf("\nMean error of an outline of 8 pixels; the mean of a cube, a torus and a sphere\n"
+                "\n| technique |");
+    for (const std::string& kind : UntidinessNames())
+    {
+        std::printf(" %s |", kind.c_str());
+    }
+    std::printf("\n|---|");
+    for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+    {
+        std::printf("---|");
+    }
+    for (const study::Technique& technique : techniques)
+    {
+        std::printf("\n| %s%s |", technique.info.name.c_str(),
+                    technique.info.noWidth.empty() ? "" : "*");
+        for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+        {
+            double sum = 0.0;
+            for (const PrimitiveType type : types)
+            {
+                sum += UntidyError(device, assets, technique, type, static_cast<Untidiness>(i));
+            }
+            std::printf(" %.5f |", sum / static_cast<double>(types.size()));
+        }
+    }
+    std::printf(
+        "\n\n* has no width to be held to: its figures only say what it makes of the kind.\n"
+        "Open meshes and those with fins have another silhouette than the tidy mesh and are\n"
+        "held to that; all others are held to the exact outline of the tidy mesh.\n");
+}
+
 /// Milliseconds of the device in all passes of a new frame.
 double DeviceMilliseconds(TechniquePicture& picture, VulkanDevice& device)
 {
@@ -244,7 +314,7 @@ int Run(const Options& options)
     VulkanDevice device(deviceOptions);
     std::printf("%s\n", device.ChoiceSentence().c_str());
     const std::pair<const char*, void (*)(VulkanDevice&, const Options&)> tables[] = {
-        {"error", PrintErrors}, {"time", PrintTimes}};
+        {"error", PrintErrors}, {"kinds", PrintKinds}, {"time", PrintTimes}};
     for (const auto& [name, print] : tables)
     {
         if (options.tables.empty() || std::ranges::count(options.tables, name) > 0)

@@ -239,6 +239,10 @@ void PrintReport(const ReportFiles& report, Console& console)
     {
         console.Warning(warning);
     }
+    for (const std::string& remark : report.sceneRemarks)
+    {
+        console.Line(remark);
+    }
     console.Line(report.recommendation);
 }
 
@@ -340,6 +344,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     studyOptions.hasStability = options.hasStability;
     studyOptions.techniques = TechniqueNames(options.techniques);
     studyOptions.sceneSize = {scene.width, scene.height};
+    studyOptions.isPartlyHidden = IsPartlyHidden(scene);
     Study study = Describe(render.scene, studyOptions, assets, device);
     StudyFolder folder(options.output, study);
     StudyBench bench(render.scene, options.output, assets, device);

@@ -12,13 +12,7 @@ namespace
 
 using Segment = std::array<glm::dvec2, 2>;
 
-constexpr double k_Touching = 1e-9; ///< pixels; nearer points are the same
-constexpr double k_Aside = 1e-6;    ///< pixels; to see what is on either side of an edge
-
-double Cross(const glm::dvec2& a, const glm::dvec2& b)
-{
-    return a.x * b.y - a.y * b.x;
-}
+constexpr double k_Aside = 1e-6; ///< pixels; to see what is on either side of an edge
 
 template <std::size_t N>
 Box BoxOf(const std::array<glm::dvec2, N>& points)

@@ -20,6 +20,14 @@ namespace limn::study
 /// upper left pixel, y counts downwards.
 using ScreenTriangles = std::vector<std::array<glm::dvec2, 3>>;
 
+inline constexpr double k_Touching = 1e-9; ///< pixels; nearer points are the same
+
+/// Returns twice the area of the triangle between two vectors, positive if `b` is clockwise of `a`.
+inline double Cross(const glm::dvec2& a, const glm::dvec2& b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
 /// A regular polygon as good as a disc: it has the disc's area, and is off by at most 5e-5 pixels.
 ScreenTriangles DiscTriangles(const glm::dvec2& center, double radius);
 /// A disc with a round hole.

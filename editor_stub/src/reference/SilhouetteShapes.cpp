@@ -1,3 +1,4 @@
+#include "reference/SeenOutline.h"
 #include "reference/Silhouette.h"
 
 #include <cmath>
@@ -7,6 +8,7 @@
 #include <limn/core/Camera.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/Transform.h>
+#include <span>
 
 namespace limn::study
 {
@@ -62,6 +64,38 @@ std::vector<glm::dvec4> Clip(const std::vector<glm::dvec4>& polygon, const glm::
         }
     }
     return result;
+}
+
+/// Returns the triangles that the indices are of, cut at the near and the far plane.
+std::vector<DepthTriangle> Project(const MeshData& data, std::span<const std::uint32_t> indices,
+                                   const Transform& transform, const Camera& camera, int width,
+                                   int height)
+{
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const glm::dmat4 toClip = glm::dmat4(camera.gpuProjectionMatrix(aspect)) * camera.viewMatrix() *
+                              transform.worldMatrix();
+    std::vector<DepthTriangle> triangles;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    {
+        std::vector<glm::dvec4> polygon;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            polygon.push_back(toClip * glm::dvec4(data.vertices[indices[i + k]], 1.0));
+        }
+        polygon = Clip(polygon, {0.0, 0.0, -1.0, 1.0}); // near: z is w there
+        polygon = Clip(polygon, {0.0, 0.0, 1.0, 0.0});  // far: z is 0 there
+        const auto pixel = [&](std::size_t corner)
+        {
+            const glm::dvec4& p = polygon[corner];
+            return glm::dvec3((p.x / p.w * 0.5 + 0.5) * width, (0.5 - p.y / p.w * 0.5) * height,
+                              p.z / p.w);
+        };
+        for (std::size_t k = 2; k < polygon.size(); ++k)
+        {
+            triangles.push_back({pixel(0), pixel(k - 1), pixel(k)});
+        }
+    }
+    return triangles;
 }
 
 } // namespace
@@ -121,31 +155,33 @@ ScreenTriangles NeedleTriangles(const glm::dvec2& from, const glm::dvec2& to, do
 ScreenTriangles MeshTriangles(const Mesh& mesh, const Transform& transform, const Camera& camera,
                               int width, int height)
 {
-    const float aspect = static_cast<float>(width) / static_cast<float>(height);
-    const glm::dmat4 toClip = glm::dmat4(camera.gpuProjectionMatrix(aspect)) * camera.viewMatrix() *
-                              transform.worldMatrix();
-    const MeshData& data = mesh.data();
     ScreenTriangles triangles;
-    for (std::size_t i = 0; i + 2 < data.triangles.size(); i += 3)
+    for (const auto& [a, b, c] :
+         Project(mesh.data(), mesh.data().triangles, transform, camera, width, height))
     {
-        std::vector<glm::dvec4> polygon;
-        for (std::size_t k = 0; k < 3; ++k)
-        {
-            const glm::vec3& vertex = data.vertices[data.triangles[i + k]];
-            polygon.push_back(toClip * glm::dvec4(vertex, 1.0));
-        }
-        polygon = Clip(polygon, {0.0, 0.0, -1.0, 1.0}); // near: z is w there
-        polygon = Clip(polygon, {0.0, 0.0, 1.0, 0.0});  // far: z is 0 there
-        const auto pixel = [&](std::size_t corner)
-        {
-            const glm::dvec4& p = polygon[corner];
-            return glm::dvec2((p.x / p.w * 0.5 + 0.5) * width, (0.5 - p.y / p.w * 0.5) * height);
-        };
-        for (std::size_t k = 2; k < polygon.size(); ++k)
-        {
-            triangles.push_back({pixel(0), pixel(k - 1), pixel(k)});
-        }
+        triangles.push_back({glm::dvec2(a), glm::dvec2(b), glm::dvec2(c)});
     }
+    return triangles;
+}
+
+std::vector<DepthTriangle> MeshDepths(const Mesh& mesh, int subMesh, const Transform& transform,
+                                      const Camera& camera, int width, int height, CullMode cull)
+{
+    const SubMesh& part = mesh.subMesh(subMesh);
+    const std::span<const std::uint32_t> indices(mesh.data().triangles);
+    std::vector<DepthTriangle> triangles =
+        Project(mesh.data(), indices.subspan(part.indexStart, part.indexCount), transform, camera,
+                width, height);
+    const bool isMirrored = glm::determinant(glm::dmat3(transform.worldMatrix())) < 0.0;
+    std::erase_if(triangles,
+                  [&](const DepthTriangle& triangle)
+                  {
+                      const glm::dvec2 b(triangle[1] - triangle[0]);
+                      const glm::dvec2 c(triangle[2] - triangle[0]);
+                      // Clockwise triangles face the viewer; y counts downwards here.
+                      const bool isFront = (Cross(b, c) > 0.0) != isMirrored;
+                      return cull == (isFront ? CullMode::Front : CullMode::Back);
+                  });
     return triangles;
 }
 

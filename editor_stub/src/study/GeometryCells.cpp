@@ -5,18 +5,99 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limn/shaderlab/TerminalText.h>
+#include <map>
 #include <numeric>
 
 namespace limn::study
 {
 
+namespace
+{
+
+/// "Wall stands", "Wall and Door stand", "Wall, Door, Lamp and 3 more stand".
+std::string TheyStand(const std::vector<std::string>& names)
+{
+    constexpr std::size_t k_Named = 3;
+    std::string text = OneLine(names.front());
+    for (std::size_t i = 1; i < std::min(names.size(), k_Named); ++i)
+    {
+        text += (i + 1 == names.size() ? " and " : ", ") + OneLine(names[i]);
+    }
+    if (names.size() > k_Named)
+    {
+        text += " and " + std::to_string(names.size() - k_Named) + " more";
+    }
+    return text + (names.size() == 1 ? " stands" : " stand");
+}
+
+/// The picture that a cell is held to.
+struct HeldTo
+{
+    Coverage coverage;
+    bool isWhole = true; ///< not only a part of the outline
+    std::string note;    ///< says which part; "" where nothing stands in front
+};
+
+} // namespace
+
 /// What the outlines of one subject and width are compared with.
 struct StudyBench::Reference
 {
-    std::string name; ///< of the cell, without its technique
+    std::string name; ///< of the cell, without its technique and its variant
     Silhouette silhouette;
-    Coverage exact;
+    Coverage whole; ///< whatever stands in front
+    SceneSurfaces surfaces;
+    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
+    std::vector<std::string> notes;       ///< what every cell of the subject must say
+
+    HeldTo Of(const CellId& id, const Technique& technique);
+
+private:
+    const SeenOutline& SeenAt(HiddenAt where, double width);
 };
+
+const SeenOutline& StudyBench::Reference::SeenAt(HiddenAt where, double width)
+{
+    const auto [found, isNew] = seen.try_emplace(where);
+    if (isNew)
+    {
+        found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
+                                            surfaces.others, where);
+    }
+    return found->second;
+}
+
+HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
+{
+    const SeenOutline& outline = SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
+    std::vector<std::string> names;
+    for (const std::size_t owner : outline.hiding)
+    {
+        names.push_back(surfaces.names[owner]);
+    }
+    const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
+    if (id.variant == k_HiddenPart)
+    {
+        Coverage hidden = whole;
+        std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
+                               std::minus());
+        return {hidden, false,
+                "measured against what is hidden of the outline: " + they + " in front of it"};
+    }
+    if (names.empty())
+    {
+        return {whole, true, ""};
+    }
+    if (id.variant == k_SeenPart || technique.hiddenAt)
+    {
+        return {outline.seen, false,
+                "measured against what is seen of the outline: " + they + " in front of the rest"};
+    }
+    return {whole, true,
+            "measured against the whole outline, also where " + they + " in front of it"};
+}
 
 namespace
 {
@@ -24,10 +105,11 @@ namespace
 constexpr int k_Steps = 16; ///< of a sixteenth of a pixel each
 const glm::dvec2 k_Motion(1.0, 0.3);
 
-std::string NameWithoutTechnique(CellId id)
+std::string NameOfReference(CellId id)
 {
     id.kind = CellKind::Geometry;
     id.technique.clear();
+    id.variant = id.subject == k_SceneSubject ? "" : id.variant; // the parts share what they are of
     return id.Name();
 }
 
@@ -54,11 +136,9 @@ double PerimeterWithin(const Coverage& exact, double width)
     return width > 0.0 ? exact.Sum() / width : 0.0;
 }
 
-void AddScores(const Coverage& alpha, const Coverage& exact, const Silhouette& silhouette,
-               double width, CellResult& result)
+void AddScores(const Coverage& alpha, const Coverage& exact, double width, CellResult& result)
 {
     const OutlineScore score = ScoreOutline(alpha, exact, PerimeterWithin(exact, width));
-    const ContourScores contours = ScoreContours(alpha, silhouette, {width});
     result.values = {{"meanAbsoluteError", score.meanAbsoluteError},
                      {"rootMeanSquare", score.rootMeanSquare},
                      {"percentile99", score.percentile99},
@@ -66,19 +146,24 @@ void AddScores(const Coverage& alpha, const Coverage& exact, const Silhouette& s
                      {"intersectionOverUnion", score.intersectionOverUnion},
                      {"areaRatio", score.areaRatio},
                      {"effectiveWidth", score.effectiveWidth},
-                     {"effectiveWidthSpread", contours.high.spread},
-                     {"contourInner", contours.low.mean},
-                     {"contourOuter", contours.high.mean},
                      {"hausdorff", HausdorffDistance(alpha, exact)},
                      {"bandPixels", static_cast<double>(score.bandPixels)},
                      {"outOfRange", static_cast<double>(score.badValues)}};
+}
+
+/// Adds how far the ends of the line are off; a whole outline has no others.
+void AddContours(const Coverage& alpha, const Silhouette& silhouette, double width,
+                 CellResult& result)
+{
+    const ContourScores contours = ScoreContours(alpha, silhouette, {width});
     if (contours.high.crossings == 0)
     {
         result.notes.push_back("nowhere as opaque as one half: it has no contour");
-        result.values.erase("contourInner");
-        result.values.erase("contourOuter");
-        result.values.erase("effectiveWidthSpread");
+        return;
     }
+    result.values["effectiveWidthSpread"] = contours.high.spread;
+    result.values["contourInner"] = contours.low.mean;
+    result.values["contourOuter"] = contours.high.mean;
 }
 
 double MeanOf(const std::vector<double>& values)
@@ -134,20 +219,36 @@ std::string WhyNotDrawn(const CellId& id)
 std::unique_ptr<StudyPicture> StudyBench::Picture(const CellId& id, bool isBlack)
 {
     SceneAsset asset = MakeSubject(id, isBlack, m_Scene, m_Assets);
-    UseTechnique(asset, TechniqueOf(id), id.width, m_Assets);
+    Technique technique = TechniqueOf(id);
+    if (id.variant == k_SeenPart || id.variant == k_HiddenPart)
+    {
+        technique.changes.push_back(technique.occlusion +
+                                    (id.variant == k_SeenPart ? "=Visible" : "=Hidden"));
+    }
+    UseTechnique(asset, technique, id.width, m_Assets);
     return std::make_unique<StudyPicture>(std::move(asset), m_Assets, m_Device);
 }
 
-const StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
+StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
 {
-    const std::string name = NameWithoutTechnique(id);
+    const std::string name = NameOfReference(id);
     if (!m_Reference || m_Reference->name != name)
     {
-        const SceneAsset asset = MakeSubject(id, true, m_Scene, m_Assets);
+        SceneAsset asset = MakeSubject(id, false, m_Scene, m_Assets);
+        std::vector<std::string> notes;
+        if (const std::size_t overlays = asset.camera.cameraStack.size(); overlays > 0)
+        {
+            notes.push_back("only the base camera is measured: what the " +
+                            (overlays == 1 ? std::string("overlay camera")
+                                           : std::to_string(overlays) + " overlay cameras") +
+                            " of its cameraStack " + (overlays == 1 ? "draws" : "draw") +
+                            " counts for the times and not for the errors");
+        }
+        MakeBlack(asset, m_Assets);
         Silhouette silhouette = OutlinedSilhouette(asset);
-        Coverage exact = ExactOutlineCoverage(silhouette, {id.width}, asset.width, asset.height);
-        m_Reference =
-            std::make_unique<Reference>(Reference{name, std::move(silhouette), std::move(exact)});
+        Coverage whole = ExactOutlineCoverage(silhouette, {id.width}, asset.width, asset.height);
+        m_Reference = std::make_unique<Reference>(
+            Reference{name, std::move(silhouette), std::move(whole), SurfacesOf(asset), {}, notes});
     }
     return *m_Reference;
 }
@@ -177,10 +278,20 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     }
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     const Coverage alpha = picture->Alpha();
-    const Reference& reference = ReferenceOf(id);
+    Reference& reference = ReferenceOf(id);
+    const HeldTo exact = reference.Of(id, TechniqueOf(id));
     if (const std::string why = WhyNotCompared(id); why.empty())
     {
-        AddScores(alpha, reference.exact, reference.silhouette, id.width, result);
+        AddScores(alpha, exact.coverage, id.width, result);
+        if (exact.isWhole)
+        {
+            AddContours(alpha, reference.silhouette, id.width, result);
+        }
+        if (!exact.note.empty())
+        {
+            result.notes.push_back(exact.note);
+        }
+        result.notes.insert(result.notes.end(), reference.notes.begin(), reference.notes.end());
     }
     else
     {
@@ -194,34 +305,34 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     }
     if (!m_Folder.empty())
     {
-        WritePictures(alpha, reference, result);
-        if (id.subject == k_SceneSubject)
-        {
-            const Image output = Picture(id, false)->Output();
-            const double scale = static_cast<double>(output.width) / alpha.width; // renderScale's
-            Box bounds = reference.silhouette.bounds();
-            bounds.low *= scale;
-            bounds.high *= scale;
-            result.pictures["scene"] =
-                WriteScenePicture(output, bounds, id.width * scale, m_Folder, id);
-        }
+        WritePictures(alpha, exact.coverage, reference.silhouette, result);
     }
     return result;
 }
 
-void StudyBench::WritePictures(const Coverage& alpha, const Reference& reference,
-                               CellResult& result)
+void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
+                               const Silhouette& silhouette, CellResult& result)
 {
-    const PictureWindow window = WindowOnBorder(reference.silhouette, alpha.width, alpha.height);
+    const PictureWindow window = WindowOnBorder(silhouette, alpha.width, alpha.height);
     const bool isCompared = result.Has("meanAbsoluteError");
     result.pictures["picture"] =
         WriteStudyPicture(AlphaImage(alpha, window), m_Folder, result.id, "picture");
     if (isCompared)
     {
-        result.pictures["reference"] = WriteStudyPicture(AlphaImage(reference.exact, window),
-                                                         m_Folder, result.id, "reference");
-        result.pictures["difference"] = WriteStudyPicture(
-            DifferenceImage(alpha, reference.exact, window), m_Folder, result.id, "difference");
+        result.pictures["reference"] =
+            WriteStudyPicture(AlphaImage(exact, window), m_Folder, result.id, "reference");
+        result.pictures["difference"] = WriteStudyPicture(DifferenceImage(alpha, exact, window),
+                                                          m_Folder, result.id, "difference");
+    }
+    if (result.id.subject == k_SceneSubject)
+    {
+        const Image output = Picture(result.id, false)->Output();
+        const double scale = static_cast<double>(output.width) / alpha.width; // renderScale's
+        Box bounds = silhouette.bounds();
+        bounds.low *= scale;
+        bounds.high *= scale;
+        result.pictures["scene"] =
+            WriteScenePicture(output, bounds, result.id.width * scale, m_Folder, result.id);
     }
 }
 

@@ -25,6 +25,11 @@ const char* ToString(CellKind kind); ///< "geometry", ...
 /// All words that ToString gives, in the order of the kinds.
 std::span<const std::string_view> CellKindNames();
 
+/// Variants of a cell of geometry in a scene where something stands in front of what is outlined:
+/// the technique draws, and is held to, this part of the outline alone.
+inline constexpr const char* k_SeenPart = "seen part";
+inline constexpr const char* k_HiddenPart = "hidden part";
+
 /// One thing that is measured on its own: what a shard takes or leaves, what an interrupted run
 /// has or lacks. Its name is unique in a study and the same in every run.
 struct CellId

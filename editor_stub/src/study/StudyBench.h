@@ -43,8 +43,9 @@ private:
 
     /// The subject with the technique of the cell.
     std::unique_ptr<StudyPicture> Picture(const CellId& id, bool isBlack);
-    const Reference& ReferenceOf(const CellId& id);
-    void WritePictures(const Coverage& alpha, const Reference& reference, CellResult& result);
+    Reference& ReferenceOf(const CellId& id);
+    void WritePictures(const Coverage& alpha, const Coverage& exact, const Silhouette& silhouette,
+                       CellResult& result);
 
     std::filesystem::path m_Scene;
     std::filesystem::path m_Folder;

@@ -42,6 +42,7 @@ public:
         for (const double width : isQuick ? std::vector<double>{k_UsualWidth} : widths)
         {
             Add(CellKind::Geometry, k_SceneSubject, width, sceneSize);
+            AddParts(width);
         }
         for (const std::string& shape :
              isQuick ? std::vector<std::string>{"disc", "needle"} : ShapeNames())
@@ -68,6 +69,21 @@ public:
     }
 
 private:
+    void AddParts(double width)
+    {
+        for (const Technique& technique : m_Techniques)
+        {
+            for (const char* part : {k_SeenPart, k_HiddenPart})
+            {
+                if (m_Options.isPartlyHidden && !technique.occlusion.empty())
+                {
+                    m_Cells.push_back({CellKind::Geometry, technique.info.name, k_SceneSubject,
+                                       width, m_Options.sceneSize.x, m_Options.sceneSize.y, part});
+                }
+            }
+        }
+    }
+
     void AddCosts()
     {
         const glm::ivec2 sceneSize = m_Options.sceneSize;
@@ -124,7 +140,7 @@ std::string StudyOptions::Text() const
          << (isQuick  ? ", quick"
              : isFull ? ", all combinations"
                       : "")
-         << ", " << sceneSize.x << 'x' << sceneSize.y;
+         << ", " << sceneSize.x << 'x' << sceneSize.y << (isPartlyHidden ? ", partly hidden" : "");
     for (const std::string& technique : techniques)
     {
         text << ", " << technique;

@@ -15,6 +15,7 @@ struct StudyOptions
     bool hasStability = false;           ///< the stability cells, and no others
     std::vector<std::string> techniques; ///< names; empty = all
     glm::ivec2 sceneSize{0};             ///< of the scene's picture, pixels
+    bool isPartlyHidden = false;         ///< something hides a part of the scene's outline
 
     /// The same text for the same cells: "quick, 1280x720, Strokes, Selection".
     std::string Text() const;

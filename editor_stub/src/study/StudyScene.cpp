@@ -4,6 +4,7 @@
 #include "study/Techniques.h"
 
 #include <limn/core/Judge.h>
+#include <map>
 
 namespace limn::study
 {
@@ -13,12 +14,38 @@ namespace
 
 constexpr RenderingLayerMask k_Outlined = RenderingLayerMask::FromIndex(k_OutlinedLayer);
 
-std::shared_ptr<const Material> BlackMaterial(AssetContext& assets)
+const ShaderPropertyId _BaseColor = Shader::PropertyToID("_BaseColor");
+const ShaderPropertyId _Cull = Shader::PropertyToID("_Cull"); // of the Unlit shader
+
+std::shared_ptr<const Material> BlackMaterial(AssetContext& assets, CullMode cull = CullMode::Back)
 {
     auto material =
         std::make_shared<Material>(assets.FindShader("Universal Render Pipeline/Unlit"));
-    material->SetColor(ShaderPropertyId("_BaseColor"), Color::black);
+    material->SetColor(_BaseColor, Color::black);
+    material->SetFloat(_Cull, static_cast<float>(cull));
     return material;
+}
+
+/// Returns the faces that the material's first program leaves out.
+CullMode CullOf(const Material& material)
+{
+    if (material.passCount() == 0)
+    {
+        return CullMode::Back;
+    }
+    const auto& cull = material.shader()->passState(0).cull;
+    if (cull.property.empty())
+    {
+        return cull.value;
+    }
+    const ShaderPropertyId id = Shader::PropertyToID(cull.property);
+    return material.HasProperty(id) ? static_cast<CullMode>(material.GetFloat(id)) : CullMode::Back;
+}
+
+/// Returns whether what the material draws hides what is behind it.
+bool IsOpaque(const Material& material)
+{
+    return material.renderQueue() <= RenderQueueRange::opaque.upperBound();
 }
 
 /// What an outline feature filters by, by the names that all of them share.
@@ -79,7 +106,14 @@ FilteringSettings FilterOf(SceneAsset& asset)
 bool IsDrawn(const GameObject& object, const Camera& camera)
 {
     return object.activeSelf && object.renderer && object.renderer->enabled &&
+           object.renderer->shadowCastingMode != ShadowCastingMode::ShadowsOnly &&
            LayerMask::FromIndex(object.layer).Intersects(camera.cullingMask);
+}
+
+/// Returns whether MarkOutlined has found the object.
+bool IsOutlined(const GameObject& object)
+{
+    return object.renderer && object.renderer->renderingLayerMask.Intersects(k_Outlined);
 }
 
 bool IsTaken(const GameObject& object, const FilteringSettings& filter)
@@ -158,7 +192,11 @@ std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
         throw AssetError(asset.path.string(), {},
                          "its outline feature takes none of its " +
                              std::to_string(asset.scene.objects().size()) +
-                             " objects that its camera draws; 'limn explain' says by which rule");
+                             " objects that its camera draws" +
+                             (asset.camera.cameraStack.empty()
+                                  ? ""
+                                  : ", and the cameras of its cameraStack are not measured") +
+                             "; 'limn explain' says by which rule");
     }
     return outlined;
 }
@@ -175,15 +213,24 @@ void MakeBlack(SceneAsset& asset, AssetContext& assets)
     asset.width = scaled(asset.width);
     asset.height = scaled(asset.height);
     asset.renderScale = 1.0f;
-    const std::shared_ptr<const Material> black = BlackMaterial(assets);
+    std::map<CullMode, std::shared_ptr<const Material>> blacks;
     for (const auto& object : asset.scene.objects())
     {
-        if (object->renderer)
+        if (!object->renderer)
         {
-            for (auto& material : object->renderer->sharedMaterials)
+            continue;
+        }
+        for (auto& material : object->renderer->sharedMaterials)
+        {
+            if (!IsOutlined(*object) && (!material || !IsOpaque(*material)))
             {
-                material = black;
+                material = nullptr;
+                continue;
             }
+            const CullMode cull = material ? CullOf(*material) : CullMode::Back;
+            const auto [black, isNew] = blacks.try_emplace(cull);
+            black->second = isNew ? BlackMaterial(assets, cull) : black->second;
+            material = black->second;
         }
     }
 }
@@ -196,7 +243,7 @@ ScreenTriangles OutlinedTriangles(const SceneAsset& asset)
     ScreenTriangles triangles;
     for (const auto& object : asset.scene.objects())
     {
-        if (object->renderer && object->renderer->renderingLayerMask.Intersects(k_Outlined))
+        if (IsOutlined(*object))
         {
             const ScreenTriangles part = MeshTriangles(*object->renderer->mesh, object->transform,
                                                        asset.camera, asset.width, asset.height);
@@ -228,6 +275,51 @@ void RequireOutlineInPicture(const SceneAsset& asset)
 Silhouette OutlinedSilhouette(const SceneAsset& asset)
 {
     return Silhouette(OutlinedTriangles(asset));
+}
+
+SceneSurfaces SurfacesOf(const SceneAsset& asset)
+{
+    SceneSurfaces result;
+    const LayerMask drawn(asset.camera.cullingMask.bits & asset.renderer.opaqueLayerMask.bits);
+    for (const auto& object : asset.scene.objects())
+    {
+        const bool isOutlined = IsOutlined(*object);
+        if (!isOutlined && !(IsDrawn(*object, asset.camera) &&
+                             LayerMask::FromIndex(object->layer).Intersects(drawn)))
+        {
+            continue;
+        }
+        const MeshRenderer& renderer = *object->renderer;
+        const int last = renderer.mesh->subMeshCount() - 1;
+        for (std::size_t i = 0; i < renderer.sharedMaterials.size(); ++i)
+        {
+            const std::shared_ptr<const Material>& material = renderer.sharedMaterials[i];
+            if (!isOutlined && (!material || !IsOpaque(*material)))
+            {
+                continue;
+            }
+            const CullMode cull = isOutlined ? CullMode::Off : CullOf(*material);
+            const std::vector<DepthTriangle> triangles =
+                MeshDepths(*renderer.mesh, std::min(static_cast<int>(i), last), object->transform,
+                           asset.camera, asset.width, asset.height, cull);
+            (isOutlined ? result.outlined : result.others).Add(triangles, result.names.size());
+        }
+        result.names.push_back(object->name);
+    }
+    result.outlined.Finish();
+    result.others.Finish();
+    return result;
+}
+
+bool IsPartlyHidden(const SceneAsset& asset)
+{
+    const Silhouette silhouette = OutlinedSilhouette(asset);
+    // A line around the border, a pixel wide, is hidden where the border is.
+    const Coverage line = ExactOutlineCoverage(silhouette, {1.0}, asset.width, asset.height, 1);
+    const SceneSurfaces surfaces = SurfacesOf(asset);
+    return !SeenOutlineCoverage(line, silhouette, 1.0, surfaces.outlined, surfaces.others,
+                                HiddenAt::Border)
+                .hiding.empty();
 }
 
 } // namespace limn::study

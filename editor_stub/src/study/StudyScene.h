@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/OutlineReference.h"
+#include "reference/SeenOutline.h"
 
 #include <limn/editor_stub/SceneFile.h>
 
@@ -30,11 +30,25 @@ void RequireOutlineInPicture(const SceneAsset& asset);
 
 /// Makes everything black, lit by nothing, before a black background, so that a white outline is
 /// its own alpha. The picture gets the size that the camera draws in, which renderScale may make
-/// another than the scene's; cameras that draw over this one are left out.
+/// another than the scene's; cameras that draw over this one are left out, as are objects that are
+/// transparent and not outlined, which hide nothing.
 void MakeBlack(SceneAsset& asset, AssetContext& assets);
 
 /// What the outlined objects cover in the scene's picture, whatever is in front of them; in double
 /// precision, from their triangles.
 Silhouette OutlinedSilhouette(const SceneAsset& asset);
+
+/// The surfaces of a scene that MarkOutlined has been called for: those that are outlined, and the
+/// opaque ones that the camera draws besides and that may stand in front of them.
+struct SceneSurfaces
+{
+    Surfaces outlined;
+    Surfaces others;
+    std::vector<std::string> names; ///< of the objects, by the owner of a surface
+};
+SceneSurfaces SurfacesOf(const SceneAsset& asset);
+
+/// Returns whether an object hides a place of the outlined objects' border that is in the picture.
+bool IsPartlyHidden(const SceneAsset& asset);
 
 } // namespace limn::study

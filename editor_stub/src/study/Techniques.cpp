@@ -12,6 +12,7 @@ namespace
 {
 
 constexpr const char* k_FeatureName = "Outline";
+constexpr double k_AnyWidth = std::numeric_limits<double>::infinity();
 
 bool IsSameLetter(char a, char b)
 {
@@ -36,7 +37,10 @@ const std::vector<Technique>& Techniques()
         {{"Strokes", "StrokeOutlineRendererFeature", "silhouette edges drawn as geometry", false,
           ""},
          "StrokeOutline",
-         {"Outline.m_Grouping=Together"}},
+         {"Outline.m_Grouping=Together"},
+         k_AnyWidth,
+         std::nullopt,
+         "Outline.m_Occlusion"},
         {{"Separable", "WideOutlineRendererFeature",
           "distance to the edge, by columns and then by rows", false, ""},
          "WideOutline",
@@ -52,7 +56,9 @@ const std::vector<Technique>& Techniques()
         {{"Inflated", "InflatedOutlineRendererFeature", "vertices moved outwards in pixels", false,
           ""},
          "InflatedOutline",
-         {"Outline.m_Grouping=Together"}},
+         {"Outline.m_Grouping=Together"},
+         k_AnyWidth,
+         HiddenAt::Point},
         {{"Screen space", "ScreenSpaceOutlineRenderFeature",
           "the first article: mask of half the size, Roberts cross", true, ""},
          "ScreenSpaceOutline",

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "reference/SeenOutline.h"
 #include "study/Study.h"
 
 #include <limn/editor_stub/SceneFile.h>
+#include <optional>
 
 namespace limn::study
 {
@@ -19,10 +21,16 @@ struct Technique
     std::vector<std::string> changes; ///< "Outline.m_Method=Separable"
     /// The widest outline it can draw, pixels; infinite where nothing limits it.
     double widestOutline = std::numeric_limits<double>::infinity();
+    /// The place at which what stands in front hides its outline; none if it is drawn over that.
+    std::optional<HiddenAt> hiddenAt = std::nullopt;
+    /// The setting, "Outline.m_Occlusion", that makes it draw the Visible or the Hidden part of the
+    /// outline, which HiddenAt::Border divides; "" if there is none.
+    std::string occlusion = "";
 };
 
 /// All techniques that come with limn, each with the settings that bring it nearest to a line of
-/// the asked width around the outside of every outlined object, over everything in front of it.
+/// the asked width around the outside of every outlined object, over everything in front of it if
+/// they can.
 const std::vector<Technique>& Techniques();
 /// Null for an unknown name; lower and upper case are the same.
 const Technique* FindTechnique(std::string_view name);

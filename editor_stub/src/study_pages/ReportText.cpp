@@ -1,5 +1,6 @@
 #include "study_pages/ReportText.h"
 
+#include "study/Subjects.h"
 #include "study_pages/Numbers.h"
 #include "study_pages/Recommendation.h"
 #include "study_pages/ReportTables.h"
@@ -22,6 +23,16 @@ void AddTable(Section& section, Table table)
     {
         section.tables.push_back(std::move(table));
     }
+}
+
+std::string Joined(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names)
+    {
+        text += (text.empty() ? "" : ", ") + name;
+    }
+    return text;
 }
 
 /// The cells that have figures as a table, the others in a sentence for each reason.
@@ -48,12 +59,7 @@ void AddCells(Section& section, const Study& study, const std::string& id, const
     }
     for (const auto& [reason, those] : names)
     {
-        std::string sentence;
-        for (const std::string& name : those)
-        {
-            sentence += (sentence.empty() ? "" : ", ") + name;
-        }
-        sentence += ": " + reason + ".";
+        std::string sentence = Joined(those) + ": " + reason + ".";
         if (std::ranges::find(section.paragraphs, sentence) == section.paragraphs.end())
         {
             section.paragraphs.push_back(std::move(sentence));
@@ -112,6 +118,9 @@ Section Error(const Study& study, const Comparison& comparison)
     };
     AddCells(section, study, "geometry", "All measures at " + Readable(comparison.width) + " px",
              isCompared);
+    AddCells(section, study, "parts", "What is seen and what is hidden of the outline",
+             [](const CellResult& cell)
+             { return cell.id.kind == CellKind::Geometry && !cell.id.variant.empty(); });
     return section;
 }
 
@@ -119,13 +128,10 @@ Section Numerical(const Study& study)
 {
     Section section{"numerical-error", "Numerical error", {}, {}, {}, {}};
     section.paragraphs.push_back("What the device drew against the same algorithm in double "
-                                 "precision; and against the exact "
-                                 "outline with fewer bits, coarser targets or another depth.");
+                                 "precision; and against what it draws with "
+                                 "fewer bits, coarser targets or another depth.");
     AddCells(section, study, "numerical", "Against the same algorithm in double",
              [](const CellResult& cell) { return cell.id.kind == CellKind::Numerical; });
-    AddCells(section, study, "variants", "Against the exact outline",
-             [](const CellResult& cell)
-             { return cell.id.kind == CellKind::Geometry && !cell.id.variant.empty(); });
     return section;
 }
 
@@ -285,6 +291,43 @@ std::string Verdict(const Comparison& comparison)
 
 } // namespace
 
+std::vector<std::string> SceneRemarks(const Study& study)
+{
+    std::vector<std::string> notes; // in the order of the cells
+    std::map<std::string, std::vector<std::string>> namesOf;
+    std::vector<std::string> all;
+    const auto addOnce = [](std::vector<std::string>& texts, const std::string& text)
+    {
+        if (std::ranges::find(texts, text) == texts.end())
+        {
+            texts.push_back(text);
+        }
+    };
+    for (const CellResult& cell : study.cells)
+    {
+        const CellId& id = cell.id;
+        if (id.kind != CellKind::Geometry || id.subject != k_SceneSubject || cell.values.empty())
+        {
+            continue;
+        }
+        const std::string name = id.technique + (id.variant.empty() ? "" : " (" + id.variant + ")");
+        addOnce(all, name);
+        for (const std::string& note : cell.notes)
+        {
+            addOnce(notes, note);
+            addOnce(namesOf[note], name);
+        }
+    }
+    std::vector<std::string> sentences;
+    for (const std::string& note : notes)
+    {
+        const std::vector<std::string>& names = namesOf[note];
+        sentences.push_back((names.size() == all.size() ? "The scene" : Joined(names)) + ": " +
+                            note + ".");
+    }
+    return sentences;
+}
+
 ReportText ReportOf(const Study& study, const Comparison& comparison, const ReportOptions& options)
 {
     ReportText report;
@@ -302,6 +345,8 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
         report.recommendation = Verdict(comparison);
     }
     report.remarks = WarningsOf(comparison);
+    const std::vector<std::string> ofScene = SceneRemarks(study);
+    report.remarks.insert(report.remarks.end(), ofScene.begin(), ofScene.end());
     report.remarks.insert(report.remarks.end(), options.remarks.begin(), options.remarks.end());
     if (const std::string missing = Missing(study); !missing.empty())
     {

@@ -51,6 +51,10 @@ struct ReportText
     std::vector<Plot> plots; ///< that are not empty
 };
 
+/// Returns the notes of the scene's compared outlines as sentences, each with the techniques that
+/// it is about.
+std::vector<std::string> SceneRemarks(const Study& study);
+
 ReportText ReportOf(const Study& study, const Comparison& comparison, const ReportOptions& options);
 
 /// A plot as gnuplot drew it.

@@ -78,6 +78,7 @@ ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
     ReportFiles result;
     result.recommendation = report.recommendation;
     result.warnings = WarningsOf(comparison);
+    result.sceneRemarks = SceneRemarks(study);
     const DrawnPlots drawn = DrawPlots(report.plots, folder, result.noPlots);
     if (!result.noPlots.empty())
     {

@@ -21,6 +21,7 @@ struct ReportFiles
     std::vector<std::filesystem::path> files; ///< what was written, report.html first
     std::string recommendation;               ///< sentences for people
     std::vector<std::string> warnings;        ///< sentences: what the times are worth
+    std::vector<std::string> sceneRemarks;    ///< sentences: what the scene was measured against
     std::string noPlots;                      ///< why there are none; "" if they were drawn
 };
 

@@ -5,6 +5,7 @@
 #include "commands/WorkingFolder.h"
 #include "study/StudyBench.h"
 #include "study/StudyFiles.h"
+#include "study/StudyScene.h"
 
 #include <cmath>
 #include <fstream>
@@ -188,6 +189,226 @@ TEST(StudyOfScenesGpu, IsOfTheOutlineWhateverTheCameraClearsAndStoresAndTheScene
                                      "errors are in these"));
     // A code of sRGB near white is 0.009 apart from the next.
     EXPECT_LT(error("ldr.scene.yaml", ", allowHDR: false"), 0.005 + 0.0045);
+}
+
+/// A box of 80 x 60 pixels in the middle of a picture of 160 x 120, its corners on those of pixels,
+/// and what the lines say in front of it: a wall there covers all that is left of the middle.
+class PartlyHiddenGpu : public testing::Test
+{
+protected:
+    static constexpr int k_Width = 4; // pixels
+
+    CellResult Measure(const std::string& technique, const std::string& variant,
+                       const std::string& more, const std::string& mesh = "cube",
+                       const std::string& camera = "")
+    {
+        m_Working.folder.Write("hidden.scene.yaml", R"(size: [160, 120]
+layers: {9: Away}
+renderingLayers: {8: Selected}
+camera: {orthographic: true, orthographicSize: 60, position: [0, 0, -100], nearClipPlane: 1)" +
+                                                        camera +
+                                                        R"(}
+materials:
+  glass: {shader: Universal Render Pipeline/Unlit, renderQueue: 3000}
+  both: {shader: Universal Render Pipeline/Unlit, _Cull: 0}
+renderer:
+  features: [{type: StrokeOutlineRendererFeature, m_RenderingLayerMask: Selected}]
+objects:
+  - {name: Box, mesh: )" + mesh + R"(, scale: [80, 60, 40], renderingLayerMask: [Default, Selected]}
+)" + more);
+        StudyBench bench{m_Working.folder / "hidden.scene.yaml", "", m_Assets, m_Device};
+        return bench.Measure({CellKind::Geometry, technique, "scene", k_Width, 160, 120, variant});
+    }
+
+    bool isPartlyHidden()
+    {
+        SceneAsset scene = LoadScene(m_Working.folder / "hidden.scene.yaml", m_Assets);
+        MarkOutlined(scene);
+        return IsPartlyHidden(scene);
+    }
+
+    /// Counts the pixels that a half of the outline touches: beside half of the upper side, half of
+    /// the lower one, a short side and in two corners.
+    static int PixelsOfHalf()
+    {
+        int corner = 0;
+        for (int y = 0; y < k_Width; ++y)
+        {
+            for (int x = 0; x < k_Width; ++x)
+            {
+                corner += x * x + y * y < k_Width * k_Width ? 1 : 0; // its nearest place to the box
+            }
+        }
+        return k_Width * (40 + 40 + 60) + 2 * corner;
+    }
+
+    /// A few pixels in each corner, which the arc passes by less than a pixel away, may be compared
+    /// as well: the drawn line gives them 1/70.
+    static void ExpectHalves(int halves, const CellResult& cell)
+    {
+        EXPECT_GE(cell.Value("bandPixels"), halves * PixelsOfHalf());
+        EXPECT_LE(cell.Value("bandPixels"), halves * (PixelsOfHalf() + 2 * 4));
+        EXPECT_LT(cell.Value("meanAbsoluteError"), 0.005);
+        EXPECT_NEAR(cell.Value("areaRatio"), 1.0, 0.005);
+    }
+
+    test::WorkingFolder m_Working;
+    VulkanDevice m_Device;
+    AssetContext m_Assets{test::CachedCompiler()};
+};
+
+constexpr const char* k_Wall =
+    "  - {name: Wall, mesh: cube, scale: [80, 200, 10], position: [-40, 0, -50]}\n";
+
+TEST_F(PartlyHiddenGpu, IsMeasuredAgainstTheWholeTheSeenAndTheHiddenPart)
+{
+    const CellResult whole = Measure("Strokes", "", k_Wall);
+    EXPECT_TRUE(isPartlyHidden());
+    ExpectHalves(2, whole);
+    EXPECT_THAT(whole.notes, testing::ElementsAre("measured against the whole outline, also where "
+                                                  "Wall stands in front of it"));
+    const CellResult seen = Measure("Strokes", "seen part", k_Wall);
+    EXPECT_THAT(seen.notes, testing::ElementsAre("measured against what is seen of the outline: "
+                                                 "Wall stands in front of the rest"));
+    const CellResult hidden = Measure("Strokes", "hidden part", k_Wall);
+    EXPECT_THAT(hidden.notes, testing::ElementsAre("measured against what is hidden of the "
+                                                   "outline: Wall stands in front of it"));
+    for (const CellResult* part : {&seen, &hidden})
+    {
+        ExpectHalves(1, *part);
+        EXPECT_FALSE(part->Has("contourOuter")) << "where it is cut off is no contour's end";
+    }
+}
+
+TEST_F(PartlyHiddenGpu, IsHiddenByWhatTheCameraDrawsOpaqueInFrontAndByNothingElse)
+{
+    const char* const others[] = {
+        "  - {name: Behind, mesh: cube, scale: [80, 200, 10], position: [-40, 0, 50]}\n",
+        "  - {name: Beside, mesh: cube, scale: [20, 200, 10], position: [-60, 0, -50]}\n",
+        "  - {name: Glass, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], material: "
+        "glass}\n",
+        "  - {name: Away, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], layer: Away}\n",
+        "  - {name: Shadow, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], "
+        "shadowCastingMode: ShadowsOnly}\n",
+        "  - {name: Off, mesh: cube, scale: [80, 200, 9], position: [-40, 0, -50], active: "
+        "false}\n",
+        "  - {name: Back, mesh: quad, scale: [80, 200, 1], position: [-40, 0, -50], rotation: [0, "
+        "180, 0]}\n",
+    };
+    for (const char* other : others)
+    {
+        const CellResult seen =
+            Measure("Strokes", "seen part", other, "cube", ", cullingMask: [0]");
+        SCOPED_TRACE(other);
+        EXPECT_FALSE(isPartlyHidden());
+        EXPECT_THAT(seen.notes, testing::IsEmpty());
+        ExpectHalves(2, seen);
+    }
+    const CellResult sheet =
+        Measure("Strokes", "seen part",
+                "  - {name: Sheet, mesh: quad, scale: [80, 200, 1], position: [-40, 0, -50], "
+                "rotation: [0, 180, 0], material: both}\n");
+    EXPECT_TRUE(isPartlyHidden());
+    ExpectHalves(1, sheet);
+}
+
+TEST_F(PartlyHiddenGpu, IsTheReferenceOfAHullWhichSomethingHides)
+{
+    const CellResult alone = Measure("Inflated", "", "", "sphere");
+    const CellResult behind = Measure("Inflated", "", k_Wall, "sphere");
+    EXPECT_TRUE(alone.notes.empty());
+    EXPECT_THAT(behind.notes, testing::ElementsAre("measured against what is seen of the outline: "
+                                                   "Wall stands in front of the rest"));
+    // The picture and the ball are the same on both sides of the middle.
+    EXPECT_NEAR(behind.Value("bandPixels"), 0.5 * alone.Value("bandPixels"), 1.0);
+    EXPECT_NEAR(behind.Value("areaRatio"), alone.Value("areaRatio"), 0.01);
+    EXPECT_NEAR(behind.Value("meanAbsoluteError"), alone.Value("meanAbsoluteError"), 0.01);
+}
+
+TEST_F(ReportGpu, SaysWhatStandsInFrontAndWhichCamerasItLeavesOut)
+{
+    const std::string plain = k_Scene;
+    const std::string wall = "  - {name: Wall, mesh: cube, position: [-0.5, 0.3, -1], "
+                             "scale: [1, 3, 0.1]}\n";
+    const std::string stack = ", cameraStack: [{position: [0, 1, -3], lookAt: [0, 0, 0]}]}";
+    const std::size_t camera = plain.find("lookAt: [0, 0, 0]}") + 17;
+    m_Working.folder.Write("s.scene.yaml", std::string(plain).replace(camera, 1, stack) + wall);
+    const CommandRun run = Report("r", {"--technique", "strokes"});
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    const std::string page = test::ReadText("r/report.md");
+    for (const char* sentence :
+         {"Strokes, Screen space: measured against the whole outline, also where Wall stands in "
+          "front of it.",
+          "Strokes (seen part): measured against what is seen of the outline: Wall stands in front "
+          "of the rest.",
+          "Strokes (hidden part): measured against what is hidden of the outline: Wall stands in "
+          "front of it.",
+          "The scene: only the base camera is measured: what the overlay camera of its cameraStack "
+          "draws counts "
+          "for the times and not for the errors."})
+    {
+        EXPECT_THAT(run.err, HasSubstr(sentence));
+        EXPECT_THAT(page, HasSubstr(sentence));
+    }
+    EXPECT_THAT(page, HasSubstr("What is seen and what is hidden of the outline"));
+}
+
+TEST_F(ReportGpu, WritesTheNameOfWhatStandsInFrontAsText)
+{
+    m_Working.folder.Write("s.scene.yaml",
+                           std::string(k_Scene) +
+                               "  - {name: \"<b>Wall\\nerror: \\e[31m\", mesh: cube, position: "
+                               "[-0.5, 0.3, -1], scale: [1, 3, 0.1]}\n");
+    const CommandRun run = Report("r");
+    ASSERT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, HasSubstr("also where <b>Wall"));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("\nerror: ")));
+    EXPECT_THAT(run.err, testing::Not(HasSubstr("\033[31m")));
+    const std::string page = test::ReadText("r/report.html");
+    EXPECT_THAT(page, HasSubstr("also where &lt;b&gt;Wall"));
+    EXPECT_THAT(page, testing::Not(HasSubstr("<b>Wall")));
+}
+
+TEST_F(ReportGpu, RefusesAnOutlineThatOnlyAnOverlayDraws)
+{
+    const std::string plain = k_Scene;
+    const std::string stack = ", cullingMask: [0], cameraStack: [{position: [0, 1, -3]}]}";
+    const std::size_t camera = plain.find("lookAt: [0, 0, 0]}") + 17;
+    m_Working.folder.Write("s.scene.yaml", std::string(plain).replace(camera, 1, stack));
+    const CommandRun run = Report("r");
+    EXPECT_EQ(run.exitCode, 1);
+    EXPECT_THAT(run.err, HasSubstr("takes none of its 2 objects that its camera draws, and the "
+                                   "cameras of its cameraStack are not measured"));
+    // limn's cameras draw over the whole picture.
+    m_Working.folder.Write("s.scene.yaml",
+                           std::string(plain).replace(camera, 1, ", rect: [0, 0, 0.5, 1]}"));
+    EXPECT_THAT(Report("r").err, HasSubstr("'rect'"));
+    EXPECT_FALSE(std::filesystem::exists("r"));
+}
+
+TEST(StudyOfScenesGpu, IsOfTheBaseCameraAndItsTimesAreOfAllCameras)
+{
+    const test::WorkingFolder working;
+    VulkanDevice device;
+    AssetContext assets{test::CachedCompiler()};
+    const std::string overlay = "{position: [0, 1, -2], lookAt: [0, 0, 0], cullingMask: [0]}";
+    const CellResult stack =
+        MeasureStrokes(working, assets, device, "stack.scene.yaml",
+                       ", cullingMask: [0], cameraStack: [" + overlay + ", " + overlay + "]", "");
+    EXPECT_LT(stack.Value("meanAbsoluteError"), 0.005);
+    EXPECT_THAT(stack.notes,
+                testing::ElementsAre("only the base camera is measured: what the 2 overlay cameras "
+                                     "of its cameraStack draw counts for the times and not for the "
+                                     "errors"));
+    MeasureStrokes(working, assets, device, "one.scene.yaml", ", cullingMask: [0]", "");
+    const auto draws = [&](const char* scene)
+    {
+        StudyBench bench{working.folder / scene, "", assets, device};
+        const CellId id{CellKind::Cost, "Strokes", "scene", 4.0, 160, 120, ""};
+        return bench.MeasureCosts(std::span(&id, 1), 1).front().Value("draws");
+    };
+    // The cube's own depth, its strokes and the composite, for either overlay.
+    EXPECT_EQ(draws("stack.scene.yaml"), draws("one.scene.yaml") + 2 * 3);
 }
 
 class StudyBenchGpu : public testing::Test

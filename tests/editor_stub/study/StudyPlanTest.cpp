@@ -64,6 +64,25 @@ TEST(StudyPlan, TakesTheTechniquesThatAreAskedFor)
     EXPECT_NE(options.Text(), Options(true).Text()) << "another study";
 }
 
+TEST(StudyPlan, HoldsStrokesToBothPartsOfAnOutlineThatIsPartlyHidden)
+{
+    StudyOptions options = Options(true);
+    const std::string both[] = {"geometry/Strokes/scene/4/1280x720/seen part",
+                                "geometry/Strokes/scene/4/1280x720/hidden part"};
+    const std::set<std::string> without = NamesOf(PlanStudy(options));
+    options.isPartlyHidden = true;
+    std::set<std::string> names = NamesOf(PlanStudy(options));
+    EXPECT_NE(options.Text(), Options(true).Text()) << "another study";
+    for (const std::string& name : both)
+    {
+        EXPECT_FALSE(without.contains(name));
+        EXPECT_EQ(names.erase(name), 1u);
+    }
+    EXPECT_EQ(names, without);
+    options.techniques = {"Rim"};
+    EXPECT_FALSE(NamesOf(PlanStudy(options)).contains(both[0]));
+}
+
 TEST(StudyPlan, MeasuresCostsOfAllTechniquesTogetherAndAllElseAlone)
 {
     const std::vector<CellId> cells = PlanStudy(Options(true));
