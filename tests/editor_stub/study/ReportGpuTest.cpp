@@ -477,9 +477,10 @@ TEST_F(StudyBenchGpu, TakesTheTimeOfTechniquesInTurn)
         const auto [low, high] = cell.quartiles.at("gpuMilliseconds");
         EXPECT_LE(low, cell.Value("gpuMilliseconds"));
         EXPECT_GE(high, cell.Value("gpuMilliseconds"));
-        // The bound may be unknown; one that is known holds half of the pairs at least.
-        const auto [lower, upper] = cell.quartiles.at("gpuAddedMilliseconds");
-        EXPECT_FALSE(cell.Value("gpuAddedUncertainty") < (upper - lower) / 2.0);
+        // The bound may be unknown, and after many rounds it is narrower than the quartiles, since
+        // it is the median's: StatisticsTest has what it promises.
+        EXPECT_TRUE(cell.quartiles.contains("gpuAddedMilliseconds"));
+        EXPECT_FALSE(cell.Value("gpuAddedUncertainty") < 0.0);
         EXPECT_GT(cell.Value("quietMilliseconds"), 0.0);
         EXPECT_GT(cell.Value("busyMilliseconds"), 0.0);
         EXPECT_GE(cell.Value("quietPart"), 0.0);
