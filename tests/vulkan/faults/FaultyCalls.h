@@ -31,6 +31,7 @@ struct State
     std::uint32_t storageLimit = 0;
     std::uint32_t uniformLimit = 0;
     VkDeviceSize largestStorage = 0;
+    std::uint32_t memoryTypes = 0; ///< of the device that was asked last
     // Entry points that are asked for by name, which differ with the layers:
     std::map<VkDevice, PFN_vkSetDebugUtilsObjectNameEXT> setObjectName;
     std::map<VkInstance, PFN_vkCreateDebugUtilsMessengerEXT> createMessenger;

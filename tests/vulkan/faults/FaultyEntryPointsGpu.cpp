@@ -183,6 +183,14 @@ extern "C"
         }
     }
 
+    VKAPI_ATTR void VKAPI_CALL vkGetPhysicalDeviceMemoryProperties(
+        VkPhysicalDevice device, VkPhysicalDeviceMemoryProperties* properties)
+    {
+        Next<decltype(vkGetPhysicalDeviceMemoryProperties)>("vkGetPhysicalDeviceMemoryProperties")(
+            device, properties);
+        s_State.memoryTypes = properties->memoryTypeCount;
+    }
+
     VKAPI_ATTR VkResult VKAPI_CALL vkGetPhysicalDeviceImageFormatProperties(
         VkPhysicalDevice device, VkFormat format, VkImageType type, VkImageTiling tiling,
         VkImageUsageFlags usage, VkImageCreateFlags flags, VkImageFormatProperties* properties)

@@ -55,6 +55,9 @@ void LimitUniformBuffers(std::uint32_t bytes);
 /// The most bytes of a storage buffer bound since LimitStorageBuffers.
 VkDeviceSize LargestStorageBuffer();
 
+/// Returns how many types of memory the device has that was made last.
+std::uint32_t MemoryTypeCount();
+
 /// Devices say from now on whether a tool watches them, for which limn names objects and passes:
 /// the validation layer says so of itself to an older entry point only.
 void SetTool(bool isThere);

@@ -127,6 +127,11 @@ VkDeviceSize LargestStorageBuffer()
     return s_State.largestStorage;
 }
 
+std::uint32_t MemoryTypeCount()
+{
+    return s_State.memoryTypes;
+}
+
 void SetTool(bool isThere)
 {
     s_State.hasTool = isThere;
