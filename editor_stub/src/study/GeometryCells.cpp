@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limn/shaderlab/TerminalText.h>
+#include <limn/base/TerminalText.h>
 #include <map>
 #include <numeric>
 
