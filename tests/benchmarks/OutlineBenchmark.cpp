@@ -13,8 +13,8 @@
 #include "Samples.h"
 #include "editor_stub/study/UntidyScene.h"
 #include "features/outline/TechniquePicture.h"
-#include "study/StudyPicture.h"
-#include "study/Techniques.h"
+#include "report/measure/StudyPicture.h"
+#include "report/measure/Techniques.h"
 
 #include <algorithm>
 #include <cstdio>

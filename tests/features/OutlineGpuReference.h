@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reference/twins/Field.h"
+#include "report/truth/twins/Field.h"
 
 namespace limn::test
 {

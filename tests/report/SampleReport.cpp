@@ -1,7 +1,7 @@
 // Writes the report of a study that is made up: SampleReport FOLDER
 
 #include "../editor_stub/study_pages/SampleStudy.h"
-#include "study_pages/WriteReport.h"
+#include "report/pages/WriteReport.h"
 
 #include <iostream>
 #include <limn/core/Image.h>

@@ -1,4 +1,4 @@
-#include "stability/Stability.h"
+#include "report/extremes/Stability.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "stability/Pairwise.h"
+#include "report/extremes/Pairwise.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

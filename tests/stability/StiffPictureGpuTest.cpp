@@ -1,4 +1,4 @@
-#include "stability/Stability.h"
+#include "report/extremes/Stability.h"
 
 #include "../vulkan/GpuTestDevice.h"
 #include "CachedCompiler.h"
@@ -9,7 +9,7 @@
 #include <limn/editor_stub/Overrides.h>
 #include <numbers>
 
-#include "study/StudyPicture.h"
+#include "report/measure/StudyPicture.h"
 
 namespace limn::study
 {

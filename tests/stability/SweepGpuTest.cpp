@@ -1,4 +1,4 @@
-#include "stability/Stability.h"
+#include "report/extremes/Stability.h"
 
 #include "../vulkan/GpuTestDevice.h"
 #include "CachedCompiler.h"

@@ -1,6 +1,6 @@
 #include "command_line/Checks.h"
 
-#include "reports/FrameGraph.h"
+#include "explain/FrameGraph.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

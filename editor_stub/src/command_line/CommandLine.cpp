@@ -10,8 +10,8 @@
 #include "commands/DoctorCommand.h"
 #include "commands/SchemaCommand.h"
 #include "commands/WatchCommand.h"
-#include "reports/FrameGraph.h"
-#include "scene/Keys.h"
+#include "explain/FrameGraph.h"
+#include "settings/Keys.h"
 
 #include <CLI/CLI.hpp>
 #include <charconv>

@@ -1,8 +1,8 @@
 #include "commands/InspectCommand.h"
 
 #include "assets/FileKind.h"
-#include "reports/InspectProfileFile.h"
-#include "reports/InspectUnityAsset.h"
+#include "explain/InspectProfileFile.h"
+#include "explain/InspectUnityAsset.h"
 
 #include <algorithm>
 #include <limn/editor_stub/RunLimn.h>

@@ -3,7 +3,7 @@
 #include "assets/FileKind.h"
 #include "commands/FeatureFolder.h"
 #include "port/PortFolder.h"
-#include "port/csharp/ReadCSharp.h"
+#include "port/ReadCSharp.h"
 
 #include <array>
 #include <limn/base/ReadFile.h>

@@ -2,7 +2,7 @@
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
-#include "reports/RenderReports.h"
+#include "explain/RenderReports.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
 

@@ -1,14 +1,14 @@
 #include "commands/ReportCommand.h"
 
 #include "assets/FileKind.h"
-#include "stability/Stability.h"
-#include "study/StudyBench.h"
-#include "study/StudyFiles.h"
-#include "study/StudyPlan.h"
-#include "study/StudyScene.h"
-#include "study_pages/Numbers.h"
-#include "study_pages/TimeLeft.h"
-#include "study_pages/WriteReport.h"
+#include "report/extremes/Stability.h"
+#include "report/measure/StudyBench.h"
+#include "report/measure/StudyFiles.h"
+#include "report/StudyPlan.h"
+#include "report/measure/StudyScene.h"
+#include "report/figures/Numbers.h"
+#include "report/figures/TimeLeft.h"
+#include "report/pages/WriteReport.h"
 #include "view/SceneView.h"
 
 #include <chrono>

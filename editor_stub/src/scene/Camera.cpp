@@ -1,5 +1,5 @@
 #include "scene/Loader.h"
-#include "scene/ReadEnum.h"
+#include "settings/ReadEnum.h"
 
 namespace limn
 {

@@ -1,6 +1,6 @@
 #include "scene/FeatureBlocks.h"
 
-#include "scene/ReadLayers.h"
+#include "settings/ReadLayers.h"
 #include "unity/UnityScript.h"
 
 #include <algorithm>

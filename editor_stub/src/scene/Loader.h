@@ -1,8 +1,8 @@
 #pragma once
 
 #include "assets/References.h"
-#include "scene/MapReader.h"
-#include "scene/ReadLayers.h"
+#include "settings/MapReader.h"
+#include "settings/ReadLayers.h"
 
 #include <limn/editor_stub/SceneFile.h>
 #include <map>

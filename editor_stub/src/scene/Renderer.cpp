@@ -1,5 +1,5 @@
 #include "scene/Loader.h"
-#include "scene/SettingsReader.h"
+#include "settings/SettingsReader.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
 

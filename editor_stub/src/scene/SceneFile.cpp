@@ -1,6 +1,6 @@
 #include "scene/Loader.h"
-#include "scene/ReadEnum.h"
-#include "scene/ShadowKeys.h"
+#include "settings/ReadEnum.h"
+#include "settings/ShadowKeys.h"
 #include "unity/RenderPipelineAsset.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "plugins/DescribeFeature.h"
-#include "scene/Keys.h"
+#include "settings/Keys.h"
 #include "schema/Schemas.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "schema/Schemas.h"
 
-#include "scene/Keys.h"
+#include "settings/Keys.h"
 
 #include <limn/core/BuiltinShaders.h>
 

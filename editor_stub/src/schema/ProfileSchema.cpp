@@ -1,4 +1,4 @@
-#include "scene/Keys.h"
+#include "settings/Keys.h"
 #include "schema/Schemas.h"
 
 #include <algorithm>

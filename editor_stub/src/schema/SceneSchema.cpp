@@ -1,6 +1,6 @@
 #include "schema/Schemas.h"
 
-#include "scene/ShadowKeys.h"
+#include "settings/ShadowKeys.h"
 
 #include <limn/core/PrimitiveMesh.h>
 

@@ -1,6 +1,6 @@
 #include "schema/ValueSchema.h"
 
-#include "scene/Keys.h"
+#include "settings/Keys.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "reports/Json.h"
+#include "console/Json.h"
 
 #include <limn/core/Inspector.h>
 #include <limn/volume/YamlRead.h>

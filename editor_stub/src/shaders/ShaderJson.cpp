@@ -1,4 +1,4 @@
-#include "reports/Json.h"
+#include "console/Json.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderSummary.h"
 

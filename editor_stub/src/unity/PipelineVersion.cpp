@@ -1,7 +1,7 @@
 #include "unity/PipelineVersion.h"
 
-#include "reports/Json.h"
-#include "scene/Keys.h"
+#include "console/Json.h"
+#include "settings/Keys.h"
 #include "unity/UnityProject.h"
 
 #include <charconv>

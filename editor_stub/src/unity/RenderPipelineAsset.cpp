@@ -1,8 +1,8 @@
 #include "unity/RenderPipelineAsset.h"
 
-#include "scene/Keys.h"
-#include "scene/ReadEnum.h"
-#include "scene/ShadowKeys.h"
+#include "settings/Keys.h"
+#include "settings/ReadEnum.h"
+#include "settings/ShadowKeys.h"
 #include "unity/PipelineVersion.h"
 
 #include <limn/volume/UnityAsset.h>

@@ -1,6 +1,6 @@
 #include "assets/References.h"
-#include "scene/ReadLayers.h"
-#include "scene/SettingsReader.h"
+#include "settings/ReadLayers.h"
+#include "settings/SettingsReader.h"
 #include "unity/PipelineVersion.h"
 #include "unity/UnityScript.h"
 

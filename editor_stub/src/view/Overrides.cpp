@@ -1,7 +1,7 @@
 #include "assets/FileKind.h"
 #include "assets/References.h"
 #include "scene/ProfileContext.h"
-#include "scene/SettingsReader.h"
+#include "settings/SettingsReader.h"
 
 #include <algorithm>
 #include <limits>

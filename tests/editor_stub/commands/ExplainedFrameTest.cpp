@@ -1,7 +1,7 @@
-#include "reports/ExplainedFrame.h"
+#include "explain/ExplainedFrame.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
-#include "reports/FrameGraph.h"
+#include "explain/FrameGraph.h"
 
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>

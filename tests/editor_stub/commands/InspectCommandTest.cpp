@@ -1,5 +1,5 @@
 #include "commands/CommandRun.h"
-#include "reports/InspectProfileFile.h"
+#include "explain/InspectProfileFile.h"
 
 #include <gmock/gmock.h>
 #include <limn/volume/LayerMaskParameter.h>

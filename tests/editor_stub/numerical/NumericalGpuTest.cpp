@@ -1,6 +1,6 @@
 #include "NumericalRun.h"
 
-#include "study/NumericalCells.h"
+#include "report/measure/NumericalCells.h"
 
 #include <gmock/gmock.h>
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "study/StudyPicture.h"
-#include "study/StudyScene.h"
-#include "study/Techniques.h"
+#include "report/measure/StudyPicture.h"
+#include "report/measure/StudyScene.h"
+#include "report/measure/Techniques.h"
 
 #include "CachedCompiler.h"
 

@@ -1,5 +1,5 @@
 #include "SceneFolder.h"
-#include "reports/Explanation.h"
+#include "explain/Explanation.h"
 
 #include <gmock/gmock.h>
 

@@ -1,6 +1,6 @@
 #include "CachedCompiler.h"
 #include "limits/Lowered.h"
-#include "study/StudyPicture.h"
+#include "report/measure/StudyPicture.h"
 #include "vulkan/GpuTestDevice.h"
 
 #include <cstdio>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "features/OutlineGpuReference.h"
-#include "reference/twins/SelectionTwin.h"
+#include "report/truth/twins/SelectionTwin.h"
 
 namespace limn::test
 {

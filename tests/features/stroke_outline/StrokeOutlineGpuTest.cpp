@@ -1,6 +1,6 @@
 #include "features/outline/TechniquePicture.h"
 #include "precision/DevicePrecision.h"
-#include "study/UntidyMesh.h"
+#include "report/measure/UntidyMesh.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/TestScene.h"
-#include "reference/OutlineReference.h"
+#include "report/truth/OutlineReference.h"
 
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/UniversalRenderPipeline.h>

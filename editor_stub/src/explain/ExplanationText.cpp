@@ -1,0 +1,444 @@
+#include "explain/ExplanationText.h"
+
+#include <algorithm>
+#include <limn/base/TerminalText.h>
+#include <map>
+#include <set>
+#include <sstream>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_ListedLines = 12; ///< of a list in a short text
+constexpr std::size_t k_ListedNames = 4;
+constexpr std::size_t k_ListedObjects = 4; ///< that are explained one by one without being asked
+
+using ReportLines = std::vector<std::string>;
+
+std::string Several(std::size_t number, const std::string& noun)
+{
+    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+/// "title:" and the lines below it; "" without lines.
+std::string Section(const std::string& title, const ReportLines& lines,
+                    std::size_t most = static_cast<std::size_t>(-1))
+{
+    std::string text = lines.empty() ? "" : title + ":\n";
+    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
+    {
+        text += "  " + OneLine(lines[i]) + "\n";
+    }
+    return text + (lines.size() > most
+                       ? "  … and " + std::to_string(lines.size() - most) + " more; -v lists them\n"
+                       : "");
+}
+
+/// "a, b, c, d, …"
+std::string NameSome(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), k_ListedNames); ++i)
+    {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return text + (names.size() > k_ListedNames ? ", …" : "");
+}
+
+/// "13 of 370 drawn; left out: 221 rendering layer mask, 72 render queue", the largest first.
+std::string CountsText(const FilterCounts& counts)
+{
+    int all = 0;
+    std::vector<std::pair<int, std::string>> rules;
+    for (std::size_t i = 0; i < counts.size(); ++i)
+    {
+        all += counts[i];
+        if (counts[i] > 0 && static_cast<FilterVerdict>(i) != FilterVerdict::Drawn)
+        {
+            rules.emplace_back(counts[i], ToString(static_cast<FilterVerdict>(i)));
+        }
+    }
+    std::stable_sort(rules.begin(), rules.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::string text = std::to_string(counts[0]) + " of " + std::to_string(all) + " drawn";
+    for (std::size_t i = 0; i < rules.size(); ++i)
+    {
+        text += (i == 0 ? "; left out: " : ", ") + std::to_string(rules[i].first) + " " +
+                rules[i].second;
+    }
+    return text;
+}
+
+/// Objects that culling left out, by reason, and those that no pass takes.
+ReportLines OddObjects(const Explanation& explanation)
+{
+    std::map<std::string, std::vector<std::string>> names;
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        const bool isDrawn = std::ranges::any_of(object.draws, &ExplainedDraw::isDrawn);
+        if (!object.absence.empty() || !isDrawn)
+        {
+            names[object.absence.empty() ? "every pass leaves it out" : object.absence].push_back(
+                object.name);
+        }
+    }
+    ReportLines lines;
+    for (const auto& [reason, objects] : names)
+    {
+        lines.push_back(Several(objects.size(), "object") + " of " +
+                        std::to_string(explanation.objects.size()) + " not drawn, " + reason +
+                        ": " + NameSome(objects));
+    }
+    return lines;
+}
+
+ReportLines OddThings(const Explanation& explanation)
+{
+    ReportLines lines;
+    for (const std::string& note : explanation.report.notes)
+    {
+        if (std::find(lines.begin(), lines.end(), note) == lines.end())
+        {
+            lines.push_back(note);
+        }
+    }
+    const ReportLines objects = OddObjects(explanation);
+    lines.insert(lines.end(), objects.begin(), objects.end());
+    return lines;
+}
+
+std::string TriggerText(const ExplainedTrigger& trigger)
+{
+    std::ostringstream text;
+    text << "(" << trigger.position.x << ", " << trigger.position.y << ", " << trigger.position.z
+         << "), " << (trigger.isOwn ? "its volumeTrigger" : "its own position") << "; ";
+    const LayerMask mask = trigger.volumeLayerMask;
+    if (mask == LayerMask::Everything() || mask == LayerMask::Nothing())
+    {
+        text << (mask == LayerMask::Nothing() ? "no layer" : "every layer");
+        return text.str();
+    }
+    text << "layers";
+    for (int layer = 0; layer < 32; ++layer)
+    {
+        text << (mask.Intersects(LayerMask::FromIndex(layer)) ? " " + std::to_string(layer) : "");
+    }
+    return text.str();
+}
+
+/// "ScreenSpaceOutline.m_OutlineWidth 5.5 ← Placement, Corner"
+std::string ValueText(const VolumeParameterTrace& parameter)
+{
+    std::string text =
+        parameter.component + "." + parameter.parameter + " " + parameter.valueText();
+    for (const VolumeTraceStep& step : parameter.steps)
+    {
+        text += (&step == &parameter.steps.front() ? " ← " : ", ") + step.volume;
+    }
+    return text;
+}
+
+/// "ScreenSpaceOutline.m_OutlineWidth ← Corner (factor 0.375, weight 0.5, distance 2 m) → 5.5"
+std::string StepText(const VolumeParameterTrace& parameter, const VolumeTraceStep& step)
+{
+    std::ostringstream text;
+    text << parameter.component << '.' << parameter.parameter << " ← " << step.volume << " (factor "
+         << step.factor << ", weight " << step.weight << ", ";
+    if (step.distance)
+    {
+        text << "distance " << *step.distance << " m";
+    }
+    else
+    {
+        text << "global";
+    }
+    text << ") → " << step.valueText;
+    return text.str();
+}
+
+std::string VolumesText(const Explanation& explanation, bool isLong)
+{
+    ReportLines lines;
+    for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
+    {
+        if (!isLong)
+        {
+            lines.push_back(ValueText(parameter));
+            continue;
+        }
+        for (const VolumeTraceStep& step : parameter.steps)
+        {
+            lines.push_back(StepText(parameter, step));
+        }
+    }
+    ReportLines idle;
+    for (const ExplainedIdleVolume& volume : explanation.idleVolumes)
+    {
+        idle.push_back(OneLine(volume.name) + ": " + volume.why);
+    }
+    return Section("the camera takes volumes at", {TriggerText(explanation.trigger)}) +
+           Section("volumes that change nothing", idle, isLong ? idle.size() : k_ListedLines) +
+           Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
+}
+
+/// The counts of a pass's filters: of the feature's own where it told them.
+ReportLines CountsOf(const RenderReport& report, SampleName pass)
+{
+    ReportLines counts;
+    for (const auto* filters : {&report.filters, &report.draws})
+    {
+        for (const DrawRenderersReport& filter : *filters)
+        {
+            if (filter.pass == pass)
+            {
+                counts.push_back(CountsText(filter.counts));
+            }
+        }
+        if (!counts.empty())
+        {
+            break;
+        }
+    }
+    return counts;
+}
+
+/// The passes with the counts of their filters, those of equal names with all of them.
+ReportLines PassLines(const RenderReport& report)
+{
+    ReportLines lines;
+    std::set<std::string> counted;
+    for (const ExecutedPassReport& pass : report.passes)
+    {
+        std::string line = std::to_string(static_cast<int>(pass.renderPassEvent));
+        line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name.name();
+        const bool isNew = counted.insert(pass.name.name()).second;
+        const ReportLines counts = isNew ? CountsOf(report, pass.name) : ReportLines();
+        for (const std::string& count : counts)
+        {
+            lines.push_back(line + ": " + count);
+        }
+        if (counts.empty())
+        {
+            lines.push_back(line);
+        }
+    }
+    return lines;
+}
+
+std::string VariantText(const ExplainedVariant& variant)
+{
+    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
+    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
+    text += variant.isFullScreen ? ", full screen:" : ":";
+    for (const std::string& keyword : variant.keywords)
+    {
+        text += " " + keyword;
+    }
+    return text + (variant.keywords.empty() ? " no keywords" : "");
+}
+
+/// "Cube: not drawn, inactive", or its name with a line for each pass and material.
+std::string OneObject(const ExplainedObject& object, const std::string& indent)
+{
+    std::string text = indent + OneLine(object.name) +
+                       (object.absence.empty() ? "" : ": not drawn, ") + OneLine(object.absence) +
+                       "\n";
+    for (const ExplainedDraw& draw : object.draws)
+    {
+        const bool isTaken = draw.verdict == FilterVerdict::Drawn;
+        text += indent + "  " + OneLine(draw.pass + ", " + draw.material) + ": " +
+                (draw.isDrawn() ? "drawn"
+                 : isTaken      ? "taken, but " + OneLine(draw.obstacle)
+                                : "left out, " + std::string(ToString(draw.verdict))) +
+                "\n";
+    }
+    return text;
+}
+
+/// The features that draw nothing, but for those of which the objects' own lines tell it.
+ReportLines IdleFeatures(const Explanation& explanation)
+{
+    std::set<std::string> told;
+    for (const ExplainedObject& object : explanation.objects)
+    {
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            told.insert(draw.pass);
+        }
+    }
+    ReportLines lines;
+    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
+    {
+        if (!told.contains(feature.name))
+        {
+            lines.push_back(feature.name + ": " +
+                            (feature.why.empty() ? "it adds no pass" : feature.why));
+        }
+    }
+    return lines;
+}
+
+std::string Objects(const std::vector<ExplainedObject>& objects, const std::string& indent)
+{
+    std::string text;
+    for (const ExplainedObject& object : objects)
+    {
+        text += OneObject(object, indent);
+    }
+    return text;
+}
+
+/// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers", or
+/// "2 Blur: 1 dispatch; _Result (load, store); samples _Mask; 2 barriers"
+std::string RunText(const ExplainedFrame& frame, std::size_t index)
+{
+    const ExplainedPass& pass = frame.passes[index];
+    const std::string size = ", " + std::to_string(pass.width) + "x" + std::to_string(pass.height);
+    std::string text = std::to_string(index + 1) + " " + pass.name +
+                       (pass.dispatches > 0 ? "" : size) + ": " + DrawsText(pass);
+    for (const ExplainedAttachment& target : pass.targets)
+    {
+        text += (&target == &pass.targets.front() ? "; " : ", ") +
+                frame.textures[target.texture].name + " (" + target.load + ", " + target.store +
+                ")";
+    }
+    std::string sampled;
+    for (const std::size_t texture : pass.reads)
+    {
+        sampled += frame.textures[texture].isDrawn
+                       ? (sampled.empty() ? "; samples " : ", ") + frame.textures[texture].name
+                       : "";
+    }
+    const std::size_t barriers =
+        pass.barriers.size() + static_cast<std::size_t>(pass.bufferBarriers);
+    return text + sampled + "; " + Several(barriers, "barrier");
+}
+
+ReportLines RunLines(const ExplainedFrame& frame)
+{
+    ReportLines lines;
+    for (std::size_t i = 0; i < frame.passes.size(); ++i)
+    {
+        lines.push_back(RunText(frame, i));
+    }
+    return lines;
+}
+
+/// ", shares memory with _Depth and _Mask", or nothing.
+std::string SharedText(const ExplainedTexture& texture)
+{
+    std::string text;
+    for (const std::string& other : texture.sharedWith)
+    {
+        text += (text.empty() ? ", shares memory with " : " and ") + other;
+    }
+    return text;
+}
+
+/// "_Color 640x360 R8G8B8A8_SRGB, 900.0 KiB, pass 1 to 3"
+/// @param isLong  those that come from files, too
+ReportLines TextureLines(const ExplainedFrame& frame, bool isLong)
+{
+    ReportLines lines;
+    for (const ExplainedTexture& texture : frame.textures)
+    {
+        if (isLong || texture.isDrawn)
+        {
+            lines.push_back(
+                texture.name + " " + texture.size + " " + texture.format +
+                (texture.samples > 1 ? " of " + std::to_string(texture.samples) + " samples" : "") +
+                ", " + BytesText(texture.bytes) + ", pass " + std::to_string(texture.first) +
+                (texture.last > texture.first ? " to " + std::to_string(texture.last) : "") +
+                (texture.isOutput ? " and after" : "") + SharedText(texture));
+        }
+    }
+    return lines;
+}
+
+std::string TexturesText(const ExplainedFrame& frame)
+{
+    std::uint64_t bytes = 0;
+    for (const ExplainedTexture& texture : frame.textures)
+    {
+        bytes += texture.bytes;
+    }
+    return Several(frame.textures.size(), "texture") + " of " + BytesText(bytes);
+}
+
+ReportLines LeftOutLines(const Explanation& explanation)
+{
+    ReportLines lines;
+    for (const LeftOut& item : explanation.frame.leftOut)
+    {
+        lines.push_back((item.pass.empty() ? "" : item.pass + ": ") + item.reason);
+    }
+    return lines;
+}
+
+} // namespace
+
+std::string ShortText(const Explanation& explanation)
+{
+    return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
+           Section("chosen", explanation.report.choices, k_ListedLines) +
+           Section("passes", PassLines(explanation.report), k_ListedLines) +
+           Section("the device runs", RunLines(explanation.frame), k_ListedLines) +
+           Section("left out", LeftOutLines(explanation), k_ListedLines) +
+           Section("textures drawn into", TextureLines(explanation.frame, false), k_ListedLines) +
+           Several(explanation.objects.size(), "object") + ", " + TexturesText(explanation.frame) +
+           ", " + Several(explanation.variants.size(), "shader variant") + " of " +
+           std::to_string(explanation.builtVariants) +
+           " built: -v lists them, --object NAME and --pixel X,Y explain one\n";
+}
+
+std::string LongText(const Explanation& explanation)
+{
+    ReportLines variants;
+    for (const ExplainedVariant& variant : explanation.variants)
+    {
+        variants.push_back(VariantText(variant));
+    }
+    const std::string objects = Objects(explanation.objects, "  ");
+    return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
+           Section("chosen", explanation.report.choices) +
+           Section("passes", PassLines(explanation.report)) +
+           Section("the device runs", RunLines(explanation.frame)) +
+           Section("left out", LeftOutLines(explanation)) +
+           Section("textures", TextureLines(explanation.frame, true)) +
+           Section("variants", variants) + (objects.empty() ? "" : "objects:\n" + objects);
+}
+
+std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong)
+{
+    const std::vector<ExplainedObject>& objects = explanation.objects;
+    const std::string idle = Section("features that draw nothing", IdleFeatures(explanation));
+    if (objects.size() <= k_ListedObjects)
+    {
+        return Objects(objects, "") + idle;
+    }
+    std::vector<std::string> passes;
+    std::map<std::string, FilterCounts> counts;
+    for (const ExplainedObject& object : objects)
+    {
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            if (counts.count(draw.pass) == 0)
+            {
+                passes.push_back(draw.pass);
+            }
+            ++counts[draw.pass][static_cast<std::size_t>(draw.verdict)];
+        }
+    }
+    ReportLines lines = OddObjects(explanation);
+    for (const std::string& pass : passes)
+    {
+        lines.push_back(pass + ": " + CountsText(counts[pass]));
+    }
+    return Section(OneLine(name) + ", " + Several(objects.size(), "object"), lines) + idle +
+           (isLong ? Objects(objects, "  ") : "-v lists the objects\n");
+}
+
+} // namespace limn

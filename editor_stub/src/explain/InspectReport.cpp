@@ -1,0 +1,267 @@
+#include "explain/InspectReport.h"
+#include "console/Json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string RangeText(const std::optional<ValueRange>& range)
+{
+    if (!range || (std::isinf(range->min) && std::isinf(range->max)))
+    {
+        return {};
+    }
+    const std::string low = std::isinf(range->min) ? "(-inf" : "[" + NumberText(range->min);
+    return low + ", " + (std::isinf(range->max) ? "inf)" : NumberText(range->max) + "]");
+}
+
+/// The columns of a value's line.
+std::vector<std::string> Columns(const InspectedValue& value)
+{
+    return {value.name,
+            OneLine(value.value),
+            value.hasDefault ? OneLine("default " + value.defaultValue) : "",
+            RangeText(value.range),
+            value.unit,
+            value.isOverridden ? "set" : "",
+            value.tooltip};
+}
+
+void AppendLine(std::string& text, const std::string& line)
+{
+    text += OneLine(line.substr(0, line.find_last_not_of(' ') + 1)) + "\n";
+}
+
+void AppendValues(std::string& text, const std::vector<InspectedValue>& values)
+{
+    std::vector<std::size_t> widths(Columns({}).size());
+    for (const InspectedValue& value : values)
+    {
+        const std::vector<std::string> columns = Columns(value);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+        {
+            widths[i] = std::max(widths[i], columns[i].size());
+        }
+    }
+    std::string header;
+    for (const InspectedValue& value : values)
+    {
+        if (value.header != header)
+        {
+            header = value.header;
+            AppendLine(text, "    " + header);
+        }
+        std::string line = header.empty() ? "    " : "      ";
+        const std::vector<std::string> columns = Columns(value);
+        for (std::size_t i = 0; i < columns.size(); ++i)
+        {
+            const bool isEmpty = widths[i] == 0;
+            line += isEmpty ? "" : columns[i] + std::string(widths[i] - columns[i].size() + 2, ' ');
+        }
+        AppendLine(text, line);
+    }
+}
+
+void AppendVolume(std::string& text, const InspectedVolume& volume)
+{
+    if (!volume.name.empty())
+    {
+        AppendLine(text, "volume '" + volume.name + "': " + (volume.enabled ? "" : "disabled, ") +
+                             (volume.isGlobal
+                                  ? "global"
+                                  : "local, blendDistance " + NumberText(volume.blendDistance)) +
+                             ", priority " + NumberText(volume.priority) + ", weight " +
+                             NumberText(volume.weight) + ", profile '" + volume.profile + "'");
+    }
+    for (const InspectedGroup& component : volume.components)
+    {
+        AppendLine(text, "  " + component.type + (component.active ? "" : " (inactive)"));
+        AppendValues(text, component.values);
+    }
+}
+
+/// Numbers and truth values as such, everything else as text.
+Json Typed(const std::string& text)
+{
+    const Json parsed = Json::parse(text, nullptr, false);
+    return parsed.is_number() || parsed.is_boolean() ? parsed : Json(text);
+}
+
+/// null where there is no bound: JSON has no infinity.
+Json Bound(double number)
+{
+    return std::isinf(number) ? Json(nullptr) : Json(number);
+}
+
+Json AsJson(const InspectedValue& value)
+{
+    Json json;
+    json["name"] = value.name;
+    json["value"] = Typed(value.value);
+    if (value.hasDefault)
+    {
+        json["default"] = Typed(value.defaultValue);
+        json["isSet"] = value.isOverridden;
+    }
+    if (value.range)
+    {
+        json["range"] = {Bound(value.range->min), Bound(value.range->max)};
+    }
+    for (const auto& [key, text] :
+         {std::pair("header", &value.header), {"unit", &value.unit}, {"tooltip", &value.tooltip}})
+    {
+        if (!text->empty())
+        {
+            json[key] = *text;
+        }
+    }
+    return json;
+}
+
+Json AsJson(const InspectedGroup& group, const char* valuesKey)
+{
+    Json json;
+    json["type"] = group.type;
+    if (!group.name.empty())
+    {
+        json["name"] = group.name;
+    }
+    json["active"] = group.active;
+    json[valuesKey] = Json::array();
+    for (const InspectedValue& value : group.values)
+    {
+        json[valuesKey].push_back(AsJson(value));
+    }
+    return json;
+}
+
+Json ComponentsAsJson(const InspectedVolume& volume)
+{
+    Json components = Json::array();
+    for (const InspectedGroup& component : volume.components)
+    {
+        components.push_back(AsJson(component, "parameters"));
+    }
+    return components;
+}
+
+Json AsJson(const InspectedVolume& volume)
+{
+    Json json;
+    json["name"] = volume.name;
+    json["enabled"] = volume.enabled;
+    json["isGlobal"] = volume.isGlobal;
+    json["priority"] = volume.priority;
+    json["weight"] = volume.weight;
+    json["blendDistance"] = volume.blendDistance;
+    json["profile"] = volume.profile;
+    json["components"] = ComponentsAsJson(volume);
+    return json;
+}
+
+} // namespace
+
+std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
+                                           const VolumeComponentRegistry& registry)
+{
+    std::vector<InspectedGroup> groups;
+    for (const auto& component : profile.components())
+    {
+        const VolumeComponent& reference = *component;
+        const VolumeComponentRegistry::Entry* entry = registry.Find(typeid(reference));
+        InspectedGroup& group = groups.emplace_back();
+        group.type = entry->name;
+        group.active = component->active;
+        const std::span<const VolumeParameter* const> parameters = reference.parameters();
+        for (std::size_t i = 0; i < parameters.size(); ++i)
+        {
+            InspectedValue& value = group.values.emplace_back();
+            value.name = parameters[i]->name();
+            value.value = parameters[i]->ValueText();
+            value.defaultValue = entry->defaults->parameters()[i]->ValueText();
+            value.range = parameters[i]->range();
+            value.isOverridden = parameters[i]->overrideState();
+            value.unit = parameters[i]->unit();
+            value.tooltip = parameters[i]->tooltip();
+        }
+    }
+    return groups;
+}
+
+std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,
+                                            const FeatureRegistry& registry,
+                                            const LayerNames& layers,
+                                            const LayerNames& renderingLayers)
+{
+    std::vector<InspectedGroup> groups;
+    for (std::size_t i = 0; i < renderer.features.size(); ++i)
+    {
+        ScriptableRendererFeature& feature = *renderer.features[i];
+        const std::string& type = renderer.featureTypes[i];
+        groups.push_back(
+            {type, feature.name, feature.isActive(),
+             CollectSettings(feature, *registry.Create(type), layers, renderingLayers)});
+    }
+    return groups;
+}
+
+std::string ToText(const InspectReport& report)
+{
+    std::string text;
+    for (const InspectedVolume& volume : report.volumes)
+    {
+        AppendVolume(text, volume);
+    }
+    if (report.asset)
+    {
+        AppendLine(text, report.kind + " '" + report.asset->name + "': " + report.asset->type);
+        AppendValues(text, report.asset->values);
+    }
+    for (const InspectedGroup& feature : report.features)
+    {
+        AppendLine(text, "feature '" + feature.name + "': " + feature.type +
+                             (feature.active ? "" : " (inactive)"));
+        AppendValues(text, feature.values);
+    }
+    return text;
+}
+
+std::string ToJson(const InspectReport& report)
+{
+    Json json;
+    json["kind"] = report.kind;
+    if (report.kind == "profile")
+    {
+        json["components"] = ComponentsAsJson(report.volumes.at(0));
+        return JsonText(json);
+    }
+    if (report.kind == "scene")
+    {
+        json["volumes"] = Json::array();
+        for (const InspectedVolume& volume : report.volumes)
+        {
+            json["volumes"].push_back(AsJson(volume));
+        }
+    }
+    if (report.asset)
+    {
+        json[report.kind] = AsJson(*report.asset, "values");
+        if (report.kind != "renderer")
+        {
+            return JsonText(json);
+        }
+    }
+    json["features"] = Json::array();
+    for (const InspectedGroup& feature : report.features)
+    {
+        json["features"].push_back(AsJson(feature, "settings"));
+    }
+    return JsonText(json);
+}
+
+} // namespace limn

@@ -1,0 +1,183 @@
+#include "explain/pixel/PixelHistory.h"
+
+#include "explain/pixel/PassTrace.h"
+#include "explain/Explanation.h"
+#include "shaders/UsedShaders.h"
+#include "view/SceneView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limn/core/Culling.h>
+#include <limn/editor_stub/Raycast.h>
+#include <set>
+
+namespace limn
+{
+
+namespace
+{
+
+/// The parts of a scene that outlive its move into a view, and its frame.
+struct TracedScene
+{
+    std::vector<const GameObject*> objects;
+    Camera camera;
+    CullingResults culled;
+    RenderResult result;
+};
+
+/// Returns the place of each object with a renderer, in the order of the scene.
+std::vector<std::size_t> ObjectsWithRenderer(const std::vector<const GameObject*>& objects)
+{
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+        if (objects[i]->renderer)
+        {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
+/// Finds the objects that lie at the pixel, whether anything draws them or not; by their places.
+std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std::size_t>& among,
+                                const PixelHistory& history)
+{
+    Scene copies;
+    std::vector<std::pair<GameObject*, std::size_t>> places;
+    for (const std::size_t place : among)
+    {
+        const GameObject& object = *scene.objects[place];
+        if (object.renderer->mesh)
+        {
+            GameObject& copy = copies.Add(object.name);
+            copy.transform = object.transform;
+            copy.renderer = object.renderer;
+            copy.renderer->enabled = true;
+            places.emplace_back(&copy, place);
+        }
+    }
+    const Ray ray = PixelToRay(scene.camera, history.width, history.height, history.x, history.y);
+    RaycastSettings settings;
+    settings.faces = RaycastFaces::Both;
+    Raycaster raycaster;
+    std::set<std::size_t> found;
+    while (const auto hit = raycaster.Raycast(copies, ray, settings))
+    {
+        hit->gameObject->activeSelf = false; // the next one is behind it
+        found.insert(
+            std::ranges::find(places, hit->gameObject, &decltype(places)::value_type::first)
+                ->second);
+    }
+    return found;
+}
+
+std::string WhyAbsent(const ExplainedObject& object)
+{
+    const bool isDrawn = std::ranges::any_of(object.draws, [](const auto& draw)
+                                             { return draw.verdict == FilterVerdict::Drawn; });
+    return !object.absence.empty() ? object.absence
+           : isDrawn ? "it is drawn only into targets that are not laid out as the picture is"
+                     : "every pass leaves it out";
+}
+
+/// Adds the objects that are not drawn, left out by a filter or elsewhere.
+void AddObjects(const TracedScene& scene, const FrameTrace& trace, PixelHistory& history)
+{
+    const std::vector<ExplainedObject> explained =
+        ExplainObjects(scene.objects, scene.culled, scene.result.report, scene.camera);
+    const std::vector<std::size_t> places = ObjectsWithRenderer(scene.objects);
+    std::vector<std::size_t> undrawn;
+    for (std::size_t i = 0; i < explained.size(); ++i)
+    {
+        const ExplainedObject& object = explained[i];
+        const auto place = static_cast<std::uint32_t>(places[i]);
+        if (!trace.drawn().contains(place))
+        {
+            undrawn.push_back(i);
+        }
+        else if (!trace.reaching().contains(place))
+        {
+            history.uncovered.push_back(object.name);
+        }
+        for (const ExplainedDraw& draw : object.draws)
+        {
+            if (trace.reaching().contains(place) && draw.verdict != FilterVerdict::Drawn)
+            {
+                history.filtered.push_back({object.name, draw.pass, draw.verdict});
+            }
+        }
+    }
+    std::vector<std::size_t> undrawnPlaces;
+    std::ranges::transform(undrawn, std::back_inserter(undrawnPlaces),
+                           [&](std::size_t i) { return places[i]; });
+    const std::set<std::size_t> here = FindOnRay(scene, undrawnPlaces, history);
+    for (const std::size_t i : undrawn)
+    {
+        history.absent.push_back(
+            {explained[i].name, WhyAbsent(explained[i]), here.contains(places[i])});
+    }
+}
+
+void AddColor(const Image& image, PixelHistory& history)
+{
+    const std::vector<std::byte> texel = TexelAt(image, history.x, history.y);
+    history.color = TexelValue(texel, image.format);
+    for (std::size_t i = 0; i < history.written.size(); ++i)
+    {
+        history.written.at(i) = std::to_integer<int>(texel[i]);
+    }
+}
+
+} // namespace
+
+bool PixelValue::isChanged() const
+{
+    const auto isSame = [](float a, float b)
+    {
+        return a == b || (std::isnan(a) && std::isnan(b));
+    };
+    return !std::ranges::equal(before, after, isSame);
+}
+
+const char* ToString(PixelFate fate)
+{
+    constexpr std::array k_Names{"cleared", "drawn", "dispatched", "scissor",    "cull",  "discard",
+                                 "stencil", "depth", "colorMask",  "outOfReach", "blend", "same"};
+    return k_Names.at(static_cast<std::size_t>(fate));
+}
+
+PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevice& device, int x,
+                        int y, const std::function<void(const std::string&)>& progress)
+{
+    CompileUsedShaders(asset);
+    PixelHistory history;
+    history.x = x;
+    history.y = y;
+    history.width = asset.width;
+    history.height = asset.height;
+    TracedScene scene;
+    for (const auto& object : asset.scene.objects())
+    {
+        scene.objects.push_back(object.get()); // stay where they are when the scene is moved
+    }
+    scene.camera = asset.camera;
+    scene.culled = Cull(asset.scene, asset.camera,
+                        static_cast<float>(asset.width) / static_cast<float>(asset.height));
+    UniversalRenderPipeline pipeline(device);
+    SceneView view(std::move(asset), assets);
+    view.leavesOut = false;
+    scene.result = view.Render(pipeline, 0.0);
+    history.notes = scene.result.report.notes;
+    AddColor(device.ReadBack(*scene.result.output.rt()), history);
+
+    FrameTrace trace({*scene.result.frame, scene.result.report, scene.objects,
+                      scene.result.output.rt(), assets.compiler()},
+                     device, history);
+    trace.Run(progress);
+    AddObjects(scene, trace, history);
+    return history;
+}
+
+} // namespace limn

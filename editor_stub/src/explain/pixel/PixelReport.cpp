@@ -1,0 +1,398 @@
+#include "explain/pixel/PixelReport.h"
+
+#include "explain/pixel/PixelFate.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <map>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_Columns = 80;
+constexpr std::size_t k_NamedObjects = 4; ///< of one draw
+constexpr std::size_t k_ShownLines = 12;
+
+std::size_t ColumnsOf(std::string_view word)
+{
+    return static_cast<std::size_t>(std::ranges::count_if(
+        word, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
+}
+
+/// Breaks the words into lines, all but the first one `indent` blanks farther in.
+std::string WrappedLine(const std::string& words, std::size_t begin, std::size_t indent)
+{
+    std::string text(begin, ' ');
+    std::size_t column = begin;
+    const std::string line = OneLine(words);
+    for (std::size_t from = 0; from <= line.size();)
+    {
+        const std::size_t to = std::min(line.find(' ', from), line.size());
+        const std::string word = line.substr(from, to - from);
+        const std::size_t columns = ColumnsOf(word);
+        if (from > 0 && column + 1 + columns > k_Columns)
+        {
+            text += "\n" + std::string(begin + indent, ' ');
+            column = begin + indent;
+        }
+        else if (from > 0)
+        {
+            text += " ";
+            ++column;
+        }
+        text += word;
+        column += columns;
+        from = to + 1;
+    }
+    return text + "\n";
+}
+
+std::string ColorText(const std::array<int, 3>& color)
+{
+    std::array<char, 16> text{};
+    std::snprintf(text.data(), text.size(), "#%02x%02x%02x", static_cast<unsigned>(color[0]),
+                  static_cast<unsigned>(color[1]), static_cast<unsigned>(color[2]));
+    return text.data();
+}
+
+std::string NamesText(const std::vector<std::string>& names, std::size_t most)
+{
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+    {
+        text += (i == 0 ? "" : ", ") + names[i];
+    }
+    return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
+                               : text;
+}
+
+std::string MoreText(std::size_t count)
+{
+    return count > 0 ? "  … and " + std::to_string(count) + " more; -v lists them\n" : "";
+}
+
+bool IsRejected(const PixelEvent& event)
+{
+    return event.fate != PixelFate::Cleared && event.fate != PixelFate::Drawn &&
+           event.fate != PixelFate::Dispatched;
+}
+
+/// "Piece", "the mesh 'Quad'" or "the full screen"
+std::string SubjectText(const PixelEvent& event)
+{
+    return !event.objects.empty() ? NamesText(event.objects, k_NamedObjects)
+           : !event.mesh.empty()  ? "the mesh '" + event.mesh + "'"
+                                  : "without a mesh";
+}
+
+/// "Draw Opaque Objects draws Piece: material black, Universal Render Pipeline/Unlit 'Unlit'"
+std::string HeadText(const PixelEvent& event, std::size_t number)
+{
+    const std::string pass =
+        std::to_string(number) + " " + (event.pass.empty() ? "A pass without a name" : event.pass);
+    if (event.fate == PixelFate::Cleared)
+    {
+        return pass + " clears";
+    }
+    const std::string shader =
+        event.shader + (event.shaderPassName.empty() ? ", pass " + std::to_string(event.shaderPass)
+                                                     : " '" + event.shaderPassName + "'");
+    const bool isKernel = event.objects.empty() && event.mesh.empty() && !event.depth &&
+                          event.fate == PixelFate::Dispatched;
+    return pass + (isKernel ? " runs a kernel" : " draws " + SubjectText(event)) + ": " +
+           (event.material.empty() ? "" : "material " + event.material + ", ") + shader;
+}
+
+/// Tells the texel of a texture that is not of the picture's size.
+std::string ValueLine(const std::string& name, const PixelValue& value, const PixelHistory& history)
+{
+    const bool isOfPicture = value.width == history.width && value.height == history.height;
+    const std::string place =
+        isOfPicture ? ""
+                    : " at " + std::to_string(value.x) + "," + std::to_string(value.y) + " of " +
+                          std::to_string(value.width) + "x" + std::to_string(value.height);
+    return WrappedLine(name + place + " " +
+                           (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
+                           NumbersText(value.after),
+                       4, 2);
+}
+
+std::string EventText(const PixelHistory& history, std::size_t index)
+{
+    const PixelEvent& event = history.events[index];
+
+    std::string text = WrappedLine(HeadText(event, index + 1), 2, 2);
+    text += event.reason.empty() ? "" : WrappedLine(event.reason, 4, 2);
+    const auto add = [&](const std::string& name, const PixelValue& value)
+    {
+        const bool isShown = event.fate == PixelFate::Cleared || value.isChanged();
+        text += isShown ? ValueLine(name, value, history) : "";
+    };
+    for (const PixelValue& color : event.colors)
+    {
+        add(color.texture, color);
+    }
+    if (event.depth)
+    {
+        add("depth", *event.depth);
+    }
+    if (event.stencil)
+    {
+        add("stencil", *event.stencil);
+    }
+    const bool isLeftOut = !event.isRun && event.fate == PixelFate::Drawn;
+    return text + (isLeftOut ? WrappedLine("the device is spared this draw: the picture is the "
+                                           "same without it",
+                                           4, 2)
+                             : "");
+}
+
+std::string EventsText(const PixelHistory& history, bool areRejected)
+{
+    std::string text;
+    for (std::size_t i = 0; i < history.events.size(); ++i)
+    {
+        const PixelEvent& event = history.events[i];
+        text += IsRejected(event) == areRejected ? EventText(history, i) : "";
+    }
+    return text;
+}
+
+/// Lists what filters leave out, by pass and rule.
+std::string FiltersText(const PixelHistory& history, bool isLong)
+{
+    std::vector<std::pair<std::string, std::string>> order;
+    std::map<std::pair<std::string, std::string>, std::vector<std::string>> names;
+    for (const PixelFiltered& filtered : history.filtered)
+    {
+        const std::pair key(filtered.pass, std::string(ToString(filtered.verdict)));
+        if (names[key].empty())
+        {
+            order.push_back(key);
+        }
+        if (std::ranges::find(names[key], filtered.object) == names[key].end())
+        {
+            names[key].push_back(filtered.object);
+        }
+    }
+    std::string text;
+    const std::size_t shown = isLong ? order.size() : std::min(order.size(), k_ShownLines);
+    for (std::size_t i = 0; i < shown; ++i)
+    {
+        const std::vector<std::string>& all = names[order[i]];
+        text += WrappedLine(order[i].first + " leaves out " +
+                                NamesText(all, isLong ? all.size() : k_NamedObjects) + ": " +
+                                order[i].second,
+                            2, 2);
+    }
+    return text + MoreText(order.size() - shown);
+}
+
+std::string AbsentText(const PixelHistory& history, bool areHere)
+{
+    std::string text;
+    for (const PixelAbsent& absent : history.absent)
+    {
+        text +=
+            absent.isHere == areHere ? WrappedLine(absent.object + ": " + absent.reason, 2, 2) : "";
+    }
+    return text;
+}
+
+std::string SectionText(const std::string& title, const std::string& lines)
+{
+    return lines.empty() ? "" : title + ":\n" + lines;
+}
+
+std::string CountText(std::size_t count, const std::string& noun)
+{
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string IsOrAre(std::size_t count)
+{
+    return count == 1 ? " is" : " are";
+}
+
+/// "33 objects do not cover the pixel, nor do 4 draws of Strokes; ...: -v names them"
+std::string RestSentence(const PixelHistory& history)
+{
+    const std::size_t objects = history.uncovered.size();
+    std::string text =
+        CountText(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
+    for (const PixelUncovered& draws : history.uncoveredDraws)
+    {
+        const auto count = static_cast<std::size_t>(draws.count);
+        text += (count == 1 ? ", nor does " : ", nor do ") + CountText(count, "draw") + " of " +
+                draws.pass;
+    }
+    const auto absent =
+        static_cast<std::size_t>(std::ranges::count(history.absent, false, &PixelAbsent::isHere));
+    text +=
+        absent > 0 ? "; " + CountText(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
+    const std::size_t elsewhere = history.elsewhere.size();
+    text += elsewhere > 0 ? "; " + CountText(elsewhere, "target") + IsOrAre(elsewhere) +
+                                " not laid out as the picture is"
+                          : "";
+    return WrappedLine(text + ": -v names them", 0, 2);
+}
+
+/// Names what has nothing to do with the pixel.
+std::string RestText(const PixelHistory& history)
+{
+    std::string elsewhere;
+    for (const PixelElsewhere& pass : history.elsewhere)
+    {
+        elsewhere += WrappedLine(pass.pass + ": " + pass.texture + " " + pass.size, 2, 2);
+    }
+    std::string uncovered;
+    for (const std::string& name : history.uncovered)
+    {
+        uncovered += WrappedLine(name, 2, 2);
+    }
+    for (const PixelUncovered& draws : history.uncoveredDraws)
+    {
+        uncovered +=
+            WrappedLine(CountText(static_cast<std::size_t>(draws.count), "draw") + " of " +
+                            draws.pass + ": " + draws.shader +
+                            (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
+                        2, 2);
+    }
+    return SectionText("drawn, but not over the pixel", uncovered) +
+           SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
+           SectionText("targets that are not laid out as the picture is", elsewhere);
+}
+
+std::string NotesText(const PixelHistory& history, bool isLong)
+{
+    std::vector<std::string> notes;
+    for (const std::string& note : history.notes)
+    {
+        if (std::ranges::find(notes, note) == notes.end())
+        {
+            notes.push_back(note);
+        }
+    }
+    std::string text;
+    const std::size_t shown = isLong ? notes.size() : std::min(notes.size(), k_ShownLines);
+    for (std::size_t i = 0; i < shown; ++i)
+    {
+        text += WrappedLine(notes[i], 2, 2);
+    }
+    return text + MoreText(notes.size() - shown);
+}
+
+Json ToJson(const PixelValue& value)
+{
+    return {{"texture", value.texture},
+            {"x", value.x},
+            {"y", value.y},
+            {"width", value.width},
+            {"height", value.height},
+            {"before", value.before.empty() ? Json() : Json(value.before)},
+            {"after", value.after}};
+}
+
+Json ToJson(const std::optional<PixelValue>& value)
+{
+    return value ? ToJson(*value) : Json();
+}
+
+Json OrNull(const std::string& text)
+{
+    return text.empty() ? Json() : Json(text);
+}
+
+Json ToJson(const PixelEvent& event)
+{
+    Json colors = Json::array();
+    for (const PixelValue& color : event.colors)
+    {
+        colors.push_back(ToJson(color));
+    }
+    return {{"fate", ToString(event.fate)},
+            {"reason", OrNull(event.reason)},
+            {"pass", event.pass},
+            {"objects", event.objects},
+            {"mesh", OrNull(event.mesh)},
+            {"material", OrNull(event.material)},
+            {"shader", OrNull(event.shader)},
+            {"shaderPass", event.shaderPass},
+            {"shaderPassName", OrNull(event.shaderPassName)},
+            {"run", event.isRun},
+            {"colors", colors},
+            {"depth", ToJson(event.depth)},
+            {"stencil", ToJson(event.stencil)}};
+}
+
+} // namespace
+
+std::string PixelText(const PixelHistory& history, bool isLong)
+{
+    const std::string head = "pixel " + std::to_string(history.x) + "," +
+                             std::to_string(history.y) + " of " + std::to_string(history.width) +
+                             "x" + std::to_string(history.height) + " is " +
+                             ColorText(history.written) + ", linear " + NumbersText(history.color);
+    const bool hasObject =
+        std::ranges::any_of(history.events, [](const PixelEvent& event)
+                            { return event.fate == PixelFate::Drawn && !event.objects.empty(); });
+    return WrappedLine(head, 0, 2) + (hasObject ? "" : "no object is drawn there\n") +
+           SectionText("done there, in this order", EventsText(history, false)) +
+           SectionText("rejected there", EventsText(history, true)) +
+           SectionText("left out there by a filter", FiltersText(history, isLong)) +
+           SectionText("would be there, but no pass draws it", AbsentText(history, true)) +
+           SectionText("odd", NotesText(history, isLong)) +
+           (isLong ? RestText(history) : RestSentence(history));
+}
+
+Json PixelJson(const PixelHistory& history)
+{
+    Json events = Json::array();
+    for (const PixelEvent& event : history.events)
+    {
+        events.push_back(ToJson(event));
+    }
+    Json filtered = Json::array();
+    for (const PixelFiltered& one : history.filtered)
+    {
+        filtered.push_back(
+            {{"object", one.object}, {"pass", one.pass}, {"rule", ToString(one.verdict)}});
+    }
+    Json absent = Json::array();
+    for (const PixelAbsent& one : history.absent)
+    {
+        absent.push_back({{"object", one.object}, {"reason", one.reason}, {"here", one.isHere}});
+    }
+    Json elsewhere = Json::array();
+    for (const PixelElsewhere& one : history.elsewhere)
+    {
+        elsewhere.push_back({{"pass", one.pass}, {"texture", one.texture}, {"size", one.size}});
+    }
+    Json uncoveredDraws = Json::array();
+    for (const PixelUncovered& one : history.uncoveredDraws)
+    {
+        uncoveredDraws.push_back({{"pass", one.pass},
+                                  {"shader", one.shader},
+                                  {"shaderPassName", OrNull(one.shaderPassName)},
+                                  {"count", one.count}});
+    }
+    return {{"x", history.x},
+            {"y", history.y},
+            {"width", history.width},
+            {"height", history.height},
+            {"color", history.color},
+            {"written", ColorText(history.written)},
+            {"events", events},
+            {"filtered", filtered},
+            {"absent", absent},
+            {"uncovered", history.uncovered},
+            {"uncoveredDraws", uncoveredDraws},
+            {"elsewhere", elsewhere},
+            {"notes", history.notes}};
+}
+
+} // namespace limn

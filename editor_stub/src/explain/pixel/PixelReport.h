@@ -1,0 +1,16 @@
+#pragma once
+
+#include "explain/pixel/PixelHistory.h"
+#include "console/Json.h"
+
+namespace limn
+{
+
+/// Writes the history for a person, in lines of about 80 columns.
+/// @param isLong  names also what does not cover the pixel
+std::string PixelText(const PixelHistory& history, bool isLong);
+
+/// Writes all of it for programs.
+Json PixelJson(const PixelHistory& history);
+
+} // namespace limn

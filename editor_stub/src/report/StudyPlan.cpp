@@ -1,0 +1,183 @@
+#include "report/StudyPlan.h"
+
+#include "report/extremes/Stability.h"
+#include "report/measure/NumericalCells.h"
+#include "report/measure/Subjects.h"
+#include "report/measure/Techniques.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr glm::ivec2 k_ShapeSize{480, 270};
+constexpr glm::ivec2 k_QuickShapeSize{240, 135};
+constexpr glm::ivec2 k_MotionSize{160, 90};
+constexpr double k_UsualWidth = 4.0; ///< pixels
+
+std::vector<Technique> WantedTechniques(const StudyOptions& options)
+{
+    std::vector<Technique> techniques = Techniques();
+    std::erase_if(
+        techniques, [&wanted = options.techniques](const Technique& technique)
+        { return !wanted.empty() && std::ranges::count(wanted, technique.info.name) == 0; });
+    return techniques;
+}
+
+class Planner
+{
+public:
+    explicit Planner(const StudyOptions& options) : m_Options(options) {}
+
+    std::vector<CellId> Plan()
+    {
+        const bool isQuick = m_Options.isQuick;
+        const std::vector<double> widths =
+            isQuick ? std::vector<double>{2, 8} : std::vector<double>{1, 2, 4, 8, 16, 32, 64};
+        const glm::ivec2 sceneSize = m_Options.sceneSize;
+        for (const double width : isQuick ? std::vector<double>{k_UsualWidth} : widths)
+        {
+            Add(CellKind::Geometry, k_SceneSubject, width, sceneSize);
+            AddParts(width);
+        }
+        for (const std::string& shape :
+             isQuick ? std::vector<std::string>{"disc", "needle"} : ShapeNames())
+        {
+            for (const double width : widths)
+            {
+                Add(CellKind::Geometry, shape, width, isQuick ? k_QuickShapeSize : k_ShapeSize);
+            }
+        }
+        for (const char* shape : {"disc", "needle"})
+        {
+            for (const double width : isQuick ? std::vector<double>{2} : std::vector<double>{2, 8})
+            {
+                Add(CellKind::Temporal, shape, width, k_MotionSize);
+            }
+        }
+        for (const std::string& variant :
+             isQuick ? std::vector<std::string>{""} : NumericalVariants())
+        {
+            Add(CellKind::Numerical, "star", k_UsualWidth, k_MotionSize, variant);
+        }
+        AddCosts();
+        return std::move(m_Cells);
+    }
+
+private:
+    void AddParts(double width)
+    {
+        for (const Technique& technique : m_Techniques)
+        {
+            for (const char* part : {k_SeenPart, k_HiddenPart})
+            {
+                if (m_Options.isPartlyHidden && !technique.occlusion.empty())
+                {
+                    m_Cells.push_back({CellKind::Geometry, technique.info.name, k_SceneSubject,
+                                       width, m_Options.sceneSize.x, m_Options.sceneSize.y, part});
+                }
+            }
+        }
+    }
+
+    void AddCosts()
+    {
+        const glm::ivec2 sceneSize = m_Options.sceneSize;
+        Add(CellKind::Cost, k_SceneSubject, k_UsualWidth, sceneSize);
+        if (m_Options.isQuick)
+        {
+            return;
+        }
+        for (const double width : {2.0, 8.0, 32.0})
+        {
+            Add(CellKind::Cost, k_SceneSubject, width, sceneSize);
+        }
+        for (const glm::ivec2 size :
+             {glm::ivec2(320, 180), glm::ivec2(640, 360), glm::ivec2(1920, 1080)})
+        {
+            if (size != sceneSize)
+            {
+                Add(CellKind::Cost, k_SceneSubject, k_UsualWidth, size);
+            }
+        }
+        for (const char* count : {"1 objects", "10 objects", "100 objects", "1000 objects"})
+        {
+            Add(CellKind::Cost, k_BallsSubject, k_UsualWidth, {1280, 720}, count);
+        }
+    }
+
+    void Add(CellKind kind, const std::string& subject, double width, const glm::ivec2& size,
+             const std::string& variant = "")
+    {
+        for (const Technique& technique : m_Techniques)
+        {
+            m_Cells.push_back({kind, technique.info.name, subject, width, size.x, size.y, variant});
+        }
+    }
+
+    const StudyOptions& m_Options;
+    std::vector<Technique> m_Techniques = WantedTechniques(m_Options);
+    std::vector<CellId> m_Cells;
+};
+
+} // namespace
+
+int StudyOptions::RoundsOf(const CellId& cell) const
+{
+    const bool isCompared = cell.subject == k_SceneSubject && cell.width == k_UsualWidth &&
+                            glm::ivec2(cell.pictureWidth, cell.pictureHeight) == sceneSize;
+    return isQuick ? 9 : isCompared ? 101 : 31;
+}
+
+std::string StudyOptions::Text() const
+{
+    std::ostringstream text;
+    text << (hasStability ? "stability" : "error and cost")
+         << (isQuick  ? ", quick"
+             : isFull ? ", all combinations"
+                      : "")
+         << ", " << sceneSize.x << 'x' << sceneSize.y << (isPartlyHidden ? ", partly hidden" : "");
+    for (const std::string& technique : techniques)
+    {
+        text << ", " << technique;
+    }
+    return text.str();
+}
+
+std::vector<CellId> PlanStudy(const StudyOptions& options)
+{
+    if (options.hasStability)
+    {
+        return PlanStability(WantedTechniques(options), options.isQuick  ? SweepSize::Sampled
+                                                        : options.isFull ? SweepSize::Full
+                                                                         : SweepSize::Pairwise);
+    }
+    return Planner(options).Plan();
+}
+
+std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)
+{
+    const auto withoutTechnique = [](CellId id)
+    {
+        id.technique.clear();
+        return id.Name();
+    };
+    std::vector<std::vector<CellId>> units;
+    for (const CellId& cell : cells)
+    {
+        const bool isTogether = cell.kind == CellKind::Cost && !units.empty() &&
+                                withoutTechnique(units.back().front()) == withoutTechnique(cell);
+        if (!isTogether)
+        {
+            units.emplace_back();
+        }
+        units.back().push_back(cell);
+    }
+    return units;
+}
+
+} // namespace limn::study

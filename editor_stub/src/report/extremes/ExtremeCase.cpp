@@ -1,0 +1,268 @@
+#include "report/extremes/ExtremeCase.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr double k_Radius = 0.625;    ///< of the torus, metres
+constexpr double k_LargestPart = 0.3; ///< of the picture's height
+constexpr double k_LargestRadius = 60.0;
+
+const char* const k_Views[] = {"perspective", "orthographic", "oblique"};
+const char* const k_Directions[] = {"reversed", "standard"};
+const char* const k_Scalings[] = {"", "mirrored", "singular"};
+
+double HalfTangent(double fieldOfView)
+{
+    return std::tan(fieldOfView * std::numbers::pi / 360.0);
+}
+
+/// From the camera to the object's middle, metres, for a scale of 1.
+double CameraDistance(const ExtremeCase& extreme)
+{
+    const double part = 2.0 * extreme.ObjectRadius() / extreme.size.y;
+    return std::max(1.6 * k_Radius, k_Radius / (part * HalfTangent(extreme.fieldOfView)));
+}
+
+/// A plane before the object that leans by 20 degrees, and a middle that is beside the picture's.
+void MakeOblique(Camera& camera, float aspect, double objectDistance, double objectRadius)
+{
+    glm::dmat4 offCentre = camera.projectionMatrixFor(aspect);
+    offCentre[2][0] += 0.06;
+    offCentre[2][1] -= 0.04;
+    camera.projectionMatrix = offCentre;
+    const double lean = std::numbers::pi / 9.0;
+    const double distance = 0.3 * (objectDistance - objectRadius);
+    camera.projectionMatrix = camera.CalculateObliqueMatrix(
+        {-std::sin(lean), 0.0, -std::cos(lean), -distance * std::cos(lean)}, aspect);
+}
+
+Camera CameraOf(const ExtremeCase& extreme)
+{
+    const double distance = CameraDistance(extreme) * extreme.scale;
+    const double radius = k_Radius * extreme.scale;
+    const double reach = std::sqrt(extreme.depthRatio);
+    Camera camera;
+    camera.backgroundColor = Color::black;
+    camera.fieldOfView = static_cast<float>(extreme.fieldOfView);
+    camera.nearClipPlane = static_cast<float>(distance / reach);
+    camera.farClipPlane = static_cast<float>(distance * reach);
+    // Beside the axis, on no whole pixel.
+    camera.transform.localPosition =
+        glm::vec3(glm::dvec3(0.113 * radius, 0.071 * radius, -distance));
+    camera.orthographic = extreme.view == ExtremeView::Orthographic;
+    camera.orthographicSize =
+        static_cast<float>(radius * 0.5 * extreme.size.y / std::max(extreme.ObjectRadius(), 1e-3));
+    if (extreme.view == ExtremeView::Oblique)
+    {
+        MakeOblique(camera, static_cast<float>(extreme.size.x) / static_cast<float>(extreme.size.y),
+                    distance, radius);
+    }
+    return camera;
+}
+
+glm::vec3 ScaleOf(const ExtremeCase& extreme)
+{
+    switch (extreme.scaling)
+    {
+    case ExtremeScale::Mirrored:
+        return {-1.0f, 1.0f, 1.0f};
+    case ExtremeScale::Singular:
+        return {1.0f, 0.0f, 1.0f};
+    default:
+        return glm::vec3(static_cast<float>(extreme.scale));
+    }
+}
+
+/// "two-objects": without spaces, which part the levels of a variant.
+std::string NameOf(Untidiness untidiness)
+{
+    std::string name = UntidinessNames()[static_cast<std::size_t>(untidiness)];
+    std::ranges::replace(name, ' ', '-');
+    return name;
+}
+
+std::optional<Untidiness> UntidinessOf(const std::string& name)
+{
+    for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+    {
+        if (NameOf(static_cast<Untidiness>(i)) == name)
+        {
+            return static_cast<Untidiness>(i);
+        }
+    }
+    return std::nullopt;
+}
+
+template <std::size_t Count>
+std::optional<std::size_t> IndexOf(const char* const (&names)[Count], const std::string& name)
+{
+    const auto found = std::find(names, names + Count, name);
+    return found == names + Count ? std::nullopt : std::optional<std::size_t>(found - names);
+}
+
+/// Takes "key=value" into the case.
+/// @return false if there is no such
+bool TakeLevel(ExtremeCase& extreme, const std::string& key, const std::string& value)
+{
+    if (key == "view")
+    {
+        const auto view = IndexOf(k_Views, value);
+        extreme.view = static_cast<ExtremeView>(view.value_or(0));
+        return view.has_value();
+    }
+    if (key == "z")
+    {
+        const auto direction = IndexOf(k_Directions, value);
+        extreme.isStandardZ = direction == 1u;
+        return direction.has_value();
+    }
+    if (key == "mesh")
+    {
+        const auto untidiness = UntidinessOf(value);
+        extreme.untidiness = untidiness.value_or(Untidiness::None);
+        return untidiness.has_value();
+    }
+    if (const auto scaling = IndexOf(k_Scalings, value); key == "scale" && scaling)
+    {
+        extreme.scaling = static_cast<ExtremeScale>(*scaling);
+        return true;
+    }
+    std::istringstream text(value);
+    double number = 0.0;
+    text >> number;
+    if (!text || !text.eof() || !(number > 0.0))
+    {
+        return false;
+    }
+    extreme.samples = key == "samples" ? static_cast<int>(number) : extreme.samples;
+    extreme.depthRatio = key == "ratio" ? number : extreme.depthRatio;
+    extreme.fieldOfView = key == "fov" ? number : extreme.fieldOfView;
+    extreme.scale = key == "scale" ? number : extreme.scale;
+    return key == "samples" || key == "ratio" || key == "fov" || key == "scale";
+}
+
+} // namespace
+
+double ExtremeCase::ObjectRadius() const
+{
+    return std::min(k_LargestPart * size.y, k_LargestRadius);
+}
+
+std::string ExtremeCase::Variant() const
+{
+    std::ostringstream text;
+    text << "ratio=" << depthRatio << " fov=" << fieldOfView << " scale=";
+    if (scaling == ExtremeScale::Uniform)
+    {
+        text << scale;
+    }
+    text << k_Scalings[static_cast<std::size_t>(scaling)] << " samples=" << samples
+         << " view=" << k_Views[static_cast<std::size_t>(view)]
+         << " z=" << k_Directions[isStandardZ ? 1 : 0] << " mesh=" << NameOf(untidiness);
+    return text.str();
+}
+
+ExtremeCase ExtremeCase::OfCell(const CellId& cell)
+{
+    ExtremeCase extreme;
+    extreme.width = cell.width;
+    extreme.size = {cell.pictureWidth, cell.pictureHeight};
+    std::istringstream variant(cell.variant);
+    for (std::string part; variant >> part;)
+    {
+        const std::size_t equals = part.find('=');
+        if (equals == std::string::npos ||
+            !TakeLevel(extreme, part.substr(0, equals), part.substr(equals + 1)))
+        {
+            throw ContractError("'" + cell.Name() + "' is no cell of the stability sweep: '" +
+                                part + "' is not known");
+        }
+    }
+    return extreme;
+}
+
+SceneAsset ExtremeCase::Scene(AssetContext& assets, bool isGrey) const
+{
+    SceneAsset asset;
+    asset.width = size.x;
+    asset.height = size.y;
+    asset.msaaSampleCount = samples;
+    asset.camera = CameraOf(*this);
+    const auto mesh = MakeUntidy(*assets.Primitive(PrimitiveType::Torus), untidiness);
+    for (int i = 0; i < (untidiness == Untidiness::TwoObjects ? 2 : 1); ++i)
+    {
+        GameObject& torus = AddOutlined(asset, "torus", mesh, assets);
+        torus.transform.localRotation = EulerToRotation({-63.0f, 21.0f, 8.0f});
+        torus.transform.localScale = ScaleOf(*this);
+        if (isGrey)
+        {
+            auto material = std::make_shared<Material>(*torus.renderer->sharedMaterials.front());
+            material->SetColor(ShaderPropertyId("_BaseColor"), {0.5f, 0.5f, 0.5f, 1.0f});
+            torus.renderer->sharedMaterials = {std::move(material)};
+        }
+    }
+    return asset;
+}
+
+std::vector<int> ExtremeLevels::Counts() const
+{
+    std::vector<int> counts;
+    for (const std::size_t count :
+         {depthRatios.size(), widths.size(), sizes.size(), fieldsOfView.size(), scales.size() + 2,
+          samples.size(), views.size(), standardZ.size(), meshes.size()})
+    {
+        counts.push_back(static_cast<int>(count));
+    }
+    return counts;
+}
+
+ExtremeCase ExtremeLevels::At(const Combination& combination) const
+{
+    const auto level = [&](const auto& list, std::size_t factor)
+    {
+        return list[static_cast<std::size_t>(combination[factor])];
+    };
+    ExtremeCase extreme;
+    extreme.depthRatio = level(depthRatios, 0);
+    extreme.width = level(widths, 1);
+    extreme.size = level(sizes, 2);
+    extreme.fieldOfView = level(fieldsOfView, 3);
+    const auto scale = static_cast<std::size_t>(combination[4]);
+    if (scale < scales.size())
+    {
+        extreme.scale = scales[scale];
+    }
+    else
+    {
+        extreme.scaling = scale == scales.size() ? ExtremeScale::Mirrored : ExtremeScale::Singular;
+    }
+    extreme.samples = level(samples, 5);
+    extreme.view = level(views, 6);
+    extreme.isStandardZ = level(standardZ, 7);
+    extreme.untidiness = level(meshes, 8);
+    return extreme;
+}
+
+bool ExtremeLevels::IsWorthIt(const Combination& combination) const
+{
+    const ExtremeCase extreme = At(combination);
+    const auto others =
+        static_cast<std::ptrdiff_t>(combination.size()) - std::ranges::count(combination, 0);
+    if (!std::isfinite(extreme.width))
+    {
+        return others <= 1;
+    }
+    const bool isPlain =
+        std::max(extreme.size.x, extreme.size.y) <= 256 && extreme.untidiness == Untidiness::None;
+    return isPlain || others <= 3;
+}
+
+} // namespace limn::study

@@ -1,0 +1,370 @@
+#include "report/extremes/Stability.h"
+
+#include "report/measure/StudyPicture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limn/vulkan/VulkanDevice.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr double k_RangeSlack = 1e-3;
+constexpr double k_LeastGrowth = 0.999;
+
+/// What a picture of a case came to.
+struct DrawnCase
+{
+    Coverage alpha;
+    double area = 0.0; ///< pixels
+    BadValues bad;
+};
+
+DrawnCase DrawCase(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
+                   VulkanDevice& device)
+{
+    SceneAsset asset = extreme.Scene(assets, !technique.info.noWidth.empty());
+    UseTechnique(asset, technique, extreme.width, assets);
+    StudyPicture picture(std::move(asset), assets, device);
+    const Image colors = picture.Colors();
+    DrawnCase drawn;
+    drawn.bad = CountBadValues(colors);
+    drawn.alpha = ChannelOf(colors, 0);
+    drawn.area = drawn.alpha.Sum();
+    return drawn;
+}
+
+/// The part of the picture that can tell something: around the object, as far as the outline's
+/// shape depends on it.
+struct CompareWindow
+{
+    glm::ivec2 corner{0};
+    glm::ivec2 size{0};
+
+    CompareWindow(const ExtremeCase& extreme, const Silhouette& silhouette)
+    {
+        const glm::dvec2 picture(extreme.size);
+        const double margin = std::min(extreme.width, 64.0) + 8.0;
+        const auto inPicture = [&](const glm::dvec2& point)
+        {
+            return glm::ivec2(glm::clamp(point, glm::dvec2(0.0), picture));
+        };
+        corner = inPicture(glm::floor(silhouette.bounds().low - margin));
+        size = inPicture(glm::ceil(silhouette.bounds().high + margin)) - corner;
+    }
+
+    Coverage Of(const Coverage& picture) const
+    {
+        Coverage part(size.x, size.y);
+        for (int y = 0; y < size.y; ++y)
+        {
+            for (int x = 0; x < size.x; ++x)
+            {
+                part.At(x, y) = picture.At(corner.x + x, corner.y + y);
+            }
+        }
+        return part;
+    }
+};
+
+ScreenTriangles MovedTriangles(ScreenTriangles triangles, const glm::dvec2& by)
+{
+    for (auto& triangle : triangles)
+    {
+        for (glm::dvec2& point : triangle)
+        {
+            point += by;
+        }
+    }
+    return triangles;
+}
+
+/// Collects what a cell comes to.
+class CellChecks
+{
+public:
+    explicit CellChecks(CellResult& result) : m_Result(result) {}
+
+    void Expect(bool condition, const std::string& otherwise)
+    {
+        if (!condition)
+        {
+            m_Result.notes.push_back("failed: " + otherwise);
+            m_Result.values["failures"] += 1.0;
+        }
+    }
+    void Set(const char* metric, double value) { m_Result.values[metric] = value; }
+    void Note(const std::string& sentence) { m_Result.notes.push_back(sentence); }
+
+private:
+    CellResult& m_Result;
+};
+
+std::string ShortNumber(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof(text), "%.4g", value);
+    return text;
+}
+
+void CheckTexels(const DrawnCase& drawn, CellChecks& checks)
+{
+    checks.Set("badTexels", drawn.bad.notFinite);
+    checks.Set("outOfRange", drawn.bad.outOfRange);
+    checks.Expect(drawn.bad.notFinite == 0,
+                  std::to_string(drawn.bad.notFinite) + " values are NaN or infinite");
+    checks.Expect(drawn.bad.outOfRange == 0,
+                  std::to_string(drawn.bad.outOfRange) + " values are outside 0...1");
+}
+
+ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
+                   const OutlineScore& score)
+{
+    constexpr double k_TubePart = 0.2; // of the torus
+    const glm::dvec2 extent = silhouette.bounds().high - silhouette.bounds().low;
+    ShapeFacts shape;
+    shape.size = std::min(extent.x, extent.y);
+    shape.thickness = k_TubePart * shape.size;
+    shape.comparedPixels = score.bandPixels;
+    for (const double part : ExactFillCoverage(silhouette, window.size.x, window.size.y).values)
+    {
+        shape.borderPixels += part > 0.0 && part < 1.0 ? 1 : 0;
+    }
+    return shape;
+}
+
+/// Of a picture that has finite texels.
+void CheckShape(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                AssetContext& assets, CellChecks& checks)
+{
+    if (extreme.width == 0.0)
+    {
+        const double object = technique.info.noWidth.empty() ? drawn.area : 0.0;
+        checks.Expect(object == 0.0, "a width of 0 draws " + ShortNumber(object) + " pixels");
+        return;
+    }
+    const SceneAsset asset = extreme.Scene(assets, false);
+    const GameObject& object = *asset.scene.objects().front();
+    const ScreenTriangles triangles = MeshTriangles(*object.renderer->mesh, object.transform,
+                                                    asset.camera, asset.width, asset.height);
+    const CompareWindow window(extreme, Silhouette(triangles));
+    const Silhouette silhouette(MovedTriangles(triangles, -glm::dvec2(window.corner)));
+    const Coverage exact =
+        ExactOutlineCoverage(silhouette, {extreme.width}, window.size.x, window.size.y);
+    const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
+    const ShapeFacts shape = FactsOf(silhouette, window, score);
+    // What covers no pixel's middle has no surface to draw lines on.
+    const bool isSeen =
+        technique.info.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
+    checks.Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
+                  "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels");
+    if (!technique.info.noWidth.empty())
+    {
+        return;
+    }
+    const auto bound = ErrorBound(technique, extreme, shape);
+    checks.Set("meanAbsoluteError", score.meanAbsoluteError);
+    checks.Set("bandPixels", static_cast<double>(score.bandPixels));
+    if (bound)
+    {
+        checks.Set("errorBound", *bound);
+        checks.Expect(score.meanAbsoluteError <= *bound, "a mean error of " +
+                                                             ShortNumber(score.meanAbsoluteError) +
+                                                             ", more than " + ShortNumber(*bound));
+    }
+}
+
+void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                 AssetContext& assets, VulkanDevice& device, CellChecks& checks)
+{
+    ExtremeCase wider = extreme;
+    wider.width *= 2.0;
+    if (extreme.width == 0.0 || wider.width > technique.widestOutline)
+    {
+        return;
+    }
+    const double area = DrawCase(wider, technique, assets, device).area;
+    if (drawn.area > 0.0)
+    {
+        checks.Set("areaGrowth", area / drawn.area);
+    }
+    // Lines on a surface of a few pixels come and go with the pixels' middles that it covers.
+    const bool isTooSmall = !technique.info.noWidth.empty() && drawn.area < 8.0;
+    checks.Expect(isTooSmall || area >= k_LeastGrowth * drawn.area,
+                  "twice the width has " + ShortNumber(area) + " pixels, less than " +
+                      ShortNumber(drawn.area));
+}
+
+/// The technique refuses the width, for a reason.
+/// @return whether it did
+bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
+               CellChecks& checks)
+{
+    try
+    {
+        SceneAsset asset = extreme.Scene(assets, false);
+        UseTechnique(asset, technique, extreme.width, assets);
+    }
+    catch (const AssetError& error)
+    {
+        checks.Note("refused: " + std::string(error.what()));
+        return true;
+    }
+    checks.Expect(std::isfinite(extreme.width), "a width that is no finite number is accepted");
+    return !std::isfinite(extreme.width);
+}
+
+} // namespace
+
+BadValues CountBadValues(const Image& colors)
+{
+    BadValues bad;
+    for (int channel = 0; channel < 4; ++channel)
+    {
+        for (const double value : ChannelOf(colors, channel).values)
+        {
+            bad.notFinite += std::isfinite(value) ? 0 : 1;
+            bad.outOfRange += value < -k_RangeSlack || value > 1.0 + k_RangeSlack ? 1 : 0;
+        }
+    }
+    return bad;
+}
+
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
+                                  const ExtremeLevels& levels)
+{
+    std::vector<CellId> cells = PlanSweep(techniques, size, levels);
+    for (const FormulaCell& formula : Formulas())
+    {
+        cells.push_back(
+            {CellKind::Stability, k_FormulasName, formula.formula, 0.0, 1, 1, formula.input});
+    }
+    return cells;
+}
+
+std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
+                              const ExtremeLevels& levels)
+{
+    std::vector<CellId> cells;
+    const auto add = [&](const Technique& technique, const ExtremeCase& extreme)
+    {
+        cells.push_back({CellKind::Stability, technique.info.name, "torus", extreme.width,
+                         extreme.size.x, extreme.size.y, extreme.Variant()});
+    };
+    const std::vector<int> counts = levels.Counts();
+    if (size == SweepSize::Sampled)
+    {
+        std::vector<int> withTechnique = counts;
+        withTechnique.push_back(static_cast<int>(techniques.size()));
+        for (Combination combination : CoverPairs(withTechnique))
+        {
+            const auto technique = static_cast<std::size_t>(combination.back());
+            combination.pop_back();
+            add(techniques[technique], levels.At(combination));
+        }
+        return cells;
+    }
+    const std::vector<Combination> cases =
+        size == SweepSize::Full ? AllCombinations(counts, [&](const Combination& combination)
+                                                  { return levels.IsWorthIt(combination); })
+                                : CoverPairs(counts);
+    for (const Technique& technique : techniques)
+    {
+        for (const Combination& combination : cases)
+        {
+            add(technique, levels.At(combination));
+        }
+    }
+    return cells;
+}
+
+StabilityStudy::StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device)
+    : m_Options(std::move(options)), m_Device(device)
+{
+}
+
+AssetContext& StabilityStudy::AssetsFor(bool isStandardZ)
+{
+    std::unique_ptr<AssetContext>& assets = isStandardZ ? m_Standard : m_Reversed;
+    if (!assets)
+    {
+        ShaderCompilerOptions options = m_Options;
+        options.usesReversedZBuffer = !isStandardZ;
+        assets = std::make_unique<AssetContext>(std::move(options));
+    }
+    return *assets;
+}
+
+CellResult StabilityStudy::MeasureFormula(const CellId& cell)
+{
+    if (m_Formulas.empty())
+    {
+        m_Formulas = EvaluateFormulas(AssetsFor(false), m_Device);
+    }
+    const auto found = std::ranges::find_if(
+        m_Formulas, [&](const FormulaCell& formula)
+        { return formula.formula == cell.subject && formula.input == cell.variant; });
+    if (found == m_Formulas.end())
+    {
+        throw ContractError("'" + cell.Name() + "' is no formula of the stability table");
+    }
+    CellResult result;
+    result.id = cell;
+    result.values = {{"failures", 0.0},
+                     {"formulaMeant", found->meant},
+                     {"formulaArticle", found->article},
+                     {"formulaOurs", found->ours}};
+    CellChecks checks(result);
+    checks.Expect(found->IsGood(found->ours),
+                  "ours is off by more than " + ShortNumber(found->tolerance));
+    checks.Note(found->where + ": " + found->reason);
+    return result;
+}
+
+CellResult StabilityStudy::Measure(const CellId& cell)
+{
+    if (cell.kind == CellKind::Stability && cell.technique == k_FormulasName)
+    {
+        return MeasureFormula(cell);
+    }
+    const Technique* technique = FindTechnique(cell.technique);
+    if (cell.kind != CellKind::Stability || technique == nullptr || cell.pictureWidth < 1 ||
+        cell.pictureHeight < 1)
+    {
+        throw ContractError("'" + cell.Name() + "' is no cell of the stability sweep");
+    }
+    const ExtremeCase extreme = ExtremeCase::OfCell(cell);
+    AssetContext& assets = AssetsFor(extreme.isStandardZ);
+    CellResult result;
+    result.id = cell;
+    result.values["failures"] = 0.0;
+    CellChecks checks(result);
+    const std::size_t messages = m_Device.validationMessages().size();
+    try
+    {
+        if (!IsRefused(extreme, *technique, assets, checks))
+        {
+            const DrawnCase drawn = DrawCase(extreme, *technique, assets, m_Device);
+            CheckTexels(drawn, checks);
+            if (drawn.bad.notFinite == 0)
+            {
+                CheckShape(extreme, *technique, drawn, assets, checks);
+                CheckGrowth(extreme, *technique, drawn, assets, m_Device, checks);
+            }
+        }
+    }
+    catch (const std::exception& error)
+    {
+        checks.Expect(false, error.what());
+    }
+    const std::vector<ValidationMessage> all = m_Device.validationMessages();
+    checks.Set("validationMessages", static_cast<double>(all.size() - messages));
+    checks.Expect(all.size() == messages,
+                  all.size() == messages ? "" : "the validation layer says " + all[messages].text);
+    return result;
+}
+
+} // namespace limn::study

@@ -1,0 +1,95 @@
+#pragma once
+
+#include "report/extremes/ExtremeCase.h"
+#include "report/extremes/FormulaTable.h"
+
+namespace limn
+{
+class VulkanDevice;
+}
+
+namespace limn::study
+{
+
+/// How many cases each technique is put through.
+enum class SweepSize
+{
+    Sampled,  ///< it meets every level; every two levels meet for one technique or another
+    Pairwise, ///< every two levels meet for it
+    Full      ///< all, where pictures of more than 256 pixels leave the first level of two factors
+              ///< at most; a width that is no finite number is tried once
+};
+
+/// The technique of cells that are formulas, see FormulaCell: the subject is the formula, the
+/// variant its input.
+inline constexpr const char* k_FormulasName = "Formulas";
+
+/// A cell for each technique and case. Cells know nothing of each other: any of them may be
+/// measured alone, in any process.
+std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
+                              const ExtremeLevels& levels = {});
+/// Those and one for each cell of the table of formulas.
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
+                                  const ExtremeLevels& levels = {});
+
+/// What an error bound has to know of the drawn object.
+struct ShapeFacts
+{
+    double size = 0.0;              ///< the smaller one of width and height, pixels
+    double thickness = 0.0;         ///< of the thinnest part, pixels
+    std::size_t comparedPixels = 0; ///< how many the mean error is over
+    std::size_t borderPixels = 0;   ///< those of them that the object covers in part
+};
+
+/// The largest mean error of alpha in the band that a technique's README leaves room for, and half
+/// a pixel in all, which counts where there are few; none where it says nothing about such a case.
+std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
+                                 const ShapeFacts& shape);
+
+/// Values of all channels of a picture that no picture should have.
+struct BadValues
+{
+    int notFinite = 0;
+    int outOfRange = 0; ///< of 0...1, by more than 1e-3
+};
+/// @throws std::invalid_argument for formats that ChannelOf does not read
+BadValues CountBadValues(const Image& colors);
+
+/// Measures cells of PlanStability, in any order.
+class StabilityStudy
+{
+public:
+    /// @param options  its cacheFolder makes the difference between seconds and minutes; the
+    ///     direction of Z is each case's
+    /// @param device   made with VulkanDeviceOptions::validation, or no messages are counted; must
+    ///     outlive this
+    StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device);
+
+    /// Draws the case that the cell's id says, with its width and with twice that.
+    ///
+    /// The checks, each a sentence in CellResult::notes that begins with "failed: ": no texel of
+    /// the camera's colour (half floats, before they are rounded) NaN, infinite or outside 0...1;
+    /// no exception; no message of the validation layer; no less area for twice the width; an error
+    /// within ErrorBound; nothing drawn for the width 0, something for a pixel and more. A width
+    /// that is no finite number has to be refused with a sentence.
+    ///
+    /// Of formulas: that ours is as near to what is meant as it should be.
+    ///
+    /// values: formulaMeant, formulaArticle, formulaOurs; badTexels, outOfRange,
+    /// validationMessages, meanAbsoluteError, bandPixels, errorBound, areaGrowth, failures; those
+    /// that there are.
+    /// @throws ContractError for a cell that is not of PlanStability
+    CellResult Measure(const CellId& cell);
+
+private:
+    AssetContext& AssetsFor(bool isStandardZ);
+    CellResult MeasureFormula(const CellId& cell);
+
+    ShaderCompilerOptions m_Options;
+    VulkanDevice& m_Device;
+    std::unique_ptr<AssetContext> m_Reversed;
+    std::unique_ptr<AssetContext> m_Standard;
+    std::vector<FormulaCell> m_Formulas; ///< empty until one of them is asked for
+};
+
+} // namespace limn::study

@@ -1,0 +1,319 @@
+#include "report/figures/Pareto.h"
+
+#include "report/figures/Numbers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <set>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr double k_NaN = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* k_Error = "meanAbsoluteError";
+constexpr const char* k_Time = "gpuAddedMilliseconds";
+constexpr const char* k_TimeUncertainty = "gpuAddedUncertainty";
+constexpr const char* k_Flicker = "flicker";
+constexpr const char* k_QuietPart = "quietPart";
+constexpr const char* k_Scene = "scene";
+
+bool HasFinite(const CellResult& cell, const char* metric)
+{
+    return std::isfinite(cell.Value(metric));
+}
+
+/// A cell as most are: of the kind, nothing unusual.
+bool IsPlain(const CellResult& cell, CellKind kind, double width)
+{
+    return cell.id.kind == kind && cell.id.variant.empty() && cell.id.width == width;
+}
+
+std::pair<double, double> QuartilesOf(const CellResult& cell, const char* metric)
+{
+    const auto found = cell.quartiles.find(metric);
+    return found == cell.quartiles.end() ? std::pair(k_NaN, k_NaN) : found->second;
+}
+
+std::set<std::string> TechniquesWith(const Study& study, CellKind kind, double width,
+                                     const char* metric)
+{
+    std::set<std::string> names;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, kind, width) && HasFinite(cell, metric))
+        {
+            names.insert(cell.id.technique);
+        }
+    }
+    return names;
+}
+
+/// Of what was counted, those with the highest count, in their order.
+template <typename Thing>
+std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
+{
+    std::vector<Thing> best;
+    std::size_t most = 0;
+    for (const auto& [thing, count] : counts)
+    {
+        if (count > most)
+        {
+            best.clear();
+        }
+        if (count >= most)
+        {
+            best.push_back(thing);
+            most = count;
+        }
+    }
+    return best;
+}
+
+double BestWidth(const Study& study)
+{
+    std::map<double, std::size_t> counts; // techniques with both figures
+    for (const CellResult& cell : study.cells)
+    {
+        const double width = cell.id.width;
+        if (std::isfinite(width) && IsPlain(cell, CellKind::Geometry, width) &&
+            !counts.contains(width))
+        {
+            const auto errors = TechniquesWith(study, CellKind::Geometry, width, k_Error);
+            const auto times = TechniquesWith(study, CellKind::Cost, width, k_Time);
+            counts[width] = static_cast<std::size_t>(std::ranges::count_if(
+                errors, [&times](const auto& name) { return times.contains(name); }));
+        }
+    }
+    const std::vector<double> widths = MostFrequent(counts);
+    return widths.empty() ? 0.0 : widths[(widths.size() - 1) / 2];
+}
+
+/// Width and height of the pictures whose cost most techniques have.
+std::pair<int, int> BestSize(const Study& study, double width)
+{
+    std::map<std::pair<int, int>, std::size_t> counts;
+    std::pair<int, int> ofScene;
+    for (const CellResult& cell : study.cells)
+    {
+        const std::pair<int, int> size(cell.id.pictureWidth, cell.id.pictureHeight);
+        if (IsPlain(cell, CellKind::Cost, width) && HasFinite(cell, k_Time))
+        {
+            ++counts[size];
+        }
+        if (IsPlain(cell, CellKind::Geometry, width) && cell.id.subject == k_Scene)
+        {
+            ofScene = size;
+        }
+    }
+    const auto sizes = MostFrequent(counts);
+    const bool hasScenes = std::ranges::find(sizes, ofScene) != sizes.end();
+    return hasScenes ? ofScene : sizes.empty() ? std::pair(0, 0) : sizes.back();
+}
+
+void AddError(Standing& standing, const Study& study, const Comparison& comparison)
+{
+    std::vector<double> errors;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Geometry, comparison.width) &&
+            cell.id.technique == standing.technique->name && cell.Has(k_Error) &&
+            (comparison.subject.empty() || cell.id.subject == comparison.subject))
+        {
+            errors.push_back(cell.Value(k_Error));
+            standing.errorQuartiles = QuartilesOf(cell, k_Error);
+        }
+    }
+    const Spread spread = SpreadOf(errors);
+    standing.at.error = errors.size() == 1 ? errors.front() : spread.median;
+    if (errors.size() > 1)
+    {
+        standing.errorQuartiles = {spread.lower, spread.upper};
+    }
+}
+
+bool IsCompared(const CellResult& cell, const Comparison& comparison)
+{
+    return IsPlain(cell, CellKind::Cost, comparison.width) &&
+           cell.id.pictureWidth == comparison.pictureWidth &&
+           cell.id.pictureHeight == comparison.pictureHeight && HasFinite(cell, k_Time);
+}
+
+void AddTime(Standing& standing, const Study& study, const Comparison& comparison)
+{
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsCompared(cell, comparison) && cell.id.technique == standing.technique->name)
+        {
+            standing.at.milliseconds = cell.Value(k_Time);
+            standing.timeQuartiles = QuartilesOf(cell, k_Time);
+            standing.timeUncertainty = cell.Value(k_TimeUncertainty);
+        }
+    }
+}
+
+/// The width of temporal cells that is nearest to the wanted one.
+double FlickerWidth(const Study& study, double wanted)
+{
+    double best = k_NaN;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker) &&
+            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
+        {
+            best = cell.id.width;
+        }
+    }
+    return best;
+}
+
+void AddFlicker(Standing& standing, const Study& study, const Comparison& comparison)
+{
+    std::vector<double> flicker;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth) &&
+            cell.id.technique == standing.technique->name)
+        {
+            flicker.push_back(cell.Value(k_Flicker));
+        }
+    }
+    standing.flicker = SpreadOf(flicker);
+}
+
+/// Tells the measurements of times apart that were made at once.
+std::string MeasurementOf(const CellResult& cell)
+{
+    CellId id = cell.id;
+    id.technique.clear();
+    return id.Name() + Exact(cell.Value("quietMilliseconds"));
+}
+
+LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
+{
+    LoadOfStudy load;
+    std::set<std::string> measurements;
+    for (const CellResult& cell : study.cells)
+    {
+        if (!cell.Has(k_QuietPart) || !measurements.insert(MeasurementOf(cell)).second)
+        {
+            continue;
+        }
+        const double part = cell.Value(k_QuietPart);
+        ++load.measurements;
+        load.changed += HasLoadChanged(part) ? 1 : 0;
+        if (!IsCompared(cell, comparison))
+        {
+            continue;
+        }
+        load.otherPrograms = std::max(load.otherPrograms, cell.Value("otherPrograms"));
+        if (!(part >= load.quietPart))
+        {
+            load.quietPart = part;
+            load.quietMilliseconds = cell.Value("quietMilliseconds");
+            load.busyMilliseconds = cell.Value("busyMilliseconds");
+        }
+    }
+    return load;
+}
+
+double MedianFloor(const Study& study, const Comparison& comparison)
+{
+    std::vector<double> floors;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsCompared(cell, comparison))
+        {
+            floors.push_back(cell.Value("floorMilliseconds"));
+        }
+    }
+    return SpreadOf(floors).median;
+}
+
+void AddStability(Standing& standing, const Study& study)
+{
+    for (const CellResult& cell : study.cells)
+    {
+        if (cell.id.kind == CellKind::Stability && cell.id.technique == standing.technique->name)
+        {
+            ++standing.stabilityCells;
+            standing.failures += cell.Value("failures") > 0.0 ? 1 : 0;
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points)
+{
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        if (std::isfinite(points[i].milliseconds) && std::isfinite(points[i].error))
+        {
+            order.push_back(i);
+        }
+    }
+    std::ranges::stable_sort(order, {},
+                             [&](std::size_t i)
+                             { return std::pair(points[i].milliseconds, points[i].error); });
+    std::vector<std::size_t> front;
+    for (const std::size_t i : order)
+    {
+        const bool isEqual = !front.empty() &&
+                             points[i].milliseconds == points[front.back()].milliseconds &&
+                             points[i].error == points[front.back()].error;
+        if (front.empty() || points[i].error < points[front.back()].error || isEqual)
+        {
+            front.push_back(i);
+        }
+    }
+    return front;
+}
+
+Comparison Compare(const Study& study, double width)
+{
+    Comparison comparison;
+    comparison.width = width > 0.0 ? width : BestWidth(study);
+    std::tie(comparison.pictureWidth, comparison.pictureHeight) = BestSize(study, comparison.width);
+    comparison.floorMilliseconds = MedianFloor(study, comparison);
+    comparison.flickerWidth = FlickerWidth(study, comparison.width);
+    comparison.load = LoadOf(study, comparison);
+    const bool hasScene =
+        std::ranges::any_of(study.cells,
+                            [&](const CellResult& cell)
+                            {
+                                return IsPlain(cell, CellKind::Geometry, comparison.width) &&
+                                       cell.id.subject == k_Scene && HasFinite(cell, k_Error);
+                            });
+    comparison.subject = hasScene ? k_Scene : "";
+    std::vector<TimeAndError> points;
+    for (const TechniqueInfo& technique : study.techniques)
+    {
+        Standing standing{&technique, {k_NaN, k_NaN}, {k_NaN, k_NaN}, {k_NaN, k_NaN}};
+        AddError(standing, study, comparison);
+        AddTime(standing, study, comparison);
+        AddFlicker(standing, study, comparison);
+        AddStability(standing, study);
+        points.push_back(standing.IsTimeKnown() ? standing.at : TimeAndError{k_NaN, k_NaN});
+        comparison.standings.push_back(standing);
+    }
+    comparison.front = ParetoFront(points);
+    return comparison;
+}
+
+bool Standing::HasTime() const
+{
+    return std::isfinite(at.milliseconds);
+}
+
+bool Standing::IsTimeKnown() const
+{
+    return ShortestTime() > 0.0 && std::isfinite(LongestTime());
+}
+
+} // namespace limn::study

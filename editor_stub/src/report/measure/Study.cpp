@@ -1,0 +1,112 @@
+#include "report/measure/Study.h"
+
+#include <algorithm>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr std::string_view k_KindNames[] = {"geometry", "numerical", "temporal", "cost",
+                                            "stability"};
+
+} // namespace
+
+const char* ToString(CellKind kind)
+{
+    return k_KindNames[static_cast<std::size_t>(kind)].data();
+}
+
+std::span<const std::string_view> CellKindNames()
+{
+    return k_KindNames;
+}
+
+std::string CellId::Name() const
+{
+    std::ostringstream name;
+    name << ToString(kind) << '/' << technique << '/' << subject << '/' << width << '/'
+         << pictureWidth << 'x' << pictureHeight;
+    if (!variant.empty())
+    {
+        name << '/' << variant;
+    }
+    return name.str();
+}
+
+const std::vector<Metric>& Metrics()
+{
+    static const std::vector<Metric> metrics = {
+        // geometry: of coverage, over pixels in the drawn or the exact outline
+        {"meanAbsoluteError", "mean error", ""},
+        {"rootMeanSquare", "RMS error", ""},
+        {"percentile99", "99th percentile", ""},
+        {"largest", "largest error", ""},
+        {"intersectionOverUnion", "IoU", ""},
+        {"areaRatio", "area drawn / exact", ""},
+        {"effectiveWidth", "effective width", "px"},
+        {"effectiveWidthSpread", "spread of the width", "px"},
+        {"contourInner", "inner contour off", "px"},
+        {"contourOuter", "outer contour off", "px"},
+        {"hausdorff", "Hausdorff distance", "px"},
+        {"bandPixels", "pixels compared", ""},
+        // numerical: against the same algorithm in double, over the same pixels
+        {"numericalMean", "mean numerical error", ""},
+        {"numericalPercentile99", "99th percentile, numerical", ""},
+        {"numericalLargest", "largest numerical error", ""},
+        {"numericalDiffering", "part of pixels off by more than 1/255", ""},
+        // temporal: over sixteen steps of a sixteenth of a pixel
+        {"flicker", "flicker", ""},
+        {"areaWobble", "area wobble", ""},
+        {"areaLow", "least area drawn / exact", ""},
+        {"areaHigh", "largest area drawn / exact", ""},
+        {"contourSwim", "contour swim", "px"},
+        // cost
+        {"gpuMilliseconds", "GPU time of the frame", "ms", true},
+        {"gpuAddedMilliseconds", "GPU time added", "ms", true},
+        {"gpuAddedUncertainty", "GPU time added, known to ±", "ms", true},
+        {"cpuRecordMilliseconds", "CPU time to record", "ms", true},
+        {"cpuAddedMilliseconds", "CPU time added", "ms", true},
+        {"cpuAddedUncertainty", "CPU time added, known to ±", "ms", true},
+        {"quietMilliseconds", "GPU time without an outline, when quiet", "ms", true},
+        {"busyMilliseconds", "GPU time without an outline, when busy", "ms", true},
+        {"quietPart", "part of the run that was quiet", "", true},
+        {"otherPrograms", "processors that other programs kept busy", "", true},
+        {"passes", "render passes added", ""},
+        {"draws", "draws added", ""},
+        {"targetBytes", "targets added", "bytes"},
+        {"movedBytes", "loaded and stored, added", "bytes"},
+        {"floorMilliseconds", "floor: its pixels copied once", "ms", true},
+        // stability
+        {"badTexels", "NaN or infinite texels", ""},
+        {"outOfRange", "texels outside 0...1, or NaN", ""},
+        {"validationMessages", "validation messages", ""},
+        {"errorBound", "error bound", ""},
+        {"areaGrowth", "area for twice the width / area", ""},
+        {"failures", "failed checks", ""},
+        {"formulaMeant", "meant", ""},
+        {"formulaArticle", "the article's", ""},
+        {"formulaOurs", "ours", ""},
+    };
+    return metrics;
+}
+
+const Metric* FindMetric(std::string_view key)
+{
+    const auto& metrics = Metrics();
+    const auto found =
+        std::ranges::find_if(metrics, [key](const Metric& metric) { return metric.key == key; });
+    return found == metrics.end() ? nullptr : &*found;
+}
+
+double CellResult::Value(const std::string& key) const
+{
+    const auto found = values.find(key);
+    return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+} // namespace limn::study

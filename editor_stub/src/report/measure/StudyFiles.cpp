@@ -1,0 +1,409 @@
+#include "report/measure/StudyFiles.h"
+
+#include "report/measure/StudyJson.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <limn/base/FileRoots.h>
+#include <limn/base/ReadFile.h>
+#include <limn/volume/AssetDiagnostics.h>
+#include <unistd.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+std::filesystem::path HeaderFile(const std::filesystem::path& folder)
+{
+    return FileOfStudy(folder, "study.json");
+}
+
+std::filesystem::path CellsFile(const std::filesystem::path& folder)
+{
+    return FileOfStudy(folder, "cells.jsonl");
+}
+
+/// What all parts of one study agree in.
+std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
+{
+    return {{"scene", study.sceneHash},
+            {"device", study.device},
+            {"options", study.options},
+            {"limn", study.limnVersion}};
+}
+
+Study ReadHeader(const std::filesystem::path& folder)
+{
+    const std::filesystem::path file = HeaderFile(folder);
+    return StudyFromJson(ReadFile(file), file.string());
+}
+
+/// The cells whose lines are whole; `length` becomes that of these lines.
+std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size_t& length)
+{
+    length = 0;
+    std::vector<CellResult> cells;
+    const std::filesystem::path file = CellsFile(folder);
+    if (!std::filesystem::exists(file))
+    {
+        return cells;
+    }
+    const std::string text = ReadFile(file);
+    AssetDiagnostics diagnostics(file.string());
+    int line = 0;
+    for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', length))
+    {
+        try
+        {
+            const std::string_view whole = std::string_view(text).substr(length, end - length);
+            cells.push_back(CellFromJson(whole, file.string(), ++line));
+            for (const auto& [what, name] : cells.back().pictures)
+            {
+                FileOfStudy(folder, name);
+            }
+        }
+        catch (const AssetError& error)
+        {
+            diagnostics.Add(error);
+        }
+        length = end + 1;
+    }
+    diagnostics.ThrowIfErrors();
+    return cells;
+}
+
+/// A descriptor that is closed.
+class AppendedFile
+{
+public:
+    explicit AppendedFile(std::filesystem::path path)
+        : m_Path(std::move(path)),
+          m_Descriptor(open(m_Path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666))
+    {
+        if (m_Descriptor < 0)
+        {
+            ThrowWriteError(m_Path, {errno, std::generic_category()});
+        }
+    }
+    ~AppendedFile() { close(m_Descriptor); }
+    AppendedFile(const AppendedFile&) = delete;
+    AppendedFile& operator=(const AppendedFile&) = delete;
+
+    void Append(const std::string& bytes)
+    {
+        if (const std::error_code error = WriteToDescriptor(m_Descriptor, bytes))
+        {
+            ThrowWriteError(m_Path, error);
+        }
+        fdatasync(m_Descriptor); // where there is no disk behind it, nothing is lost either
+    }
+
+private:
+    std::filesystem::path m_Path;
+    int m_Descriptor;
+};
+
+std::string LineOf(const CellResult& cell)
+{
+    return ToJson(cell).dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+/// Copies a picture from the first part that has it.
+void CopyPicture(std::span<const std::string> parts, const std::string& name,
+                 const std::filesystem::path& folder)
+{
+    for (const std::filesystem::path part : parts)
+    {
+        const std::filesystem::path from = FileOfStudy(part, name);
+        const std::filesystem::path to = FileOfStudy(folder, name);
+        if (!std::filesystem::exists(from))
+        {
+            continue;
+        }
+        const std::string bytes = ReadFile(from, k_MaxDataBytes);
+        if (!std::filesystem::exists(to))
+        {
+            std::filesystem::create_directories(to.parent_path());
+            WriteFile(to, bytes);
+        }
+        else if (ReadFile(to, k_MaxDataBytes) != bytes)
+        {
+            throw AssetError(to.string(), {},
+                             "is another picture than " + from.string() +
+                                 " and is not overwritten; merge into a new folder");
+        }
+        return;
+    }
+}
+
+/// Puts the cells in the order they were planned; unplanned ones last.
+void Sort(Study& study)
+{
+    std::map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < study.planned.size(); ++i)
+    {
+        places.emplace(study.planned[i].Name(), i);
+    }
+    const auto place = [&places](const CellResult& cell)
+    {
+        const auto found = places.find(cell.id.Name());
+        return found == places.end() ? places.size() : found->second;
+    };
+    std::ranges::stable_sort(study.cells, {}, place);
+}
+
+/// Tells cells apart by name, since a width may be NaN.
+std::set<std::string> NamesOf(const Study& study)
+{
+    std::set<std::string> names;
+    for (const CellResult& cell : study.cells)
+    {
+        names.insert(cell.id.Name());
+    }
+    return names;
+}
+
+void RequireSameStudy(const std::filesystem::path& folder, const Study& there, const Study& wanted)
+{
+    const auto found = IdentityOf(there);
+    const auto asked = IdentityOf(wanted);
+    for (std::size_t i = 0; i < asked.size(); ++i)
+    {
+        if (found[i].second != asked[i].second)
+        {
+            throw AssetError(HeaderFile(folder).string(), {},
+                             std::string("holds a study with another ") + asked[i].first + " ('" +
+                                 found[i].second + "', not '" + asked[i].second +
+                                 "'); name another folder, or remove this one");
+        }
+    }
+}
+
+/// Makes the folder that a study is written into.
+std::filesystem::path MakeStudyFolder(std::filesystem::path folder)
+{
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error)
+    {
+        throw AssetError(folder.string(), {}, "cannot be made: " + error.message());
+    }
+    return folder;
+}
+
+void RequireNoPart(const std::filesystem::path& folder, std::span<const std::string> parts)
+{
+    std::error_code ignored;
+    const auto isIt = [&](const std::string& part)
+    {
+        return std::filesystem::equivalent(part, folder, ignored);
+    };
+    if (std::ranges::any_of(parts, isIt))
+    {
+        throw AssetError(folder.string(), {},
+                         "is one of the folders that are merged; name a new folder");
+    }
+}
+
+/// Refuses a folder whose cells would be lost.
+void RequireNoOtherCells(const std::filesystem::path& folder, const Study& there,
+                         const Study& merged)
+{
+    const std::set<std::string> names = NamesOf(merged);
+    for (const CellResult& cell : there.cells)
+    {
+        if (const std::string name = cell.id.Name(); !names.contains(name))
+        {
+            throw AssetError(folder.string(), {},
+                             "holds the cell " + name +
+                                 ", which no folder that is merged has; name a new folder");
+        }
+    }
+}
+
+} // namespace
+
+std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std::string& name)
+{
+    FileRoots roots;
+    roots.Add(folder);
+    if (!roots.Contains(folder / name))
+    {
+        throw AssetError((folder / name).string(), {},
+                         "is a link that leads out of the study's folder; put the file itself "
+                         "there");
+    }
+    return folder / name;
+}
+
+Study ReadStudy(const std::filesystem::path& folder)
+{
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+    {
+        const bool isThere = std::filesystem::exists(folder, ignored);
+        throw AssetError(folder.string(), {},
+                         isThere ? "is no folder; one that 'limn report' wrote is expected"
+                                 : "there is no such folder");
+    }
+    Study study = ReadHeader(folder);
+    std::size_t length = 0;
+    study.cells = ReadCells(folder, length);
+    Sort(study);
+    return study;
+}
+
+StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
+    : m_Path(MakeStudyFolder(std::move(folder))),
+      m_Lock(m_Path / "study.json", std::try_to_lock),
+      m_Study(study)
+{
+    if (m_Lock.isHeldElsewhere())
+    {
+        throw AssetError(m_Path.string(), {},
+                         "is written by another limn now; wait until it has ended, or name "
+                         "another folder");
+    }
+    if (std::filesystem::exists(HeaderFile(m_Path)))
+    {
+        const Study there = ReadHeader(m_Path);
+        RequireSameStudy(m_Path, there, study);
+        study.started = there.started;
+        study.loadAverage = there.loadAverage;
+        study.copyBandwidth = there.copyBandwidth;
+    }
+    std::size_t length = 0;
+    study.cells = ReadCells(m_Path, length);
+    m_Names = NamesOf(study);
+    if (std::filesystem::exists(CellsFile(m_Path)))
+    {
+        std::filesystem::resize_file(CellsFile(m_Path), length); // half a line of a killed run
+    }
+    Update();
+}
+
+void StudyFolder::Add(CellResult cell)
+{
+    AppendedFile(CellsFile(m_Path)).Append(LineOf(cell));
+    m_Names.insert(cell.id.Name());
+    m_Study.cells.push_back(std::move(cell));
+}
+
+void StudyFolder::Update()
+{
+    WriteFile(HeaderFile(m_Path), JsonText(ToJson(m_Study)));
+    Sort(m_Study);
+}
+
+std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
+{
+    std::vector<MergedStudy> merged;
+    std::vector<std::set<std::string>> names; // of the cells of each
+    for (const Study& part : parts)
+    {
+        auto found = std::ranges::find_if(merged, [&part](const MergedStudy& other)
+                                          { return IdentityOf(other.study) == IdentityOf(part); });
+        if (found == merged.end())
+        {
+            found = merged.insert(merged.end(), {part, {}, {}});
+            found->study.cells.clear();
+            names.emplace_back();
+        }
+        Study& whole = found->study;
+        whole.started = std::min(whole.started, part.started);
+        whole.loadAverage = std::max(whole.loadAverage, part.loadAverage);
+        whole.copyBandwidth = std::max(whole.copyBandwidth, part.copyBandwidth);
+        std::set<std::string>& known = names[static_cast<std::size_t>(found - merged.begin())];
+        for (const CellResult& cell : part.cells)
+        {
+            if (const auto [name, isNew] = known.insert(cell.id.Name()); isNew)
+            {
+                whole.cells.push_back(cell);
+            }
+            else
+            {
+                found->doubled.push_back(*name);
+            }
+        }
+    }
+    for (std::size_t i = 0; i < merged.size(); ++i)
+    {
+        Sort(merged[i].study);
+        for (const CellId& id : merged[i].study.planned)
+        {
+            if (const std::string name = id.Name(); !names[i].contains(name))
+            {
+                merged[i].missing.push_back(name);
+            }
+        }
+    }
+    return merged;
+}
+
+void WriteMerged(const std::filesystem::path& folder, const Study& study,
+                 std::span<const std::string> parts)
+{
+    RequireNoPart(folder, parts);
+    Study header = study;
+    header.cells.clear();
+    StudyFolder target(folder, header);
+    RequireNoOtherCells(folder, header, study);
+    std::string lines;
+    for (const CellResult& cell : study.cells)
+    {
+        lines += LineOf(cell);
+        for (const auto& [what, name] : cell.pictures)
+        {
+            CopyPicture(parts, name, folder);
+        }
+    }
+    WriteFile(CellsFile(folder), lines);
+}
+
+std::vector<std::string> CompareStudies(const Study& first, const Study& second)
+{
+    const auto comparable = [](const Study& study)
+    {
+        std::map<std::string, Json> cells;
+        for (CellResult cell : study.cells)
+        {
+            const auto isMeasured = [](const auto& entry)
+            {
+                const Metric* metric = FindMetric(entry.first);
+                return metric != nullptr && metric->isMeasured;
+            };
+            std::erase_if(cell.values, isMeasured);
+            std::erase_if(cell.quartiles, isMeasured);
+            cells[cell.id.Name()] = ToJson(cell);
+        }
+        return cells;
+    };
+    const auto a = comparable(first);
+    const auto b = comparable(second);
+    std::vector<std::string> differences;
+    for (const auto& [name, cell] : a)
+    {
+        const auto other = b.find(name);
+        if (other == b.end())
+        {
+            differences.push_back(name + ": only in the first");
+        }
+        else if (other->second != cell)
+        {
+            differences.push_back(name + ": " + cell.dump() + " against " + other->second.dump());
+        }
+    }
+    for (const auto& [name, cell] : b)
+    {
+        if (!a.contains(name))
+        {
+            differences.push_back(name + ": only in the second");
+        }
+    }
+    return differences;
+}
+
+} // namespace limn::study

@@ -1,0 +1,298 @@
+#include "report/measure/StudyJson.h"
+
+#include "settings/Keys.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <limn/volume/YamlMapReader.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+/// Counts up when figures change their meaning: 2 since times are known to bounds that hold.
+constexpr int k_Format = 2;
+
+Json NumberToJson(double value)
+{
+    if (std::isfinite(value))
+    {
+        return value;
+    }
+    return std::isnan(value) ? "nan" : value > 0.0 ? "inf" : "-inf";
+}
+
+Json IdToJson(const CellId& id)
+{
+    return {{"kind", ToString(id.kind)},
+            {"technique", id.technique},
+            {"subject", id.subject},
+            {"width", NumberToJson(id.width)},
+            {"size", {id.pictureWidth, id.pictureHeight}},
+            {"variant", id.variant}};
+}
+
+/// Reads one JSON value of a study. JSON is YAML: the reader of YAML knows every value's place.
+class Reader
+{
+public:
+    Reader(const YamlNode& node, std::string subject, AssetDiagnostics& diagnostics)
+        : m_Diagnostics(diagnostics), m_Map(node, std::move(subject), diagnostics)
+    {
+    }
+
+    template <typename T>
+    void Read(const char* key, T& value)
+    {
+        if (const YamlNode* node = m_Map.Require(key))
+        {
+            ReadValue(*node, m_Map.SubjectOf(key), value);
+        }
+    }
+
+    /// Reads each item of the list, or each value of the map, behind `key`.
+    template <typename Visit>
+    void ReadItems(const char* key, YamlKind kind, const Visit& visit)
+    {
+        const YamlNode* node = m_Map.Require(key);
+        if (node && node->kind() != kind)
+        {
+            Refuse(*node, m_Map.SubjectOf(key), kind == YamlKind::Map ? "a map" : "a list");
+        }
+        for (const YamlNode& item : node ? node->items() : std::span<const YamlNode>())
+        {
+            visit(std::string(), item);
+        }
+        for (const YamlEntry& entry : node ? node->entries() : std::span<const YamlEntry>())
+        {
+            visit(entry.key, entry.value);
+        }
+    }
+
+    void ReadValue(const YamlNode& node, const std::string& subject, std::string& value)
+    {
+        value = ReadString(node, subject, m_Diagnostics).value_or(value);
+    }
+    void ReadValue(const YamlNode& node, const std::string& subject, bool& value)
+    {
+        value = ReadBool(node, subject, m_Diagnostics).value_or(value);
+    }
+    /// The quotes around "nan" and "inf" are NumberToJson's.
+    void ReadValue(const YamlNode& node, const std::string& subject, double& value)
+    {
+        const std::string& text = node.scalar();
+        const char* end = text.data() + text.size();
+        const auto [rest, error] = std::from_chars(text.data(), end, value);
+        if (error != std::errc() || rest != end)
+        {
+            Refuse(node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
+        }
+    }
+    void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
+    {
+        const auto found = std::ranges::find(CellKindNames(), node.scalar());
+        if (found == CellKindNames().end())
+        {
+            m_Diagnostics.Error(
+                node.location(),
+                subject + ": unknown kind of cell " +
+                    UnknownName(node.scalar(), {CellKindNames().begin(), CellKindNames().end()}));
+            return;
+        }
+        value = static_cast<CellKind>(found - CellKindNames().begin());
+    }
+    void ReadValue(const YamlNode& node, const std::string& subject, std::pair<double, double>& two)
+    {
+        if (isPair(node, subject))
+        {
+            ReadValue(node.items()[0], subject, two.first);
+            ReadValue(node.items()[1], subject, two.second);
+        }
+    }
+    void ReadValue(const YamlNode& node, const std::string& subject, CellId& id)
+    {
+        Reader reader(node, subject, m_Diagnostics);
+        reader.Read("kind", id.kind);
+        reader.Read("technique", id.technique);
+        reader.Read("subject", id.subject);
+        reader.Read("width", id.width);
+        reader.Read("variant", id.variant);
+        const YamlNode* size = reader.m_Map.Require("size");
+        if (size && isPair(*size, subject + ".size"))
+        {
+            const auto side = [&](std::size_t i)
+            {
+                constexpr ValueRange k_Sides{0.0, k_PictureSizes.max};
+                return ReadInt(size->items()[i], subject + ".size", m_Diagnostics, k_Sides)
+                    .value_or(0);
+            };
+            id.pictureWidth = side(0);
+            id.pictureHeight = side(1);
+        }
+    }
+
+private:
+    void Refuse(const YamlNode& node, const std::string& subject, const std::string& expected)
+    {
+        m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
+                                                 expected + " is expected");
+    }
+    bool isPair(const YamlNode& node, const std::string& subject)
+    {
+        if (node.items().size() != 2)
+        {
+            Refuse(node, subject, "a list of two numbers");
+        }
+        return node.items().size() == 2;
+    }
+
+    AssetDiagnostics& m_Diagnostics;
+    YamlMapReader m_Map;
+};
+
+/// Refuses names that limn gives no picture, such as those that lead out of the study's folder or
+/// to its other files.
+void RequirePictureName(const YamlNode& node, const std::string& name,
+                        AssetDiagnostics& diagnostics)
+{
+    const std::filesystem::path path = name;
+    if (path.parent_path() != "pictures" || path.extension() != ".png")
+    {
+        diagnostics.Error(node.location(), "cell.pictures: '" + name +
+                                               "' is no picture of a study; a name such as "
+                                               "pictures/disc.png is expected");
+    }
+}
+
+/// Refuses results whose figures mean something else than this limn's.
+void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
+{
+    const YamlNode* format = root.Find("format");
+    if (root.kind() == YamlKind::Map && (!format || format->scalar() != std::to_string(k_Format)))
+    {
+        diagnostics.Error(root.location(),
+                          "study: these results are of another format than this limn's, which is " +
+                              std::to_string(k_Format) +
+                              " (before 2, the ± of a time did not hold when the load of the "
+                              "machine changed); measure them again into another folder");
+    }
+    diagnostics.ThrowIfErrors();
+}
+
+TechniqueInfo TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
+{
+    TechniqueInfo info;
+    Reader reader(node, "technique", diagnostics);
+    reader.Read("name", info.name);
+    reader.Read("feature", info.feature);
+    reader.Read("summary", info.summary);
+    reader.Read("isArticle", info.isArticle);
+    reader.Read("noWidth", info.noWidth);
+    return info;
+}
+
+} // namespace
+
+Json ToJson(const Study& study)
+{
+    Json json = {{"format", k_Format},
+                 {"scene", study.scene},
+                 {"sceneHash", study.sceneHash},
+                 {"device", study.device},
+                 {"machine", study.machine},
+                 {"limnVersion", study.limnVersion},
+                 {"options", study.options},
+                 {"started", study.started},
+                 {"loadAverage", study.loadAverage},
+                 {"copyBandwidth", study.copyBandwidth},
+                 {"techniques", Json::array()},
+                 {"planned", Json::array()}};
+    for (const TechniqueInfo& info : study.techniques)
+    {
+        json["techniques"].push_back({{"name", info.name},
+                                      {"feature", info.feature},
+                                      {"summary", info.summary},
+                                      {"isArticle", info.isArticle},
+                                      {"noWidth", info.noWidth}});
+    }
+    for (const CellId& id : study.planned)
+    {
+        json["planned"].push_back(IdToJson(id));
+    }
+    return json;
+}
+
+Json ToJson(const CellResult& cell)
+{
+    Json json = {{"cell", cell.id.Name()},   {"id", IdToJson(cell.id)},
+                 {"values", Json::object()}, {"quartiles", Json::object()},
+                 {"notes", cell.notes},      {"pictures", cell.pictures}};
+    for (const auto& [key, value] : cell.values)
+    {
+        json["values"][key] = NumberToJson(value);
+    }
+    for (const auto& [key, value] : cell.quartiles)
+    {
+        json["quartiles"][key] = {NumberToJson(value.first), NumberToJson(value.second)};
+    }
+    return json;
+}
+
+Study StudyFromJson(std::string_view text, const std::string& file)
+{
+    const YamlNode root = ParseYaml(text, file).front();
+    AssetDiagnostics diagnostics(file);
+    RequireFormat(root, diagnostics);
+    Reader reader(root, "study", diagnostics);
+    Study study;
+    reader.Read("scene", study.scene);
+    reader.Read("sceneHash", study.sceneHash);
+    reader.Read("device", study.device);
+    reader.Read("machine", study.machine);
+    reader.Read("limnVersion", study.limnVersion);
+    reader.Read("options", study.options);
+    reader.Read("started", study.started);
+    reader.Read("loadAverage", study.loadAverage);
+    reader.Read("copyBandwidth", study.copyBandwidth);
+    reader.ReadItems("techniques", YamlKind::Sequence,
+                     [&](const std::string&, const YamlNode& node)
+                     { study.techniques.push_back(TechniqueFrom(node, diagnostics)); });
+    reader.ReadItems("planned", YamlKind::Sequence,
+                     [&](const std::string&, const YamlNode& node)
+                     { reader.ReadValue(node, "planned", study.planned.emplace_back()); });
+    diagnostics.ThrowIfErrors();
+    return study;
+}
+
+CellResult CellFromJson(std::string_view line, const std::string& file, int lineNumber)
+{
+    const YamlNode root = ParseYaml(line, file, {}, lineNumber).front();
+    AssetDiagnostics diagnostics(file);
+    Reader reader(root, "cell", diagnostics);
+    CellResult cell;
+    reader.Read("id", cell.id);
+    reader.ReadItems("values", YamlKind::Map,
+                     [&](const std::string& key, const YamlNode& node)
+                     { reader.ReadValue(node, "cell.values." + key, cell.values[key]); });
+    reader.ReadItems("quartiles", YamlKind::Map,
+                     [&](const std::string& key, const YamlNode& node)
+                     { reader.ReadValue(node, "cell.quartiles." + key, cell.quartiles[key]); });
+    reader.ReadItems("notes", YamlKind::Sequence,
+                     [&](const std::string&, const YamlNode& node)
+                     { reader.ReadValue(node, "cell.notes", cell.notes.emplace_back()); });
+    reader.ReadItems("pictures", YamlKind::Map,
+                     [&](const std::string& key, const YamlNode& node)
+                     {
+                         std::string& name = cell.pictures[key];
+                         reader.ReadValue(node, "cell.pictures." + key, name);
+                         RequirePictureName(node, name, diagnostics);
+                     });
+    diagnostics.ThrowIfErrors();
+    return cell;
+}
+
+} // namespace limn::study

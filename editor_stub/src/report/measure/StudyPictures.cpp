@@ -1,0 +1,159 @@
+#include "report/measure/StudyPictures.h"
+
+#include "report/measure/StudyFiles.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <functional>
+
+namespace limn::study
+{
+
+namespace
+{
+
+using Rgb = std::array<double, 3>;
+
+Image MakeImage(int width, int height)
+{
+    Image image;
+    image.width = width;
+    image.height = height;
+    image.format = GraphicsFormat::R8G8B8A8_SRGB;
+    image.texels.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) * 4,
+                        std::byte{255});
+    return image;
+}
+
+Image Draw(const PictureWindow& window, const std::function<Rgb(int x, int y)>& color)
+{
+    const int side = window.side * window.scale;
+    Image image = MakeImage(side, side);
+    for (int y = 0; y < side; ++y)
+    {
+        for (int x = 0; x < side; ++x)
+        {
+            const Rgb rgb = color(window.x + x / window.scale, window.y + y / window.scale);
+            const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
+                             static_cast<std::size_t>(x)) *
+                            4;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+            {
+                const double value = std::clamp(rgb[channel], 0.0, 1.0);
+                image.texels[at + channel] = static_cast<std::byte>(std::lround(value * 255.0));
+            }
+        }
+    }
+    return image;
+}
+
+/// 0 outside of the picture, and for NaN.
+double At(const Coverage& coverage, int x, int y)
+{
+    const bool isInside = x >= 0 && y >= 0 && x < coverage.width && y < coverage.height;
+    const double value = isInside ? coverage.At(x, y) : 0.0;
+    return std::isnan(value) ? 0.0 : value;
+}
+
+std::string FileName(std::string name)
+{
+    for (char& letter : name)
+    {
+        const bool isPlain =
+            std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '.' || letter == '-';
+        letter = isPlain ? letter : '_';
+    }
+    return name;
+}
+
+} // namespace
+
+PictureWindow WindowOnBorder(const Silhouette& silhouette, int width, int height)
+{
+    const glm::dvec2 size(width, height);
+    glm::dvec2 nearest = 0.5 * size;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& segment : silhouette.border())
+    {
+        const glm::dvec2& place = segment[0];
+        const bool isInside = glm::clamp(place, glm::dvec2(0.0), size) == place;
+        const double distance = place.x + place.y;
+        if (isInside && distance < least)
+        {
+            least = distance;
+            nearest = place;
+        }
+    }
+    PictureWindow window;
+    window.x = static_cast<int>(nearest.x) - window.side / 2;
+    window.y = static_cast<int>(nearest.y) - window.side / 2;
+    return window;
+}
+
+Image AlphaImage(const Coverage& alpha, const PictureWindow& window)
+{
+    return Draw(window,
+                [&alpha](int x, int y)
+                {
+                    const double value = At(alpha, x, y);
+                    return Rgb{value, value, value};
+                });
+}
+
+Image DifferenceImage(const Coverage& alpha, const Coverage& exact, const PictureWindow& window)
+{
+    return Draw(window,
+                [&](int x, int y)
+                {
+                    const double error = At(alpha, x, y) - At(exact, x, y);
+                    const double rest = 1.0 - std::min(1.0, std::abs(error));
+                    return error > 0.0 ? Rgb{1.0, rest, rest} : Rgb{rest, rest, 1.0};
+                });
+}
+
+std::string WriteStudyPicture(const Image& image, const std::filesystem::path& folder,
+                              const CellId& id, const std::string& what)
+{
+    const std::string name = "pictures/" + FileName(id.Name() + "." + what) + ".png";
+    const std::filesystem::path file = FileOfStudy(folder, name);
+    std::filesystem::create_directories(file.parent_path());
+    WritePng(file, image);
+    return name;
+}
+
+std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
+                              const std::filesystem::path& folder, const CellId& id)
+{
+    const double margin = std::min(width, 64.0) + 24.0;
+    const auto low = [margin](double place, int size)
+    {
+        return static_cast<int>(std::clamp(place - margin, 0.0, size - 1.0));
+    };
+    const auto high = [margin](double place, int size)
+    {
+        return static_cast<int>(std::clamp(place + margin, 1.0, static_cast<double>(size)));
+    };
+    const int x = low(bounds.low.x, image.width);
+    const int y = low(bounds.low.y, image.height);
+    Image part = MakeImage(std::max(1, high(bounds.high.x, image.width) - x),
+                           std::max(1, high(bounds.high.y, image.height) - y));
+    for (int row = 0; row < part.height; ++row)
+    {
+        for (int column = 0; column < part.width; ++column)
+        {
+            const auto from =
+                (static_cast<std::size_t>(y + row) * static_cast<std::size_t>(image.width) +
+                 static_cast<std::size_t>(x + column)) *
+                4;
+            const auto to = (static_cast<std::size_t>(row) * static_cast<std::size_t>(part.width) +
+                             static_cast<std::size_t>(column)) *
+                            4;
+            std::copy_n(image.texels.begin() + static_cast<std::ptrdiff_t>(from), 3,
+                        part.texels.begin() + static_cast<std::ptrdiff_t>(to));
+        }
+    }
+    return WriteStudyPicture(part, folder, id, "scene");
+}
+
+} // namespace limn::study

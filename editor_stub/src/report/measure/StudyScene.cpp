@@ -1,0 +1,325 @@
+#include "report/measure/StudyScene.h"
+
+#include "plugins/DescribeFeature.h"
+#include "report/measure/Techniques.h"
+
+#include <limn/core/Judge.h>
+#include <map>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr RenderingLayerMask k_Outlined = RenderingLayerMask::FromIndex(k_OutlinedLayer);
+
+const ShaderPropertyId _BaseColor = Shader::PropertyToID("_BaseColor");
+const ShaderPropertyId _Cull = Shader::PropertyToID("_Cull"); // of the Unlit shader
+
+std::shared_ptr<const Material> BlackMaterial(AssetContext& assets, CullMode cull = CullMode::Back)
+{
+    auto material =
+        std::make_shared<Material>(assets.FindShader("Universal Render Pipeline/Unlit"));
+    material->SetColor(_BaseColor, Color::black);
+    material->SetFloat(_Cull, static_cast<float>(cull));
+    return material;
+}
+
+/// Returns the faces that the material's first program leaves out.
+CullMode CullOf(const Material& material)
+{
+    if (material.passCount() == 0)
+    {
+        return CullMode::Back;
+    }
+    const auto& cull = material.shader()->passState(0).cull;
+    if (cull.property.empty())
+    {
+        return cull.value;
+    }
+    const ShaderPropertyId id = Shader::PropertyToID(cull.property);
+    return material.HasProperty(id) ? static_cast<CullMode>(material.GetFloat(id)) : CullMode::Back;
+}
+
+/// Returns whether what the material draws hides what is behind it.
+bool IsOpaque(const Material& material)
+{
+    return material.renderQueue() <= RenderQueueRange::opaque.upperBound();
+}
+
+/// What an outline feature filters by, by the names that all of them share.
+class FilterFinder final : public Inspector
+{
+public:
+    void Field(const FieldInfo& field, FieldValue value) override
+    {
+        // A ported feature may have settings of these names and other types.
+        LayerMask** layers = std::get_if<LayerMask*>(&value);
+        const auto* layer = std::get_if<RenderingLayerValue>(&value);
+        RenderingLayerMask** renderingLayers = std::get_if<RenderingLayerMask*>(&value);
+        const auto* choice = std::get_if<EnumValue>(&value);
+        if (layers && field.name == "m_LayerMask")
+        {
+            m_Filter.layerMask = **layers;
+        }
+        else if ((layer || renderingLayers) && field.name == "m_RenderingLayerMask")
+        {
+            m_Filter.renderingLayerMask =
+                layer ? RenderingLayerMask::FromIndex(layer->value) : **renderingLayers;
+            m_IsOutline = true;
+        }
+        else if (choice && field.name == "m_RenderQueueRange" && choice->value >= 0 &&
+                 choice->value < 3)
+        {
+            constexpr RenderQueueRange k_Ranges[] = {
+                RenderQueueRange::all, RenderQueueRange::opaque, RenderQueueRange::transparent};
+            m_Filter.renderQueueRange = k_Ranges[static_cast<std::size_t>(choice->value)];
+        }
+    }
+    bool isOutline() const { return m_IsOutline; }
+    const FilteringSettings& filter() const { return m_Filter; }
+
+private:
+    bool m_IsOutline = false;
+    FilteringSettings m_Filter;
+};
+
+FilteringSettings FilterOf(SceneAsset& asset)
+{
+    for (const auto& feature : asset.renderer.features)
+    {
+        FilterFinder finder;
+        DescribeFeature(*feature, finder);
+        if (feature->isActive() && finder.isOutline())
+        {
+            return finder.filter();
+        }
+    }
+    throw AssetError(asset.path.string(), {},
+                     "no active feature outlines anything, so it is unknown which objects a report "
+                     "is about; one like {type: ScreenSpaceOutlineRenderFeature, ...} with its "
+                     "m_LayerMask and m_RenderingLayerMask says so");
+}
+
+/// Returns whether the camera would draw the object if it were in front of it.
+bool IsDrawn(const GameObject& object, const Camera& camera)
+{
+    return object.activeSelf && object.renderer && object.renderer->enabled &&
+           object.renderer->shadowCastingMode != ShadowCastingMode::ShadowsOnly &&
+           LayerMask::FromIndex(object.layer).Intersects(camera.cullingMask);
+}
+
+/// Returns whether MarkOutlined has found the object.
+bool IsOutlined(const GameObject& object)
+{
+    return object.renderer && object.renderer->renderingLayerMask.Intersects(k_Outlined);
+}
+
+bool IsTaken(const GameObject& object, const FilteringSettings& filter)
+{
+    const MeshRenderer& renderer = *object.renderer;
+    return std::ranges::any_of(
+        renderer.sharedMaterials,
+        [&](const auto& material)
+        {
+            return material && JudgeMasks({material->renderQueue(), object.layer,
+                                           renderer.renderingLayerMask, material->shader().get()},
+                                          filter) == FilterVerdict::Drawn;
+        });
+}
+
+} // namespace
+
+SceneAsset EmptyPicture(int width, int height)
+{
+    SceneAsset asset;
+    asset.width = width;
+    asset.height = height;
+    asset.camera.orthographic = true;
+    asset.camera.orthographicSize = static_cast<float>(height) / 2.0f;
+    asset.camera.nearClipPlane = 1.0f;
+    asset.camera.farClipPlane = 1000.0f;
+    asset.camera.transform.localPosition = {0.0f, 0.0f, -100.0f};
+    asset.camera.backgroundColor = Color::black;
+    return asset;
+}
+
+GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
+                        std::shared_ptr<const Mesh> mesh, AssetContext& assets)
+{
+    GameObject& object = picture.scene.Add(name);
+    object.renderer = MeshRenderer{std::move(mesh), {BlackMaterial(assets)}, k_Outlined};
+    return object;
+}
+
+GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
+                     AssetContext& assets, const glm::dvec2& offset)
+{
+    MeshData data;
+    for (const auto& triangle : triangles)
+    {
+        for (const glm::dvec2& p : triangle)
+        {
+            data.triangles.push_back(static_cast<std::uint32_t>(data.vertices.size()));
+            data.vertices.emplace_back(p.x + offset.x - 0.5 * picture.width,
+                                       0.5 * picture.height - p.y - offset.y, 0.0);
+        }
+    }
+    return AddOutlined(picture, name, std::make_shared<const Mesh>(name, std::move(data)), assets);
+}
+
+std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
+{
+    const FilteringSettings filter = FilterOf(asset);
+    std::vector<GameObject*> outlined;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (!object->renderer)
+        {
+            continue;
+        }
+        RenderingLayerMask& mask = object->renderer->renderingLayerMask;
+        const bool isOutlined = IsDrawn(*object, asset.camera) && IsTaken(*object, filter);
+        mask.bits = (mask.bits & ~k_Outlined.bits) | (isOutlined ? k_Outlined.bits : 0u);
+        if (isOutlined)
+        {
+            outlined.push_back(object.get());
+        }
+    }
+    if (outlined.empty())
+    {
+        throw AssetError(asset.path.string(), {},
+                         "its outline feature takes none of its " +
+                             std::to_string(asset.scene.objects().size()) +
+                             " objects that its camera draws" +
+                             (asset.camera.cameraStack.empty()
+                                  ? ""
+                                  : ", and the cameras of its cameraStack are not measured") +
+                             "; 'limn explain' says by which rule");
+    }
+    return outlined;
+}
+
+void MakeBlack(SceneAsset& asset, AssetContext& assets)
+{
+    asset.camera.clearFlags = CameraClearFlags::SolidColor; // not a sky
+    asset.camera.backgroundColor = Color::black;
+    asset.camera.cameraStack.clear();
+    const auto scaled = [&](int side)
+    {
+        return std::max(1, static_cast<int>(static_cast<float>(side) * asset.renderScale));
+    };
+    asset.width = scaled(asset.width);
+    asset.height = scaled(asset.height);
+    asset.renderScale = 1.0f;
+    std::map<CullMode, std::shared_ptr<const Material>> blacks;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (!object->renderer)
+        {
+            continue;
+        }
+        for (auto& material : object->renderer->sharedMaterials)
+        {
+            if (!IsOutlined(*object) && (!material || !IsOpaque(*material)))
+            {
+                material = nullptr;
+                continue;
+            }
+            const CullMode cull = material ? CullOf(*material) : CullMode::Back;
+            const auto [black, isNew] = blacks.try_emplace(cull);
+            black->second = isNew ? BlackMaterial(assets, cull) : black->second;
+            material = black->second;
+        }
+    }
+}
+
+namespace
+{
+
+ScreenTriangles OutlinedTriangles(const SceneAsset& asset)
+{
+    ScreenTriangles triangles;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (IsOutlined(*object))
+        {
+            const ScreenTriangles part = MeshTriangles(*object->renderer->mesh, object->transform,
+                                                       asset.camera, asset.width, asset.height);
+            triangles.insert(triangles.end(), part.begin(), part.end());
+        }
+    }
+    return triangles;
+}
+
+} // namespace
+
+void RequireOutlineInPicture(const SceneAsset& asset)
+{
+    const glm::dvec2 picture(asset.width, asset.height);
+    for (const auto& [a, b, c] : OutlinedTriangles(asset))
+    {
+        const glm::dvec2 low = glm::min(glm::min(a, b), c);
+        const glm::dvec2 high = glm::max(glm::max(a, b), c);
+        if (high.x > 0.0 && high.y > 0.0 && low.x < picture.x && low.y < picture.y)
+        {
+            return;
+        }
+    }
+    throw AssetError(asset.path.string(), {},
+                     "none of the objects that it outlines is in the camera's view; move the "
+                     "camera or the objects");
+}
+
+Silhouette OutlinedSilhouette(const SceneAsset& asset)
+{
+    return Silhouette(OutlinedTriangles(asset));
+}
+
+SceneSurfaces SurfacesOf(const SceneAsset& asset)
+{
+    SceneSurfaces result;
+    const LayerMask drawn(asset.camera.cullingMask.bits & asset.renderer.opaqueLayerMask.bits);
+    for (const auto& object : asset.scene.objects())
+    {
+        const bool isOutlined = IsOutlined(*object);
+        if (!isOutlined && !(IsDrawn(*object, asset.camera) &&
+                             LayerMask::FromIndex(object->layer).Intersects(drawn)))
+        {
+            continue;
+        }
+        const MeshRenderer& renderer = *object->renderer;
+        const int last = renderer.mesh->subMeshCount() - 1;
+        for (std::size_t i = 0; i < renderer.sharedMaterials.size(); ++i)
+        {
+            const std::shared_ptr<const Material>& material = renderer.sharedMaterials[i];
+            if (!isOutlined && (!material || !IsOpaque(*material)))
+            {
+                continue;
+            }
+            const CullMode cull = isOutlined ? CullMode::Off : CullOf(*material);
+            const std::vector<DepthTriangle> triangles =
+                MeshDepths(*renderer.mesh, std::min(static_cast<int>(i), last), object->transform,
+                           asset.camera, asset.width, asset.height, cull);
+            (isOutlined ? result.outlined : result.others).Add(triangles, result.names.size());
+        }
+        result.names.push_back(object->name);
+    }
+    result.outlined.Finish();
+    result.others.Finish();
+    return result;
+}
+
+bool IsPartlyHidden(const SceneAsset& asset)
+{
+    const Silhouette silhouette = OutlinedSilhouette(asset);
+    // A line around the border, a pixel wide, is hidden where the border is.
+    const Coverage line = ExactOutlineCoverage(silhouette, {1.0}, asset.width, asset.height, 1);
+    const SceneSurfaces surfaces = SurfacesOf(asset);
+    return !SeenOutlineCoverage(line, silhouette, 1.0, surfaces.outlined, surfaces.others,
+                                HiddenAt::Border)
+                .hiding.empty();
+}
+
+} // namespace limn::study

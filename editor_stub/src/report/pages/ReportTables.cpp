@@ -1,0 +1,415 @@
+#include "report/pages/ReportTables.h"
+
+#include "report/figures/Numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr const char* k_Nothing = "–";
+
+std::string Figure(double value)
+{
+    return std::isnan(value) ? k_Nothing : Readable(value);
+}
+
+std::string FromTo(const std::pair<double, double>& quartiles)
+{
+    return std::isnan(quartiles.first)
+               ? k_Nothing
+               : Readable(quartiles.first) + " … " + Readable(quartiles.second);
+}
+
+std::string Joined(const auto& texts, const std::string& between)
+{
+    std::string result;
+    for (const std::string& text : texts)
+    {
+        result += (result.empty() ? "" : between) + text;
+    }
+    return result;
+}
+
+std::string SizeOf(const CellId& id)
+{
+    return std::to_string(id.pictureWidth) + "x" + std::to_string(id.pictureHeight);
+}
+
+/// Bytes are too many digits.
+bool IsBytes(const Metric& metric)
+{
+    return std::string_view(metric.unit) == "bytes";
+}
+
+/// A figure that a cell has; NaN stays to be seen.
+std::string FigureOf(const CellResult& cell, const Metric& metric)
+{
+    constexpr double k_BytesOfMiB = 1024.0 * 1024.0;
+    return cell.Has(metric.key)
+               ? Readable(cell.Value(metric.key) / (IsBytes(metric) ? k_BytesOfMiB : 1.0))
+               : k_Nothing;
+}
+
+/// Texts in the order of the numbers they are, the same one once; what is no number comes last.
+class Levels
+{
+public:
+    void Add(const std::string& text)
+    {
+        double number = std::numeric_limits<double>::infinity();
+        const char* const end = text.data() + text.size();
+        const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
+        m_Texts.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
+    }
+    std::string Text() const
+    {
+        std::vector<std::string> texts;
+        for (const auto& [isLast, number, text] : m_Texts)
+        {
+            texts.push_back(text);
+        }
+        return Joined(texts, ", ");
+    }
+
+private:
+    std::set<std::tuple<bool, double, std::string>> m_Texts;
+};
+
+/// "width 1, 8 px; picture 3x7; fov 60, 170; ratio 1e+02": variants are words "fov=60"; others
+/// stand as they are.
+std::string PutThrough(const std::vector<const CellResult*>& cells)
+{
+    Levels widths;
+    Levels sizes;
+    std::map<std::string, Levels> inputs; // by what they are of
+    for (const CellResult* cell : cells)
+    {
+        widths.Add(Exact(cell->id.width));
+        sizes.Add(SizeOf(cell->id));
+        std::istringstream words(cell->id.variant);
+        for (std::string word; words >> word;)
+        {
+            const std::size_t equals = std::min(word.find('='), word.size());
+            inputs[word.substr(0, equals)].Add(word.substr(std::min(equals + 1, word.size())));
+        }
+    }
+    std::string text = "width " + widths.Text() + " px; picture " + sizes.Text();
+    for (const auto& [what, levels] : inputs)
+    {
+        const std::string those = levels.Text();
+        text += "; " + what + (those.empty() ? "" : " " + those);
+    }
+    return text;
+}
+
+double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
+{
+    double sum = 0.0;
+    for (const CellResult* cell : cells)
+    {
+        sum += cell->Has(metric) ? cell->Value(metric) : 0.0;
+    }
+    return sum;
+}
+
+void DropColumnsOfNothing(Table& table)
+{
+    for (std::size_t column = table.columns.size(); column-- > 0;)
+    {
+        if (std::ranges::all_of(table.rows,
+                                [column](const auto& row) { return row[column] == k_Nothing; }))
+        {
+            const auto offset = static_cast<std::ptrdiff_t>(column);
+            table.columns.erase(table.columns.begin() + offset);
+            for (auto& row : table.rows)
+            {
+                row.erase(row.begin() + offset);
+            }
+        }
+    }
+}
+
+} // namespace
+
+Table TechniquesTable(const Comparison& comparison)
+{
+    Table table{"techniques",
+                "All techniques at " + Readable(comparison.width) + " px",
+                {{"technique", "", false},
+                 {"mean error", "", true},
+                 {"error quartiles", "", true},
+                 {"GPU time added", "ms", true},
+                 {"known to ±", "ms", true},
+                 {"its quartiles", "ms", true},
+                 {"flicker", "", true},
+                 {"stability checks failed", "", true},
+                 {"what it is", "", false}},
+                {},
+                {}};
+    for (std::size_t i = 0; i < comparison.standings.size(); ++i)
+    {
+        const Standing& standing = comparison.standings[i];
+        const TechniqueInfo& technique = *standing.technique;
+        table.rows.push_back(
+            {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
+             Figure(standing.at.milliseconds),
+             standing.HasTime() && std::isnan(standing.timeUncertainty)
+                 ? "not known"
+                 : Figure(standing.timeUncertainty),
+             FromTo(standing.timeQuartiles), Figure(standing.flicker.median),
+             standing.stabilityCells == 0 ? k_Nothing
+                                          : std::to_string(standing.failures) + " of " +
+                                                std::to_string(standing.stabilityCells),
+             technique.summary + (technique.isArticle ? " (an article's own formula)" : "")});
+        if (std::ranges::find(comparison.front, i) != comparison.front.end())
+        {
+            table.marked.push_back(i);
+        }
+    }
+    DropColumnsOfNothing(table);
+    return table;
+}
+
+Table BudgetsTable(const Comparison& comparison)
+{
+    Table table{"budgets",
+                "What a budget buys",
+                {{"take", "", false},
+                 {"from a budget of", "ms", true},
+                 {"mean error", "", true},
+                 {"what it is", "", false}},
+                {},
+                {}};
+    for (const std::size_t index : comparison.front)
+    {
+        const Standing& standing = comparison.standings[index];
+        table.rows.push_back({standing.technique->name, Readable(standing.LongestTime()),
+                              Readable(standing.at.error), standing.technique->summary});
+    }
+    return table;
+}
+
+Table CellsTable(const Study& study, const std::string& id, const std::string& title,
+                 const std::function<bool(const CellResult&)>& isWanted)
+{
+    std::vector<const CellResult*> cells;
+    for (const CellResult& cell : study.cells)
+    {
+        if (isWanted(cell))
+        {
+            cells.push_back(&cell);
+        }
+    }
+    const auto any = [&cells](const auto& has)
+    {
+        return std::ranges::any_of(cells, [&](const CellResult* cell) { return has(*cell); });
+    };
+    const bool hasVariants = any([](const CellResult& cell) { return !cell.id.variant.empty(); });
+    const bool hasNotes = any([](const CellResult& cell) { return !cell.notes.empty(); });
+    std::vector<const Metric*> metrics;
+    for (const Metric& metric : Metrics())
+    {
+        if (any([&metric](const CellResult& cell) { return cell.Has(metric.key); }))
+        {
+            metrics.push_back(&metric);
+        }
+    }
+
+    Table table{id, title, {{"technique", "", false}, {"of", "", false}}, {}, {}};
+    if (hasVariants)
+    {
+        table.columns.push_back({"with", "", false});
+    }
+    table.columns.push_back({"width", "px", true});
+    table.columns.push_back({"picture", "", true});
+    for (const Metric* metric : metrics)
+    {
+        table.columns.push_back({metric->title, IsBytes(*metric) ? "MiB" : metric->unit, true});
+    }
+    if (hasNotes)
+    {
+        table.columns.push_back({"notes", "", false});
+    }
+    for (const CellResult* cell : cells)
+    {
+        std::vector<std::string> row = {cell->id.technique, cell->id.subject};
+        if (hasVariants)
+        {
+            row.push_back(cell->id.variant);
+        }
+        row.push_back(Readable(cell->id.width));
+        row.push_back(SizeOf(cell->id));
+        for (const Metric* metric : metrics)
+        {
+            row.push_back(FigureOf(*cell, *metric));
+        }
+        if (hasNotes)
+        {
+            row.push_back(Joined(cell->notes, " "));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+Table WidthsTable(const Study& study, const std::string& subject)
+{
+    const auto isOne = [&subject](const CellResult& cell)
+    {
+        return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() &&
+               cell.id.subject == subject && cell.Has("meanAbsoluteError");
+    };
+    std::set<double> widths;
+    for (const CellResult& cell : study.cells)
+    {
+        if (isOne(cell) && std::isfinite(cell.id.width))
+        {
+            widths.insert(cell.id.width);
+        }
+    }
+    Table table{"widths", "Mean error by width: " + subject, {{"technique", "", false}}, {}, {}};
+    for (const double width : widths)
+    {
+        table.columns.push_back({Readable(width), "px", true});
+    }
+    for (const TechniqueInfo& technique : study.techniques)
+    {
+        std::vector<std::string> row = {technique.name};
+        bool hasAny = false;
+        for (const double width : widths)
+        {
+            const auto found =
+                std::ranges::find_if(study.cells,
+                                     [&](const CellResult& cell) {
+                                         return isOne(cell) &&
+                                                cell.id.technique == technique.name &&
+                                                cell.id.width == width;
+                                     });
+            hasAny |= found != study.cells.end();
+            row.push_back(found == study.cells.end() ? k_Nothing
+                                                     : Readable(found->Value("meanAbsoluteError")));
+        }
+        if (hasAny)
+        {
+            table.rows.push_back(std::move(row));
+        }
+    }
+    return table;
+}
+
+Table StabilityTable(const Study& study, const Comparison& comparison)
+{
+    Table table{"stability",
+                "Stability",
+                {{"technique", "", false},
+                 {"checks", "", true},
+                 {"failed", "", true},
+                 {"NaN or infinite texels", "", true},
+                 {"texels outside 0...1", "", true},
+                 {"validation messages", "", true},
+                 {"what it was put through", "", false}},
+                {},
+                {}};
+    for (const Standing& standing : comparison.standings)
+    {
+        std::vector<const CellResult*> cells;
+        for (const CellResult& cell : study.cells)
+        {
+            if (cell.id.kind == CellKind::Stability &&
+                cell.id.technique == standing.technique->name)
+            {
+                cells.push_back(&cell);
+            }
+        }
+        if (!cells.empty())
+        {
+            if (standing.failures > 0)
+            {
+                table.marked.push_back(table.rows.size());
+            }
+            table.rows.push_back({standing.technique->name, std::to_string(cells.size()),
+                                  std::to_string(standing.failures),
+                                  Readable(SumOf(cells, "badTexels")),
+                                  Readable(SumOf(cells, "outOfRange")),
+                                  Readable(SumOf(cells, "validationMessages")), PutThrough(cells)});
+        }
+    }
+    return table;
+}
+
+Table FormulasTable(const Study& study)
+{
+    Table table{"formulas",
+                "Formulas of the articles, and ours",
+                {{"formula", "", false},
+                 {"input", "", false},
+                 {"meant", "", true},
+                 {"the article's", "", true},
+                 {"ours", "", true},
+                 {"why", "", false}},
+                {},
+                {}};
+    const auto text = [](double value)
+    {
+        return std::isfinite(value) ? Readable(value) : Exact(value);
+    };
+    for (const CellResult& cell : study.cells)
+    {
+        if (cell.Has("formulaMeant"))
+        {
+            table.rows.push_back({cell.id.subject, cell.id.variant,
+                                  text(cell.Value("formulaMeant")),
+                                  text(cell.Value("formulaArticle")),
+                                  text(cell.Value("formulaOurs")), Joined(cell.notes, " ")});
+        }
+    }
+    return table;
+}
+
+Table NoWidthTable(const Study& study)
+{
+    Table table{"no-width",
+                "Techniques without a width",
+                {{"technique", "", false}, {"why", "", false}},
+                {},
+                {}};
+    for (const TechniqueInfo& technique : study.techniques)
+    {
+        if (!technique.noWidth.empty())
+        {
+            table.rows.push_back({technique.name, technique.noWidth});
+        }
+    }
+    return table;
+}
+
+Table ProvenanceTable(const Study& study)
+{
+    const std::vector<std::vector<std::string>> rows = {
+        {"scene", study.scene},
+        {"hash of the scene's files", study.sceneHash},
+        {"device", study.device},
+        {"machine", study.machine},
+        {"load average while cost was measured", Readable(study.loadAverage)},
+        {"bandwidth of a copy", study.copyBandwidth > 0.0
+                                    ? Readable(study.copyBandwidth / 1e9) + " GB/s"
+                                    : "not measured"},
+        {"options", study.options},
+        {"limn", study.limnVersion},
+        {"begun", study.started},
+        {"cells", std::to_string(study.cells.size()) + " of " +
+                      std::to_string(study.planned.size()) + " planned"}};
+    return {"provenance", "", {{"what", "", false}, {"", "", false}}, rows, {}};
+}
+
+} // namespace limn::study

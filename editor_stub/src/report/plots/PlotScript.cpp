@@ -1,0 +1,485 @@
+#include "report/figures/Numbers.h"
+#include "report/plots/LabelPlacement.h"
+#include "report/plots/PlotAxis.h"
+#include "report/plots/Plots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <limn/base/TerminalText.h>
+
+namespace limn::study
+{
+
+namespace
+{
+
+// Okabe and Ito's colours, which people tell apart whatever colours they see, without their yellow,
+// which vanishes on white.
+constexpr std::array k_Colors = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                                 "#56B4E9", "#E69F00", "#7F7F7F"};
+constexpr std::array k_Filled = {7, 5, 9, 11, 13, 15}; // gnuplot's point types
+constexpr std::array k_Hollow = {6, 4, 8, 10, 12, 14};
+constexpr const char* k_FrontName = "Pareto front";
+constexpr const char* k_Muted = "#6a737d";
+constexpr double k_LetterWidth = 0.62; ///< of DejaVu Sans, of its size, on average
+
+struct Layout
+{
+    int width;  ///< pixels
+    int height; ///< pixels
+    double font;
+    double left; ///< margins, pixels
+    double right;
+    double top;
+    double bottom; ///< without the key
+};
+
+Layout LayoutOf(PlotFormat format)
+{
+    return format == PlotFormat::NarrowSvg ? Layout{380, 430, 12.0, 58.0, 16.0, 32.0, 56.0}
+                                           : Layout{860, 560, 14.0, 74.0, 28.0, 64.0, 74.0};
+}
+
+/// In single quotes gnuplot takes nothing for a command but what ends them, which is written as a
+/// typographic apostrophe: two of them at a text's beginning do end it. OneLine has no line's end.
+std::string Quoted(const std::string& text)
+{
+    std::string result = "'";
+    for (const char c : OneLine(text))
+    {
+        result += c == '\'' ? "’" : std::string(1, c);
+    }
+    return result + "'";
+}
+
+/// A tick's text is a format.
+std::string QuotedTick(const std::string& text)
+{
+    std::string result;
+    for (const char c : text)
+    {
+        result += c == '%' ? "%%" : std::string(1, c);
+    }
+    return Quoted(result);
+}
+
+/// Of a technique, for plots: no longer than there is room for on a phone.
+std::string ShortName(const std::string& name)
+{
+    return Shortened(name, 36);
+}
+
+double TextWidth(const std::string& text, double font)
+{
+    const auto letters = std::ranges::count_if(
+        OneLine(text), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+    return static_cast<double>(letters) * font * k_LetterWidth;
+}
+
+/// Articles' lines are broken, and so are those whose colour another line has already.
+std::string Dashes(const PlotSeries& series)
+{
+    const bool isAgain = series.style >= k_Colors.size();
+    return series.isArticle ? (isAgain ? " dt '.'" : " dt '-'") : (isAgain ? " dt '_.'" : "");
+}
+
+bool IsDrawn(const PlotPoint& point)
+{
+    return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error);
+}
+
+std::string Places(std::initializer_list<double> values)
+{
+    std::string line;
+    for (const double value : values)
+    {
+        line += (line.empty() ? "" : " ") + Exact(value);
+    }
+    return line + "\n";
+}
+
+class ScriptWriter
+{
+public:
+    ScriptWriter(const Plot& plot, PlotFormat format)
+        : m_Plot(plot), m_Format(format), m_Layout(LayoutOf(format))
+    {
+        std::vector<double> xs;
+        std::vector<double> ys;
+        for (const PlotSeries& series : plot.series)
+        {
+            for (const PlotPoint& point : series.points)
+            {
+                if (IsDrawn(point))
+                {
+                    xs.insert(xs.end(), {point.at.milliseconds, Positive(point.barX.first),
+                                         point.barX.second});
+                    ys.insert(ys.end(),
+                              {point.at.error, Positive(point.barY.first), point.barY.second});
+                }
+            }
+        }
+        AddNearVerticals(xs);
+        m_X = plot.ticksX.empty() ? MakeLogAxis(xs) : MakeLogAxis(plot.ticksX);
+        m_Y = MakeLogAxis(ys);
+        ReserveKey();
+    }
+
+    std::string Write()
+    {
+        AddTerminal();
+        AddAxes();
+        AddVerticals();
+        AddNames();
+        AddData();
+        m_Text += "plot ";
+        for (std::size_t i = 0; i < m_Drawn.size(); ++i)
+        {
+            m_Text += (i == 0 ? "" : ", \\\n     ") + m_Drawn[i];
+        }
+        return m_Text + "\n";
+    }
+
+private:
+    /// A quartile at or below zero does not make the axis longer.
+    static double Positive(double bar) { return bar > 0.0 ? bar : std::nan(""); }
+
+    /// What is farther than ten times from all points is drawn at the axis's end: it would take
+    /// their room.
+    void AddNearVerticals(std::vector<double>& xs) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        double most = 0.0;
+        for (const double x : xs)
+        {
+            least = x > 0.0 ? std::min(least, x) : least;
+            most = x > most ? x : most;
+        }
+        for (const auto& [x, name] : m_Plot.verticals)
+        {
+            if (x >= least / 10.0 && x <= most * 10.0)
+            {
+                xs.push_back(x);
+            }
+        }
+    }
+
+    double plotWidth() const { return m_Layout.width - m_Layout.left - m_Layout.right; }
+    double plotHeight() const { return m_Layout.height - m_Layout.top - m_Layout.bottom; }
+    double PixelX(double x) const { return m_Layout.left + m_X.Part(x) * plotWidth(); }
+    double PixelY(double y) const { return m_Layout.top + (1.0 - m_Y.Part(y)) * plotHeight(); }
+    std::string AtPixel(double x, double y) const
+    {
+        return "graph " + Exact((x - m_Layout.left) / plotWidth()) + ",graph " +
+               Exact(1.0 - (y - m_Layout.top) / plotHeight());
+    }
+
+    /// Room for the key below the plot, in as many columns as there is room for.
+    void ReserveKey()
+    {
+        double widest = m_Plot.front.empty() ? 0.0 : TextWidth(k_FrontName, m_Layout.font);
+        std::size_t count = m_Plot.front.empty() ? 0 : 1;
+        for (const PlotSeries& series : m_Plot.series)
+        {
+            widest = std::max(widest, TextWidth(ShortName(series.name), m_Layout.font));
+            count += std::ranges::any_of(series.points, IsDrawn) ? 1 : 0;
+        }
+        const double column = widest + 4.0 * m_Layout.font;
+        const auto most = static_cast<std::size_t>(std::max(1.0, (m_Layout.width - 20.0) / column));
+        m_KeyColumns = std::min(most, std::max<std::size_t>(count, 1));
+        const std::size_t rows = (count + m_KeyColumns - 1) / m_KeyColumns;
+        const double height = (static_cast<double>(rows) + 1.0) * m_Layout.font *
+                              (m_Format == PlotFormat::Png ? 1.2 : 1.62);
+        m_Layout.bottom += height;
+        m_Layout.height += static_cast<int>(height);
+    }
+
+    void AddTerminal()
+    {
+        const std::string font = " noenhanced font 'DejaVu Sans," + Exact(m_Layout.font) + "'";
+        m_Text = m_Format == PlotFormat::Png
+                     ? "set terminal pngcairo size " + std::to_string(m_Layout.width * 2) + "," +
+                           std::to_string(m_Layout.height * 2) + font +
+                           " fontscale 1.5 linewidth 2 pointscale 2 background '#ffffff'\n"
+                     : "set terminal svg size " + std::to_string(m_Layout.width) + "," +
+                           std::to_string(m_Layout.height) + " dynamic" + font + " name '" +
+                           m_Plot.file +
+                           (m_Format == PlotFormat::NarrowSvg ? "_narrow'\n"
+                                                              : "' background '#ffffff'\n");
+        m_Text += "set encoding utf8\n";
+        const double width = m_Layout.width;
+        const double height = m_Layout.height;
+        m_Text += "set lmargin at screen " + Exact(m_Layout.left / width) +
+                  "\nset rmargin at screen " + Exact(1.0 - m_Layout.right / width) +
+                  "\nset tmargin at screen " + Exact(1.0 - m_Layout.top / height) +
+                  "\nset bmargin at screen " + Exact(m_Layout.bottom / height) + "\n";
+        if (m_Format != PlotFormat::NarrowSvg)
+        {
+            m_Text += "set title " + Quoted(m_Plot.title) + " font ',17' offset 0,0.6\n";
+        }
+        m_Text += "set key at screen 0.5,screen " + Exact(4.0 / height) +
+                  " center bottom horizontal Left reverse samplen 2 maxcols " +
+                  std::to_string(m_KeyColumns) + "\n";
+    }
+
+    void AddAxes()
+    {
+        m_Text += "set logscale xy\nset border 3 lw 1\nset tics nomirror out scale 0.6\n"
+                  "set grid lc rgb '#d0d5db' lw 0.6 lt 1\nset errorbars small\n";
+        AddAxis("x", m_X, m_Plot.labelX, plotWidth());
+        AddAxis("y", m_Y, m_Plot.labelY, plotHeight());
+    }
+
+    void AddAxis(const std::string& axis, const LogAxis& range, const std::string& label,
+                 double length)
+    {
+        m_Text += "set " + axis + "range [" + Exact(range.low) + ":" + Exact(range.high) + "]\n";
+        // Along y it stands above the axis, to be read without turning one's head.
+        m_Text += axis == "x" ? "set xlabel " + Quoted(label) + " offset 0,0.1\n"
+                              : "set label " + Quoted(label) + " at " +
+                                    AtPixel(6.0, m_Layout.top - m_Layout.font) + " left\n";
+        std::string ticks;
+        double free = 1e9; // texts along x must not meet; the last one stays
+        std::vector<std::pair<double, std::string>> places = range.ticks;
+        std::ranges::sort(places, std::greater<>());
+        for (const auto& [value, text] : places)
+        {
+            const double half =
+                0.5 * (axis == "x" ? TextWidth(text, m_Layout.font) + 6.0 : m_Layout.font);
+            const double place = range.Part(value) * length;
+            const bool isFree = axis == "y" || place + half <= free;
+            free = isFree ? place - half : free;
+            ticks +=
+                (ticks.empty() ? "" : ", ") + QuotedTick(isFree ? text : "") + " " + Exact(value);
+        }
+        m_Text += "set " + axis + "tics (" + ticks + ")\n";
+    }
+
+    void AddVerticals()
+    {
+        for (const auto& [x, what] : m_Plot.verticals)
+        {
+            const bool isOutside = m_X.Clamped(x) != x;
+            const std::string name =
+                what + " " + Readable(x) + " ms" + (isOutside ? ", farther out" : "");
+            const double width = TextWidth(name, m_Layout.font);
+            const double place = PixelX(x);
+            m_Text += "set arrow from " + AtPixel(place, m_Layout.top) + " to " +
+                      AtPixel(place, m_Layout.top + plotHeight()) + " nohead lw 1.5 dt 2 lc rgb '" +
+                      k_Muted + "'\n";
+            const double side = place - m_Layout.left > 2.0 * m_Layout.font ? -1.0 : 1.0;
+            const double center = place + side * 0.7 * m_Layout.font;
+            // In the middle at an end, where points may be drawn that belong farther out, too.
+            const double top = m_Layout.top + (isOutside ? 0.5 * (plotHeight() - width) : 4.0);
+            m_Text += "set label " + Quoted(name) + " at " + AtPixel(center, top) +
+                      " right rotate by 90 textcolor rgb '" + k_Muted + "'\n";
+            m_Obstacles.push_back(
+                {place - 2.0, m_Layout.top, place + 2.0, m_Layout.top + plotHeight()});
+            m_Obstacles.push_back({center - 0.6 * m_Layout.font, top - 4.0,
+                                   center + 0.6 * m_Layout.font, top + width + 4.0});
+        }
+    }
+
+    /// What names must not cover: points, their bars, the front.
+    void AddObstacles()
+    {
+        const auto add = [this](double x0, double y0, double x1, double y1, double half)
+        {
+            const auto [left, right] =
+                std::minmax({PixelX(x0), PixelX(x1)}); // a pair of values, not of references
+            const auto [top, bottom] = std::minmax({PixelY(y0), PixelY(y1)});
+            m_Obstacles.push_back({left - half, top - half, right + half, bottom + half});
+        };
+        for (const PlotSeries& series : m_Plot.series)
+        {
+            for (const PlotPoint& point : series.points)
+            {
+                const auto [x, y] = point.at;
+                if (IsDrawn(point))
+                {
+                    add(x, y, x, y, 6.0);
+                    if (!std::isnan(point.barX.first))
+                    {
+                        add(point.barX.first, y, point.barX.second, y, 2.0);
+                    }
+                    if (!std::isnan(point.barY.first))
+                    {
+                        add(x, point.barY.first, x, point.barY.second, 2.0);
+                    }
+                }
+            }
+        }
+        if (!m_Plot.front.empty())
+        {
+            const auto [x, y] = m_Plot.front.front();
+            add(x, y, x, m_Y.high, 2.0);
+        }
+        for (std::size_t i = 0; i < m_Plot.front.size(); ++i)
+        {
+            const bool isLast = i + 1 == m_Plot.front.size();
+            const double end = isLast ? m_X.high : m_Plot.front[i + 1].milliseconds;
+            const double next = isLast ? m_Plot.front[i].error : m_Plot.front[i + 1].error;
+            add(m_Plot.front[i].milliseconds, m_Plot.front[i].error, end, m_Plot.front[i].error,
+                2.0);
+            add(end, m_Plot.front[i].error, end, next, 2.0);
+        }
+    }
+
+    void AddNames()
+    {
+        AddObstacles();
+        std::vector<const PlotPoint*> points;
+        for (const PlotSeries& series : m_Plot.series)
+        {
+            for (const PlotPoint& point : series.points)
+            {
+                if (IsDrawn(point) && !point.name.empty())
+                {
+                    points.push_back(&point);
+                }
+            }
+        }
+        std::stable_partition(points.begin(), points.end(),
+                              [](const PlotPoint* point) { return point->isOnFront; });
+        std::vector<LabelWish> wishes;
+        for (const PlotPoint* point : points)
+        {
+            wishes.push_back({PixelX(point->at.milliseconds), PixelY(point->at.error),
+                              TextWidth(ShortName(point->name), m_Layout.font) + 2.0,
+                              m_Layout.font * 1.15, point->isOnFront});
+        }
+        const PixelBox frame{m_Layout.left + 2.0, m_Layout.top, m_Layout.width - 2.0,
+                             m_Layout.top + plotHeight() - 2.0};
+        const auto boxes = PlaceLabels(wishes, m_Obstacles, frame);
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+        {
+            if (boxes[i])
+            {
+                AddName(*points[i], wishes[i], *boxes[i]);
+            }
+        }
+    }
+
+    /// The text, and a line to its point where it stands off.
+    void AddName(const PlotPoint& point, const LabelWish& wish, const PixelBox& box)
+    {
+        constexpr double k_Near = 14.0; // pixels
+        const double nearX = std::clamp(wish.x, box.left, box.right);
+        const double nearY = std::clamp(wish.y, box.top, box.bottom);
+        if (std::hypot(nearX - wish.x, nearY - wish.y) > k_Near)
+        {
+            m_Text += "set arrow from " + AtPixel(wish.x, wish.y) + " to " + AtPixel(nearX, nearY) +
+                      " nohead lw 0.8 lc rgb '" + k_Muted + "'\n";
+        }
+        // A text as wide as was reckoned fills the box; a narrower one stays at the point's side.
+        const bool isLeft = box.right <= wish.x;
+        const bool isRight = box.left >= wish.x;
+        const double x = isLeft ? box.right : isRight ? box.left : (box.left + box.right) / 2.0;
+        m_Text += "set label " + Quoted(ShortName(point.name)) + " at " +
+                  AtPixel(x, (box.top + box.bottom) / 2.0) +
+                  (isLeft    ? " right"
+                   : isRight ? " left"
+                             : " center") +
+                  " front textcolor rgb '" +
+                  (point.isOnFront || m_Plot.front.empty() ? "black" : k_Muted) + "'\n";
+    }
+
+    /// @return the block's name
+    std::string AddBlock(const std::string& lines)
+    {
+        const std::string name = "$data" + std::to_string(++m_Blocks);
+        m_Text += name + " << EOD\n" + lines + "EOD\n";
+        return name;
+    }
+
+    void AddData()
+    {
+        if (!m_Plot.front.empty())
+        {
+            std::string lines = Places({m_X.Clamped(m_Plot.front[0].milliseconds), m_Y.high});
+            for (const TimeAndError& point : m_Plot.front)
+            {
+                lines += Places({m_X.Clamped(point.milliseconds), m_Y.Clamped(point.error)});
+            }
+            lines += Places({m_X.high, m_Y.Clamped(m_Plot.front.back().error)});
+            m_Drawn.push_back(AddBlock(lines) +
+                              " using 1:2 with steps lw 2 lc rgb '#009E73' title " +
+                              Quoted(k_FrontName));
+        }
+        for (const PlotSeries& series : m_Plot.series)
+        {
+            AddSeries(series);
+        }
+    }
+
+    void AddSeries(const PlotSeries& series)
+    {
+        std::string points;
+        std::string barsX;
+        std::string barsY;
+        for (const PlotPoint& point : series.points)
+        {
+            if (!IsDrawn(point))
+            {
+                continue;
+            }
+            const double x = m_X.Clamped(point.at.milliseconds);
+            const double y = m_Y.Clamped(point.at.error);
+            points += Places({x, y});
+            if (std::isfinite(point.barX.first) && std::isfinite(point.barX.second))
+            {
+                barsX +=
+                    Places({x, y, m_X.Clamped(point.barX.first), m_X.Clamped(point.barX.second)});
+            }
+            if (std::isfinite(point.barY.first) && std::isfinite(point.barY.second))
+            {
+                barsY +=
+                    Places({x, y, m_Y.Clamped(point.barY.first), m_Y.Clamped(point.barY.second)});
+            }
+        }
+        if (points.empty())
+        {
+            return;
+        }
+        const std::string color =
+            std::string(" lc rgb '") + k_Colors[series.style % k_Colors.size()] + "'";
+        const int type = series.isArticle ? k_Hollow[series.style % k_Hollow.size()]
+                                          : k_Filled[series.style % k_Filled.size()];
+        for (const auto& [bars, axis] : {std::pair(barsX, "x"), std::pair(barsY, "y")})
+        {
+            if (!bars.empty())
+            {
+                m_Drawn.push_back(AddBlock(bars) + " using 1:2:3:4 with " + axis +
+                                  "errorbars pt 0 ps 0 lw 1" + color + " notitle");
+            }
+        }
+        m_Drawn.push_back(
+            AddBlock(points) + " using 1:2 with " + (series.hasLine ? "linespoints" : "points") +
+            " pt " + std::to_string(type) + (series.hasLine ? " ps 0.8 lw 1.6" : " ps 1 lw 2") +
+            (series.hasLine ? Dashes(series) : "") + color + " title " +
+            Quoted(ShortName(series.name)));
+    }
+
+    const Plot& m_Plot;
+    PlotFormat m_Format;
+    Layout m_Layout;
+    LogAxis m_X;
+    LogAxis m_Y;
+    std::size_t m_KeyColumns = 1;
+    std::vector<PixelBox> m_Obstacles;
+    std::vector<std::string> m_Drawn; ///< behind `plot`
+    int m_Blocks = 0;
+    std::string m_Text;
+};
+
+} // namespace
+
+std::string PlotScript(const Plot& plot, PlotFormat format)
+{
+    return ScriptWriter(plot, format).Write();
+}
+
+} // namespace limn::study

@@ -1,0 +1,329 @@
+#include "report/plots/Plots.h"
+
+#include "report/figures/Numbers.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
+
+namespace limn::study
+{
+
+namespace
+{
+
+constexpr double k_NoBar = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* k_TimeLabel = "GPU time added, ms";
+constexpr const char* k_ErrorLabel = "mean error of the coverage";
+
+std::string SizeText(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
+std::string ErrorOf(const Comparison& comparison)
+{
+    return comparison.subject.empty() ? "median over all shapes" : "the outline in the scene";
+}
+
+PlotPoint PointOf(const CellResult& cell, const char* metric, double x)
+{
+    PlotPoint point{{x, cell.Value(metric)}, {k_NoBar, k_NoBar}, {k_NoBar, k_NoBar}, "", false};
+    if (const auto found = cell.quartiles.find(metric); found != cell.quartiles.end())
+    {
+        point.barY = found->second;
+    }
+    return point;
+}
+
+/// A bar as far as the median is known.
+std::pair<double, double> UncertaintyOf(const Standing& standing)
+{
+    return {standing.ShortestTime(), standing.LongestTime()};
+}
+
+/// One point a technique, in two series: limn's own and the articles'.
+std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
+{
+    std::vector<PlotSeries> series = {{"limn's", 0, false, false, {}},
+                                      {"an article's own formula", 1, true, false, {}}};
+    for (const Standing& standing : standings)
+    {
+        const TechniqueInfo& technique = *standing.technique;
+        TimeAndError at = standing.at;
+        if (std::isnan(standing.timeUncertainty)) // a point would look as if it were known
+        {
+            at.milliseconds = k_NoBar;
+        }
+        series[technique.isArticle ? 1 : 0].points.push_back(
+            {at, UncertaintyOf(standing), standing.errorQuartiles, technique.name, false});
+    }
+    return series;
+}
+
+std::string NotDrawn(const Comparison& comparison)
+{
+    std::string names;
+    for (const Standing& standing : comparison.standings)
+    {
+        if (!std::isfinite(standing.at.error) || !std::isfinite(standing.LongestTime()))
+        {
+            names += (names.empty() ? "" : ", ") + standing.technique->name;
+        }
+    }
+    return names.empty()
+               ? ""
+               : " Not in it, for want of an error or of a time that this run knows: " + names +
+                     ".";
+}
+
+Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget)
+{
+    Plot plot;
+    plot.file = "error_time";
+    plot.title = "Error against GPU time, " + Readable(comparison.width) + " px wide";
+    plot.caption =
+        "Mean error (" + ErrorOf(comparison) + ") of an outline of " + Readable(comparison.width) +
+        " px against the GPU time it adds to a frame of " +
+        SizeText(comparison.pictureWidth, comparison.pictureHeight) +
+        ", both less is better; bars: where the median of the time lies with 95 %. What is on "
+        "the line is beaten by nothing in both." +
+        NotDrawn(comparison);
+    plot.labelX = k_TimeLabel;
+    plot.labelY = k_ErrorLabel;
+    plot.series = NamedPoints(comparison.standings);
+    for (const std::size_t index : comparison.front)
+    {
+        const Standing& standing = comparison.standings[index];
+        plot.front.push_back(standing.at);
+        for (PlotPoint& point : plot.series[standing.technique->isArticle ? 1 : 0].points)
+        {
+            point.isOnFront |= point.name == standing.technique->name;
+        }
+    }
+    if (comparison.floorMilliseconds > 0.0 && std::isfinite(comparison.floorMilliseconds))
+    {
+        plot.verticals.emplace_back(comparison.floorMilliseconds, "floor");
+        plot.caption += " Floor: " + Readable(comparison.floorMilliseconds) +
+                        " ms, the outline's pixels copied once at this device's bandwidth.";
+    }
+    if (budget && *budget > 0.0 && std::isfinite(*budget))
+    {
+        plot.verticals.emplace_back(*budget, "budget");
+    }
+    return plot;
+}
+
+/// A line a technique through the cells that are wanted.
+/// @param x  of a cell; NaN where it is not wanted
+std::vector<PlotSeries> Lines(const Study& study, const char* metric,
+                              const std::function<double(const CellResult&)>& x)
+{
+    std::vector<PlotSeries> result;
+    for (std::size_t i = 0; i < study.techniques.size(); ++i)
+    {
+        const TechniqueInfo& technique = study.techniques[i];
+        PlotSeries series{technique.name, i, technique.isArticle, true, {}};
+        for (const CellResult& cell : study.cells)
+        {
+            if (cell.id.technique == technique.name && std::isfinite(cell.Value(metric)) &&
+                std::isfinite(x(cell)))
+            {
+                series.points.push_back(PointOf(cell, metric, x(cell)));
+            }
+        }
+        std::ranges::stable_sort(series.points, {},
+                                 [](const PlotPoint& point) { return point.at.milliseconds; });
+        if (!series.points.empty())
+        {
+            result.push_back(std::move(series));
+        }
+    }
+    return result;
+}
+
+/// Without lines if there is but one place along the axis.
+void SetTicks(Plot& plot, const std::map<double, std::string>& ticks)
+{
+    plot.ticksX.assign(ticks.begin(), ticks.end());
+    if (ticks.size() < 2)
+    {
+        plot.series.clear();
+    }
+}
+
+bool IsPlainError(const CellResult& cell)
+{
+    return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() && cell.id.width > 0.0 &&
+           std::isfinite(cell.id.width) && std::isfinite(cell.Value("meanAbsoluteError"));
+}
+
+/// What was outlined in the most widths; of several the scene.
+std::string SubjectOfMostWidths(const Study& study)
+{
+    std::map<std::string, std::set<double>> widths;
+    for (const CellResult& cell : study.cells)
+    {
+        if (IsPlainError(cell))
+        {
+            widths[cell.id.subject].insert(cell.id.width);
+        }
+    }
+    std::string best;
+    for (const auto& [subject, there] : widths)
+    {
+        if (best.empty() || there.size() > widths[best].size() ||
+            (there.size() == widths[best].size() && subject == "scene"))
+        {
+            best = subject;
+        }
+    }
+    return best;
+}
+
+Plot ErrorAgainstWidth(const Study& study)
+{
+    const std::string subject = SubjectOfMostWidths(study);
+    Plot plot;
+    plot.file = "error_width";
+    plot.title = "Error against width: " + subject;
+    plot.caption = "Mean error of the outline of '" + subject + "' against the width asked.";
+    plot.labelX = "width asked, px";
+    plot.labelY = k_ErrorLabel;
+    std::map<double, std::string> ticks;
+    plot.series = Lines(study, "meanAbsoluteError",
+                        [&](const CellResult& cell)
+                        {
+                            if (!IsPlainError(cell) || cell.id.subject != subject)
+                            {
+                                return k_NoBar;
+                            }
+                            ticks[cell.id.width] = Readable(cell.id.width);
+                            return cell.id.width;
+                        });
+    SetTicks(plot, ticks);
+    return plot;
+}
+
+Plot TimeAgainstResolution(const Study& study, const Comparison& comparison)
+{
+    Plot plot;
+    plot.file = "time_resolution";
+    plot.title = "GPU time against resolution, " + Readable(comparison.width) + " px wide";
+    plot.caption = "GPU time that an outline of " + Readable(comparison.width) +
+                   " px adds to a frame, against the frame's pixels; bars from the lower to the "
+                   "upper quartile.";
+    plot.labelX = "picture, pixels";
+    plot.labelY = k_TimeLabel;
+    std::map<double, std::string> ticks;
+    plot.series = Lines(
+        study, "gpuAddedMilliseconds",
+        [&](const CellResult& cell)
+        {
+            const CellId& id = cell.id;
+            if (id.kind != CellKind::Cost || !id.variant.empty() || id.width != comparison.width)
+            {
+                return k_NoBar;
+            }
+            const double pixels = static_cast<double>(id.pictureWidth) * id.pictureHeight;
+            ticks[pixels] = SizeText(id.pictureWidth, id.pictureHeight);
+            return pixels;
+        });
+    SetTicks(plot, ticks);
+    return plot;
+}
+
+/// Of a variant "100 objects"; NaN of others.
+double ObjectCount(const CellId& id)
+{
+    double count = 0.0;
+    const char* const end = id.variant.data() + id.variant.size();
+    const auto [rest, error] = std::from_chars(id.variant.data(), end, count);
+    const bool isCount = error == std::errc() && std::string_view(rest, end).starts_with(" object");
+    return isCount && id.kind == CellKind::Cost ? count : k_NoBar;
+}
+
+Plot TimeAgainstObjects(const Study& study)
+{
+    Plot plot;
+    plot.file = "time_objects";
+    plot.title = "GPU time against the number of objects";
+    plot.labelX = "outlined objects";
+    plot.labelY = k_TimeLabel;
+    std::map<double, std::string> ticks;
+    std::set<std::string> what;
+    plot.series = Lines(study, "gpuAddedMilliseconds",
+                        [&](const CellResult& cell)
+                        {
+                            const double count = ObjectCount(cell.id);
+                            if (count > 0.0)
+                            {
+                                ticks[count] = Readable(count);
+                                what.insert(Readable(cell.id.width) + " px at " +
+                                            SizeText(cell.id.pictureWidth, cell.id.pictureHeight));
+                            }
+                            return count;
+                        });
+    for (const std::string& text : what)
+    {
+        plot.caption += (plot.caption.empty() ? "" : ", ") + text;
+    }
+    plot.caption =
+        "GPU time that outlines add to a frame, against how many objects are outlined (" +
+        plot.caption + "); bars from the lower to the upper quartile.";
+    SetTicks(plot, ticks);
+    return plot;
+}
+
+Plot FlickerAgainstTime(const Comparison& comparison)
+{
+    Plot plot;
+    plot.file = "flicker_time";
+    plot.title = "Flicker against GPU time";
+    plot.caption =
+        "What changes beyond what the exact outline changes, in motion by sixteenths of a "
+        "pixel (" +
+        Readable(comparison.flickerWidth) +
+        " px wide, median over what moved, bars over its quartiles and where the median of the "
+        "time lies with 95 %), against the GPU time "
+        "added to a frame of " +
+        SizeText(comparison.pictureWidth, comparison.pictureHeight) + " (" +
+        Readable(comparison.width) + " px wide).";
+    plot.labelX = k_TimeLabel;
+    plot.labelY = "flicker";
+    std::vector<Standing> standings = comparison.standings;
+    for (Standing& standing : standings)
+    {
+        standing.at.error = standing.flicker.median;
+        standing.errorQuartiles = {standing.flicker.lower, standing.flicker.upper};
+    }
+    plot.series = NamedPoints(standings);
+    return plot;
+}
+
+} // namespace
+
+bool Plot::isEmpty() const
+{
+    return std::ranges::none_of(
+        series,
+        [](const PlotSeries& one)
+        {
+            return std::ranges::any_of(
+                one.points, [](const PlotPoint& point)
+                { return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error); });
+        });
+}
+
+std::vector<Plot> PlotsOf(const Study& study, const Comparison& comparison,
+                          std::optional<double> budgetMilliseconds)
+{
+    return {ErrorAgainstTime(comparison, budgetMilliseconds), ErrorAgainstWidth(study),
+            TimeAgainstResolution(study, comparison), TimeAgainstObjects(study),
+            FlickerAgainstTime(comparison)};
+}
+
+} // namespace limn::study

@@ -1,0 +1,361 @@
+#include "report/truth/twins/Twins.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <glm/geometric.hpp>
+
+namespace limn::study
+{
+
+namespace
+{
+
+const glm::dvec2 k_FarAway(1e9);
+
+glm::dvec2 Nearer(const glm::dvec2& a, const glm::dvec2& b)
+{
+    return glm::dot(b, b) < glm::dot(a, a) ? b : a;
+}
+
+/// EdgePlace of EdgeSeeds.hlsl.
+struct TwinSeed
+{
+    bool isEdge = false;
+    glm::dvec2 seed{0.0};
+    glm::dvec2 outwards{0.0};
+    double inside = 0.0;
+};
+
+TwinSeed FindEdge(const std::array<double, 9>& mask)
+{
+    const double own = mask[4];
+    const double least = std::min({mask[1], mask[3], mask[5], mask[7]});
+    TwinSeed place;
+    place.isEdge = own > 0.0 && (own < 1.0 || least == 0.0);
+    place.inside = own;
+    const glm::dvec2 inwards(mask[2] + mask[8] - mask[0] - mask[6] + 2.0 * (mask[5] - mask[3]),
+                             mask[6] + mask[8] - mask[0] - mask[2] + 2.0 * (mask[7] - mask[1]));
+    if (!place.isEdge || glm::dot(inwards, inwards) < 1e-4)
+    {
+        return place;
+    }
+    const glm::dvec2 outwards = -glm::normalize(inwards);
+    double sum = 0.0;
+    for (const double part : mask)
+    {
+        sum += part;
+    }
+    double depth = 3.0 * BoxDepth(outwards, sum / 9.0);
+    const double inside = BoxCoverage(outwards, depth);
+    if (std::abs(inside - own) < 0.2)
+    {
+        place.inside = inside;
+        place.outwards = outwards;
+    }
+    else
+    {
+        depth = BoxDepth(outwards, own);
+    }
+    place.seed = outwards * depth;
+    return place;
+}
+
+/// The seeds of a picture and the textures in which the nearest ones are found. Places beyond the
+/// picture belong to it as far as the outline reaches.
+class DistanceTwin
+{
+public:
+    DistanceTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight)
+        : m_Width(std::max(width, 1e-3)),
+          m_Reach(static_cast<int>(std::ceil(m_Width + 1.0))),
+          m_Margin(m_Reach + 2),
+          m_Size(pictureWidth + 2 * m_Margin, pictureHeight + 2 * m_Margin),
+          m_Seeds(static_cast<std::size_t>(m_Size.x * m_Size.y))
+    {
+        MakeSeeds(silhouette);
+    }
+
+    Coverage Draw(int pictureWidth, int pictureHeight, bool isFlood)
+    {
+        const std::vector<glm::dvec2> nearest = isFlood ? Flood() : Rows();
+        Coverage alpha(pictureWidth, pictureHeight);
+        for (int y = 0; y < pictureHeight; ++y)
+        {
+            for (int x = 0; x < pictureWidth; ++x)
+            {
+                const glm::ivec2 texel(x + m_Margin, y + m_Margin);
+                alpha.At(x, y) = AlphaAt(texel, nearest[IndexOf(texel)]);
+            }
+        }
+        return alpha;
+    }
+
+private:
+    std::size_t IndexOf(const glm::ivec2& texel) const
+    {
+        const glm::ivec2 within = glm::clamp(texel, glm::ivec2(0), m_Size - 1);
+        return static_cast<std::size_t>(within.y * m_Size.x + within.x);
+    }
+
+    void MakeSeeds(const Silhouette& silhouette)
+    {
+        // Where Vulkan has the four samples of a texel.
+        constexpr double k_Places[4][2] = {
+            {0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
+        std::vector<double> mask(m_Seeds.size());
+        ForEach(
+            [&](const glm::ivec2& texel)
+            {
+                for (const auto& place : k_Places)
+                {
+                    const glm::dvec2 at =
+                        glm::dvec2(texel - m_Margin) + glm::dvec2(place[0], place[1]);
+                    mask[IndexOf(texel)] += silhouette.Contains(at) ? 0.25 : 0.0;
+                }
+            });
+        ForEach(
+            [&](const glm::ivec2& texel)
+            {
+                std::array<double, 9> around{};
+                for (int i = 0; i < 9; ++i)
+                {
+                    around[static_cast<std::size_t>(i)] =
+                        mask[IndexOf(texel + glm::ivec2(i % 3 - 1, i / 3 - 1))];
+                }
+                m_Seeds[IndexOf(texel)] = FindEdge(around);
+            });
+    }
+
+    template <typename F>
+    void ForEach(F&& each) const
+    {
+        for (int y = 0; y < m_Size.y; ++y)
+        {
+            for (int x = 0; x < m_Size.x; ++x)
+            {
+                each(glm::ivec2(x, y));
+            }
+        }
+    }
+
+    /// What no texture would keep is none.
+    glm::dvec2 Kept(const glm::dvec2& seed) const
+    {
+        const double range = m_Reach + 1.0;
+        return std::abs(seed.x) < range && std::abs(seed.y) < range ? seed : k_FarAway;
+    }
+
+    std::vector<glm::dvec2> Flood() const
+    {
+        std::vector<glm::dvec2> nearest(m_Seeds.size(), k_FarAway);
+        for (std::size_t i = 0; i < m_Seeds.size(); ++i)
+        {
+            nearest[i] = m_Seeds[i].isEdge ? m_Seeds[i].seed : k_FarAway;
+        }
+        std::vector<int> steps = {1};
+        for (auto step = static_cast<int>(std::bit_ceil(static_cast<unsigned>(m_Reach) + 1) / 2);
+             step > 0; step /= 2)
+        {
+            steps.push_back(step);
+        }
+        for (const int step : steps)
+        {
+            std::vector<glm::dvec2> next(nearest.size());
+            ForEach(
+                [&](const glm::ivec2& texel)
+                {
+                    glm::dvec2 best = k_FarAway;
+                    for (int i = 0; i < 9; ++i)
+                    {
+                        const glm::ivec2 there =
+                            glm::clamp(texel + step * glm::ivec2(i % 3 - 1, i / 3 - 1),
+                                       glm::ivec2(0), m_Size - 1);
+                        best = Nearer(best, glm::dvec2(there - texel) + nearest[IndexOf(there)]);
+                    }
+                    next[IndexOf(texel)] = Kept(best);
+                });
+            nearest = std::move(next);
+        }
+        return nearest;
+    }
+
+    /// As ColumnSeeds and RowSeed: of each column the nearest to a place on its right and on its
+    /// left.
+    std::vector<glm::dvec2> Rows() const
+    {
+        const glm::dvec2 aside(0.5 * m_Width, 0.0);
+        std::vector<std::array<glm::dvec2, 2>> columns(m_Seeds.size());
+        ForEach(
+            [&](const glm::ivec2& texel)
+            {
+                glm::dvec2 fromRight = k_FarAway;
+                glm::dvec2 fromLeft = k_FarAway;
+                for (int y = std::max(-m_Reach, -texel.y);
+                     y <= std::min(m_Reach, m_Size.y - 1 - texel.y); ++y)
+                {
+                    const TwinSeed& there = m_Seeds[IndexOf(texel + glm::ivec2(0, y))];
+                    const glm::dvec2 seed =
+                        there.isEdge ? there.seed + glm::dvec2(0.0, y) : k_FarAway;
+                    fromRight = Nearer(fromRight, seed - aside);
+                    fromLeft = Nearer(fromLeft, seed + aside);
+                }
+                columns[IndexOf(texel)] = {Kept(fromRight + aside), Kept(fromLeft - aside)};
+            });
+        std::vector<glm::dvec2> nearest(m_Seeds.size(), k_FarAway);
+        ForEach(
+            [&](const glm::ivec2& texel)
+            {
+                for (int x = std::max(-m_Reach, -texel.x);
+                     x <= std::min(m_Reach, m_Size.x - 1 - texel.x); ++x)
+                {
+                    const auto& column = columns[IndexOf(texel + glm::ivec2(x, 0))];
+                    nearest[IndexOf(texel)] =
+                        Nearer(nearest[IndexOf(texel)], glm::dvec2(x, 0.0) + column[x < 0 ? 0 : 1]);
+                }
+            });
+        return nearest;
+    }
+
+    /// Of the composite: a band from the edge outwards.
+    double AlphaAt(const glm::ivec2& texel, const glm::dvec2& toPlace) const
+    {
+        const double inside = m_Seeds[IndexOf(texel)].inside;
+        if (inside >= 1.0 || glm::dot(toPlace, toPlace) > 1e12)
+        {
+            return 0.0;
+        }
+        const glm::dvec2 place = glm::floor(glm::dvec2(texel) + 0.5 + toPlace);
+        const glm::dvec2 outwards = m_Seeds[IndexOf(glm::ivec2(place))].outwards;
+        const glm::dvec2 tangent(-outwards.y, outwards.x);
+        const glm::dvec2 toEdge =
+            toPlace - tangent * std::clamp(glm::dot(toPlace, tangent), -0.5, 0.5);
+        const double away = glm::length(toEdge);
+        const glm::dvec2 direction = away > 1e-3 ? toEdge / away : glm::dvec2(1.0, 0.0);
+        const double distance = inside > 0.5 ? -away : away;
+        return std::clamp(BoxCoverage(direction, m_Width - distance) - inside, 0.0, 1.0);
+    }
+
+    double m_Width;
+    int m_Reach;
+    int m_Margin;
+    glm::ivec2 m_Size;
+    std::vector<TwinSeed> m_Seeds;
+};
+
+} // namespace
+
+double BoxCoverage(const glm::dvec2& normal, double depth)
+{
+    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
+    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double aside = std::abs(depth);
+    const double rest = std::max((large + small) * 0.5 - aside, 0.0);
+    const double outside = aside > (large - small) * 0.5
+                               ? rest * rest / std::max(2.0 * large * small, 1e-12)
+                               : 0.5 - aside / large;
+    return depth > 0.0 ? 1.0 - outside : outside;
+}
+
+double BoxDepth(const glm::dvec2& normal, double coverage)
+{
+    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
+    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double less = std::min(coverage, 1.0 - coverage);
+    const double outside = less * 2.0 * large < small
+                               ? (large + small) * 0.5 - std::sqrt(2.0 * large * small * less)
+                               : (0.5 - less) * large;
+    return coverage > 0.5 ? outside : -outside;
+}
+
+Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
+                  bool isFlood)
+{
+    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight)
+        .Draw(pictureWidth, pictureHeight, isFlood);
+}
+
+Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight)
+{
+    Coverage alpha(pictureWidth, pictureHeight);
+    Coverage correction(pictureWidth, pictureHeight);
+    const auto isOwn = [&](const glm::dvec2& pixel)
+    {
+        return silhouette.Contains(glm::floor(pixel) + 0.5);
+    };
+    for (auto [a, b] : silhouette.border())
+    {
+        glm::dvec2 along = glm::normalize(b - a);
+        glm::dvec2 outward(along.y, -along.x);
+        if (silhouette.Contains(0.5 * (a + b) + 1e-6 * outward))
+        {
+            outward = -outward;
+        }
+        const double reach = glm::distance(a, b);
+        const double extent = 0.5 * (std::abs(along.x) + std::abs(along.y));
+        const glm::ivec2 low(glm::max(glm::floor(glm::min(a, b) - width - 2.0), 0.0));
+        const glm::ivec2 high(glm::min(glm::ceil(glm::max(a, b) + width + 2.0),
+                                       glm::dvec2(pictureWidth, pictureHeight)));
+        for (int y = low.y; y < high.y; ++y)
+        {
+            for (int x = low.x; x < high.x; ++x)
+            {
+                const glm::dvec2 pixel(x + 0.5, y + 0.5);
+                const double place = glm::dot(pixel - a, along);
+                const double across = glm::dot(pixel - a, outward);
+                if (across < -1.0 || across > width + 1.0)
+                {
+                    continue; // beside the stroke's quad
+                }
+                const double onEdge = std::clamp(place, 0.0, reach);
+                const glm::dvec2 apart = pixel - a - along * onEdge;
+                const double away = glm::length(apart);
+                const bool isInside = across < 0.0 && place == onEdge && isOwn(pixel);
+                const double covered = BoxCoverage(away > 1e-4 ? apart / away : outward,
+                                                   width - (isInside ? -away : away));
+                alpha.At(x, y) = std::max(alpha.At(x, y), covered);
+                const double share = (std::clamp(place + extent, 0.0, reach) -
+                                      std::clamp(place - extent, 0.0, reach)) /
+                                     (2.0 * extent);
+                if (share > 0.0 && std::abs(across) < 0.71 && !isOwn(a + along * onEdge + outward))
+                {
+                    const bool isBehind = std::abs(across) < 0.01 ? isOwn(pixel) : across < 0.0;
+                    const double beyond = BoxCoverage(outward, across);
+                    correction.At(x, y) += (isBehind ? -beyond : 1.0 - beyond) * share;
+                }
+            }
+        }
+    }
+    for (int y = 0; y < pictureHeight; ++y)
+    {
+        for (int x = 0; x < pictureWidth; ++x)
+        {
+            const double own = silhouette.Contains({x + 0.5, y + 0.5}) ? 1.0 : 0.0;
+            const double objects = std::clamp(own + correction.At(x, y), 0.0, 1.0);
+            alpha.At(x, y) = std::clamp(alpha.At(x, y) - objects, 0.0, 1.0);
+        }
+    }
+    return alpha;
+}
+
+Twin FindTwin(const std::string& technique)
+{
+    using namespace std::placeholders;
+    const std::pair<const char*, Twin> twins[] = {
+        {"Screen space", ScreenSpaceTwin},
+        {"Selection", SelectionTwin},
+        {"Mask difference", MaskDifferenceTwin},
+        {"Jump flood", std::bind(WideTwin, _1, _2, _3, _4, true)},
+        {"Separable", std::bind(WideTwin, _1, _2, _3, _4, false)},
+        {"Strokes", StrokeTwin}};
+    const auto found = std::ranges::find(twins, technique, &std::pair<const char*, Twin>::first);
+    return found != std::end(twins) ? found->second : Twin();
+}
+
+bool DrawsItsEdges(const std::string& technique)
+{
+    return technique != "Strokes";
+}
+
+} // namespace limn::study

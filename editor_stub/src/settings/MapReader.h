@@ -1,0 +1,42 @@
+#pragma once
+
+#include "settings/Keys.h"
+
+#include <limn/volume/YamlMapReader.h>
+
+namespace limn
+{
+
+/// Reads a map of a scene file by the list of its keys: numbers within their ranges, and what is
+/// required must be there. The list and the code that reads have to agree: a key that one of them
+/// lacks is a ContractError.
+class SceneMapReader : YamlMapReader
+{
+public:
+    SceneMapReader(const YamlNode& node, std::string subject, SceneKeys keys,
+                   AssetDiagnostics& diagnostics);
+
+    using YamlMapReader::node;
+    using YamlMapReader::SubjectOf;
+
+    const YamlNode* Find(std::string_view key);
+    template <typename T>
+    bool Read(std::string_view key, T& value)
+    {
+        Ask(key);
+        return YamlMapReader::Read(key, value);
+    }
+    bool Read(std::string_view key, float& value);
+    bool Read(std::string_view key, glm::vec3& value);
+    /// For a number that may be less small than its key says.
+    bool ReadFrom(double least, std::string_view key, float& value);
+    void Finish();
+
+private:
+    const SceneKey& Ask(std::string_view key);
+
+    SceneKeys m_Keys;
+    std::uint32_t m_Asked = 0; ///< a bit for each key
+};
+
+} // namespace limn
