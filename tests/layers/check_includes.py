@@ -24,8 +24,6 @@ LAYERS = {
 }
 # <limn/...> headers by the folder behind limn/; limn/limn.h is the features'.
 LAYER_OF_HEADERS = {"vulkan": "core/vulkan", "limn.h": "features", "base": "shaderlab/base"}
-# Layers whose folders still include each other.
-CIRCULAR = ["editor_stub"]
 # Libraries that stay inside the layers named; any other may include what its target links.
 LIBRARIES = {
     "vulkan/": ["core/vulkan"],
@@ -128,8 +126,7 @@ def check(root):
                         edges = folders.setdefault(layer_of(path), {}).setdefault(folder.as_posix(), {})
                         edges.setdefault(other.as_posix(), place)
     for layer, edges in folders.items():
-        if layer not in CIRCULAR:
-            problems += circle_problems(root, layer, edges)
+        problems += circle_problems(root, layer, edges)
     return count, problems
 
 

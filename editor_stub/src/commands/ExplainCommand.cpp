@@ -2,10 +2,10 @@
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
-#include "explain/pixel/PixelReport.h"
+#include "console/Json.h"
 #include "explain/ExplanationText.h"
 #include "explain/FrameGraph.h"
-#include "console/Json.h"
+#include "explain/pixel/PixelReport.h"
 #include "selection/SceneSelection.h"
 #include "view/SceneView.h"
 

@@ -1,13 +1,13 @@
 #include "commands/ReportCommand.h"
 
 #include "assets/FileKind.h"
-#include "report/extremes/Stability.h"
-#include "report/measure/StudyBench.h"
-#include "report/measure/StudyFiles.h"
 #include "report/StudyPlan.h"
-#include "report/measure/StudyScene.h"
+#include "report/extremes/Stability.h"
 #include "report/figures/Numbers.h"
 #include "report/figures/TimeLeft.h"
+#include "report/measure/StudyBench.h"
+#include "report/measure/StudyFiles.h"
+#include "report/measure/StudyScene.h"
 #include "report/pages/WriteReport.h"
 #include "view/SceneView.h"
 

@@ -1,6 +1,6 @@
 #include "explain/RenderReports.h"
-#include "explain/ExplainedFrame.h"
 #include "console/Json.h"
+#include "explain/ExplainedFrame.h"
 
 #include <limn/base/WriteFile.h>
 

@@ -2,9 +2,9 @@
 
 #include "plugins/DescribeFeature.h"
 #include "scene/FeatureBlocks.h"
+#include "settings/SettingsCollector.h"
 #include "settings/SettingsLevel.h"
 #include "settings/SettingsReader.h"
-#include "settings/SettingsCollector.h"
 
 #include <algorithm>
 #include <limn/base/WriteFile.h>

@@ -1,6 +1,6 @@
 #include "plugins/DescribeFeature.h"
-#include "settings/Keys.h"
 #include "schema/Schemas.h"
+#include "settings/Keys.h"
 
 #include <algorithm>
 #include <limn/core/Material.h>

@@ -1,5 +1,5 @@
-#include "settings/Keys.h"
 #include "schema/Schemas.h"
+#include "settings/Keys.h"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "commands/RenderCommand.h"
 #include "console/Console.h"
+#include "view/RenderOptions.h"
 
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/SceneFile.h>

@@ -2,9 +2,9 @@
 #include "commands/CommandRun.h"
 #include "volume/Problems.h"
 
+#include <explain/InspectUnityAsset.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
-#include <explain/InspectUnityAsset.h>
 
 namespace limn::test
 {

@@ -1,7 +1,7 @@
 #include "explain/pixel/PixelHistory.h"
 
-#include "explain/pixel/PassTrace.h"
 #include "explain/Explanation.h"
+#include "explain/pixel/PassTrace.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
 

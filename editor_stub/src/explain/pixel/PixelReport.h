@@ -1,7 +1,7 @@
 #pragma once
 
-#include "explain/pixel/PixelHistory.h"
 #include "console/Json.h"
+#include "explain/pixel/PixelHistory.h"
 
 namespace limn
 {

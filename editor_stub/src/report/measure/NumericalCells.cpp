@@ -1,8 +1,8 @@
 #include "report/measure/NumericalCells.h"
 
-#include "report/truth/twins/Twins.h"
 #include "report/measure/StudyBench.h"
 #include "report/measure/StudyScene.h"
+#include "report/truth/twins/Twins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/truth/OutlineReference.h"
 #include "report/measure/Study.h"
+#include "report/truth/OutlineReference.h"
 
 #include <limn/editor_stub/SceneFile.h>
 

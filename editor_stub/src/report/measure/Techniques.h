@@ -1,7 +1,7 @@
 #pragma once
 
-#include "report/truth/SeenOutline.h"
 #include "report/measure/Study.h"
+#include "report/truth/SeenOutline.h"
 
 #include <limn/editor_stub/SceneFile.h>
 #include <optional>

@@ -1,8 +1,8 @@
 #include "report/pages/ReportText.h"
 
-#include "report/measure/Subjects.h"
 #include "report/figures/Numbers.h"
 #include "report/figures/Recommendation.h"
+#include "report/measure/Subjects.h"
 #include "report/pages/ReportTables.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "report/measure/StudyJson.h"
 #include "report/figures/Recommendation.h"
+#include "report/measure/StudyJson.h"
 #include "report/pages/Results.h"
 
 namespace limn::study

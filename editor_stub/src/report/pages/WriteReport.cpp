@@ -1,8 +1,8 @@
 #include "report/pages/WriteReport.h"
 
 #include "console/RunProgram.h"
-#include "report/measure/StudyFiles.h"
 #include "report/figures/Recommendation.h"
+#include "report/measure/StudyFiles.h"
 #include "report/pages/ReportText.h"
 #include "report/pages/Results.h"
 
