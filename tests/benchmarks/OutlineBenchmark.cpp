@@ -11,7 +11,7 @@
 // nobody tidied.
 
 #include "Samples.h"
-#include "editor_stub/study/UntidyScene.h"
+#include "editor_stub/report/measure/UntidyScene.h"
 #include "features/outline/TechniquePicture.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/Techniques.h"

@@ -1,6 +1,6 @@
 // Writes the report of a study that is made up: SampleReport FOLDER
 
-#include "../editor_stub/study_pages/SampleStudy.h"
+#include "../editor_stub/report/pages/SampleStudy.h"
 #include "report/pages/WriteReport.h"
 
 #include <iostream>

@@ -1,6 +1,6 @@
 #include <array>
 #include <cmath>
-#include <core/draw/DrawHarness.h>
+#include <core/renderers/DrawHarness.h>
 #include <glm/gtc/quaternion.hpp>
 #include <gtest/gtest.h>
 #include <limn/core/RecordingDevice.h>

@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/core/RendererList.h>
 #include <limn/core/UniversalRenderPipeline.h>

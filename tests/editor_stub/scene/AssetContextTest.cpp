@@ -14,7 +14,7 @@ namespace
 
 using Paths = std::set<std::filesystem::path>;
 
-struct Paint : VolumeComponent
+struct Tint : VolumeComponent
 {
     Texture2DParameter ramp{this, "m_Ramp", {}};
 };
@@ -114,13 +114,13 @@ TEST_F(AssetContextTest, ForgetsTheMeshOfABufferAndTheShadersOfAnInclude)
 
 TEST_F(AssetContextTest, GivesAProfileTheTextureItNamesAfterThatChanged)
 {
-    assets.volumeComponents().Register<Paint>("Paint");
-    folder.Write("p.profile.yaml", "Paint: {ramp: ramp.png}\n");
+    assets.volumeComponents().Register<Tint>("Tint");
+    folder.Write("p.profile.yaml", "Tint: {ramp: ramp.png}\n");
     WriteTexture(folder / "ramp.png", 255, 0, 0);
     const auto redOfRamp = [&]
     {
         const SceneAsset scene = LoadScene(folder / "s.scene.yaml", assets);
-        const Paint& paint = *scene.volumes.at(0).sharedProfile->TryGet<Paint>();
+        const Tint& paint = *scene.volumes.at(0).sharedProfile->TryGet<Tint>();
         const auto& ramp = dynamic_cast<const Texture2D&>(*paint.ramp.value().asset);
         return std::to_integer<int>(ramp.texels().front());
     };

@@ -1,6 +1,6 @@
-#include "FormsOfDescribe.h"
 #include "SceneFolder.h"
 #include "commands/CommandRun.h"
+#include "settings/FormsOfDescribe.h"
 
 #include <gmock/gmock.h>
 #include <limn/editor_stub/UnityRendererData.h>

@@ -1,6 +1,6 @@
-#include "FormsOfDescribe.h"
 #include "SceneFolder.h"
 #include "commands/CommandRun.h"
+#include "settings/FormsOfDescribe.h"
 
 #include <fstream>
 #include <gmock/gmock.h>

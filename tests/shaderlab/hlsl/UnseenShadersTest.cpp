@@ -1,4 +1,4 @@
-#include "DialectTestSupport.h"
+#include "hlsl/DialectTestSupport.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

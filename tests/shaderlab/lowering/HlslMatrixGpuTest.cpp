@@ -1,4 +1,4 @@
-#include "DialectGpuSupport.h"
+#include "hlsl/DialectGpuSupport.h"
 
 #include <bit>
 #include <cmath>

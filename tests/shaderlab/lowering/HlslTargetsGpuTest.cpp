@@ -1,4 +1,4 @@
-#include "DialectGpuSupport.h"
+#include "hlsl/DialectGpuSupport.h"
 
 // Values of what is written to, and of lists: what generated snippets (see values/) found glslang
 // to make something else of.

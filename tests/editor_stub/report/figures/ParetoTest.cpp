@@ -1,6 +1,6 @@
 #include "report/figures/Pareto.h"
-#include "SampleStudy.h"
 #include "report/figures/Recommendation.h"
+#include "report/pages/SampleStudy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "report/figures/Recommendation.h"
-#include "SampleStudy.h"
+#include "report/pages/SampleStudy.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 #include "CachedCompiler.h"
-#include "editor_stub/study/UntidyScene.h"
+#include "editor_stub/report/measure/UntidyScene.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/Techniques.h"
 

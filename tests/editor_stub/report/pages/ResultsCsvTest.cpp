@@ -1,5 +1,5 @@
-#include "SampleStudy.h"
 #include "report/pages/Results.h"
+#include "report/pages/SampleStudy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "report/pages/WriteReport.h"
-#include "SampleStudy.h"
 #include "TemporaryFolder.h"
 #include "report/pages/ReportTables.h"
 #include "report/pages/Results.h"
+#include "report/pages/SampleStudy.h"
 
 #include <algorithm>
 #include <fstream>

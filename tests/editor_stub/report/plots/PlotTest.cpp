@@ -1,6 +1,6 @@
-#include "SampleStudy.h"
 #include "TemporaryFolder.h"
 #include "console/RunProgram.h"
+#include "report/pages/SampleStudy.h"
 #include "report/plots/LabelPlacement.h"
 #include "report/plots/PlotAxis.h"
 #include "report/plots/Plots.h"
