@@ -33,6 +33,10 @@ LIBRARIES = {
     "spirv_cross/": ["shaderlab", "editor_stub"],
     "yaml-cpp/": ["volume"],
 }
+# What knows the operating system lies in these folders; its headers may be included there alone.
+PLATFORM = ["shaderlab/base/src/platform", "shaderlab/src/compiler"]
+SYSTEM_HEADERS = re.compile(
+    r"(sys|linux|arpa|netinet)/.*|(unistd|fcntl|poll|spawn|dlfcn|link|pthread|signal|termios|dirent|pwd|windows)\.h")
 RAW_STRING = re.compile(r'R"([^\s()]*)\(.*?\)\1"', re.DOTALL)  # HLSL text has includes of its own
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*([<"])([^>"]+)[>"]', re.MULTILINE)
 
@@ -62,6 +66,8 @@ def why_not(root, file, layer, quote, name):
         first = name.split("/")[1]
         target = LAYER_OF_HEADERS.get(first, first)
         return None if target == layer or target in LAYERS[layer] else f"{layer} may not include {target}"
+    if SYSTEM_HEADERS.fullmatch(name) and not any(root / folder in file.parents for folder in PLATFORM):
+        return f"only {' and '.join(PLATFORM)} may include headers of the operating system"
     for library, layers in LIBRARIES.items():
         if name.startswith(library) and layer not in layers:
             return f"only {' and '.join(layers)} may include {library.rstrip('/')}"
@@ -150,6 +156,9 @@ def self_check():
         ("core/src/deep/T.cpp", '"a/Q.h"', False),
         ("features/glow/src/L.cpp", '"Glow.h"', False),
         ("core/vulkan/src/M.cpp", "<vulkan/vulkan.h>", False),
+        ("editor_stub/src/U.cpp", "<sys/stat.h>", True),
+        ("core/src/V.cpp", "<unistd.h>", True),
+        ("shaderlab/base/src/platform/posix/W.cpp", "<unistd.h>", False),
         ("editor_stub/src/N.cpp", "<limn/vulkan/VulkanDevice.h>", False),
         ("volume/src/O.cpp", "<limn/core/Mesh.h>", False),
         ("samples/hello/P.cpp", "<limn/limn.h>", False),

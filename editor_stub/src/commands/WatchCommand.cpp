@@ -1,12 +1,11 @@
 #include "commands/WatchCommand.h"
 
 #include "assets/FileKind.h"
-#include "console/StopSignals.h"
 #include "view/ChangeBatch.h"
 #include "view/Redrawer.h"
+#include <limn/base/StopSignals.h>
 
 #include <limn/editor_stub/RunLimn.h>
-#include <poll.h>
 
 namespace limn
 {
@@ -23,9 +22,7 @@ std::set<std::filesystem::path> WaitForChanges(FileWatcher& watcher, const StopS
     {
         batch.Add(watcher.TakeChanges(), ChangeBatch::Clock::now());
         const auto remaining = batch.Remaining(ChangeBatch::Clock::now());
-        pollfd waits[] = {{signals.descriptor(), POLLIN, 0}, {watcher.descriptor(), POLLIN, 0}};
-        poll(waits, 2, remaining ? static_cast<int>(remaining->count()) : -1);
-        if (waits[0].revents != 0)
+        if (!watcher.Wait(signals, remaining))
         {
             return {};
         }

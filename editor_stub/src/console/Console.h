@@ -1,6 +1,6 @@
 #pragma once
 
-#include "console/Terminal.h"
+#include <limn/base/Terminal.h>
 
 #include <limn/base/Diagnostic.h>
 #include <ostream>

@@ -1,6 +1,6 @@
 #include "explain/FrameGraph.h"
 
-#include "console/RunProgram.h"
+#include <limn/base/RunProgram.h>
 
 #include <limn/base/Diagnostic.h>
 #include <limn/base/WriteFile.h>

@@ -1,7 +1,7 @@
 #include "plugins/LoadPlugin.h"
 
-#include "plugins/ModuleFile.h"
 #include "plugins/NamePlugin.h"
+#include <limn/base/ModuleFile.h>
 
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
@@ -74,7 +74,7 @@ void Add(const Plugin& plugin, const Plugin* older, const std::string& name,
 const Plugin& Open(const std::filesystem::path& file, const std::string& name,
                    PluginLoading loading, const Plugin* older)
 {
-    const void* symbol = OpenModule(file, name, loading, "limn_plugin");
+    const void* symbol = OpenModule(file, name, loading == PluginLoading::Copy, "limn_plugin");
     if (!symbol)
     {
         throw AssetError(name, {},

@@ -1,8 +1,8 @@
 #include "plugins/NamePlugin.h"
 
 #include <algorithm>
-#include <dlfcn.h>
 #include <limn/base/Diagnostic.h>
+#include <limn/base/ModuleFile.h>
 #include <limn/core/FeatureCode.h>
 #include <limn/core/TypeName.h>
 #include <limn/vulkan/VulkanError.h>
@@ -27,13 +27,6 @@ PluginNames& Names()
 {
     static PluginNames names;
     return names;
-}
-
-/// Where the module is loaded that a symbol lies in; null if it lies in none.
-const void* ModuleOf(const void* symbol)
-{
-    Dl_info info{};
-    return dladdr(symbol, &info) != 0 ? info.dli_fbase : nullptr;
 }
 
 /// "" for what is no plug-in's.

@@ -1,6 +1,6 @@
 #include "view/ChangeBatch.h"
 
-#include "plugins/ModuleFile.h"
+#include <limn/base/ModuleFile.h>
 
 #include <algorithm>
 #include <utility>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "view/FileWatcher.h"
 #include "view/SceneView.h"
+#include <limn/base/FileWatcher.h>
 
 #include <chrono>
 #include <limn/vulkan/VulkanDevice.h>

@@ -1,9 +1,9 @@
 #include "report/measure/StudyBench.h"
 
 #include "explain/ExplainedFrame.h"
-#include "report/measure/OtherPrograms.h"
 #include "report/measure/Statistics.h"
 #include "report/measure/StudyScene.h"
+#include <limn/base/OtherPrograms.h>
 
 #include <algorithm>
 #include <chrono>

@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <fcntl.h>
+#include <limn/base/AppendedFile.h>
 #include <limn/base/FileRoots.h>
 #include <limn/base/ReadFile.h>
 #include <limn/volume/AssetDiagnostics.h>
-#include <unistd.h>
 
 namespace limn::study
 {
@@ -74,37 +73,6 @@ std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size
     diagnostics.ThrowIfErrors();
     return cells;
 }
-
-/// A descriptor that is closed.
-class AppendedFile
-{
-public:
-    explicit AppendedFile(std::filesystem::path path)
-        : m_Path(std::move(path)),
-          m_Descriptor(open(m_Path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666))
-    {
-        if (m_Descriptor < 0)
-        {
-            ThrowWriteError(m_Path, {errno, std::generic_category()});
-        }
-    }
-    ~AppendedFile() { close(m_Descriptor); }
-    AppendedFile(const AppendedFile&) = delete;
-    AppendedFile& operator=(const AppendedFile&) = delete;
-
-    void Append(const std::string& bytes)
-    {
-        if (const std::error_code error = WriteToDescriptor(m_Descriptor, bytes))
-        {
-            ThrowWriteError(m_Path, error);
-        }
-        fdatasync(m_Descriptor); // where there is no disk behind it, nothing is lost either
-    }
-
-private:
-    std::filesystem::path m_Path;
-    int m_Descriptor;
-};
 
 std::string LineOf(const CellResult& cell)
 {

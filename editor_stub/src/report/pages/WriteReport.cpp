@@ -1,10 +1,10 @@
 #include "report/pages/WriteReport.h"
 
-#include "console/RunProgram.h"
 #include "report/figures/Recommendation.h"
 #include "report/measure/StudyFiles.h"
 #include "report/pages/ReportText.h"
 #include "report/pages/Results.h"
+#include <limn/base/RunProgram.h>
 
 #include <limn/base/Diagnostic.h>
 #include <limn/base/WriteFile.h>

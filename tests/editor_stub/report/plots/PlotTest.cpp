@@ -1,9 +1,9 @@
 #include "TemporaryFolder.h"
-#include "console/RunProgram.h"
 #include "report/pages/SampleStudy.h"
 #include "report/plots/LabelPlacement.h"
 #include "report/plots/PlotAxis.h"
 #include "report/plots/Plots.h"
+#include <limn/base/RunProgram.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "console/RunProgram.h"
+#include <limn/base/RunProgram.h>
 
 #include <array>
 #include <cerrno>
@@ -22,11 +22,11 @@ struct CloseFile
 {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
-using TemporaryFile = std::unique_ptr<std::FILE, CloseFile>;
+using ScratchFile = std::unique_ptr<std::FILE, CloseFile>;
 
-TemporaryFile OpenTemporary(const std::string& text = {})
+ScratchFile OpenTemporary(const std::string& text = {})
 {
-    TemporaryFile file(std::tmpfile());
+    ScratchFile file(std::tmpfile());
     if (!file || std::fwrite(text.data(), 1, text.size(), file.get()) != text.size() ||
         std::fflush(file.get()) != 0)
     {
@@ -53,9 +53,9 @@ std::string ReadAll(std::FILE* file)
 std::string RunProgram(std::vector<std::string> words, const std::string& input,
                        const std::string& need)
 {
-    const TemporaryFile in = OpenTemporary(input);
-    const TemporaryFile out = OpenTemporary();
-    const TemporaryFile complaints = OpenTemporary();
+    const ScratchFile in = OpenTemporary(input);
+    const ScratchFile out = OpenTemporary();
+    const ScratchFile complaints = OpenTemporary();
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, fileno(in.get()), 0);

@@ -1,4 +1,4 @@
-#include "console/RunProgram.h"
+#include <limn/base/RunProgram.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

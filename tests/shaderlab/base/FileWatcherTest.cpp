@@ -1,5 +1,5 @@
-#include "view/FileWatcher.h"
 #include "TemporaryFolder.h"
+#include <limn/base/FileWatcher.h>
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include <limn/base/WriteFile.h>
 
-#include "files/FileDescriptor.h"
+#include "platform/posix/FileDescriptor.h"
 
 #include <limn/base/Diagnostic.h>
 

@@ -1,4 +1,4 @@
-#include "console/StopSignals.h"
+#include <limn/base/StopSignals.h>
 
 #include <cerrno>
 #include <signal.h>

@@ -1,4 +1,4 @@
-#include "report/measure/OtherPrograms.h"
+#include <limn/base/OtherPrograms.h>
 
 #include <chrono>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace limn::study
+namespace limn
 {
 namespace
 {
@@ -43,4 +43,4 @@ TEST(OtherPrograms, AreThoseThatUseProcessorsMeanwhile)
 }
 
 } // namespace
-} // namespace limn::study
+} // namespace limn

@@ -1,10 +1,11 @@
-#include "plugins/ModuleFile.h"
+#include <limn/base/ModuleFile.h>
 
 #include <cstdlib>
 #include <cstring>
 #include <cxxabi.h>
 #include <dlfcn.h>
 #include <fstream>
+#include <limn/base/Diagnostic.h>
 #include <limn/base/ReadFile.h>
 #include <link.h>
 #include <memory>
@@ -163,8 +164,8 @@ bool IsWholeModule(const std::filesystem::path& path)
            ModuleProblem(content.bytes).empty();
 }
 
-const void* OpenModule(const std::filesystem::path& path, const std::string& name,
-                       PluginLoading loading, const char* symbol)
+const void* OpenModule(const std::filesystem::path& path, const std::string& name, bool isCopied,
+                       const char* symbol)
 {
     const FileContent content = TryReadFile(path, k_MaxDataBytes);
     const std::string problem = content.isRead() ? ModuleProblem(content.bytes) : content.problem;
@@ -173,7 +174,7 @@ const void* OpenModule(const std::filesystem::path& path, const std::string& nam
         Refuse(name, problem);
     }
     std::optional<ModuleCopy> copy;
-    if (loading == PluginLoading::Copy)
+    if (isCopied)
     {
         copy.emplace(name, content.bytes);
     }
@@ -185,6 +186,12 @@ const void* OpenModule(const std::filesystem::path& path, const std::string& nam
         Refuse(name, LoaderText(file));
     }
     return dlsym(module, symbol);
+}
+
+const void* ModuleOf(const void* symbol)
+{
+    Dl_info info{};
+    return dladdr(symbol, &info) != 0 ? info.dli_fbase : nullptr;
 }
 
 } // namespace limn

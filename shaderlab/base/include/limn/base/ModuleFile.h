@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <limn/editor_stub/AssetContext.h>
 #include <string>
 #include <string_view>
 
@@ -16,10 +15,15 @@ std::string ModuleProblem(std::string_view bytes);
 bool IsWholeModule(const std::filesystem::path& path);
 
 /// Loads a module, for as long as the process lives, and finds a symbol in it.
-/// @param name  what errors call the module
+/// @param name      what errors call the module
+/// @param isCopied  a copy of the file is loaded, so that the file can be written anew and loaded
+/// again
 /// @return null if it has no such symbol
 /// @throws AssetError if it cannot be loaded
-const void* OpenModule(const std::filesystem::path& path, const std::string& name,
-                       PluginLoading loading, const char* symbol);
+const void* OpenModule(const std::filesystem::path& path, const std::string& name, bool isCopied,
+                       const char* symbol);
+
+/// Returns where the module is loaded that a symbol lies in; null if it lies in none.
+const void* ModuleOf(const void* symbol);
 
 } // namespace limn

@@ -1,4 +1,4 @@
-#include "console/Terminal.h"
+#include <limn/base/Terminal.h>
 
 #include <cstdlib>
 #include <iostream>

@@ -1,10 +1,12 @@
-#include "view/FileWatcher.h"
+#include <limn/base/FileWatcher.h>
+#include <limn/base/StopSignals.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <optional>
+#include <poll.h>
 #include <sys/inotify.h>
 #include <sys/stat.h>
 #include <system_error>
@@ -118,6 +120,14 @@ void FileWatcher::ArmFolders(const Paths& folders)
             inotify_rm_watch(m_Descriptor, watch); // fails if its folder is gone, and it with it
         }
     }
+}
+
+bool FileWatcher::Wait(const StopSignals& signals,
+                       std::optional<std::chrono::milliseconds> time) const
+{
+    pollfd waits[] = {{signals.m_Descriptor, POLLIN, 0}, {m_Descriptor, POLLIN, 0}};
+    poll(waits, 2, time ? static_cast<int>(time->count()) : -1);
+    return waits[0].revents == 0;
 }
 
 std::set<std::filesystem::path> FileWatcher::TakeChanges()

@@ -3,10 +3,13 @@
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 
 namespace limn
 {
+
+class StopSignals;
 
 /// Tells which of some files were written, replaced or removed. It watches their folders, so that a
 /// file that an editor saves under another name and then renames is seen, and one that is not there
@@ -32,8 +35,10 @@ public:
     /// The files, as given to Watch, that changed since the last call; does not wait.
     std::set<std::filesystem::path> TakeChanges();
 
-    /// Readable, for poll(), as soon as something happened in a watched folder.
-    int descriptor() const { return m_Descriptor; }
+    /// Waits until something happened in a watched folder or the time is over; without a time,
+    /// until something happens.
+    /// @return false once a stop signal came
+    bool Wait(const StopSignals& signals, std::optional<std::chrono::milliseconds> time) const;
 
 private:
     static constexpr auto k_NotReadYet = std::chrono::system_clock::time_point::max();
@@ -45,7 +50,7 @@ private:
     void TakeEvent(std::uint32_t mask, int watch, const char* name, Paths& changed);
     void TakeFolderChange(const std::filesystem::path& folder, bool isGone, Paths& changed);
 
-    int m_Descriptor;
+    int m_Descriptor;               ///< readable as soon as something happened in a watched folder
     Paths m_Known;                  ///< as given to Watch
     Paths m_Folders;                ///< of the places and all above
     std::map<int, Paths> m_Watches; ///< what each watch descriptor is known as

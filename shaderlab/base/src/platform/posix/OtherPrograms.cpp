@@ -1,4 +1,4 @@
-#include "report/measure/OtherPrograms.h"
+#include <limn/base/OtherPrograms.h>
 
 #include <fstream>
 #include <limits>
@@ -6,7 +6,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
-namespace limn::study
+namespace limn
 {
 
 namespace
@@ -47,4 +47,4 @@ double OtherPrograms::BusyProcessors() const
     return others < 0.0 ? 0.0 : others; // ticks are coarse
 }
 
-} // namespace limn::study
+} // namespace limn

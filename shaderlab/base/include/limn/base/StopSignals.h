@@ -14,11 +14,10 @@ public:
     StopSignals(const StopSignals&) = delete;
     StopSignals& operator=(const StopSignals&) = delete;
 
-    /// Readable, for poll(), as soon as one of the signals came.
-    int descriptor() const { return m_Descriptor; }
-
 private:
-    int m_Descriptor;
+    friend class FileWatcher;
+
+    int m_Descriptor; ///< readable as soon as one of the signals came
 };
 
 } // namespace limn

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-namespace limn::study
+namespace limn
 {
 
 /// What other programs do while this lives.
@@ -20,4 +20,4 @@ private:
     std::chrono::steady_clock::time_point m_Begin = std::chrono::steady_clock::now();
 };
 
-} // namespace limn::study
+} // namespace limn
