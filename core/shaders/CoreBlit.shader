@@ -68,7 +68,7 @@ Shader "Hidden/Universal/CoreBlit"
         Pass // a depth texture to a colour texture of one channel
         {
             Name "Depth"
-            Tags { "LimnFullScreen" = "True" }
+            Tags { "LimnFullScreen" = "_BlitTexture with alpha 1" }
 
             HLSLPROGRAM
             #pragma vertex Vert
@@ -79,7 +79,8 @@ Shader "Hidden/Universal/CoreBlit"
 
             float4 CopyDepth(Varyings input) : SV_Target
             {
-                return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0).r;
+                float depth = SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, input.texcoord, 0).r;
+                return float4(depth, 0, 0, 1);
             }
             ENDHLSL
         }

@@ -1,5 +1,6 @@
 #include "frame/TextureHistory.h"
 
+#include <algorithm>
 #include <unordered_set>
 
 namespace limn
@@ -7,6 +8,8 @@ namespace limn
 
 namespace
 {
+
+using RenderTexturePtr = std::shared_ptr<const RenderTexture>;
 
 bool UsesStencil(const FrameNode& node, const FrameTables& tables)
 {
@@ -34,7 +37,10 @@ std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, Outp
     {
         for (const auto& texture : node.reads)
         {
-            kept.insert(texture->id());
+            if (node.isCompute)
+            {
+                kept.insert(texture->id());
+            }
         }
         if (node.targets.depth && UsesStencil(node, tables))
         {
@@ -65,9 +71,8 @@ void LeaveOutClears(FrameNode& node)
                   });
 }
 
-const std::shared_ptr<const RenderTexture>&
-TwinOf(const std::shared_ptr<const RenderTexture>& original,
-       std::unordered_map<std::uint64_t, TextureStates::DepthTwin>& twins)
+const RenderTexturePtr& TwinOf(const RenderTexturePtr& original,
+                               std::unordered_map<std::uint64_t, TextureStates::DepthTwin>& twins)
 {
     TextureStates::DepthTwin& twin = twins[original->id()];
     if (!twin.texture)
@@ -81,6 +86,22 @@ TwinOf(const std::shared_ptr<const RenderTexture>& original,
     return twin.texture;
 }
 
+void ReadTwins(std::vector<FrameNode>& nodes, const std::vector<RenderTexturePtr>& originals,
+               CompiledFrame& frame)
+{
+    for (FrameNode& node : nodes)
+    {
+        for (const RenderTexturePtr& original : originals)
+        {
+            if (std::ranges::count(node.reads, original) > 0)
+            {
+                ReadInstead(node, frame, *original,
+                            frame.states.depthTwins.at(original->id()).texture);
+            }
+        }
+    }
+}
+
 } // namespace
 
 void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
@@ -88,16 +109,22 @@ void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, Compiled
     auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });
     const std::unordered_set<std::uint64_t> kept = Kept(nodes, outputs, frame);
+    std::vector<RenderTexturePtr> replaced;
     for (FrameNode& node : nodes)
     {
-        std::shared_ptr<const RenderTexture>& depth = node.targets.depth;
+        RenderTexturePtr& depth = node.targets.depth;
         if (depth && !OutlivesFrame(*depth, frame.states) && HasStencil(depth->graphicsFormat()) &&
             !kept.contains(depth->id()))
         {
+            if (std::ranges::find(replaced, depth) == replaced.end())
+            {
+                replaced.push_back(depth);
+            }
             depth = TwinOf(depth, twins);
             LeaveOutClears(node);
         }
     }
+    ReadTwins(nodes, replaced, frame);
 }
 
 } // namespace limn

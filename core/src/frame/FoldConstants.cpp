@@ -69,14 +69,9 @@ std::optional<Color> ColorOfCopy(GraphicsFormat from, GraphicsFormat to, const C
 /// Returns the set-up of a draw that reads another texture in place of the one that it copies.
 DrawSetup CopyingInstead(DrawSetup setup, const std::shared_ptr<const Texture>& texture)
 {
-    auto bindings = std::make_shared<DrawBindings>(*setup.bindings);
     auto promise = std::make_shared<FullScreenPromise>(*setup.fullScreen);
-    for (TextureSlot& slot : bindings->textures)
-    {
-        slot.texture = slot.texture == promise->copied ? texture : slot.texture;
-    }
+    setup.bindings = WithTexture(*setup.bindings, *promise->copied, texture);
     promise->copied = nullptr; // else the copy would be left out, with what its format rounds
-    setup.bindings = std::move(bindings);
     setup.fullScreen = std::move(promise);
     return setup;
 }

@@ -11,52 +11,12 @@ namespace
 
 using TexturePtr = std::shared_ptr<const RenderTexture>;
 
-/// The only draw of a node; null where there are others, or clears.
-const DrawCommand* OnlyDraw(const FrameNode& node)
-{
-    const DrawCommand* only = nullptr;
-    for (const PassCommand& command : node.commands)
-    {
-        const auto* draw = std::get_if<DrawCommand>(&command);
-        if (std::holds_alternative<ClearCommand>(command) || (draw && only))
-        {
-            return nullptr;
-        }
-        only = draw ? draw : only;
-    }
-    return only;
-}
-
-/// What the node is a copy of; null if it is none, or more than one.
-TexturePtr CopiedBy(const FrameNode& node, const FrameTables& tables)
-{
-    const DrawCommand* draw = OnlyDraw(node);
-    if (draw == nullptr || !node.coversColor || node.targets.depth || node.reads.size() != 1)
-    {
-        return nullptr;
-    }
-    const auto& copied = tables.Setup(*draw).fullScreen->copied;
-    return copied == node.reads.front() ? std::static_pointer_cast<const RenderTexture>(copied)
-                                        : nullptr;
-}
-
 /// Whether what is drawn into `from` can be in `to`: straight away, or resolved.
 bool SameShape(const RenderTexture& from, const RenderTexture& to)
 {
     return from.width() == to.width() && from.height() == to.height() && !HasSamples(to) &&
            from.mipmapCount() == to.mipmapCount() &&
            (!HasSamples(from) || from.graphicsFormat() == to.graphicsFormat());
-}
-
-bool Uses(const FrameNode& node, const Texture& texture)
-{
-    const auto is = [&](const auto& other)
-    {
-        return other.get() == &texture;
-    };
-    const auto targets = TargetsOf(node);
-    return std::any_of(targets.begin(), targets.end(), is) ||
-           std::any_of(node.reads.begin(), node.reads.end(), is);
 }
 
 /// Whether all that the node draws is what it would be in another format, but for rounding; or, if

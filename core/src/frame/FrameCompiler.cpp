@@ -25,6 +25,7 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
         FindAccess(nodes, frame);
         FoldConstants(nodes, outputs, frame);
         ForwardCopies(nodes, outputs, frame);
+        ReadOriginals(nodes, outputs, frame);
         LeaveOutUnread(nodes, outputs, frame);
         if (options.limitsRegions)
         {

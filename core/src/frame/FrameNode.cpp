@@ -59,6 +59,22 @@ const DrawBindings* BindingsOf(const PassCommand& command, const FrameTables& ta
                       : nullptr;
 }
 
+/// The only draw of a node; null where there are others, or clears.
+const DrawCommand* OnlyDraw(const FrameNode& node)
+{
+    const DrawCommand* only = nullptr;
+    for (const PassCommand& command : node.commands)
+    {
+        const auto* draw = std::get_if<DrawCommand>(&command);
+        if (std::holds_alternative<ClearCommand>(command) || (draw && only))
+        {
+            return nullptr;
+        }
+        only = draw ? draw : only;
+    }
+    return only;
+}
+
 } // namespace
 
 ClearFlag AspectsOf(const RenderTexture& texture)
@@ -145,6 +161,29 @@ std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& nod
     return targets;
 }
 
+bool Uses(const FrameNode& node, const Texture& texture)
+{
+    const auto is = [&](const auto& other)
+    {
+        return other.get() == &texture;
+    };
+    const auto targets = TargetsOf(node);
+    return std::any_of(targets.begin(), targets.end(), is) ||
+           std::any_of(node.reads.begin(), node.reads.end(), is);
+}
+
+std::shared_ptr<const RenderTexture> CopiedBy(const FrameNode& node, const FrameTables& tables)
+{
+    const DrawCommand* draw = OnlyDraw(node);
+    if (draw == nullptr || !node.coversColor || node.targets.depth || node.reads.size() != 1)
+    {
+        return nullptr;
+    }
+    const auto& copied = tables.Setup(*draw).fullScreen->copied;
+    return copied == node.reads.front() ? std::static_pointer_cast<const RenderTexture>(copied)
+                                        : nullptr;
+}
+
 void CollectReads(FrameNode& node, const FrameTables& tables)
 {
     node.reads.clear();
@@ -160,6 +199,27 @@ void CollectReads(FrameNode& node, const FrameTables& tables)
             AddBindings(node, *bindings);
         }
     }
+}
+
+std::shared_ptr<const DrawBindings> WithTexture(const DrawBindings& bindings,
+                                                const Texture& replaced,
+                                                const std::shared_ptr<const Texture>& texture)
+{
+    auto changed = std::make_shared<DrawBindings>(bindings);
+    for (TextureSlot& slot : changed->textures)
+    {
+        slot.texture = slot.texture.get() == &replaced ? texture : slot.texture;
+    }
+    return changed;
+}
+
+void ReadInstead(FrameNode& node, FrameTables& tables, const Texture& replaced,
+                 const std::shared_ptr<const Texture>& texture)
+{
+    ChangeSetups(node, tables,
+                 [&](DrawSetup& setup)
+                 { setup.bindings = WithTexture(*setup.bindings, replaced, texture); });
+    CollectReads(node, tables);
 }
 
 void Merge(ClearCommand& clear, const ClearCommand& other)

@@ -60,6 +60,10 @@ bool UsesDepth(const PipelineState& state);
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
 /// All that it draws into, resolves to or writes.
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
+/// Whether it draws into the texture, writes it or reads it.
+bool Uses(const FrameNode& node, const Texture& texture);
+/// What the node is a copy of; null if it is none, or more than one.
+std::shared_ptr<const RenderTexture> CopiedBy(const FrameNode& node, const FrameTables& tables);
 /// Works FrameNode::reads, writes and buffers out from the draws and dispatches.
 void CollectReads(FrameNode& node, const FrameTables& tables);
 
@@ -85,6 +89,14 @@ void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
         }
     }
 }
+
+/// Returns bindings with another texture in place of one.
+std::shared_ptr<const DrawBindings> WithTexture(const DrawBindings& bindings,
+                                                const Texture& replaced,
+                                                const std::shared_ptr<const Texture>& texture);
+/// Lets the node's draws read another texture in place of one.
+void ReadInstead(FrameNode& node, FrameTables& tables, const Texture& replaced,
+                 const std::shared_ptr<const Texture>& texture);
 
 /// Takes over what `other` clears, in place of what `clear` says about the same.
 void Merge(ClearCommand& clear, const ClearCommand& other);
@@ -113,13 +125,16 @@ void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables);
 
 void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+/// Lets draws read a depth texture itself in place of its copy, where nothing is drawn with the
+/// depth behind the copy.
+void ReadOriginals(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
 /// before and the passes' promises tell.
 void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
-/// of the frame uses the stencil of: less memory, less traffic. Textures that are sampled or are
-/// outputs stay, since others know them by identity.
+/// of the frame uses the stencil of: less memory, less traffic. What draws sample of it is the
+/// depth alone. Outputs and what kernels read stay, since others know them by identity.
 void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Makes one node of those on equal targets, past or behind all that does not mind.
 void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables);

@@ -329,6 +329,124 @@ TEST_F(LeftOutOfAFrame, IsNoCopyOfAnotherSize)
     EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 2"));
 }
 
+TEST_F(LeftOutOfAFrame, IsACopyOfDepthThatNothingIsDrawnWithAnyMore)
+{
+    const RenderTexturePtr copied = test::Target("Copied", 8, 4, true, GraphicsFormat::R32_SFloat);
+    m_Frame.Bind(m_Camera, m_Depth).Clear(ClearFlag::All).Draw(1);
+    m_Frame.Begin("CopyDepth").Bind(copied).Blit(2, {m_Depth}, "copy").End();
+    m_Frame.Bind(m_Mask).Draw(3, {m_Edges, copied}).Bind(m_Camera).Draw(4, {m_Mask, copied});
+    EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 3", ": draw 4"));
+    EXPECT_THAT(Reasons(), ElementsAre("CopyDepth: what reads 'Copied' reads 'Depth', which "
+                                       "nothing is drawn with any more"));
+    const CompiledRenderPass& scene = m_Last.passes[0];
+    EXPECT_EQ(scene.depth->store, StoreOp::Store);
+    for (const std::size_t reader : {1u, 2u})
+    {
+        const auto& draw = std::get<DrawCommand>(m_Last.passes[reader].commands.at(0));
+        const auto& textures = m_Last.Setup(draw).bindings->textures;
+        EXPECT_EQ(textures.at(0).texture, reader == 1 ? m_Edges : m_Mask);
+        EXPECT_EQ(textures.at(1).texture, scene.depth->texture);
+    }
+}
+
+TEST_F(LeftOutOfAFrame, IsNoCopyOfDepthThatReadersNeed)
+{
+    struct Textures
+    {
+        RenderTexturePtr depth;
+        RenderTexturePtr copied;
+        RenderTexturePtr camera;
+        RenderTexturePtr other;
+    };
+    struct Case
+    {
+        const char* name;
+        GraphicsFormat format;
+        bool isTransient;
+        void (*between)(FrameBuilder&, const Textures&);
+        void (*after)(FrameBuilder&, const Textures&);
+    };
+    const auto nothing = [](FrameBuilder&, const Textures&) {
+    };
+    constexpr GraphicsFormat k_Format = GraphicsFormat::R32_SFloat;
+    const Case k_Cases[] = {
+        {"a later draw with the depth", k_Format, true, nothing,
+         [](FrameBuilder& f, const Textures& t)
+         {
+             f.Bind(t.camera, t.depth).Draw(7);
+         }},
+        {"a draw with the depth before what reads", k_Format, true,
+         [](FrameBuilder& f, const Textures& t) { f.Bind(t.camera, t.depth).Draw(7); }, nothing},
+        {"a later clear of the depth", k_Format, true,
+         [](FrameBuilder& f, const Textures& t)
+         { f.Bind(nullptr, t.depth).Clear(ClearFlag::Depth).Draw(7); },
+         nothing},
+        {"a reader that draws with the depth", k_Format, true, nothing,
+         [](FrameBuilder& f, const Textures& t)
+         {
+             f.Bind(t.camera, t.depth).Draw(7, {t.copied});
+         }},
+        {"a second draw into the copy", k_Format, true,
+         [](FrameBuilder& f, const Textures& t) { f.Bind(t.copied).Draw(7); }, nothing},
+        {"a kernel that reads it", k_Format, true, nothing,
+         [](FrameBuilder& f, const Textures& t)
+         {
+             f.Dispatch(7, {t.copied}, {t.other});
+         }},
+        {"a kernel that writes it", k_Format, true,
+         [](FrameBuilder& f, const Textures& t) { f.Dispatch(7, {}, {t.copied}); }, nothing},
+        {"a reader that filters", k_Format, true, nothing,
+         [](FrameBuilder& f, const Textures& t)
+         {
+             f.Bind(t.other).Draw(7, {t.copied});
+             auto bindings = std::make_shared<DrawBindings>(*f.last().bindings);
+             bindings->samplers.push_back({1, SamplerState{FilterMode::Bilinear}});
+             f.last().bindings = bindings;
+         }},
+        {"a reader with a filter of the texture", k_Format, true, nothing,
+         [](FrameBuilder& f, const Textures& t)
+         {
+             f.Bind(t.other).Draw(7, {t.copied});
+             auto bindings = std::make_shared<DrawBindings>(*f.last().bindings);
+             bindings->textures[0].sampler = SamplerState{FilterMode::Bilinear};
+             f.last().bindings = bindings;
+         }},
+        {"a copy that rounds", GraphicsFormat::R16_SFloat, true, nothing, nothing},
+        {"a copy that outlives the frame", k_Format, false, nothing, nothing},
+    };
+    for (const Case& c : k_Cases)
+    {
+        const Textures t{test::DepthTarget("Depth", 8, 4, true),
+                         test::Target("Copied", 8, 4, c.isTransient, c.format),
+                         test::Target("Camera"), test::Target("Other")};
+        m_Frame.Bind(t.camera, t.depth).Clear(ClearFlag::All).Draw(1);
+        m_Frame.Bind(t.copied).Blit(2, {t.depth}, "copy");
+        c.between(m_Frame, t);
+        m_Frame.Bind(m_Mask).Draw(3, {t.copied});
+        c.after(m_Frame, t);
+        EXPECT_THAT(Compile({t.camera, t.other, m_Mask}),
+                    testing::Contains(testing::StartsWith(": draw 2")))
+            << c.name;
+    }
+    // Of another size, of a target that is read back, of one that is not a copy, and a pass that
+    // is kept.
+    const RenderTexturePtr small = test::Target("Small", 4, 4, true, k_Format);
+    m_Frame.Bind(m_Camera, m_Depth).Draw(1).Bind(small).Blit(2, {m_Depth}, "copy");
+    m_Frame.Bind(m_Mask).Draw(3, {small});
+    EXPECT_THAT(Compile({m_Mask}), testing::Contains(": draw 2"));
+    const RenderTexturePtr copied = test::Target("Copied", 8, 4, true, k_Format);
+    m_Frame.Bind(m_Camera, m_Depth).Draw(1).Bind(copied).Blit(2, {m_Depth}, "copy");
+    m_Frame.Bind(m_Mask).Draw(3, {copied});
+    EXPECT_THAT(Compile({m_Mask, copied}), testing::Contains(": draw 2"));
+    m_Frame.Bind(m_Camera, m_Depth).Draw(1).Bind(copied).Blit(2, {m_Depth}, "True");
+    m_Frame.Bind(m_Mask).Draw(3, {copied});
+    EXPECT_THAT(Compile({m_Mask}), testing::Contains(": draw 2"));
+    m_Frame.Bind(copied).Blit(2, {m_Depth}, "copy").Bind(m_Mask).Draw(3, {copied});
+    FrameCommands kept = m_Frame.Take();
+    std::get<SetRenderTargetCommand>(kept.commands.front()).isKept = true;
+    EXPECT_EQ(m_Compiler.Compile(std::move(kept), {m_Mask}).passes.size(), 2u);
+}
+
 TEST_F(LeftOutOfAFrame, IsAllThatANextFrameWouldReadOfTheLast)
 {
     m_Frame.Bind(m_Mask).Draw(1).Bind(m_Camera).Draw(2);

@@ -124,6 +124,10 @@ private:
             RecordDispatch();
             return;
         }
+        if (Pick(0, 5) == 0 && RecordDepthCopy())
+        {
+            return;
+        }
         const RenderTexturePtr color = m_Colors[static_cast<std::size_t>(Pick(0, 9))];
         const RenderTexturePtr depth = Pick(0, 2) != 0      ? nullptr
                                        : HasSamples(*color) ? m_SmoothDepth
@@ -154,7 +158,7 @@ private:
         const int draws = Pick(0, 2);
         for (int i = 0; i < draws; ++i)
         {
-            RecordDraw(colors);
+            RecordDraw(colors, depth);
         }
     }
 
@@ -175,6 +179,19 @@ private:
         return result;
     }
 
+    /// As cameras copy theirs for those who read it.
+    bool RecordDepthCopy()
+    {
+        const RenderTexturePtr& depth = Pick(0, 2) == 0 ? m_SmoothDepth : m_Depth;
+        if (!IsKnown(depth))
+        {
+            return false;
+        }
+        m_Frame.Bind(m_CopiedDepth).Blit(m_Number++, {depth}, "copy");
+        Know(m_CopiedDepth);
+        return true;
+    }
+
     bool RecordCopy(const RenderTexturePtr& color)
     {
         const std::vector<test::TexturePtr> from = Sampled({color}, 1);
@@ -187,11 +204,15 @@ private:
         return true;
     }
 
-    void RecordDraw(const std::vector<RenderTexturePtr>& colors)
+    void RecordDraw(const std::vector<RenderTexturePtr>& colors, const RenderTexturePtr& depth)
     {
         const RenderTargetBlendState blend =
             Pick(0, 1) == 0 ? RenderTargetBlendState{} : FrameBuilder::Additive();
-        const std::vector<test::TexturePtr> sampled = Sampled(colors, 2);
+        std::vector<test::TexturePtr> sampled = Sampled(colors, 2);
+        if (IsKnown(m_Depth) && depth != m_Depth && Pick(0, 7) == 0)
+        {
+            sampled.assign(1, m_Depth);
+        }
         const int kind = Pick(0, 3);
         if (kind == 0 && sampled.size() == 1)
         {
@@ -212,6 +233,8 @@ private:
     std::mt19937 m_Random;
     std::vector<RenderTexturePtr> m_Colors;
     RenderTexturePtr m_Depth = test::DepthTarget("depth", 2, 2, true);
+    RenderTexturePtr m_CopiedDepth =
+        test::Target("copied depth", 2, 2, true, GraphicsFormat::R32_SFloat);
     RenderTexturePtr m_SmoothDepth = Smooth("smooth depth", true, GraphicsFormat::D32_SFloat);
     std::vector<RenderTexturePtr> m_Known; ///< what holds something
     std::vector<std::shared_ptr<GraphicsBuffer>> m_Buffers = {
@@ -238,12 +261,13 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
         FindAccess(nodes, frame);
     }
     using Step = void (*)(std::vector<FrameNode>&, OutputSpan, CompiledFrame&);
-    const Step k_Steps[] = {FoldConstants, ForwardCopies, LeaveOutUnread, LeaveOutStencil};
-    for (int i = 1; i < std::min(steps, 5); ++i)
+    const Step k_Steps[] = {FoldConstants, ForwardCopies, ReadOriginals, LeaveOutUnread,
+                            LeaveOutStencil};
+    for (int i = 1; i < std::min(steps, 6); ++i)
     {
         k_Steps[i - 1](nodes, outputs, frame);
     }
-    if (steps == 5)
+    if (steps == 6)
     {
         MergeNodes(nodes, frame);
     }
@@ -321,6 +345,7 @@ struct Tally
     std::size_t leftOut = 0;
     int dispatches = 0; ///< passes
     int sharing = 0;    ///< frames in which textures share memory
+    int originals = 0;  ///< copies of depth that went
 };
 
 /// Of several sizes, in two kinds of memory.
@@ -361,9 +386,12 @@ void RunSequence(unsigned seed, Tally& tally)
         tally.sharing += frame.placed.empty() ? 0 : 1;
         ++tally.frames;
         tally.leftOut += frame.leftOut.size();
+        tally.originals += static_cast<int>(
+            std::ranges::count_if(frame.leftOut, [](const LeftOut& item)
+                                  { return item.reason.starts_with("what reads"); }));
         ASSERT_TRUE(frame.notes.empty()) << frame.notes.front() << frames;
         // One by one takes its time: every fifth frame.
-        for (int steps = HasPending(states) ? 2 : 0; steps <= 5 && tally.frames % 5 == 0; ++steps)
+        for (int steps = HasPending(states) ? 2 : 0; steps <= 6 && tally.frames % 5 == 0; ++steps)
         {
             ImageInterpreter copy = device;
             copy.Run(CompileWith(steps, recorded, states, outputs));
@@ -410,6 +438,8 @@ TEST(RandomFrame, GivesWhatItsCommandsGiveOneByOneAfterEveryStep)
     EXPECT_GT(tally.leftOut, 2000u) << "there is something to leave out";
     EXPECT_GT(tally.sharing, 100) << "there is something to put into one place";
     EXPECT_GT(tally.dispatches, 1000) << "there are kernels among them";
+    EXPECT_GT(tally.originals, 100) << "some read depth in place of a copy";
+    RecordProperty("originals", tally.originals);
     RecordProperty("frames", tally.frames);
     RecordProperty("sharing", tally.sharing);
 }

@@ -64,12 +64,25 @@ TEST_F(UnusedStencil, IsTheSameTextureInEveryFrame)
     EXPECT_EQ(m_Compiler.Compile(Drawing(m_Frame, true)).passes.at(0).depth->texture, m_Transient);
 }
 
-TEST_F(UnusedStencil, StaysInDepthThatIsKeptSampledOrGivenOut)
+TEST_F(UnusedStencil, IsLeftOutOfDepthThatDrawsSample)
+{
+    const test::RenderTexturePtr other = test::Target("Other");
+    m_Frame.Bind(m_Color, m_Transient).Draw(1).Bind(other).Draw(2, {m_Color, m_Transient});
+    const CompiledFrame frame = m_Compiler.Compile(Drawing(m_Frame, false));
+    EXPECT_EQ(DepthFormat(frame), GraphicsFormat::D32_SFloat);
+    const auto& draw = std::get<DrawCommand>(frame.passes.at(1).commands.at(0));
+    const auto& textures = frame.Setup(draw).bindings->textures;
+    EXPECT_EQ(textures.at(0).texture, m_Color);
+    EXPECT_EQ(textures.at(1).texture, frame.passes[0].depth->texture);
+    EXPECT_EQ(frame.passes[0].depth->store, StoreOp::Store);
+}
+
+TEST_F(UnusedStencil, StaysInDepthThatIsKeptGivenOutOrReadByAKernel)
 {
     m_Frame.Bind(m_Color, m_Kept).Draw(1);
     EXPECT_EQ(DepthFormat(m_Compiler.Compile(Drawing(m_Frame, false))),
               GraphicsFormat::D32_SFloat_S8_UInt);
-    m_Frame.Bind(m_Color, m_Transient).Draw(1).Bind(test::Target("Other")).Draw(2, {m_Transient});
+    m_Frame.Bind(m_Color, m_Transient).Draw(1).Dispatch(2, {m_Transient}, {m_Color});
     EXPECT_EQ(DepthFormat(m_Compiler.Compile(Drawing(m_Frame, false))),
               GraphicsFormat::D32_SFloat_S8_UInt);
     m_Frame.Bind(m_Color, m_Transient).Draw(1);

@@ -129,6 +129,15 @@ public:
         Render();
         return m_Device->ReadBack(*m_Result.output.rt());
     }
+    /// The same with everything run that is recorded.
+    Image OutputOfAll()
+    {
+        m_Request.compile.leavesOut = false;
+        Image output = Output();
+        m_Request.compile.leavesOut = true;
+        return output;
+    }
+    const RenderResult& result() const { return m_Result; } ///< of the last frame
 
 private:
     static constexpr const char* k_CameraColor = "_CameraColorAttachmentA";

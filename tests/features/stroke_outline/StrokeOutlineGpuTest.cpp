@@ -8,6 +8,7 @@
 #include <limn/core/PrimitiveMesh.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
 #include <numbers>
+#include <random>
 
 namespace limn::test
 {
@@ -92,6 +93,24 @@ public:
     StrokeOutlineRendererFeature& feature;
     StrokeOutline& component;
 };
+
+/// The material as glass has it: drawn behind opaque objects, tested against depth.
+std::shared_ptr<const Material> Transparent(const Material& material)
+{
+    auto glass = std::make_shared<Material>(material);
+    glass->SetFloat(ShaderPropertyId("_SrcBlend"), 5.0f);  // SrcAlpha
+    glass->SetFloat(ShaderPropertyId("_DstBlend"), 10.0f); // OneMinusSrcAlpha
+    glass->SetFloat(ShaderPropertyId("_ZWrite"), 0.0f);
+    glass->SetRenderQueue(3000);
+    return glass;
+}
+
+bool DrawsInto(const RenderResult& result, const std::string& texture)
+{
+    return std::ranges::any_of(
+        result.frame->passes, [&](const CompiledRenderPass& pass)
+        { return !pass.colors.empty() && pass.colors.front().texture->name() == texture; });
+}
 
 class StrokeOutlineGpu : public GpuTest
 {
@@ -495,6 +514,76 @@ TEST_F(StrokeOutlineGpu, TellsWhatIsHiddenFromWhatIsSeen)
     expect(alpha(OutlineOcclusion::Hidden, 0), true, false);
     expect(alpha(OutlineOcclusion::SeeThrough, 0), false, true);
     expect(alpha(OutlineOcclusion::SeeThrough, 1), true, false);
+}
+
+/// An outlined object on a floor, and others in front of it, behind it and beside it, some of them
+/// transparent.
+std::unique_ptr<StrokePicture> RandomOccluders(std::mt19937& random,
+                                               const StrokeOutlineSettings& settings)
+{
+    const auto pick = [&](float least, float most)
+    {
+        return std::uniform_real_distribution(least, most)(random);
+    };
+    constexpr PrimitiveType k_Types[] = {PrimitiveType::Sphere, PrimitiveType::Cube,
+                                         PrimitiveType::Torus, PrimitiveType::Quad};
+    auto picture = std::make_unique<StrokePicture>(pick(1.0f, 8.0f), settings);
+    picture->camera.orthographic = false;
+    picture->camera.nearClipPlane = 0.3f;
+    picture->camera.fieldOfView = 40.0f;
+    picture->camera.transform.localPosition = {0.0f, 0.3f, -4.0f};
+    picture->component.m_OutlineColor.Override(Color{1.0f, 0.6f, 0.1f, 0.8f});
+    picture->component.m_OccludedColor.Override(Color{0.2f, 0.4f, 1.0f, 0.6f});
+    GameObject& floor = picture->Add("floor", CreatePrimitive(PrimitiveType::Plane));
+    floor.transform.localPosition = {0.0f, -0.5f, 0.0f};
+    const int others = std::uniform_int_distribution(0, 4)(random);
+    for (int i = 0; i <= others; ++i)
+    {
+        const PrimitiveType type = k_Types[std::uniform_int_distribution(0, 3)(random)];
+        GameObject& object = picture->Add("object", CreatePrimitive(type),
+                                          Color{pick(0.0f, 1.0f), pick(0.0f, 1.0f), 0.5f, 0.5f});
+        object.transform.localRotation =
+            EulerToRotation({pick(0.0f, 360.0f), pick(0.0f, 360.0f), 0.0f});
+        object.transform.localScale = glm::vec3(pick(0.3f, 1.0f));
+        if (i == 0)
+        {
+            object.renderer->renderingLayerMask = RenderingLayerMask::FromIndex(1);
+            continue;
+        }
+        object.transform.localPosition = {pick(-1.0f, 1.0f), pick(-0.5f, 0.8f), pick(-2.0f, 2.0f)};
+        if (pick(0.0f, 1.0f) < 0.2f)
+        {
+            object.renderer->sharedMaterials[0] = Transparent(*object.renderer->sharedMaterials[0]);
+        }
+    }
+    return picture;
+}
+
+TEST_F(StrokeOutlineGpu, DrawsTheSameWhereItReadsTheCamerasDepthAndNoCopyOfIt)
+{
+    std::mt19937 random(20'261'127);
+    constexpr OutlineOcclusion k_Occlusions[] = {
+        OutlineOcclusion::Visible, OutlineOcclusion::Hidden, OutlineOcclusion::SeeThrough};
+    constexpr RenderPassEvent k_Events[] = {RenderPassEvent::AfterRenderingOpaques,
+                                            RenderPassEvent::AfterRenderingTransparents,
+                                            RenderPassEvent::BeforeRenderingPostProcessing};
+    int with = 0;
+    int without = 0;
+    for (int i = 0; i < 60; ++i)
+    {
+        StrokeOutlineSettings settings;
+        settings.m_RenderingLayerMask = 1;
+        settings.m_Occlusion = k_Occlusions[i % 3];
+        settings.m_RenderPassEvent = k_Events[i / 3 % 3];
+        const auto picture = RandomOccluders(random, settings);
+        picture->SetSamples(i % 2 == 0 ? 1 : 4);
+        const Image expected = picture->OutputOfAll();
+        EXPECT_TRUE(DrawsInto(picture->result(), "_CameraDepthTexture"));
+        EXPECT_EQ(picture->Output(), expected) << i;
+        ++(DrawsInto(picture->result(), "_CameraDepthTexture") ? with : without);
+    }
+    EXPECT_GE(without, 40) << "nothing is drawn with the depth behind what reads it";
+    EXPECT_GE(with, 2) << "transparent objects are tested against it";
 }
 
 TEST_F(StrokeOutlineGpu, SeesASolidObjectInFrontOfAllElseAsVisible)

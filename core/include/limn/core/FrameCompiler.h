@@ -50,6 +50,8 @@ struct FrameCompilerOptions
 ///   draw uses it;
 /// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
 ///   draws into the copy, or is resolved into it; what blends, where the copy holds the same;
+/// - ReadOriginals: a copy of depth goes where nothing is drawn with the depth any more: what reads
+///   the copy reads the depth itself;
 /// - LeaveOutUnread: a node whose targets nothing reads goes, unless it isKept or writes a buffer;
 /// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
 /// - LeaveOutStencil: depth has a stencil where a draw uses it;

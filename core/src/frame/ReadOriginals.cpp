@@ -1,0 +1,109 @@
+#include "frame/TextureHistory.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Whether it gives texels as they are, whatever the texture's format is.
+bool IsPlain(const SamplerState& sampler)
+{
+    return sampler.filterMode == FilterMode::Point && sampler.anisoLevel == 1 &&
+           !sampler.comparison;
+}
+
+bool HasPlainSamplers(const DrawBindings& bindings)
+{
+    return std::ranges::all_of(bindings.samplers,
+                               [](const SamplerSlot& slot) { return IsPlain(slot.state); }) &&
+           std::ranges::all_of(bindings.textures, [](const TextureSlot& slot)
+                               { return !slot.sampler || IsPlain(*slot.sampler); });
+}
+
+/// Whether a shader sees the same in both: depth, and the one channel that it was copied to.
+bool LooksTheSame(const RenderTexture& depth, const RenderTexture& copy)
+{
+    return IsDepthFormat(depth.graphicsFormat()) &&
+           copy.graphicsFormat() == GraphicsFormat::R32_SFloat && !HasSamples(copy) &&
+           depth.width() == copy.width() && depth.height() == copy.height() &&
+           depth.mipmapCount() == 1 && copy.mipmapCount() == 1;
+}
+
+/// Whether the node's draws may read another texture that looks the same.
+bool CanReadAnother(const FrameNode& node, const FrameTables& tables)
+{
+    return !node.isCompute &&
+           std::ranges::all_of(node.commands,
+                               [&](const PassCommand& command)
+                               {
+                                   const auto* draw = std::get_if<DrawCommand>(&command);
+                                   return draw == nullptr ||
+                                          HasPlainSamplers(*tables.Setup(*draw).bindings);
+                               });
+}
+
+bool Reads(const FrameNode& node, const RenderTexture& texture)
+{
+    return std::ranges::any_of(node.reads,
+                               [&](const auto& read) { return read.get() == &texture; });
+}
+
+bool DrawsInto(const FrameNode& node, const RenderTexture& texture)
+{
+    return std::ranges::any_of(TargetsOf(node),
+                               [&](const auto& target) { return target.get() == &texture; });
+}
+
+/// Whether all that uses the copy, node `at`, can read the original. What draws with the depth once
+/// more would have to be a pass apart from what reads it: the copy is cheaper then.
+bool CanDoWithout(const std::vector<FrameNode>& nodes, std::size_t at, const FrameTables& tables,
+                  const RenderTexture& original)
+{
+    const RenderTexture& copy = *nodes[at].targets.colors.front();
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        const FrameNode& node = nodes[i];
+        const bool isFine = i == at  ? true
+                            : i < at ? !Uses(node, copy)
+                                     : !DrawsInto(node, original) && !DrawsInto(node, copy) &&
+                                           (!Reads(node, copy) || CanReadAnother(node, tables));
+        if (!isFine)
+        {
+            return false;
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void ReadOriginals(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+{
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        const std::shared_ptr<const RenderTexture> original = CopiedBy(nodes[i], frame);
+        const std::shared_ptr<const RenderTexture> copy =
+            original ? nodes[i].targets.colors.front() : nullptr;
+        if (!original || nodes[i].targets.isKept || !LooksTheSame(*original, *copy) ||
+            OutlivesFrame(*copy, frame.states) || std::ranges::count(outputs, copy) > 0 ||
+            !CanDoWithout(nodes, i, frame, *original))
+        {
+            continue;
+        }
+        for (FrameNode& node : nodes)
+        {
+            if (Reads(node, *copy))
+            {
+                ReadInstead(node, frame, *copy, original);
+            }
+        }
+        nodes[i].whyLeftOut = "what reads '" + copy->name() + "' reads '" + original->name() +
+                              "', which nothing is drawn with any more";
+    }
+    EraseLeftOut(nodes, frame);
+}
+
+} // namespace limn
