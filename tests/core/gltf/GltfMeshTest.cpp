@@ -73,6 +73,14 @@ TEST(GltfMesh, MakesMissingNormalsFlat)
     }
 }
 
+TEST(GltfMesh, MakesTheNormalsOfATriangleWithoutAreaPointUp)
+{
+    GltfFile file;
+    file.AddFloats("VEC3", {1, 0, 0, 2, 0, 0, 3, 0, 0});
+    const auto mesh = Load(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0})")));
+    EXPECT_EQ(mesh->data().normals, std::vector(3, glm::vec3(0, 1, 0)));
+}
+
 TEST(GltfMesh, IsNamedAfterTheFile)
 {
     EXPECT_EQ(LoadTriangle("")->name(), "a");

@@ -65,6 +65,15 @@ TEST(ErrorPlace, IsThatOfAnArgumentOfAMacro)
                 ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
 }
 
+// The words that the macro makes are not the line's, though the same ones stand at its end.
+TEST(ErrorPlace, IsThatOfAnArgumentOfAMacroWhoseOtherWordsFollow)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float b = 1, c = 2; return TIMES_B(_Missing) + c + b; }";
+    EXPECT_THAT(FragmentMessages(line, "#define TIMES_B(x) b * x"),
+                ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
 TEST(ErrorPlace, DoesNotCountComments)
 {
     const std::string line =

@@ -328,5 +328,13 @@ TEST(ShaderLabError, SurvivesEveryTruncationOfAFile)
     EXPECT_EQ(withErrors, static_cast<int>(text.size()));
 }
 
+TEST(ShaderLabError, KnowsNothingOfWhatFollowsTheTextThatItWasGiven)
+{
+    const std::string_view more = "Shader \"T\" { SubShader { Pass { } } } /* a */";
+    const ShaderLabParseResult result = ParseShaderLab(more.substr(0, more.size() - 1), "t.shader");
+    EXPECT_THAT(test::Messages(result.diagnostics),
+                ElementsAre("1:39: error: comment: '/*' is never closed; close it with '*/'"));
+}
+
 } // namespace
 } // namespace limn
