@@ -116,6 +116,7 @@ TEST(CameraPoints, AskForAScreen)
         EXPECT_THROW(Camera::ScreenToViewportPoint({0, 0, 1}, size), ContractError);
         EXPECT_THROW(Camera::ViewportToScreenPoint({0, 0, 1}, size), ContractError);
     }
+    EXPECT_EQ(Camera::ViewportToScreenPoint({0.5f, 0.25f, 1}, {1, 1}), glm::vec3(0.5f, 0.25f, 1));
 }
 
 } // namespace

@@ -32,6 +32,15 @@ TEST(ShaderLabError, SuggestsTheValueThatWasMeant)
                                        "'Always'?")));
 }
 
+TEST(ShaderLabError, GoesOnBehindAMaskThatIsNone)
+{
+    const std::string rest = " is no mask; write letters of RGBA, 0 or [_Property]";
+    EXPECT_THAT(PassMessages("ColorMask"), ElementsAre("5:1: error: ColorMask: '}'" + rest));
+    EXPECT_THAT(PassMessages("ColorMask Cull Bakc"),
+                ElementsAre("4:11: error: ColorMask: 'Cull'" + rest,
+                            "4:16: error: Cull: unknown value 'Bakc'; did you mean 'Back'?"));
+}
+
 TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
 {
     const std::vector<std::string> messages =
