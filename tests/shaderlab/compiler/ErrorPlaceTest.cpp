@@ -83,6 +83,15 @@ TEST(ErrorPlace, DoesNotCountComments)
                 ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
 }
 
+TEST(ErrorPlace, IsKeptBehindAPragmaThatBeginsTheProgram)
+{
+    const std::string line = "float4 frag() : SV_Target { float2 a = 1; return a.xyzw; }";
+    EXPECT_THAT(CompileMessages(
+                    Program("#pragma pack_matrix(row_major)\n\n" + line +
+                            "\nfloat4 vert(float4 p : POSITION) : SV_Position { return p; }\n")),
+                ElementsAre(testing::StartsWith(At(line, "xyzw"))));
+}
+
 TEST(ErrorPlace, OfAParameterIsItsName)
 {
     const std::string line =
