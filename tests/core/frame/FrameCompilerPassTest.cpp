@@ -136,6 +136,24 @@ TEST_F(FrameCompilerPasses, DrawIntoSeveralColors)
     EXPECT_EQ(frame.passes[0].colors[1].texture, m_B);
 }
 
+// A logical operation is one for all colours of a pass.
+TEST_F(FrameCompilerPasses, ContinueOnMoreOrFewerColorsWithoutALogicalOperation)
+{
+    for (const BlendOp operation : {BlendOp::Max, BlendOp::LogicalClear, BlendOp::LogicalXor})
+    {
+        const std::size_t expected = operation == BlendOp::Max ? 1 : 2;
+        m_Frame.Bind(m_A).Draw(1);
+        m_Frame.last().state.targets[0].colorBlendOperation = operation;
+        m_Frame.Bind({m_A, m_B}, nullptr).Draw(2);
+        EXPECT_EQ(test::FrameCompiler(true).Compile(m_Frame.Take(), {m_A, m_B}).passes.size(),
+                  expected);
+        m_Frame.Bind({m_A, m_B}, nullptr).Draw(1).Bind(m_A).Draw(2);
+        m_Frame.last().state.targets[0].alphaBlendOperation = operation;
+        EXPECT_EQ(test::FrameCompiler(true).Compile(m_Frame.Take(), {m_A, m_B}).passes.size(),
+                  expected);
+    }
+}
+
 TEST_F(FrameCompilerPasses, SetTheViewportBeforeTheDrawsThatItIsFor)
 {
     m_Frame.Bind(m_A).Draw(1).Viewport(1, 2, 3, 1).Draw(2);

@@ -73,6 +73,14 @@ TEST(GltfMesh, MakesMissingNormalsFlat)
     }
 }
 
+TEST(GltfMesh, MakesTheNormalsOfATriangleWithoutAreaPointUp)
+{
+    GltfFile file;
+    file.AddFloats("VEC3", {1, 0, 0, 2, 0, 0, 3, 0, 0});
+    const auto mesh = Load(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0})")));
+    EXPECT_EQ(mesh->data().normals, std::vector(3, glm::vec3(0, 1, 0)));
+}
+
 TEST(GltfMesh, IsNamedAfterTheFile)
 {
     EXPECT_EQ(LoadTriangle("")->name(), "a");
@@ -200,6 +208,21 @@ TEST(GltfMesh, KeepsTrianglesFacingTheirWayUnderAMirroringNode)
     EXPECT_EQ(mesh->data().vertices, (std::vector<glm::vec3>{{1, 0, 0}, {3, 0, 0}, {1, 2, 0}}));
     ExpectNear(FacingOf(*mesh), {0, 0, 1});
     ExpectNear(mesh->data().normals.at(0), {0, 0, 1});
+}
+
+// Files in centimetres have such nodes.
+TEST(GltfMesh, KeepsDirectionsOfUnitLengthUnderASmallScale)
+{
+    GltfFile file;
+    file.AddFloats("VEC3", k_Triangle);
+    file.AddFloats("VEC3", {0.6f, 0, 0.8f, 0.6f, 0, 0.8f, 0.6f, 0, 0.8f});
+    file.AddFloats("VEC4", {0.8f, 0, -0.6f, 1, 0.8f, 0, -0.6f, 1, 0.8f, 0, -0.6f, 1});
+    const auto mesh =
+        Load(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0, "NORMAL": 1, "TANGENT": 2})",
+                                    R"(, "scale": [0.01, 0.01, 0.01])")));
+    ExpectNear(mesh->data().vertices.at(1), {-0.03f, 0, 0});
+    ExpectNear(mesh->data().normals.at(0), {-0.6f, 0, 0.8f});
+    ExpectNear(glm::vec3(mesh->data().tangents.at(0)), {-0.8f, 0, -0.6f});
 }
 
 TEST(GltfMesh, KeepsNormalsAcrossTheSurfaceUnderAnUnevenScale)

@@ -45,7 +45,10 @@ TEST(Color, HasAHue)
     }
     ExpectNear(Color::HSVToRGB(1.0f, 1.0f, 1.0f), {1, 0, 0});
     ExpectNear(Color::HSVToRGB(0.0f, 0.5f, 4.0f), {4, 2, 2});
-    ExpectNear(Color::HSVToRGB(0.0f, 0.75f, 4.0f, false), {1, 1, 1});
+    // Twice a colour of one component at 1 and two at 0.25; above 1 goes, each by itself.
+    ExpectNear(Color::HSVToRGB(0.0f, 0.75f, 2.0f, false), {1, 0.5, 0.5});
+    ExpectNear(Color::HSVToRGB(1.0f / 3, 0.75f, 2.0f, false), {0.5, 1, 0.5});
+    ExpectNear(Color::HSVToRGB(2.0f / 3, 0.75f, 2.0f, false), {0.5, 0.5, 1});
     float h = -1.0f;
     float s = -1.0f;
     float v = -1.0f;

@@ -99,6 +99,7 @@ TEST(FullScreenDraw, IsThreeVerticesOfThePass)
     const auto* draw = std::get_if<RecordedDraw>(&cmd.commands().front());
     ASSERT_NE(nullptr, draw);
     EXPECT_EQ(material, draw->material);
+    EXPECT_EQ(glm::dmat4(1.0), draw->matrix);
     EXPECT_EQ(3u, draw->vertexCount);
     EXPECT_EQ(1, draw->shaderPass);
     ASSERT_NE(nullptr, cmd.PropertiesOf(*draw));

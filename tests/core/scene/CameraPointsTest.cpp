@@ -111,6 +111,12 @@ TEST(CameraPoints, AskForAScreen)
 {
     EXPECT_THROW(Camera().WorldToScreenPoint({0, 0, 1}, {0, 400}), ContractError);
     EXPECT_THROW(Camera().ScreenPointToRay({0, 0}, {600, 0}), ContractError);
+    for (const glm::ivec2 size : {glm::ivec2(0, 400), glm::ivec2(600, 0)})
+    {
+        EXPECT_THROW(Camera::ScreenToViewportPoint({0, 0, 1}, size), ContractError);
+        EXPECT_THROW(Camera::ViewportToScreenPoint({0, 0, 1}, size), ContractError);
+    }
+    EXPECT_EQ(Camera::ViewportToScreenPoint({0.5f, 0.25f, 1}, {1, 1}), glm::vec3(0.5f, 0.25f, 1));
 }
 
 } // namespace

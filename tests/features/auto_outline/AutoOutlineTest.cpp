@@ -99,6 +99,22 @@ TEST(AutoOutline, TransformsDistancesWhereThereAreManyShortEdges)
     EXPECT_THAT(picture.Report().choices, ElementsAre(HasSubstr("JumpFlood, 9000 silhouette")));
 }
 
+// Seen askew, a cube is a hexagon. Corners of this one differ by less than two floats near 1 do.
+TEST(AutoOutline, CountsTheEdgesOfAMeshThatIsMuchSmallerThanItsObject)
+{
+    MeshData data = CreatePrimitive(PrimitiveType::Cube)->data();
+    for (glm::vec3& vertex : data.vertices)
+    {
+        vertex *= 1e-9f;
+    }
+    AutoPicture picture(4.0f);
+    GameObject& cube =
+        picture.picture.Add("cube", std::make_shared<const Mesh>("cube", std::move(data)));
+    cube.transform.localScale = glm::vec3(5e10f); // 50 pixels
+    cube.transform.localRotation = EulerToRotation({30.0f, 40.0f, 0.0f});
+    EXPECT_THAT(picture.Report().choices, ElementsAre(HasSubstr(" 6 silhouette edges ")));
+}
+
 TEST(AutoOutline, DoesAsItIsTold)
 {
     for (const auto& [technique, name] :

@@ -72,6 +72,28 @@ TEST_F(ColorEdgesFrame, HasOneInstancedDrawForEachMeshInTheMask)
               1);
 }
 
+// The taps of a row are 60 texels apart, 30 on each side of a border. Those of a column have no
+// place for that; the longer ones decide how far a line lies from its object.
+TEST_F(ColorEdgesFrame, ReachesAsFarAsTheLongerTapsOfAWidePicture)
+{
+    FlatScene flat(512, 32);
+    flat.Add({200, 8}, {300, 24}, 5.0f, Plain({1, 1, 1}));
+    m_Content.scene = std::move(flat.scene);
+    m_Content.camera = flat.camera;
+    m_Size = {512, 32};
+    m_Settings.m_OnlyFilteredObjects = true;
+    const RenderResult result =
+        Render([](ColorEdges& edges) { edges.m_OutlineWidth.Override(60.0f); });
+    const std::vector<PassCommand>& commands = result.frame->passes.at(3).commands;
+    const auto viewport =
+        std::ranges::find_if(commands, [](const PassCommand& command)
+                             { return std::holds_alternative<SetViewportCommand>(command); });
+    ASSERT_NE(viewport, commands.end());
+    const ViewportRect part = std::get<SetViewportCommand>(*viewport).rect;
+    EXPECT_LE(part.x, 170);
+    EXPECT_GE(part.x + part.width, 330);
+}
+
 struct NothingDrawn
 {
     const char* note;

@@ -65,6 +65,15 @@ TEST(ErrorPlace, IsThatOfAnArgumentOfAMacro)
                 ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
 }
 
+// The words that the macro makes are not the line's, though the same ones stand at its end.
+TEST(ErrorPlace, IsThatOfAnArgumentOfAMacroWhoseOtherWordsFollow)
+{
+    const std::string line =
+        "float4 frag() : SV_Target { float b = 1, c = 2; return TIMES_B(_Missing) + c + b; }";
+    EXPECT_THAT(FragmentMessages(line, "#define TIMES_B(x) b * x"),
+                ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
 TEST(ErrorPlace, DoesNotCountComments)
 {
     const std::string line =
@@ -72,6 +81,15 @@ TEST(ErrorPlace, DoesNotCountComments)
     EXPECT_THAT(FragmentMessages(line, "/* _Missing"
                                        "   _Missing */"),
                 ElementsAre(At(line, "_Missing") + "'_Missing': unknown variable"));
+}
+
+TEST(ErrorPlace, IsKeptBehindAPragmaThatBeginsTheProgram)
+{
+    const std::string line = "float4 frag() : SV_Target { float2 a = 1; return a.xyzw; }";
+    EXPECT_THAT(CompileMessages(
+                    Program("#pragma pack_matrix(row_major)\n\n" + line +
+                            "\nfloat4 vert(float4 p : POSITION) : SV_Position { return p; }\n")),
+                ElementsAre(testing::StartsWith(At(line, "xyzw"))));
 }
 
 TEST(ErrorPlace, OfAParameterIsItsName)

@@ -326,6 +326,17 @@ TEST(Kernel, SaysHowManyThreadsItsGroupsHave)
                                         "a group has; write '[numthreads(8, 8, 1)]' before it"}));
 }
 
+// It shows only where the generated entry function calls the kernel.
+TEST(Kernel, CannotTakeASystemValueInAnArray)
+{
+    const std::vector<std::string> errors =
+        KernelErrors("RWStructuredBuffer<float> _Out;\n  #pragma kernel K\n[numthreads(1, 1, 1)] "
+                     "void K(uint3 id[2] : SV_DispatchThreadID) { _Out[0] = 1; }\n");
+    ASSERT_EQ(errors.size(), 1u);
+    EXPECT_TRUE(errors[0].starts_with("t.compute:2:3: error: K: it cannot be called; "))
+        << errors[0];
+}
+
 TEST(Kernel, HasNoObjectOfItsOwn)
 {
     const std::vector<std::string> errors = KernelErrors(Kernel(

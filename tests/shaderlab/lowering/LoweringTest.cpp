@@ -65,6 +65,14 @@ TEST(Lowering, PutsTheNumbersOfAnArrayOfVectorsInConstructors)
               Lowered("void f() { float4 v = {{1, 2}, {3, 4}}; }"));
 }
 
+// Messages about them tell the place.
+TEST(Lowering, LeavesWhatAListTakesWholeInItsPlace)
+{
+    const std::string function = "float2 g(inout float s) { s += 1; return s; } ";
+    EXPECT_EQ(function + "void f(float s) { float4 a[1] = {float4(g(s) , g(s))}; }",
+              Lowered(function + "void f(float s) { float4 a[1] = {g(s), g(s)}; }"));
+}
+
 TEST(Lowering, LeavesListsThatDoNotFitAsTheyAre)
 {
     for (const std::string list :

@@ -32,6 +32,15 @@ TEST(ShaderLabError, SuggestsTheValueThatWasMeant)
                                        "'Always'?")));
 }
 
+TEST(ShaderLabError, GoesOnBehindAMaskThatIsNone)
+{
+    const std::string rest = " is no mask; write letters of RGBA, 0 or [_Property]";
+    EXPECT_THAT(PassMessages("ColorMask"), ElementsAre("5:1: error: ColorMask: '}'" + rest));
+    EXPECT_THAT(PassMessages("ColorMask Cull Bakc"),
+                ElementsAre("4:11: error: ColorMask: 'Cull'" + rest,
+                            "4:16: error: Cull: unknown value 'Bakc'; did you mean 'Back'?"));
+}
+
 TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
 {
     const std::vector<std::string> messages =
@@ -326,6 +335,14 @@ TEST(ShaderLabError, SurvivesEveryTruncationOfAFile)
         withErrors += ParseShaderLab(text.substr(0, size), "t").hasErrors() ? 1 : 0;
     }
     EXPECT_EQ(withErrors, static_cast<int>(text.size()));
+}
+
+TEST(ShaderLabError, KnowsNothingOfWhatFollowsTheTextThatItWasGiven)
+{
+    const std::string_view more = "Shader \"T\" { SubShader { Pass { } } } /* a */";
+    const ShaderLabParseResult result = ParseShaderLab(more.substr(0, more.size() - 1), "t.shader");
+    EXPECT_THAT(test::Messages(result.diagnostics),
+                ElementsAre("1:39: error: comment: '/*' is never closed; close it with '*/'"));
 }
 
 } // namespace

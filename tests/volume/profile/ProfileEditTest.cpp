@@ -308,6 +308,13 @@ TEST(EditVolumeProfile, LeavesACurveInBracketsOverSeveralLinesToItsAuthor)
                     "change it by hand"));
 }
 
+TEST(EditVolumeProfile, LeavesATextOverSeveralLinesToItsAuthor)
+{
+    EXPECT_THAT(
+        Problems([] { EditNested("Nested:\n  ramp: \"a\n    b.png\"\n", "Nested.ramp=c.png"); }),
+        ElementsAre("2:9: Nested.m_Ramp: the value is not on one line; change it by hand"));
+}
+
 TEST(EditVolumeProfile, ChangesOneNumberOfACurveThatKeepsItsKeys)
 {
     const std::string text = "Nested:\n  curve:\n  - {time: 0, value: 1, inTangent: 0, outTangent: "
