@@ -84,6 +84,15 @@ TEST(AssetError, ShowsEveryDiagnosticOnALineOfItsOwn)
     EXPECT_EQ(error.diagnostics().size(), 2u);
 }
 
+TEST(EditDistance, CountsLettersThatAreMissingChangedOrSwapped)
+{
+    EXPECT_EQ(EditDistance("", "abc"), 3u);
+    EXPECT_EQ(EditDistance("abc", ""), 3u);
+    EXPECT_EQ(EditDistance("c", "abc"), 2u);
+    EXPECT_EQ(EditDistance("kitten", "sitting"), 3u);
+    EXPECT_EQ(EditDistance("ab", "ba"), 1u);
+}
+
 TEST(NearestName, FindsTheNameWithTheFewestChangesInAnyCase)
 {
     EXPECT_EQ(NearestName("ZWrit", {"ZTest", "ZWrite", "Cull"}), "ZWrite");

@@ -93,6 +93,11 @@ TEST(ShaderLabError, ReportsAFileThatIsNoShader)
                             "'float4'"));
 }
 
+TEST(ShaderLabError, ShowsWhatATerminalCannotAsItsNumber)
+{
+    EXPECT_THAT(PassMessages("Cull \"a~\x7F\""), ElementsAre(testing::HasSubstr("a~\\x7F")));
+}
+
 TEST(ShaderLabError, ReportsABadPropertyAndReadsTheNext)
 {
     const ShaderLabParseResult result =
