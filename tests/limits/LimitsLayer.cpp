@@ -91,6 +91,7 @@ void Lower(VkPhysicalDeviceLimits& limits)
         limits.name = s_State.lowered.at(#name);                                                   \
     }
     LIMN_LIMIT(maxBoundDescriptorSets)
+    LIMN_LIMIT(maxComputeWorkGroupInvocations)
     LIMN_LIMIT(maxDescriptorSetSampledImages)
     LIMN_LIMIT(maxDescriptorSetSamplers)
     LIMN_LIMIT(maxDescriptorSetStorageBuffers)

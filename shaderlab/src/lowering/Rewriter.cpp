@@ -477,6 +477,12 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
     {
         fail("a kernel says how many threads a group has; write '[numthreads(8, 8, 1)]' before it");
     }
+    if (!HasValidThreads(ThreadsOf(kernel), source.declarations.constants))
+    {
+        fail("a group cannot have " + std::string(ThreadsOf(kernel)) +
+             "; write three constants, 1 to 1024 along x and y and 1 to 64 along z, which make at "
+             "most 1024 threads");
+    }
     Rewriter rewriter(source, kernel.name);
     if (rewriter.reach().Names(k_DrawIndex))
     {

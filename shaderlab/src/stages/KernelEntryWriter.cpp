@@ -18,6 +18,35 @@ std::string_view ThreadsOf(const HlslFunction& kernel)
     return found == kernel.attributes.end() ? std::string_view() : *found;
 }
 
+bool HasValidThreads(std::string_view attribute, const IntegerNames& constants)
+{
+    constexpr std::int64_t k_Most[] = {1024, 1024, 64};
+    constexpr std::int64_t k_MostInAll = 1024;
+    const std::size_t open = attribute.find('(');
+    const std::size_t close = attribute.rfind(')');
+    if (open == attribute.npos || close == attribute.npos || close < open)
+    {
+        return false;
+    }
+    std::string_view rest = attribute.substr(open + 1, close - open - 1);
+    std::int64_t inAll = 1;
+    for (std::size_t i = 0; i < std::size(k_Most); ++i)
+    {
+        const bool isLast = i + 1 == std::size(k_Most);
+        const std::size_t comma = isLast ? rest.size() : rest.find(',');
+        const std::string_view text = rest.substr(0, comma);
+        const bool isOne = comma != rest.npos && text.find(',') == text.npos;
+        const std::int64_t threads = isOne ? EvaluateInteger(text, constants) : 0;
+        if (threads < 1 || threads > k_Most[i])
+        {
+            return false;
+        }
+        inAll *= threads;
+        rest.remove_prefix(isLast ? 0 : comma + 1);
+    }
+    return inAll <= k_MostInAll;
+}
+
 std::string WriteKernelEntry(const HlslFunction& kernel, const std::string& prologue)
 {
     std::string parameters;

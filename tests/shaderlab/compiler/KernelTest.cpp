@@ -326,6 +326,36 @@ TEST(Kernel, SaysHowManyThreadsItsGroupsHave)
                                         "a group has; write '[numthreads(8, 8, 1)]' before it"}));
 }
 
+// Direct3D 11, cs_5_0: at most 1024 along x and y, 64 along z, and 1024 in all.
+TEST(Kernel, HasGroupsOfAConstantNumberOfThreadsWithinDirect3DsLimits)
+{
+    const auto text = [](const std::string& threads)
+    {
+        return "#pragma kernel K\nuint _N;\nstatic const int k_Two = 2;\n"
+               "RWStructuredBuffer<float> _Out;\n[numthreads(" +
+               threads + ")]\nvoid K(uint3 id : SV_DispatchThreadID) { _Out[_N] = 1; }\n";
+    };
+    using Size = std::array<std::uint32_t, 3>;
+    const std::map<std::string, Size> sizes{{"1024, 1, 1", {1024, 1, 1}},
+                                            {"1, 1024, 1", {1, 1024, 1}},
+                                            {"4, 4, 64", {4, 4, 64}},
+                                            {"k_Two * 8u, (4), 0x2", {16, 4, 2}}};
+    for (const auto& [threads, size] : sizes)
+    {
+        EXPECT_EQ(CompileKernel(text(threads))->threadGroupSize, size) << threads;
+    }
+    for (const char* threads : {"_N, 1, 1", "- 1, 1, 1", "0, 1, 1", "1, 1, 0", "1025, 1, 1",
+                                "1, 1025, 1", "1, 1, 65", "64, 32, 1", "8, 8", "8, 8, 1, 1"})
+    {
+        EXPECT_EQ(KernelErrors(text(threads)),
+                  (std::vector<std::string>{
+                      "t.compute:6:6: error: 'K': a group cannot have [numthreads(" +
+                      std::string(threads) +
+                      ")]; write three constants, 1 to 1024 along x and y and 1 to 64 along z, "
+                      "which make at most 1024 threads"}));
+    }
+}
+
 // It shows only where the generated entry function calls the kernel.
 TEST(Kernel, CannotTakeASystemValueInAnArray)
 {

@@ -352,25 +352,4 @@ TEST_F(KernelGpu, TakesWhatIsGlobal)
     EXPECT_EQ(DataOf<glm::vec4>(*out)[0], glm::vec4(10, 20, 30, 40));
 }
 
-TEST_F(KernelGpu, HasNoMoreThreadsThanTheDeviceRuns)
-{
-    const auto shader =
-        MakeKernel("1024, 64, 1", "RWStructuredBuffer<uint> _Out;", "_Out[0] = id.x;");
-    shader->SetBuffer(0, "_Out", MakeBuffer(std::vector<std::uint32_t>(1)));
-    CommandBuffer cmd;
-    cmd.DispatchCompute(shader, 0, 1, 1, 1);
-    try
-    {
-        RunCommands(cmd);
-        FAIL();
-    }
-    catch (const ContractError& error)
-    {
-        const std::string message = error.what();
-        EXPECT_TRUE(message.starts_with("compute shader 'Test', kernel 'K': groups of 1024x64x1 "
-                                        "threads; the device runs at most "))
-            << message;
-    }
-}
-
 } // namespace limn::test

@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include "compute/ComputeRun.h"
 #include "core/ThrownMessage.h"
 #include "faults/FaultyLoader.h"
 #include "limits/Lowered.h"
@@ -197,6 +198,29 @@ TEST_F(LoweredLimits, OfSamplersHoldHoweverOftenABiasChanges)
     {
         EXPECT_EQ(k_White, Draw(materials)) << "as many as there may be";
     }
+}
+
+TEST_F(LoweredLimits, OfThreadsAreNamedBeforeTheDriverIsAsked)
+{
+    Make("maxComputeWorkGroupInvocations=128");
+    const auto run = [&](const std::string& threads)
+    {
+        const auto shader =
+            MakeKernel(threads, "RWStructuredBuffer<uint> _Out;", "_Out[0] = id.x;");
+        shader->SetBuffer(0, "_Out", MakeBuffer(std::vector<std::uint32_t>(1)));
+        CommandBuffer cmd;
+        cmd.DispatchCompute(shader, 0, 1, 1, 1);
+        RenderReport report;
+        ScriptableRenderContext context(report);
+        context.ExecuteCommandBuffer(cmd);
+        m_Device->Execute(CompileFrame(context.TakeCommands(), m_Device->textureStates(), {}));
+    };
+    EXPECT_NO_THROW(run("16, 8, 1"));
+    const std::string refusal = ThrownMessage<ContractError>([&] { run("16, 8, 2"); });
+    EXPECT_TRUE(refusal.starts_with("compute shader 'Test', kernel 'K': groups of 16x8x2 threads; "
+                                    "the device runs at most "))
+        << refusal;
+    EXPECT_NE(refusal.find("128"), std::string::npos) << refusal;
 }
 
 TEST_F(LoweredLimits, OfAHeapThatIsFullLeadToAnother)
