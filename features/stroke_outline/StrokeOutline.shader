@@ -111,16 +111,38 @@ Shader "Hidden/Limn/StrokeOutline"
             }
 
             #if defined(_STROKE_OCCLUSION)
+            // The nearest that the objects' surface can be anywhere in a pixel, as far as what they
+            // have in it and around it says; 0 where they have nothing.
+            float NearestInPixel(float2 pixel)
+            {
+                float most = 0.0;
+                float2 change = 0.0; // from one pixel to the next
+                for (int y = -1; y <= 1; ++y)
+                {
+                    for (int x = -1; x <= 1; ++x)
+                    {
+                        float own = OwnDepth(pixel + float2(x, y));
+                        float right = OwnDepth(pixel + float2(x + 1, y));
+                        float below = OwnDepth(pixel + float2(x, y + 1));
+                        most = max(most, own);
+                        change.x = max(change.x, own > 0.0 && right > 0.0 ? abs(right - own) : 0.0);
+                        change.y = max(change.y, own > 0.0 && below > 0.0 ? abs(below - own) : 0.0);
+                    }
+                }
+                return most > 0.0 ? most + 0.5 * (change.x + change.y) : 0.0;
+            }
+
             // Whether the silhouette is seen: just inside of it, where the objects have a surface.
             bool IsVisible(float2 nearest, float2 outward, float depth)
             {
-                float2 inside = nearest - outward * 0.5;
-                // Where the surface turns away the camera's depth, which may be that of another
-                // sample, belongs to a place farther in.
-                float own = max(OwnDepth(inside), OwnDepth(inside - outward * 1.5));
+                float2 inside = floor(nearest - outward * 0.5) + 0.5; // of a pixel, its centre
                 float2 uv = (inside + _OutlineRegion.xy) / _OutlinePicture.xy;
-                float scene = SAMPLE_TEXTURE2D_LOD(_CameraDepthTexture, sampler_PointClamp, uv, 0).r;
-                return limn_Nearness(scene) <= (own > 0.0 ? own : depth) * 1.001;
+                float scene = limn_Nearness(
+                    SAMPLE_TEXTURE2D_LOD(_CameraDepthTexture, sampler_PointClamp, uv, 0).r);
+                // Where the surface turns away the camera's depth, which may be that of another
+                // place in the pixel, belongs to one farther in.
+                float own = max(OwnDepth(inside), OwnDepth(inside - outward * 1.5));
+                return scene <= max(own, depth) * 1.001 || scene <= NearestInPixel(inside) * 1.001;
             }
             #endif
 
