@@ -196,6 +196,40 @@ TEST_F(LightDataOfAFrame, HasSplitsAsUrpHasThemForEachNumberOfCascades)
     }
 }
 
+/// Shadow passes bias what they draw, and nothing that is drawn behind them.
+TEST_F(LightDataOfAFrame, BiasesTheDepthOfShadowPassesOnly)
+{
+    const auto shader = ShaderOf(
+        "Shader \"Test/Caster\" { SubShader {\n"
+        "Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n" +
+        Program() + "}\nPass { Tags { \"LightMode\" = \"ShadowCaster\" }\n" + Program() + "} } }");
+    AddCube(m_Scene, "Cube", {0, 0, 3}, {std::make_shared<Material>(shader)});
+    m_Camera.transform.localPosition = {0, 0, -3};
+    Light& spot = Add(LightType::Spot, {0, 0, 0});
+    spot.range = 20.0f;
+    spot.shadows = LightShadows::Hard;
+    m_Request.compile.leavesOut = false; // nothing reads the shadow map here
+    ASSERT_TRUE(Render().shadows.supportsAdditionalLightShadows);
+    int biased = 0;
+    int plain = 0;
+    for (const CompiledRenderPass& pass : m_Result.frame->passes)
+    {
+        for (const PassCommand& command : pass.commands)
+        {
+            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            {
+                const bool isShadow = pass.colors.empty();
+                const PipelineState& state = m_Result.frame->Setup(*draw).state;
+                EXPECT_EQ(state.offsetFactor != 0.0f, isShadow) << pass.name;
+                EXPECT_EQ(state.offsetUnits != 0.0f, isShadow) << pass.name;
+                ++(isShadow ? biased : plain);
+            }
+        }
+    }
+    EXPECT_GT(biased, 0);
+    EXPECT_GT(plain, 0);
+}
+
 TEST_F(LightDataOfAFrame, HasABiasOfEachVisibleLight)
 {
     m_Pipeline.shadows.shadowDepthBias = 3.0f;
