@@ -199,10 +199,11 @@ TEST_F(LightDataOfAFrame, HasSplitsAsUrpHasThemForEachNumberOfCascades)
 /// Shadow passes bias what they draw, and nothing that is drawn behind them.
 TEST_F(LightDataOfAFrame, BiasesTheDepthOfShadowPassesOnly)
 {
-    const auto shader = ShaderOf(
-        "Shader \"Test/Caster\" { SubShader {\n"
-        "Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n" +
-        Program() + "}\nPass { Tags { \"LightMode\" = \"ShadowCaster\" }\n" + Program() + "} } }");
+    const auto shader =
+        ShaderOf("Shader \"Test/Caster\" { SubShader {\n"
+                 "Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n" +
+                 Program("#pragma multi_compile _ _ADDITIONAL_LIGHT_SHADOWS") +
+                 "}\nPass { Tags { \"LightMode\" = \"ShadowCaster\" }\n" + Program() + "} } }");
     AddCube(m_Scene, "Cube", {0, 0, 3}, {std::make_shared<Material>(shader)});
     m_Camera.transform.localPosition = {0, 0, -3};
     Light& spot = Add(LightType::Spot, {0, 0, 0});
