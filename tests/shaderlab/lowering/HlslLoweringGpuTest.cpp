@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Values of what function bodies are lowered to by their types (shaderlab/src/hlsl/lowering), each
+// Values of what function bodies are lowered to by their types (shaderlab/src/lowering), each
 // against what the language says of it.
 
 namespace limn::test
