@@ -27,10 +27,10 @@ bool HasArea(const WeldedMesh::Face& face, const std::vector<glm::vec3>& points)
     return glm::dot(area, area) > k_Apart * k_Apart * longest * longest;
 }
 
-/// Puts positions in an order; -0 counts as 0.
+/// Puts positions in an order.
 std::tuple<float, float, float> PositionOrder(const glm::vec3& p)
 {
-    return {p.x + 0.0f, p.y + 0.0f, p.z + 0.0f};
+    return {p.x, p.y, p.z};
 }
 
 /// For each vertex the number of its point.
