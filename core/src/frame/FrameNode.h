@@ -60,9 +60,9 @@ bool UsesDepth(const PipelineState& state);
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
 /// All that it draws into, resolves to or writes.
 std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
-/// Whether it draws into the texture, writes it or reads it.
+/// Returns whether the node draws into the texture, writes it or reads it.
 bool Uses(const FrameNode& node, const Texture& texture);
-/// What the node is a copy of; null if it is none, or more than one.
+/// Returns what the node is a copy of; null if it is none, or more than one.
 std::shared_ptr<const RenderTexture> CopiedBy(const FrameNode& node, const FrameTables& tables);
 /// Works FrameNode::reads, writes and buffers out from the draws and dispatches.
 void CollectReads(FrameNode& node, const FrameTables& tables);

@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// Whether it gives texels as they are, whatever the texture's format is.
+/// Returns whether the sampler gives texels as they are, whatever the texture's format is.
 bool IsPlain(const SamplerState& sampler)
 {
     return sampler.filterMode == FilterMode::Point && sampler.anisoLevel == 1 &&
@@ -23,7 +23,7 @@ bool HasPlainSamplers(const DrawBindings& bindings)
                                { return !slot.sampler || IsPlain(*slot.sampler); });
 }
 
-/// Whether a shader sees the same in both: depth, and the one channel that it was copied to.
+/// Returns whether a shader sees the same in depth and in the one channel it was copied to.
 bool LooksTheSame(const RenderTexture& depth, const RenderTexture& copy)
 {
     return IsDepthFormat(depth.graphicsFormat()) &&
@@ -32,7 +32,7 @@ bool LooksTheSame(const RenderTexture& depth, const RenderTexture& copy)
            depth.mipmapCount() == 1 && copy.mipmapCount() == 1;
 }
 
-/// Whether the node's draws may read another texture that looks the same.
+/// Returns whether the node's draws may read another texture that looks the same.
 bool CanReadAnother(const FrameNode& node, const FrameTables& tables)
 {
     return !node.isCompute &&
@@ -57,8 +57,8 @@ bool DrawsInto(const FrameNode& node, const RenderTexture& texture)
                                [&](const auto& target) { return target.get() == &texture; });
 }
 
-/// Whether all that uses the copy, node `at`, can read the original. What draws with the depth once
-/// more would have to be a pass apart from what reads it: the copy is cheaper then.
+/// Returns whether all that uses the copy, node `at`, can read the original. A draw with the depth
+/// behind it would have to be a pass apart from what reads it: the copy is cheaper then.
 bool CanDoWithout(const std::vector<FrameNode>& nodes, std::size_t at, const FrameTables& tables,
                   const RenderTexture& original)
 {

@@ -33,7 +33,7 @@ double NearnessOf(const DepthTriangle& triangle, const glm::dvec2& point)
     return std::max(nearness, 0.0);
 }
 
-/// Says of places whether the outline there is seen.
+/// Finds the places of an outline that nothing stands in front of.
 class Seer
 {
 public:
