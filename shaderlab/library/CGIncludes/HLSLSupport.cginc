@@ -17,6 +17,17 @@
 #define fixed4x3 float4x3
 #define fixed4x4 float4x4
 
+// Opposites of keywords, by which older shaders ask.
+#ifndef LIGHTMAP_ON
+#define LIGHTMAP_OFF 1
+#endif
+#ifndef DIRLIGHTMAP_COMBINED
+#define DIRLIGHTMAP_OFF 1
+#endif
+#ifndef DYNAMICLIGHTMAP_ON
+#define DYNAMICLIGHTMAP_OFF 1
+#endif
+
 #define UNITY_SEPARATE_TEXTURE_SAMPLER 1
 #define UNITY_ATTEN_CHANNEL r
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION

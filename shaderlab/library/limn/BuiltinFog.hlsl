@@ -3,7 +3,7 @@
 #pragma once
 #include "limn/Screen.hlsl"
 
-#define UNITY_Z_0_FAR_FROM_CLIPSPACE(coord) limn_DistanceFromClipZ(coord)
+#define UNITY_Z_0_FAR_FROM_CLIPSPACE(coord) limn_DistanceFromClipZ(coord, _ProjectionParams)
 
 float limn_FogLinear(float distance, float4 fogParams)
 {

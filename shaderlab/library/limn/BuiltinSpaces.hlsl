@@ -52,8 +52,8 @@ float3 ObjSpaceViewDir(float4 v)
 float2 TransformViewToProjection(float2 v) { return mul((float2x2)UNITY_MATRIX_P, v); }
 float3 TransformViewToProjection(float3 v) { return mul((float3x3)UNITY_MATRIX_P, v); }
 
-float4 ComputeScreenPos(float4 pos) { return limn_ScreenPos(pos); }
-float4 ComputeNonStereoScreenPos(float4 pos) { return limn_ScreenPos(pos); }
+float4 ComputeScreenPos(float4 pos) { return limn_ScreenPos(pos, _ProjectionParams.x); }
+float4 ComputeNonStereoScreenPos(float4 pos) { return limn_ScreenPos(pos, _ProjectionParams.x); }
 // Where a copy of the target's rows has the same place, whichever way up they are.
 float4 ComputeGrabScreenPos(float4 pos) { return limn_ScreenPos(pos, -1.0); }
 

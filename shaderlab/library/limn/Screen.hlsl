@@ -1,7 +1,7 @@
-// Where the screen and the depth buffer are met: one home for both pipelines.
+// Where the screen and the depth buffer are met: one home for both pipelines. The core package
+// brings this in; it must declare no uniform, as authors who have that package alone declare theirs.
 #pragma once
 
-#include "limn/Globals.hlsl"
 #include "limn/Platform.hlsl"
 
 // Texture coordinate of the screen, times w; v = 0 is the bottom of the picture. projectionSign is
@@ -10,10 +10,6 @@ float4 limn_ScreenPos(float4 positionCS, float projectionSign)
 {
     float2 ndc = float2(positionCS.x, positionCS.y * projectionSign);
     return float4(ndc * 0.5 + positionCS.w * 0.5, positionCS.zw);
-}
-float4 limn_ScreenPos(float4 positionCS)
-{
-    return limn_ScreenPos(positionCS, _ProjectionParams.x);
 }
 
 // What the depth buffer holds as 1 near ... 0 far, whichever way round it is; leads back as well.
@@ -50,11 +46,11 @@ float limn_LinearEyeDepth(float depth, float4 zBufferParams)
 }
 
 // Distance along the view axis from what clip space has in z; any distance behind the near plane
-// is 0.
-float limn_DistanceFromClipZ(float clipZ)
+// is 0. projectionParams is _ProjectionParams.
+float limn_DistanceFromClipZ(float clipZ, float4 projectionParams)
 {
 #if defined(UNITY_REVERSED_Z)
-    return max((1.0 - clipZ / _ProjectionParams.y) * _ProjectionParams.z, 0.0);
+    return max((1.0 - clipZ / projectionParams.y) * projectionParams.z, 0.0);
 #else
     return max(clipZ, 0.0);
 #endif

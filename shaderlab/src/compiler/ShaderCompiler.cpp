@@ -24,7 +24,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 22;
+constexpr int k_CompilerVersion = 23;
 
 std::string HashName(const std::string& text)
 {

@@ -257,6 +257,7 @@ private:
                 variable.token = m_Index++;
             }
             ReadTail(variable);
+            variable.declaratorEnd = m_Index;
             result.push_back(variable);
             variable = head;
             variable.name = {};
@@ -266,7 +267,6 @@ private:
             for (std::size_t i = known; i < result.size(); ++i)
             {
                 result[i].semicolon = m_Index - 1;
-                result[i].lastToken = result.size() == known + 1 ? m_Index - 1 : 0;
             }
         }
         else if (Text() == "}" && !isEnd())

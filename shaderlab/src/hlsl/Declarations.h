@@ -19,16 +19,15 @@ struct HlslVariable
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
-    std::size_t valueToken = 0; ///< the first behind `=`, or 0
-    std::size_t valueEnd = 0;   ///< one behind its last
-    std::size_t token = 0;      ///< index of the name
-    std::size_t endToken = 0;   ///< of a uniform: index of the token that ends its declaration
-    // Of a declaration with one name at file scope or in a cbuffer: its tokens, `;` included.
-    std::size_t firstToken = 0;
-    std::size_t lastToken = 0; ///< 0 = the declaration has several names
-    std::size_t semicolon = 0; ///< that ends the declaration, however many names it has
-    bool isInBuffer = false;   ///< a member of a cbuffer; endToken is the buffer's end
-    std::string_view buffer;   ///< its name
+    std::size_t valueToken = 0;    ///< the first behind `=`, or 0
+    std::size_t valueEnd = 0;      ///< one behind its last
+    std::size_t token = 0;         ///< index of the name
+    std::size_t endToken = 0;      ///< of a uniform: index of the token that ends its declaration
+    std::size_t firstToken = 0;    ///< of the declaration, which may have several names
+    std::size_t declaratorEnd = 0; ///< one behind what belongs to this name alone
+    std::size_t semicolon = 0;     ///< that ends the declaration; 0 = none does
+    bool isInBuffer = false;       ///< a member of a cbuffer; endToken is the buffer's end
+    std::string_view buffer;       ///< its name
 
     bool Has(std::string_view modifier) const;
 };

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <unordered_map>
 
 namespace limn
@@ -40,6 +41,35 @@ void RemoveBuffer(HlslEditor& code, std::size_t close)
     code.Erase(first, close + (code.Text(close + 1) == ";" ? 2 : 1));
 }
 
+/// Takes names out of a declaration, with the commas that they leave, or all of it.
+void RemoveFromList(HlslEditor& code, const std::vector<const HlslVariable*>& list,
+                    const std::set<const HlslVariable*>& goes)
+{
+    const auto isGoing = [&](const HlslVariable* variable)
+    {
+        return goes.contains(variable);
+    };
+    if (std::ranges::all_of(list, isGoing))
+    {
+        code.Erase(list.front()->firstToken, list.front()->semicolon + 1);
+        return;
+    }
+    bool isFirst = true; // of those that stay
+    for (const HlslVariable* variable : list)
+    {
+        const bool hasComma = variable != list.front();
+        if (hasComma && (isFirst || isGoing(variable)))
+        {
+            code.Erase(variable->token - 1, variable->token);
+        }
+        if (isGoing(variable))
+        {
+            code.Erase(variable->token, variable->declaratorEnd);
+        }
+        isFirst = isFirst && isGoing(variable);
+    }
+}
+
 } // namespace
 
 HlslRepeats FindRepeats(const HlslDeclarations& declarations)
@@ -56,11 +86,11 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
         }
         const bool isSame = isSameDeclaration(*other, variable);
         const bool isStaying = isStayingBefore(*other, variable);
-        if (isSame && isStaying && variable.lastToken > 0)
+        if (isSame && isStaying && variable.semicolon > 0)
         {
             repeats.superfluous.push_back(&variable);
         }
-        else if (isSame && !isStaying && other->lastToken > 0)
+        else if (isSame && !isStaying && other->semicolon > 0)
         {
             repeats.superfluous.push_back(other);
             other = &variable;
@@ -94,17 +124,28 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
 
 void RemoveRepeats(HlslEditor& code, const HlslDeclarations& declarations)
 {
+    const std::vector<const HlslVariable*> superfluous = FindRepeats(declarations).superfluous;
+    const std::set<const HlslVariable*> goes(superfluous.begin(), superfluous.end());
+    if (goes.empty())
+    {
+        return;
+    }
     std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
+    std::map<std::size_t, std::vector<const HlslVariable*>> lists; // by their semicolon
     for (const auto* list : {&declarations.uniforms, &declarations.objects})
     {
         for (const HlslVariable& variable : *list)
         {
             left[variable.endToken] += variable.isInBuffer ? 1 : 0;
+            lists[variable.semicolon].push_back(&variable);
         }
     }
-    for (const HlslVariable* variable : FindRepeats(declarations).superfluous)
+    for (const HlslVariable* variable : superfluous)
     {
-        code.Erase(variable->firstToken, variable->lastToken + 1);
+        if (const auto list = lists.extract(variable->semicolon))
+        {
+            RemoveFromList(code, list.mapped(), goes);
+        }
         if (variable->isInBuffer && --left[variable->endToken] == 0)
         {
             RemoveBuffer(code, variable->endToken);

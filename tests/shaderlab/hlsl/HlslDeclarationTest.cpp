@@ -43,6 +43,45 @@ TEST(HlslDeclaration, MayBeRepeatedWhereItIsEqual)
     EXPECT_EQ(pass->layout.samplers.size(), 1U);
 }
 
+TEST(HlslDeclaration, MayBeRepeatedInAList)
+{
+    const std::string body = "\nfloat4 frag() : SV_Target { return _A + _B.x + _C; }";
+    for (const std::string text :
+         {"float4 _A, _C;\nfloat2 _B;\nfloat4 _A, _C;", "float4 _A;\nfloat2 _B;\nfloat4 _A, _C;",
+          "float4 _C;\nfloat2 _B;\nfloat4 _A, _C;",
+          "float4 _A;\nfloat2 _B, _B;\nfloat4 _A, _C, _A;",
+          "float4 _A, _C;\nfloat2 _B;\nfloat4 _A;"})
+    {
+        const auto pass = CompileDeclarations(text + body);
+        ASSERT_EQ(pass->layout.buffers.size(), 1U) << text;
+        EXPECT_EQ(pass->layout.buffers[0].members.size(), 3U) << text;
+    }
+    for (const std::string text : {"float4 _A, _B;\ncbuffer C { float4 _C; float4 _B, _A; };",
+                                   "cbuffer C { float4 _B, _C; float4 _A; };\nfloat4 _A, _B;"})
+    {
+        const auto pass =
+            CompileDeclarations(text + "\nfloat4 frag() : SV_Target { return _A + _B + _C; }");
+        ASSERT_EQ(pass->layout.buffers.size(), 1U) << text;
+        EXPECT_EQ(pass->layout.buffers[0].name, "C") << text;
+        EXPECT_EQ(pass->layout.buffers[0].members.size(), 3U) << text;
+    }
+}
+
+TEST(HlslDeclaration, OfAnAuthorMayRepeatOneOfLimns)
+{
+    for (const std::string core : {"Common.hlsl", "SpaceTransforms.hlsl"})
+    {
+        const auto pass = CompileDeclarations(
+            "#include \"Packages/com.unity.render-pipelines.core/ShaderLibrary/Common.hlsl\"\n"
+            "float4 _Time, _SinTime, _CosTime;\nfloat4x4 unity_MatrixVP, unity_MatrixV;\n"
+            "float3 _WorldSpaceCameraPos;\n#include "
+            "\"Packages/com.unity.render-pipelines.core/ShaderLibrary/" +
+            core +
+            "\"\nfloat4 frag() : SV_Target { return mul(unity_MatrixVP, _Time) + _SinTime; }");
+        EXPECT_EQ(pass->layout.buffers.size(), 1U) << core;
+    }
+}
+
 TEST(HlslDeclaration, RepeatedInABufferStaysInTheBuffer)
 {
     for (const std::string text :

@@ -48,6 +48,33 @@ double Fraction(std::uint32_t bits)
 
 using CoreLibrary = GpuTest;
 
+TEST_F(CoreLibrary, MakesFunctionsOfEachNumberOfComponents)
+{
+    FunctionGrid grid(LIMN_CORE("Common") R"(
+        TEMPLATE_1_REAL(Cubed, x, { return x * x * x; })
+        TEMPLATE_2_FLT(Scaled, x, factor, return x * factor)
+        TEMPLATE_2_INT(Behind, x, y, return x * 100 + y)
+        TEMPLATE_3_REAL(Mixed, x, y, t, return x + (y - x) * t)
+        TEMPLATE_SWAP(Exchange)
+        float3 Swapped(float3 a, float3 b) { Swap(a, b); return a * 2 + b; }
+        int2 Exchanged(int2 a, int2 b) { Exchange(a, b); return a * 100 + b; }
+    )");
+    const auto pairs = Combine({-2.0, 0.5, 3.0}, {-1.0, 4.0});
+    grid.Add("float2(Cubed(a.x), Cubed(a.xxxx).w)", pairs,
+             [](auto& a, auto&, auto&) { return glm::dvec2(a.x * a.x * a.x); });
+    grid.Add("float3(Scaled(a.x, b.x), Scaled(a.xx, b.xx))", pairs,
+             [](auto& a, auto& b, auto&) { return glm::dvec3(a.x * b.x); });
+    grid.Add("float2(Behind(3, -4), Behind(uint2(3, 4), 5u).y)", Combine({0.0}),
+             [](auto&, auto&, auto&) { return glm::dvec2(296.0, 405.0); });
+    grid.Add("Mixed(a.xxx, b.xxx, 0.25)", pairs,
+             [](auto& a, auto& b, auto&) { return glm::dvec3(0.75 * a.x + 0.25 * b.x); });
+    grid.Add("Swapped(a.xxx, b.xxx)", pairs,
+             [](auto& a, auto& b, auto&) { return glm::dvec3(2.0 * b.x + a.x); });
+    grid.Add("float2(Exchanged(int2(1, 2), int2(3, 4)))", Combine({0.0}),
+             [](auto&, auto&, auto&) { return glm::dvec2(301.0, 402.0); });
+    grid.Run();
+}
+
 TEST_F(CoreLibrary, DoesArithmeticOfNumbers)
 {
     FunctionGrid grid(LIMN_CORE("Common") R"(

@@ -157,5 +157,42 @@ TEST_F(CoreShapes, RefractionAndPolygonsFollowTheirGeometry)
     grid.Run();
 }
 
+// The APEX system: apertures are powers of sqrt 2, times powers of 2, and the exposure value is
+// what they add up to.
+TEST_F(CoreShapes, ExposuresAddUpAsInTheApexSystem)
+{
+    FunctionGrid grid(CoreInclude("PhysicalCamera"));
+    const Tolerance tolerance{1e-5, 1e-5};
+    const auto settings = Combine({0, 2, 8}, {-3, 0, 7}, {-1, 0, 4}); // Av, Tv, Sv over ISO 100
+    grid.Add(
+        "ComputeEV100(exp2(a.x * 0.5), exp2(-b.x), 100 * exp2(c.x))", settings,
+        [](auto& a, auto& b, auto& c) { return a.x + b.x - c.x; }, tolerance);
+    grid.Add(
+        "ComputeISO(exp2(a.x * 0.5), exp2(-b.x), c.x)", settings,
+        [](auto& a, auto& b, auto& c) { return 100 * std::pow(2.0, a.x + b.x - c.x); }, tolerance);
+    // A meter with K = 12.5 reads 1/8 cd/m2 at EV 0, and each stop doubles it.
+    grid.Add(
+        "float2(ComputeEV100FromAvgLuminance(exp2(a.x)), ComputeEV100FromAvgLuminance(exp2(a.x), "
+        "50))",
+        Combine({-3, 0, 5}), [](auto& a, auto&, auto&) { return dvec2(a.x + 3, a.x + 1); },
+        tolerance);
+    // A lens that passes 65 % saturates at 78 / 65 of 2^EV.
+    grid.Add(
+        "float2(ConvertEV100ToExposure(a.x), ConvertEV100ToExposure(a.x, 2))", Combine({-4, 0, 9}),
+        [](auto& a, auto&, auto&) { return dvec2(65.0 / 78.0, 0.5) / std::pow(2.0, a.x); },
+        tolerance);
+    grid.Add(
+        "float2(ConvertExposureToEV100(ConvertEV100ToExposure(a.x)), "
+        "ConvertExposureToEV100(ConvertEV100ToExposure(a.x, 3), 3))",
+        Combine({-4, 0, 9}), [](auto& a, auto&, auto&) { return dvec2(a.x, a.x); }, tolerance);
+    // What is left of a difference halves every 1 / speed seconds.
+    grid.Add(
+        "ComputeLuminanceAdaptation(a.x, b.x, 2, 0.5, c.x)", Combine({1, 9}, {1, 9}, {0, 2, 4}),
+        [](auto& a, auto& b, auto& c)
+        { return b.x + (a.x - b.x) / std::pow(2.0, c.x * (b.x > a.x ? 2 : 0.5)); },
+        tolerance);
+    grid.Run();
+}
+
 } // namespace
 } // namespace limn::test

@@ -85,6 +85,8 @@ constexpr std::pair<const char*, const char*> k_Guards[] = {
      "UNITY_NORMAL_SURFACE_GRADIENT_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/Packing.hlsl",
      "UNITY_PACKING_INCLUDED"},
+    {"Packages/com.unity.render-pipelines.core/ShaderLibrary/PhysicalCamera.hlsl",
+     "UNITY_PHYSICAL_CAMERA_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/Random.hlsl", "UNITY_RANDOM_INCLUDED"},
     {"Packages/com.unity.render-pipelines.core/ShaderLibrary/SpaceTransforms.hlsl",
      "UNITY_SPACE_TRANSFORMS_INCLUDED"},

@@ -238,4 +238,15 @@ TEST(UnseenLibrary, HasFilesBesideThePipelines)
                                    "float4(unity_LightColor0 + unity_LightColor3, 1)")));
 }
 
+TEST(UnseenLibrary, HasTheOldOppositesOfLightmapKeywords)
+{
+    const std::string text = Pass("#include \"UnityCG.cginc\"\n#ifdef LIGHTMAP_ON\n"
+                                  "#if defined(LIGHTMAP_OFF)\n#error both\n#endif\n"
+                                  "#elif !LIGHTMAP_OFF || !DIRLIGHTMAP_OFF || !DYNAMICLIGHTMAP_OFF"
+                                  "\n#error neither\n#endif\n",
+                                  "1");
+    EXPECT_NO_THROW(CompileCg(text));
+    EXPECT_NO_THROW(CompileEntries(text, "vert", "frag", {"LIGHTMAP_ON"}, ProgramLanguage::Cg));
+}
+
 } // namespace limn::test

@@ -1,6 +1,8 @@
 // Small functions of numbers that the rest of the library and many shaders use.
 #pragma once
 
+#include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Macros.hlsl"
+
 float DegToRad(float degrees) { return degrees * (PI / 180.0); }
 float RadToDeg(float angle) { return angle * (180.0 / PI); }
 
@@ -118,12 +120,7 @@ void ClearBit(inout uint data, uint offset) { data &= ~(1u << offset); }
 void ToggleBit(inout uint data, uint offset) { data ^= 1u << offset; }
 bool HasFlag(uint bitfield, uint flag) { return (bitfield & flag) != 0; }
 
-void Swap(inout float a, inout float b)
-{
-    float t = a;
-    a = b;
-    b = t;
-}
+TEMPLATE_SWAP(Swap)
 
 float2 RotateByAngle(float2 v, float angle)
 {

@@ -44,4 +44,75 @@
 #define CALL_MERGE_NAME(a, b) MERGE_NAME(a, b)
 #define SAFE_DIVIDE(a, b) ((b) != 0 ? (a) / (b) : 0)
 #define GET_TEXELSIZE_NAME(name) (name##_TexelSize)
+
+// A function of scalars, and the same of 2 to 4 components. half and real are float here.
+#define limn_FUNCTION_1(T, name, a, body) T name(T a) { body; }
+#define limn_FUNCTION_2(T, name, a, b, body) T name(T a, T b) { body; }
+#define limn_FUNCTION_3(T, name, a, b, c, body) T name(T a, T b, T c) { body; }
+#define limn_FUNCTION_SWAP(T, name) void name(inout T a, inout T b) { T kept = a; a = b; b = kept; }
+#define TEMPLATE_1_FLT(name, a, body) \
+    limn_FUNCTION_1(float, name, a, body) \
+    limn_FUNCTION_1(float2, name, a, body) \
+    limn_FUNCTION_1(float3, name, a, body) \
+    limn_FUNCTION_1(float4, name, a, body)
+#define TEMPLATE_1_INT(name, a, body) \
+    limn_FUNCTION_1(int, name, a, body) \
+    limn_FUNCTION_1(int2, name, a, body) \
+    limn_FUNCTION_1(int3, name, a, body) \
+    limn_FUNCTION_1(int4, name, a, body) \
+    limn_FUNCTION_1(uint, name, a, body) \
+    limn_FUNCTION_1(uint2, name, a, body) \
+    limn_FUNCTION_1(uint3, name, a, body) \
+    limn_FUNCTION_1(uint4, name, a, body)
+#define TEMPLATE_1_REAL TEMPLATE_1_FLT
+#define TEMPLATE_1_FLT_HALF TEMPLATE_1_FLT
+#define TEMPLATE_2_FLT(name, a, b, body) \
+    limn_FUNCTION_2(float, name, a, b, body) \
+    limn_FUNCTION_2(float2, name, a, b, body) \
+    limn_FUNCTION_2(float3, name, a, b, body) \
+    limn_FUNCTION_2(float4, name, a, b, body)
+#define TEMPLATE_2_INT(name, a, b, body) \
+    limn_FUNCTION_2(int, name, a, b, body) \
+    limn_FUNCTION_2(int2, name, a, b, body) \
+    limn_FUNCTION_2(int3, name, a, b, body) \
+    limn_FUNCTION_2(int4, name, a, b, body) \
+    limn_FUNCTION_2(uint, name, a, b, body) \
+    limn_FUNCTION_2(uint2, name, a, b, body) \
+    limn_FUNCTION_2(uint3, name, a, b, body) \
+    limn_FUNCTION_2(uint4, name, a, b, body)
+#define TEMPLATE_2_REAL TEMPLATE_2_FLT
+#define TEMPLATE_2_FLT_HALF TEMPLATE_2_FLT
+#define TEMPLATE_3_FLT(name, a, b, c, body) \
+    limn_FUNCTION_3(float, name, a, b, c, body) \
+    limn_FUNCTION_3(float2, name, a, b, c, body) \
+    limn_FUNCTION_3(float3, name, a, b, c, body) \
+    limn_FUNCTION_3(float4, name, a, b, c, body)
+#define TEMPLATE_3_INT(name, a, b, c, body) \
+    limn_FUNCTION_3(int, name, a, b, c, body) \
+    limn_FUNCTION_3(int2, name, a, b, c, body) \
+    limn_FUNCTION_3(int3, name, a, b, c, body) \
+    limn_FUNCTION_3(int4, name, a, b, c, body) \
+    limn_FUNCTION_3(uint, name, a, b, c, body) \
+    limn_FUNCTION_3(uint2, name, a, b, c, body) \
+    limn_FUNCTION_3(uint3, name, a, b, c, body) \
+    limn_FUNCTION_3(uint4, name, a, b, c, body)
+#define TEMPLATE_3_REAL TEMPLATE_3_FLT
+#define TEMPLATE_3_FLT_HALF TEMPLATE_3_FLT
+#define TEMPLATE_SWAP(name) \
+    limn_FUNCTION_SWAP(float, name) \
+    limn_FUNCTION_SWAP(float2, name) \
+    limn_FUNCTION_SWAP(float3, name) \
+    limn_FUNCTION_SWAP(float4, name) \
+    limn_FUNCTION_SWAP(int, name) \
+    limn_FUNCTION_SWAP(int2, name) \
+    limn_FUNCTION_SWAP(int3, name) \
+    limn_FUNCTION_SWAP(int4, name) \
+    limn_FUNCTION_SWAP(uint, name) \
+    limn_FUNCTION_SWAP(uint2, name) \
+    limn_FUNCTION_SWAP(uint3, name) \
+    limn_FUNCTION_SWAP(uint4, name) \
+    limn_FUNCTION_SWAP(bool, name) \
+    limn_FUNCTION_SWAP(bool2, name) \
+    limn_FUNCTION_SWAP(bool3, name) \
+    limn_FUNCTION_SWAP(bool4, name)
 #endif

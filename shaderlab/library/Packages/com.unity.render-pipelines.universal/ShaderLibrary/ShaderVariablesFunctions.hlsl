@@ -1,11 +1,12 @@
 #pragma once
 #ifndef UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
 #define UNITY_SHADER_VARIABLES_FUNCTIONS_INCLUDED
+#include "limn/Globals.hlsl"
 
 // Texture coordinate of the screen, times w. v runs down from the top, as rows of textures do.
 float4 ComputeScreenPos(float4 positionCS)
 {
-    return limn_ScreenPos(positionCS);
+    return limn_ScreenPos(positionCS, _ProjectionParams.x);
 }
 
 VertexPositionInputs GetVertexPositionInputs(float3 positionOS)
@@ -159,7 +160,7 @@ float ComputeFogFactorZ0ToFar(float z)
 }
 float ComputeFogFactor(float clipZ)
 {
-    return ComputeFogFactorZ0ToFar(limn_DistanceFromClipZ(clipZ));
+    return ComputeFogFactorZ0ToFar(limn_DistanceFromClipZ(clipZ, _ProjectionParams));
 }
 float ComputeFogIntensity(float fogFactor)
 {
