@@ -70,6 +70,9 @@ TEST_F(CoreLibrary, MakesFunctionsOfEachNumberOfComponents)
              [](auto& a, auto& b, auto&) { return glm::dvec3(0.75 * a.x + 0.25 * b.x); });
     grid.Add("Swapped(a.xxx, b.xxx)", pairs,
              [](auto& a, auto& b, auto&) { return glm::dvec3(2.0 * b.x + a.x); });
+    grid.Add("float2(RangeRemap(1.0, 3.0, a.x), RangeRemapFrom01(b.xx, 9.0.xx, 0.25.xx).y)", pairs,
+             [](auto& a, auto& b, auto&)
+             { return glm::dvec2(std::clamp((a.x - 1.0) / 2.0, 0.0, 1.0), 0.75 * b.x + 2.25); });
     grid.Add("float2(Exchanged(int2(1, 2), int2(3, 4)))", Combine({0.0}),
              [](auto&, auto&, auto&) { return glm::dvec2(301.0, 402.0); });
     grid.Run();

@@ -122,18 +122,18 @@ TEST(UnseenLibrary, KeepsTheNamesThatEarlierVersionsPassesHad)
     EXPECT_NO_THROW(CompileUrp(meta));
 }
 
-TEST(UnseenLibrary, SaysWhichPassesNeedPositions)
+// URP 10 and later: its own passes read the position whatever keywords there are.
+TEST(UnseenLibrary, SaysThatPassesNeedPositions)
 {
     const std::string text = Pass(Include("universal/ShaderLibrary/Lighting") + R"(
-        #if defined(REQUIRES_WORLD_SPACE_POS_INTERPOLATOR) != defined(IS_REQUIRED)
-        #error it is not as it should be
+        #if !defined(REQUIRES_WORLD_SPACE_POS_INTERPOLATOR)
+        #error it is needed
         #endif
         )",
                                   "1");
     EXPECT_NO_THROW(CompileUrp(text));
-    EXPECT_NO_THROW(CompileUrp(text, {"_ADDITIONAL_LIGHTS", "IS_REQUIRED"}));
-    EXPECT_NO_THROW(CompileUrp(text, {"_MAIN_LIGHT_SHADOWS", "IS_REQUIRED"}));
     EXPECT_NO_THROW(CompileUrp(text, {"_MAIN_LIGHT_SHADOWS", "_RECEIVE_SHADOWS_OFF"}));
+    EXPECT_NO_THROW(CompileUrp("#define REQUIRES_WORLD_SPACE_POS_INTERPOLATOR 1\n" + text));
 }
 
 TEST(UnseenLibrary, HasTheStructsAndFunctionsOfUnity6sSprites)

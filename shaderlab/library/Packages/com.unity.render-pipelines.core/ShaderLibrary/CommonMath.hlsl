@@ -152,7 +152,9 @@ float Remap(float origFrom, float origTo, float targetFrom, float targetTo, floa
 }
 
 // Where t lies between two numbers, 0...1.
-float RangeRemap(float low, float high, float t) { return saturate((t - low) / (high - low)); }
+TEMPLATE_3_REAL(RangeRemap, low, high, t, return saturate((t - low) / (high - low)))
+// The number that lies at t of the way between two.
+TEMPLATE_3_REAL(RangeRemapFrom01, low, high, t, return lerp(low, high, t))
 
 // By Cramer's rule. Cross products of the rows (a, b) and (c, d) of the matrix give all cofactors;
 // a matrix without an inverse gives infinities.
