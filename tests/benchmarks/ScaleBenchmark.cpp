@@ -203,6 +203,22 @@ public:
     /// One that draws over the whole picture.
     void AddGraphPass() { m_Renderer->AddFeature(std::make_unique<GraphFeature>()); }
 
+    /// To and fro, so that what is seen differs from frame to frame.
+    void MoveCamera()
+    {
+        m_Camera.transform.localPosition.x = ++m_Steps % 2 == 0 ? 0.0f : 0.5f;
+        m_Camera.transform.localPosition.y = static_cast<float>(m_Steps % 7) * 0.1f;
+    }
+
+    /// All of them, a little.
+    void MoveAll()
+    {
+        for (const auto& object : m_Scene.objects())
+        {
+            object->transform.localPosition.y += ++m_Steps % 2 == 0 ? 0.01f : -0.01f;
+        }
+    }
+
     /// A hundredth of the objects, others each time.
     void Move()
     {
@@ -226,6 +242,7 @@ private:
     RenderRequest m_Request;
     RenderResult m_Result; ///< of the last frame
     std::minstd_rand m_Random{1};
+    unsigned m_Steps = 0;
 };
 
 /// Judging against summing what is judged: as FilterItem for each, and as the table holds it.
@@ -281,17 +298,38 @@ void CompareSorting(std::size_t count, int pairs)
     comparison.Print("sorting / the plain radix loop");
 }
 
-/// Of a frame like the ones before.
-long CountSteadyAllocations(ManyRenderers& scene)
+/// How often frames asked for memory that came behind enough of their kind.
+struct Allocations
 {
-    constexpr int k_FramesUntilSteady = 4;
-    for (int i = 0; i < k_FramesUntilSteady; ++i)
+    long still = 0;
+    long cameraMoves = 0;
+    long someMove = 0; ///< a hundredth of the objects
+    long allMove = 0;
+
+    long Sum() const { return still + cameraMoves + someMove + allMove; }
+};
+
+Allocations CountSteadyAllocations(ManyRenderers& scene)
+{
+    const auto count = [&](auto&& move)
     {
+        constexpr int k_FramesUntilSteady = 16;
+        for (int i = 0; i < k_FramesUntilSteady; ++i)
+        {
+            move();
+            scene.Frame();
+        }
+        move();
+        const long counted = allocationCount;
         scene.Frame();
-    }
-    const long counted = allocationCount;
-    scene.Frame();
-    return allocationCount - counted;
+        return allocationCount - counted;
+    };
+    Allocations result;
+    result.still = count([] {});
+    result.cameraMoves = count([&] { scene.MoveCamera(); });
+    result.someMove = count([&] { scene.Move(); });
+    result.allMove = count([&] { scene.MoveAll(); });
+    return result;
 }
 
 /// @return how often steady frames asked for memory
@@ -307,36 +345,54 @@ long CompareFrames(std::size_t count, int pairs)
     PlainLoops plain(count);
     plain.Frame();
     Comparison still;
-    Comparison moving;
+    Comparison camera;
+    Comparison some;
+    Comparison all;
     Comparison cull;
     for (int pair = 0; pair < pairs; ++pair)
     {
-        const double frame = Time([&] { scene.Frame(); });
-        const double loops = Time([&] { plain.Frame(); });
-        still.Add(frame, loops);
+        const auto compare = [&](Comparison& comparison)
+        {
+            const double frame = Time([&] { scene.Frame(); });
+            comparison.Add(frame, Time([&] { plain.Frame(); }));
+        };
+        scene.Frame(); // what moved last is another's
+        compare(still);
         cull.Add(Time([&] { scene.Cull(); }), Time([&] { plain.Cull(); }));
+        scene.MoveCamera();
+        compare(camera);
         scene.Move();
-        moving.Add(Time([&] { scene.Frame(); }), frame);
+        compare(some);
+        scene.MoveAll();
+        compare(all);
     }
     still.Print("a frame in which nothing moves / all loops");
+    camera.Print("the camera moves / all loops");
+    some.Print("a hundredth moves / all loops");
+    all.Print("all objects move / all loops");
     cull.Print("keeping the table and culling / culling");
     CompareJudging(scene, pairs);
     CompareSorting(count, pairs);
-    moving.Print("a hundredth moves / nothing moves");
-    const long plainly = CountSteadyAllocations(scene);
+    const auto print = [](const char* what, const Allocations& n)
+    {
+        std::printf("allocations in a frame %s: still %ld, camera moves %ld, a hundredth moves "
+                    "%ld, all move %ld\n",
+                    what, n.still, n.cameraMoves, n.someMove, n.allMove);
+    };
+    const Allocations plainly = CountSteadyAllocations(scene);
+    print("", plainly);
     ManyRenderers lit(count);
     lit.AddLights();
-    const long withLights = CountSteadyAllocations(lit);
+    const Allocations withLights = CountSteadyAllocations(lit);
+    print("with lights and shadows", withLights);
     ManyRenderers graph(count);
     graph.AddGraphPass();
-    const long withGraph = CountSteadyAllocations(graph);
-    std::printf("allocations in a steady frame: %ld, %ld with lights and shadows "
-                "(%zu render passes), %ld with a render graph pass\n",
-                plainly, withLights, lit.passCount(), withGraph);
+    const Allocations withGraph = CountSteadyAllocations(graph);
+    print("with a render graph pass", withGraph);
     std::printf("%zu visible, %zu draws of %zu instances; %.0f bytes a renderer\n",
                 plain.visibleCount(), CountDraws(*result.frame), result.frame->instances.size(),
                 bytes / static_cast<double>(count));
-    return plainly + withLights + withGraph;
+    return plainly.Sum() + withLights.Sum() + withGraph.Sum();
 }
 
 } // namespace

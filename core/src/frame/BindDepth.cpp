@@ -1,7 +1,6 @@
 #include "frame/TextureHistory.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace limn
 {
@@ -25,10 +24,9 @@ bool UsesStencil(const FrameNode& node, const FrameTables& tables)
 }
 
 /// The ids of textures that have to stay as they are.
-std::unordered_set<std::uint64_t> Kept(const std::vector<FrameNode>& nodes, OutputSpan outputs,
-                                       const FrameTables& tables)
+TextureIds Kept(const FrameNodes& nodes, OutputSpan outputs, const FrameTables& tables)
 {
-    std::unordered_set<std::uint64_t> kept;
+    TextureIds kept(nodes.get_allocator());
     for (const auto& output : outputs)
     {
         kept.insert(output->id());
@@ -86,14 +84,13 @@ const RenderTexturePtr& TwinOf(const RenderTexturePtr& original,
     return twin.texture;
 }
 
-void ReadTwins(std::vector<FrameNode>& nodes, const std::vector<RenderTexturePtr>& originals,
-               CompiledFrame& frame)
+void ReadTwins(FrameNodes& nodes, std::span<const RenderTexturePtr> originals, CompiledFrame& frame)
 {
     for (FrameNode& node : nodes)
     {
         for (const RenderTexturePtr& original : originals)
         {
-            if (std::ranges::count(node.reads, original) > 0)
+            if (Reads(node, *original))
             {
                 ReadInstead(node, frame, *original,
                             frame.states.depthTwins.at(original->id()).texture);
@@ -104,12 +101,12 @@ void ReadTwins(std::vector<FrameNode>& nodes, const std::vector<RenderTexturePtr
 
 } // namespace
 
-void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+void LeaveOutStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });
-    const std::unordered_set<std::uint64_t> kept = Kept(nodes, outputs, frame);
-    std::vector<RenderTexturePtr> replaced;
+    const TextureIds kept = Kept(nodes, outputs, frame);
+    std::pmr::vector<RenderTexturePtr> replaced(nodes.get_allocator());
     for (FrameNode& node : nodes)
     {
         RenderTexturePtr& depth = node.targets.depth;

@@ -28,7 +28,7 @@ bool Covers(const FrameNode& node, const DrawSetup& draw)
 /// Of what comes before a draw that covers the colour, only depth and stencil are of use.
 void DropWhatIsCovered(FrameNode& node, const FrameTables& tables, std::size_t& covering)
 {
-    std::vector<PassCommand> kept;
+    auto end = node.commands.begin(); // of those that are kept
     for (std::size_t i = 0; i < covering; ++i)
     {
         PassCommand& command = node.commands[i];
@@ -43,16 +43,12 @@ void DropWhatIsCovered(FrameNode& node, const FrameTables& tables, std::size_t& 
                                      : true;
         if (isOfUse)
         {
-            kept.push_back(std::move(command));
+            *end++ = command;
         }
     }
-    const std::size_t count = kept.size();
-    kept.insert(
-        kept.end(),
-        std::make_move_iterator(node.commands.begin() + static_cast<std::ptrdiff_t>(covering)),
-        std::make_move_iterator(node.commands.end()));
-    node.commands = std::move(kept);
-    covering = count;
+    const auto first = node.commands.begin();
+    node.commands.erase(end, first + static_cast<std::ptrdiff_t>(covering));
+    covering = static_cast<std::size_t>(end - first);
     if (node.clear)
     {
         node.clear->flags = Without(node.clear->flags, ClearFlag::Color);
@@ -69,7 +65,7 @@ bool UsesDepth(const PipelineState& state)
     return isTested || isWritten || state.stencilEnabled;
 }
 
-void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables)
+void FindAccess(FrameNodes& nodes, const FrameTables& tables)
 {
     for (FrameNode& node : nodes)
     {

@@ -26,8 +26,8 @@ bool UsesDepth(const FrameNode& node, const FrameTables& tables)
 /// The one colour that every fragment of a full-screen draw has.
 struct ConstantDraw
 {
-    std::string why; ///< "" = they differ, as far as anybody knows
-    Color output;    ///< linear
+    std::pmr::string why; ///< "" = they differ, as far as anybody knows
+    Color output;         ///< linear
 };
 
 /// Returns what an sRGB texture of 8 bits shows a component as that was rounded to a half float;
@@ -81,9 +81,12 @@ DrawSetup CopyingInstead(DrawSetup setup, const std::shared_ptr<const Texture>& 
 class ConstantFolder
 {
 public:
-    explicit ConstantFolder(CompiledFrame& frame) : m_Tables(frame), m_States(frame.states) {}
+    ConstantFolder(CompiledFrame& frame, const FrameAllocator& memory)
+        : m_Tables(frame), m_States(frame.states), m_Nodes(memory), m_Why(memory)
+    {
+    }
 
-    void Fold(std::vector<FrameNode>& nodes, OutputSpan outputs)
+    void Fold(FrameNodes& nodes, OutputSpan outputs)
     {
         for (FrameNode& node : nodes)
         {
@@ -163,12 +166,12 @@ private:
         }
         if (ChangesNothing(node, draw, constant.output))
         {
-            m_Why = "it changes nothing: " + constant.why;
+            m_Why = Text({"it changes nothing: ", constant.why});
             return true;
         }
         if (isFirst && node.coversColor)
         {
-            m_Why = "it makes every texel the same: " + constant.why;
+            m_Why = Text({"it makes every texel the same: ", constant.why});
             node.coversColor = false;
             node.clear = node.clear ? *node.clear : ClearCommand{};
             Merge(*node.clear, {ClearFlag::Color, constant.output});
@@ -230,17 +233,17 @@ private:
         }
         const std::optional<Color> color =
             ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
-        return color ? ConstantDraw{"'" + from.name() + "' is the same all over",
+        return color ? ConstantDraw{Text({"'", from.name(), "' is the same all over"}),
                                     {color->r, color->g, color->b, 1.0f}}
                      : ConstantDraw{};
     }
 
     /// Why the fragment function gives the output that is promised; "" = it need not.
-    std::string WhyConstant(const FullScreenPromise& promise)
+    std::pmr::string WhyConstant(const FullScreenPromise& promise)
     {
         if (promise.zeroProperty != ShaderPropertyId())
         {
-            return promise.zeroProperty.name() + " is 0";
+            return Text({promise.zeroProperty.name(), " is 0"});
         }
         for (const auto& texture : promise.zeroTextures)
         {
@@ -249,7 +252,7 @@ private:
                 (found->second.constant.flags & ClearFlag::Color) &&
                 IsZero(found->second.constant.color, texture->graphicsFormat()))
             {
-                return "'" + texture->name() + "' is 0 all over";
+                return Text({"'", texture->name(), "' is 0 all over"});
             }
         }
         return {};
@@ -270,7 +273,7 @@ private:
         }
         if (node.clear)
         {
-            FrameNode depthOnly;
+            FrameNode depthOnly(m_Nodes.get_allocator());
             depthOnly.targets.depth = node.targets.depth;
             depthOnly.clear = node.clear;
             RememberClear(depthOnly);
@@ -281,7 +284,7 @@ private:
 
     void RememberClear(const FrameNode& node)
     {
-        for (const auto& target : TargetsOf(node))
+        const auto remember = [&](const std::shared_ptr<const RenderTexture>& target)
         {
             TextureState& state = StateOf(target);
             ClearCommand clear = node.clear ? *node.clear : ClearCommand{};
@@ -291,7 +294,8 @@ private:
                 Merge(state.constant, clear);
                 state.isPending = true;
             }
-        }
+        };
+        ForEachTarget(node, remember);
     }
 
     /// A node that writes what is known of the texture and not in its image yet.
@@ -303,8 +307,8 @@ private:
             return;
         }
         state.isPending = false;
-        FrameNode node;
-        node.name = "Clear " + texture->name();
+        FrameNode& node = m_Nodes.emplace_back();
+        node.name = Text({"Clear ", texture->name()});
         node.place = m_Place;
         node.clear = state.constant;
         if (IsDepthFormat(texture->graphicsFormat()))
@@ -315,7 +319,6 @@ private:
         {
             node.targets.colors = {texture};
         }
-        m_Nodes.push_back(std::move(node));
     }
 
     void BeginWithWhatIsPending(FrameNode& node)
@@ -325,7 +328,7 @@ private:
             WriteWhatIsPending(target); // a dispatch clears nothing
             StateOf(target).constant.flags = ClearFlag::None;
         }
-        for (const auto& target : TargetsOf(node))
+        const auto begin = [&](const std::shared_ptr<const RenderTexture>& target)
         {
             TextureState& state = StateOf(target);
             const bool isDepth = IsDepthFormat(target->graphicsFormat());
@@ -350,22 +353,29 @@ private:
             }
             state.isPending = false;
             state.constant.flags = ClearFlag::None;
-        }
+        };
+        ForEachTarget(node, begin);
+    }
+
+    std::pmr::string Text(std::initializer_list<std::string_view> parts) const
+    {
+        std::pmr::string text(m_Nodes.get_allocator());
+        Append(text, parts);
+        return text;
     }
 
     FrameTables& m_Tables;
     TextureStates& m_States;
-    std::vector<FrameNode> m_Nodes;
-    std::string m_Why; ///< draws of the node went; "" = none
+    FrameNodes m_Nodes;
+    std::pmr::string m_Why; ///< draws of the node went; "" = none
     std::size_t m_Place = 0;
 };
 
 } // namespace
 
-void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+void FoldConstants(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
-    ConstantFolder(frame).Fold(nodes, outputs);
-    EraseLeftOut(nodes, frame);
+    ConstantFolder(frame, nodes.get_allocator()).Fold(nodes, outputs);
 }
 
 } // namespace limn

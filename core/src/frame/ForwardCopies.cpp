@@ -39,7 +39,7 @@ bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameF
 }
 
 /// What goes through `from` alone to the copy, node `copy`.
-bool CanForward(const std::vector<FrameNode>& nodes, const FrameTables& tables, std::size_t copy,
+bool CanForward(const FrameNodes& nodes, const FrameTables& tables, std::size_t copy,
                 const RenderTexture& from)
 {
     const RenderTexture& to = *nodes[copy].targets.colors.front();
@@ -97,7 +97,7 @@ void DrawInto(FrameNode& node, FrameTables& tables, const TexturePtr& to)
 
 } // namespace
 
-void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+void ForwardCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
@@ -124,11 +124,10 @@ void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
         {
             last->resolves.push_back({from, to});
         }
-        nodes[i].whyLeftOut =
-            "'" + to->name() + "' is " + (HasSamples(*from) ? "resolved" : "drawn") +
-            " into directly: nothing else reads '" + from->name() + "', nor blends with it";
+        Append(nodes[i].whyLeftOut,
+               {"'", to->name(), "' is ", HasSamples(*from) ? "resolved" : "drawn",
+                " into directly: nothing else reads '", from->name(), "', nor blends with it"});
     }
-    EraseLeftOut(nodes, frame);
 }
 
 } // namespace limn

@@ -1,6 +1,9 @@
+#include "frame/FrameNode.h"
+
 #include <algorithm>
 #include <atomic>
 #include <limn/core/FrameCache.h>
+#include <utility>
 
 namespace limn
 {
@@ -67,21 +70,22 @@ bool AreSame(const TextureStates& now, const TextureStates& then)
            std::ranges::all_of(now.depthTwins, isSameTwin);
 }
 
-/// All but what may be another in a frame of the same structure.
-void CopyStructure(const FrameCommands& from, FrameCommands& to)
+/// What a frame of the same structure has anew; the memory of the frame before is the recorder's.
+void SwapData(FrameCommands& commands, CompiledFrame& frame)
 {
-    to.commands = from.commands;
-    to.setups = from.setups;
-    to.dispatchSetups = from.dispatchSetups;
-    to.meshes = from.meshes;
+    std::swap(frame.uniformData, commands.uniformData);
+    std::swap(frame.instances, commands.instances);
+    std::swap(frame.perDraw, commands.perDraw);
+    std::swap(frame.objects, commands.objects);
 }
 
-void TakeData(FrameCommands& from, CompiledFrame& to)
+/// Gives the frame what draws refer to; compiling adds to it.
+void CopyTables(const FrameCommands& commands, CompiledFrame& frame)
 {
-    std::swap(to.uniformData, from.uniformData);
-    std::swap(to.instances, from.instances);
-    std::swap(to.perDraw, from.perDraw);
-    std::swap(to.objects, from.objects);
+    frame.setups = commands.setups;
+    frame.dispatchSetups = commands.dispatchSetups;
+    frame.meshes = commands.meshes;
+    frame.usesReversedZBuffer = commands.usesReversedZBuffer;
 }
 
 } // namespace
@@ -120,17 +124,28 @@ FrameCache::Compile(FrameCommands& commands, const TextureStates& states,
         {
             m_Frame = std::make_shared<CompiledFrame>(*m_Frame);
         }
-        TakeData(commands, *m_Frame);
+        SwapData(commands, *m_Frame);
         return m_Frame;
     }
-    m_Frame = nullptr;
-    CopyStructure(commands, m_Commands);
+    std::shared_ptr<CompiledFrame> frame = std::exchange(m_Frame, nullptr); // if compiling throws
+    if (!frame || frame.use_count() > 1)
+    {
+        frame = std::make_shared<CompiledFrame>();
+    }
+    if (!m_Memory)
+    {
+        m_Memory = std::make_unique<std::pmr::unsynchronized_pool_resource>();
+    }
+    CopyTables(commands, *frame);
+    SwapData(commands, *frame);
+    std::pmr::monotonic_buffer_resource memory(m_Memory.get());
+    CompileInto(*frame, commands, states, outputs, options, memory);
+    frame->structure = ++structures;
+    std::swap(m_Commands, commands);
     m_States = states;
     m_Outputs.assign(outputs.begin(), outputs.end());
     m_Options = options;
-    m_Frame = std::make_shared<CompiledFrame>(
-        CompileFrame(std::move(commands), states, outputs, options));
-    m_Frame->structure = ++structures;
+    m_Frame = std::move(frame);
     return m_Frame;
 }
 

@@ -6,27 +6,60 @@
 namespace limn
 {
 
-CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, OutputSpan outputs,
-                           const FrameCompilerOptions& options)
+namespace
 {
-    CompiledFrame frame;
-    frame.states = states;
-    std::erase_if(frame.states.textures,
-                  [](const auto& entry) { return entry.second.texture.expired(); });
-    std::erase_if(frame.states.buffers,
-                  [](const auto& entry) { return entry.second.buffer.expired(); });
-    frame.states.held = options.held;
-    frame.states.isLast = options.isLast && options.leavesOut;
-    static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
-    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
+
+void WriteLeftOut(const FrameNodes& nodes, std::vector<LeftOut>& leftOut)
+{
+    leftOut.resize(nodes.size());
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+        leftOut[i].pass = nodes[i].name;
+        leftOut[i].reason = nodes[i].whyLeftOut;
+        leftOut[i].place = nodes[i].place;
+        std::size_t count = 0;
+        ForEachTarget(nodes[i],
+                      [&](const auto& target)
+                      {
+                          leftOut[i].targets.resize(std::max(leftOut[i].targets.size(), count + 1));
+                          leftOut[i].targets[count++] = target->name();
+                      });
+        leftOut[i].targets.resize(count);
+    }
+}
+
+/// Forgets what no texture or buffer is left of.
+void TakeStates(const TextureStates& from, const FrameCompilerOptions& options, TextureStates& to)
+{
+    to = from;
+    std::erase_if(to.textures, [](const auto& entry) { return entry.second.texture.expired(); });
+    std::erase_if(to.buffers, [](const auto& entry) { return entry.second.buffer.expired(); });
+    to.held = options.held;
+    to.isLast = options.isLast && options.leavesOut;
+}
+
+} // namespace
+
+void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const TextureStates& states,
+                 OutputSpan outputs, const FrameCompilerOptions& options,
+                 std::pmr::memory_resource& memory)
+{
+    frame.placed.clear();
+    frame.finalBarriers.clear();
+    frame.notes.clear();
+    TakeStates(states, options, frame.states);
+    FrameNodes nodes(&memory);
+    FrameNodes leftOut(&memory);
+    SplitIntoNodes(commands.commands, frame, nodes);
     NoteMissingAlpha(nodes, frame);
     if (options.leavesOut)
     {
         FindAccess(nodes, frame);
-        FoldConstants(nodes, outputs, frame);
-        ForwardCopies(nodes, outputs, frame);
-        ReadOriginals(nodes, outputs, frame);
-        LeaveOutUnread(nodes, outputs, frame);
+        for (const auto step : {FoldConstants, ForwardCopies, ReadOriginals, LeaveOutUnread})
+        {
+            step(nodes, outputs, frame);
+            EraseLeftOut(nodes, leftOut);
+        }
         if (options.limitsRegions)
         {
             LimitRegions(nodes, frame);
@@ -41,9 +74,19 @@ CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, 
     LeaveOutStencil(nodes, outputs, frame);
     ResolveSamples(nodes, outputs, frame);
     PlaceTextures(nodes, outputs, options.footprint, frame);
-    MakePasses(std::move(nodes), outputs, frame);
+    MakePasses(nodes, outputs, frame);
     ForgetContents(frame.states);
+    WriteLeftOut(leftOut, frame.leftOut);
+}
+
+CompiledFrame CompileFrame(FrameCommands commands, const TextureStates& states, OutputSpan outputs,
+                           const FrameCompilerOptions& options)
+{
+    CompiledFrame frame;
+    static_cast<FrameTables&>(frame) = std::move(static_cast<FrameTables&>(commands));
     frame.uniformData = std::move(commands.uniformData);
+    std::pmr::monotonic_buffer_resource memory;
+    CompileInto(frame, commands, states, outputs, options, memory);
     return frame;
 }
 

@@ -1,6 +1,6 @@
 #include "frame/FrameNode.h"
 
-#include <algorithm>
+#include <typeinfo>
 
 namespace limn
 {
@@ -9,17 +9,16 @@ namespace
 {
 
 /// What comes from the CPU is there: nothing to wait for.
-void AddRead(std::vector<std::shared_ptr<const Texture>>& reads,
-             const std::shared_ptr<const Texture>& texture)
+void AddRead(FrameNode& node, const std::shared_ptr<const Texture>& texture)
 {
-    const bool isDrawn = dynamic_cast<const RenderTexture*>(texture.get()) != nullptr;
-    if (isDrawn && std::find(reads.begin(), reads.end(), texture) == reads.end())
+    const Texture& read = *texture;
+    if (!Reads(node, read) && typeid(read) == typeid(RenderTexture))
     {
-        reads.push_back(texture);
+        node.reads.push_back(texture);
     }
 }
 
-void AddUse(std::vector<BufferUse>& uses, const BufferSlot& slot)
+void AddUse(std::pmr::vector<BufferUse>& uses, const BufferSlot& slot)
 {
     const auto known = std::ranges::find(uses, slot.buffer, &BufferUse::buffer);
     if (known == uses.end())
@@ -35,7 +34,7 @@ void AddBindings(FrameNode& node, const DrawBindings& bindings)
 {
     for (const TextureSlot& slot : bindings.textures)
     {
-        AddRead(node.reads, slot.texture);
+        AddRead(node, slot.texture);
     }
     for (const StorageTextureSlot& slot : bindings.storageTextures)
     {
@@ -76,6 +75,22 @@ const DrawCommand* OnlyDraw(const FrameNode& node)
 }
 
 } // namespace
+
+FrameNode::FrameNode(const FrameAllocator& memory)
+    : name(memory),
+      commands(memory),
+      reads(memory),
+      writes(memory),
+      buffers(memory),
+      resolves(memory),
+      whyLeftOut(memory)
+{
+}
+
+FrameNode::FrameNode(FrameNode&& other, const FrameAllocator& memory) : FrameNode(memory)
+{
+    *this = std::move(other);
+}
 
 ClearFlag AspectsOf(const RenderTexture& texture)
 {
@@ -142,34 +157,20 @@ bool Overwrites(const FrameNode& node, const RenderTexture& target)
                                        : Clears(node, aspects);
 }
 
-std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node)
+bool HasTarget(const FrameNode& node, const Texture& texture)
 {
-    std::vector<std::shared_ptr<const RenderTexture>> targets(node.targets.colors.begin(),
-                                                              node.targets.colors.end());
-    if (node.targets.depth)
-    {
-        targets.push_back(node.targets.depth);
-    }
-    for (const SampleResolve& resolve : node.resolves)
-    {
-        if (resolve.to != resolve.from)
-        {
-            targets.push_back(resolve.to);
-        }
-    }
-    targets.insert(targets.end(), node.writes.begin(), node.writes.end());
-    return targets;
+    return AnyTarget(node, [&](const auto& target) { return target.get() == &texture; });
+}
+
+bool Reads(const FrameNode& node, const Texture& texture)
+{
+    return std::ranges::any_of(node.reads,
+                               [&](const auto& read) { return read.get() == &texture; });
 }
 
 bool Uses(const FrameNode& node, const Texture& texture)
 {
-    const auto is = [&](const auto& other)
-    {
-        return other.get() == &texture;
-    };
-    const auto targets = TargetsOf(node);
-    return std::any_of(targets.begin(), targets.end(), is) ||
-           std::any_of(node.reads.begin(), node.reads.end(), is);
+    return HasTarget(node, texture) || Reads(node, texture);
 }
 
 std::shared_ptr<const RenderTexture> CopiedBy(const FrameNode& node, const FrameTables& tables)
@@ -239,7 +240,7 @@ void Merge(ClearCommand& clear, const ClearCommand& other)
     clear.flags = clear.flags | other.flags;
 }
 
-void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
+void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut)
 {
     std::erase_if(nodes,
                   [&](FrameNode& node)
@@ -248,34 +249,29 @@ void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame)
                       {
                           return false;
                       }
-                      LeftOut leftOut{node.name, std::move(node.whyLeftOut), {}, node.place};
-                      for (const auto& target : TargetsOf(node))
-                      {
-                          leftOut.targets.push_back(target->name());
-                      }
-                      frame.leftOut.push_back(std::move(leftOut));
+                      leftOut.push_back(std::move(node));
                       return true;
                   });
 }
 
 void EraseEmptySamples(FrameNode& node)
 {
-    std::vector<PassCommand> kept;
+    auto end = node.commands.begin(); // of those that are kept
     for (PassCommand& command : node.commands)
     {
         const bool endsAnEmptyOne = std::holds_alternative<EndSampleCommand>(command) &&
-                                    !kept.empty() &&
-                                    std::holds_alternative<BeginSampleCommand>(kept.back());
+                                    end != node.commands.begin() &&
+                                    std::holds_alternative<BeginSampleCommand>(*(end - 1));
         if (endsAnEmptyOne)
         {
-            kept.pop_back();
+            --end;
         }
         else
         {
-            kept.push_back(std::move(command));
+            *end++ = command;
         }
     }
-    node.commands = std::move(kept);
+    node.commands.erase(end, node.commands.end());
 }
 
 } // namespace limn

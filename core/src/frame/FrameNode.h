@@ -1,8 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <limn/core/FrameCompiler.h>
+#include <memory_resource>
 #include <span>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace limn
 {
@@ -24,26 +27,41 @@ struct BufferUse
     bool isWritten = false;
 };
 
+/// Where the lists of a frame lie while it is compiled: they go together, and the next frame has
+/// their memory.
+using FrameAllocator = std::pmr::polymorphic_allocator<>;
+
 /// Commands on one set of targets, or dispatches, before load, store and barriers are decided.
 struct FrameNode
 {
-    std::string name;
+    using allocator_type = FrameAllocator;
+
+    FrameNode() = default;
+    explicit FrameNode(const FrameAllocator& memory);
+    FrameNode(FrameNode&& other) noexcept = default;
+    FrameNode(FrameNode&& other, const FrameAllocator& memory);
+    FrameNode& operator=(FrameNode&& other) = default;
+
+    std::pmr::string name;
     SetRenderTargetCommand targets;
     std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
     /// Colours that are cleared on their own, by index, where `clear` clears none; may be shorter
     /// than the targets' colours.
-    std::vector<std::optional<Color>> clearedColors;
+    FixedList<std::optional<Color>, k_MostColors> clearedColors;
     /// A draw covers the colour, so that what was there before the node does not matter.
     bool coversColor = false;
-    std::vector<PassCommand> commands;
-    std::vector<std::shared_ptr<const Texture>> reads; ///< render textures sampled; no duplicates
-    std::vector<std::shared_ptr<const RenderTexture>> writes; ///< by dispatches; no duplicates
-    std::vector<BufferUse> buffers;                           ///< of each one use
-    bool isCompute = false;                                   ///< it has dispatches, and no targets
-    std::vector<SampleResolve> resolves;
-    std::string whyLeftOut; ///< "" = it is not
-    std::size_t place = 0;  ///< see CompiledRenderPass
+    std::pmr::vector<PassCommand> commands;
+    std::pmr::vector<std::shared_ptr<const Texture>> reads; ///< drawn into, sampled; each once
+    std::pmr::vector<std::shared_ptr<const RenderTexture>> writes; ///< by dispatches; each once
+    std::pmr::vector<BufferUse> buffers;                           ///< of each one use
+    bool isCompute = false; ///< it has dispatches, and no targets
+    std::pmr::vector<SampleResolve> resolves;
+    std::pmr::string whyLeftOut; ///< "" = it is not
+    std::size_t place = 0;       ///< see CompiledRenderPass
 };
+
+using FrameNodes = std::pmr::vector<FrameNode>;
+using TextureIds = std::pmr::unordered_set<std::uint64_t>; ///< Texture::id
 
 /// What an attachment or a clear is about.
 ClearFlag AspectsOf(const RenderTexture& texture);
@@ -58,8 +76,45 @@ bool IsZero(const Color& color, GraphicsFormat format);
 bool UsesDepth(const PipelineState& state);
 /// Whether it does not matter what the target holds before the node.
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
-/// All that it draws into, resolves to or writes.
-std::vector<std::shared_ptr<const RenderTexture>> TargetsOf(const FrameNode& node);
+/// Calls `visit` with all that the node draws into, resolves to or writes, until it returns true.
+/// @return whether it did
+template <typename Visit>
+bool AnyTarget(const FrameNode& node, const Visit& visit)
+{
+    for (const auto& color : node.targets.colors)
+    {
+        if (visit(color))
+        {
+            return true;
+        }
+    }
+    if (node.targets.depth && visit(node.targets.depth))
+    {
+        return true;
+    }
+    for (const SampleResolve& resolve : node.resolves)
+    {
+        if (resolve.to != resolve.from && visit(resolve.to))
+        {
+            return true;
+        }
+    }
+    return std::ranges::any_of(node.writes, visit);
+}
+template <typename Visit>
+void ForEachTarget(const FrameNode& node, const Visit& visit)
+{
+    AnyTarget(node,
+              [&](const std::shared_ptr<const RenderTexture>& target)
+              {
+                  visit(target);
+                  return false;
+              });
+}
+/// Returns whether the node draws into the texture, resolves to it or writes it.
+bool HasTarget(const FrameNode& node, const Texture& texture);
+/// Returns whether the node's draws or dispatches sample the texture.
+bool Reads(const FrameNode& node, const Texture& texture);
 /// Returns whether the node draws into the texture, writes it or reads it.
 bool Uses(const FrameNode& node, const Texture& texture);
 /// Returns what the node is a copy of; null if it is none, or more than one.
@@ -72,7 +127,7 @@ void CollectReads(FrameNode& node, const FrameTables& tables);
 template <typename Change>
 void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
 {
-    std::unordered_map<std::uint32_t, std::uint32_t> changed;
+    std::pmr::unordered_map<std::uint32_t, std::uint32_t> changed(node.commands.get_allocator());
     for (PassCommand& command : node.commands)
     {
         if (auto* draw = std::get_if<DrawCommand>(&command))
@@ -101,8 +156,16 @@ void ReadInstead(FrameNode& node, FrameTables& tables, const Texture& replaced,
 /// Takes over what `other` clears, in place of what `clear` says about the same.
 void Merge(ClearCommand& clear, const ClearCommand& other);
 
-/// Takes the nodes out that have a reason for it: to CompiledFrame::leftOut.
-void EraseLeftOut(std::vector<FrameNode>& nodes, CompiledFrame& frame);
+/// Moves the nodes that have a reason for it behind those that are left out already.
+void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut);
+
+inline void Append(std::pmr::string& text, std::initializer_list<std::string_view> parts)
+{
+    for (const std::string_view part : parts)
+    {
+        text += part;
+    }
+}
 
 /// Erases samples that begin and end with nothing in between.
 void EraseEmptySamples(FrameNode& node);
@@ -110,44 +173,54 @@ void EraseEmptySamples(FrameNode& node);
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
 /// or cleared, so binding alone makes no node and ends none. Each dispatch is a node. Samples that
 /// go on in another node begin there anew, and those left open end with the frame.
+/// @param nodes  empty; gets them
 /// @throws ContractError as CompileFrame
-std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands,
-                                      const FrameTables& tables);
+void SplitIntoNodes(std::span<const FrameCommand> commands, const FrameTables& tables,
+                    FrameNodes& nodes);
 
 /// Notes the draws that blend with the alpha of an HDR target of 32 bits, which has none.
-void NoteMissingAlpha(const std::vector<FrameNode>& nodes, CompiledFrame& frame);
+void NoteMissingAlpha(const FrameNodes& nodes, CompiledFrame& frame);
 
 /// Works out what each node reads, and which draws cover their target: what they cover is dropped.
-void FindAccess(std::vector<FrameNode>& nodes, const FrameTables& tables);
+void FindAccess(FrameNodes& nodes, const FrameTables& tables);
 
 // Each of the following steps leaves a frame that draws the same. They know of the frames before
-// what `frame.states` says, and say in `frame.leftOut` what they leave out.
+// what `frame.states` says, and say in FrameNode::whyLeftOut what they leave out: EraseLeftOut
+// comes behind each.
 
-void FoldConstants(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
-void ForwardCopies(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void FoldConstants(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void ForwardCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Lets draws read a depth texture itself in place of its copy, where nothing is drawn with the
 /// depth behind the copy.
-void ReadOriginals(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
-void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void LeaveOutUnread(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
 /// before and the passes' promises tell.
-void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables);
+void LimitRegions(FrameNodes& nodes, const FrameTables& tables);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
 /// of the frame uses the stencil of: less memory, less traffic. What draws sample of it is the
 /// depth alone. Outputs and what kernels read stay, since others know them by identity.
-void LeaveOutStencil(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame);
+void LeaveOutStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Makes one node of those on equal targets, past or behind all that does not mind.
-void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables);
+void MergeNodes(FrameNodes& nodes, FrameTables& tables);
 /// Resolves samples where something reads them before the texture's next node: as late as possible,
 /// and not where they are only drawn on.
-void ResolveSamples(std::vector<FrameNode>& nodes, OutputSpan outputs, const CompiledFrame& frame);
+void ResolveSamples(FrameNodes& nodes, OutputSpan outputs, const CompiledFrame& frame);
 
 /// Puts textures into shared memory, where that saves any: `frame.placed`. What they held before
 /// the frame is gone. An empty `footprint` places none.
-void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
+void PlaceTextures(const FrameNodes& nodes, OutputSpan outputs,
                    const TextureFootprintFunction& footprint, CompiledFrame& frame);
 
 /// Load, store and barriers.
-void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame);
+/// @param frame  its `passes` are taken for those of an earlier frame, whose memory is used again
+void MakePasses(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+
+/// Compiles into a frame whose lists have the memory of an earlier one.
+/// @param memory  of what is needed until then
+/// @throws ContractError as CompileFrame; the frame is not to be used then
+void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const TextureStates& states,
+                 OutputSpan outputs, const FrameCompilerOptions& options,
+                 std::pmr::memory_resource& memory);
 
 } // namespace limn

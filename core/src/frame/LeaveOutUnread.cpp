@@ -1,15 +1,12 @@
 #include "frame/TextureHistory.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 namespace limn
 {
 
 namespace
 {
-
-using Ids = std::unordered_set<std::uint64_t>;
 
 /// Whether what is pending takes the place of all that was drawn.
 bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
@@ -20,19 +17,19 @@ bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
 }
 
 /// Returns the textures whose contents are read behind the frame's last node.
-Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
-                   const TextureStates& states)
+TextureIds ReadAfterwards(const FrameNodes& nodes, OutputSpan outputs, const TextureStates& states)
 {
-    Ids ids;
+    TextureIds ids(nodes.get_allocator());
     for (const FrameNode& node : nodes)
     {
-        for (const auto& target : TargetsOf(node))
-        {
-            if (OutlivesFrame(*target, states) && !IsReplaced(*target, states))
-            {
-                ids.insert(target->id());
-            }
-        }
+        ForEachTarget(node,
+                      [&](const auto& target)
+                      {
+                          if (OutlivesFrame(*target, states) && !IsReplaced(*target, states))
+                          {
+                              ids.insert(target->id());
+                          }
+                      });
     }
     for (const auto& output : outputs)
     {
@@ -41,56 +38,63 @@ Ids ReadAfterwards(const std::vector<FrameNode>& nodes, OutputSpan outputs,
     return ids;
 }
 
-std::string NamesOf(const FrameNode& node)
+void SayThatNothingReads(FrameNode& node)
 {
-    std::string names;
-    for (const auto& target : TargetsOf(node))
+    ForEachTarget(node,
+                  [&](const auto& target)
+                  {
+                      Append(node.whyLeftOut, {node.whyLeftOut.empty() ? "nothing reads '" : ", '",
+                                               target->name(), "'"});
+                  });
+}
+
+/// What the node needs of the textures is read before it, but for what it writes itself.
+void NoteReads(const FrameNode& node, TextureIds& read)
+{
+    for (const SampleResolve& resolve : node.resolves)
     {
-        names += (names.empty() ? "'" : ", '") + target->name() + "'";
+        read.insert(resolve.from->id());
     }
-    return names;
+    ForEachTarget(node,
+                  [&](const auto& target)
+                  {
+                      if (Overwrites(node, *target))
+                      {
+                          read.erase(target->id());
+                      }
+                      else if (IsDepthFormat(target->graphicsFormat()) || node.isCompute)
+                      {
+                          // It decides what of the colours is drawn; a kernel may read what it
+                          // writes to.
+                          read.insert(target->id());
+                      }
+                  });
+    for (const auto& texture : node.reads)
+    {
+        read.insert(texture->id());
+    }
 }
 
 } // namespace
 
-void LeaveOutUnread(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+void LeaveOutUnread(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
-    Ids read = ReadAfterwards(nodes, outputs, frame.states);
+    TextureIds read = ReadAfterwards(nodes, outputs, frame.states);
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
     {
-        const auto targets = TargetsOf(*node);
         const bool isRead =
             node->targets.isKept ||
-            std::any_of(targets.begin(), targets.end(),
-                        [&](const auto& target) { return read.contains(target->id()); }) ||
+            AnyTarget(*node, [&](const auto& target) { return read.contains(target->id()); }) ||
             std::ranges::any_of(node->buffers, &BufferUse::isWritten); // it outlives the frame
-        if (!isRead)
+        if (isRead)
         {
-            node->whyLeftOut = "nothing reads " + NamesOf(*node);
-            continue;
+            NoteReads(*node, read);
         }
-        for (const SampleResolve& resolve : node->resolves)
+        else
         {
-            read.insert(resolve.from->id());
-        }
-        for (const auto& target : targets)
-        {
-            if (Overwrites(*node, *target))
-            {
-                read.erase(target->id());
-            }
-            else if (IsDepthFormat(target->graphicsFormat()) || node->isCompute)
-            {
-                // It decides what of the colours is drawn; a kernel may read what it writes to.
-                read.insert(target->id());
-            }
-        }
-        for (const auto& texture : node->reads)
-        {
-            read.insert(texture->id());
+            SayThatNothingReads(*node);
         }
     }
-    EraseLeftOut(nodes, frame);
 }
 
 } // namespace limn

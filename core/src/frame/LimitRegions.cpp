@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 
 namespace limn
 {
@@ -51,16 +50,16 @@ bool IsPlain(const FrameNode& node)
 class RegionLimiter
 {
 public:
-    explicit RegionLimiter(const FrameTables& tables) : m_Tables(tables) {}
+    RegionLimiter(const FrameTables& tables, const FrameAllocator& memory)
+        : m_Tables(tables), m_Regions(memory)
+    {
+    }
 
     void Limit(FrameNode& node)
     {
         if (!IsPlain(node))
         {
-            for (const auto& target : TargetsOf(node))
-            {
-                m_Regions.erase(target->id());
-            }
+            ForEachTarget(node, [&](const auto& target) { m_Regions.erase(target->id()); });
             return;
         }
         const RenderTexture& target = *node.targets.colors.front();
@@ -157,14 +156,14 @@ private:
     }
 
     const FrameTables& m_Tables;
-    std::unordered_map<std::uint64_t, TargetRegion> m_Regions; ///< by Texture::id
+    std::pmr::unordered_map<std::uint64_t, TargetRegion> m_Regions; ///< by Texture::id
 };
 
 } // namespace
 
-void LimitRegions(std::vector<FrameNode>& nodes, const FrameTables& tables)
+void LimitRegions(FrameNodes& nodes, const FrameTables& tables)
 {
-    RegionLimiter limiter(tables);
+    RegionLimiter limiter(tables, nodes.get_allocator());
     for (FrameNode& node : nodes)
     {
         limiter.Limit(node);

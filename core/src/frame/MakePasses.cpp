@@ -24,8 +24,8 @@ const SampleResolve* FindResolve(const FrameNode& node, const RenderTexture& tex
 }
 
 /// Readers of a texture with several samples see what they were resolved to.
-NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
-                    const RenderTexture& texture, ClearFlag aspect)
+NextUse FindNextUse(const FrameNodes& nodes, std::size_t from, const RenderTexture& texture,
+                    ClearFlag aspect)
 {
     for (std::size_t i = from; i < nodes.size(); ++i)
     {
@@ -34,7 +34,7 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
         {
             return other.get() == &texture;
         };
-        if (!HasSamples(texture) && std::any_of(node.reads.begin(), node.reads.end(), is))
+        if (!HasSamples(texture) && Reads(node, texture))
         {
             return NextUse::Needs;
         }
@@ -59,7 +59,7 @@ NextUse FindNextUse(const std::vector<FrameNode>& nodes, std::size_t from,
     return NextUse::None;
 }
 
-using Readers = std::unordered_map<std::uint64_t, ShaderStage>;
+using Readers = std::pmr::unordered_map<std::uint64_t, ShaderStage>;
 
 void AddReaders(const ShaderProgram& program, const DrawBindings& bindings, Readers& readers)
 {
@@ -77,10 +77,10 @@ void AddReaders(const ShaderProgram& program, const DrawBindings& bindings, Read
 }
 
 /// Which functions read a texture anywhere in the frame, by Texture::id.
-Readers FindReaders(const std::vector<FrameNode>& nodes, const FrameTables& tables)
+Readers FindReaders(const FrameNodes& nodes, const FrameTables& tables)
 {
-    Readers readers;
-    std::vector<bool> isDone(tables.setups.size());
+    Readers readers(nodes.get_allocator());
+    std::pmr::vector<bool> isDone(tables.setups.size(), false, nodes.get_allocator());
     for (const FrameNode& node : nodes)
     {
         for (const PassCommand& command : node.commands)
@@ -112,16 +112,17 @@ Readers FindReaders(const std::vector<FrameNode>& nodes, const FrameTables& tabl
 class PassMaker
 {
 public:
-    PassMaker(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+    PassMaker(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
         : m_Nodes(nodes), m_Outputs(outputs), m_Frame(frame), m_Readers(FindReaders(nodes, frame))
     {
     }
 
     void Make()
     {
+        m_Frame.passes.resize(m_Nodes.size());
         for (std::size_t i = 0; i < m_Nodes.size(); ++i)
         {
-            m_Frame.passes.push_back(Pass(i));
+            Make(i, m_Frame.passes[i]);
         }
         for (const auto& output : m_Outputs)
         {
@@ -130,11 +131,18 @@ public:
     }
 
 private:
-    CompiledRenderPass Pass(std::size_t index)
+    /// @param result  gets all that it has anew
+    void Make(std::size_t index, CompiledRenderPass& result)
     {
-        FrameNode& node = m_Nodes[index];
-        CompiledRenderPass result;
+        const FrameNode& node = m_Nodes[index];
         result.name = node.name;
+        result.barriers.clear();
+        result.bufferBarriers.clear();
+        result.colors.clear();
+        result.depth.reset();
+        result.mips.clear();
+        result.width = 0;
+        result.height = 0;
         result.place = node.place;
         for (const auto& texture : node.reads)
         {
@@ -165,8 +173,7 @@ private:
             result.width = depth->width();
             result.height = depth->height();
         }
-        result.commands = std::move(node.commands);
-        return result;
+        result.commands.assign(node.commands.begin(), node.commands.end());
     }
 
     ColorAttachment Color(std::size_t index, const std::shared_ptr<const RenderTexture>& texture,
@@ -327,7 +334,7 @@ private:
         state.readers = state.readers | use.stages;
     }
 
-    std::vector<FrameNode>& m_Nodes;
+    const FrameNodes& m_Nodes;
     OutputSpan m_Outputs;
     CompiledFrame& m_Frame;
     Readers m_Readers;
@@ -335,7 +342,7 @@ private:
 
 } // namespace
 
-void MakePasses(std::vector<FrameNode> nodes, OutputSpan outputs, CompiledFrame& frame)
+void MakePasses(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     PassMaker(nodes, outputs, frame).Make();
 }

@@ -11,17 +11,12 @@ namespace
 
 bool SharesTarget(const FrameNode& a, const FrameNode& b)
 {
-    const auto targets = TargetsOf(a);
-    const auto others = TargetsOf(b);
-    return std::find_first_of(targets.begin(), targets.end(), others.begin(), others.end()) !=
-           targets.end();
+    return AnyTarget(a, [&](const auto& target) { return HasTarget(b, *target); });
 }
 
 bool ReadsTargetOf(const FrameNode& reader, const FrameNode& node)
 {
-    const auto targets = TargetsOf(node);
-    return std::find_first_of(reader.reads.begin(), reader.reads.end(), targets.begin(),
-                              targets.end()) != reader.reads.end();
+    return AnyTarget(node, [&](const auto& target) { return Reads(reader, *target); });
 }
 
 /// Whether one writes a buffer that the other uses.
@@ -153,7 +148,7 @@ void JoinColors(FrameNode& node, FrameNode& next, FrameTables& tables)
         return;
     }
     IgnoreColors(node, tables, count);
-    std::vector<std::optional<Color>> cleared;
+    FixedList<std::optional<Color>, k_MostColors> cleared;
     for (std::size_t i = 0; i < nextCount; ++i)
     {
         cleared.push_back(ClearColorOf(i < count ? node : next, *next.targets.colors[i]));
@@ -201,8 +196,7 @@ void Continue(FrameNode& node, FrameNode& next, FrameTables& tables)
         const RenderTexture& target = AnyTarget(node);
         node.commands.emplace_back(SetViewportCommand{{0, 0, target.width(), target.height()}});
     }
-    node.commands.insert(node.commands.end(), std::make_move_iterator(next.commands.begin()),
-                         std::make_move_iterator(next.commands.end()));
+    node.commands.insert(node.commands.end(), next.commands.begin(), next.commands.end());
     CollectReads(node, tables);
 }
 
@@ -210,13 +204,13 @@ void Continue(FrameNode& node, FrameNode& next, FrameTables& tables)
 struct Begun
 {
     std::size_t node = 0;
-    std::vector<std::size_t> before; ///< last one first
+    std::pmr::vector<std::size_t> before; ///< last one first
 };
 
-std::optional<Begun> FindBegun(const std::vector<FrameNode>& nodes, const FrameNode& next,
+std::optional<Begun> FindBegun(const FrameNodes& nodes, const FrameNode& next,
                                const FrameTables& tables)
 {
-    Begun begun;
+    Begun begun{0, std::pmr::vector<std::size_t>(nodes.get_allocator())};
     for (begun.node = nodes.size(); begun.node-- > 0;)
     {
         const FrameNode& node = nodes[begun.node];
@@ -242,7 +236,7 @@ std::optional<Begun> FindBegun(const std::vector<FrameNode>& nodes, const FrameN
 
 /// Moves the node behind all that has to run before.
 /// @return where it is then
-std::size_t Delay(std::vector<FrameNode>& nodes, const Begun& begun)
+std::size_t Delay(FrameNodes& nodes, const Begun& begun)
 {
     std::size_t at = begun.node;
     for (auto i = begun.before.rbegin(); i != begun.before.rend(); ++i)
@@ -256,9 +250,9 @@ std::size_t Delay(std::vector<FrameNode>& nodes, const Begun& begun)
 
 } // namespace
 
-void MergeNodes(std::vector<FrameNode>& nodes, FrameTables& tables)
+void MergeNodes(FrameNodes& nodes, FrameTables& tables)
 {
-    std::vector<FrameNode> merged;
+    FrameNodes merged(nodes.get_allocator());
     for (FrameNode& node : nodes)
     {
         if (const auto begun = FindBegun(merged, node, tables))

@@ -23,7 +23,7 @@ bool BlendsWithAlpha(const FrameNode& node, std::size_t target, const FrameTable
 
 } // namespace
 
-void NoteMissingAlpha(const std::vector<FrameNode>& nodes, CompiledFrame& frame)
+void NoteMissingAlpha(const FrameNodes& nodes, CompiledFrame& frame)
 {
     for (const FrameNode& node : nodes)
     {
@@ -33,8 +33,9 @@ void NoteMissingAlpha(const std::vector<FrameNode>& nodes, CompiledFrame& frame)
             const GraphicsFormat format = colors[i]->graphicsFormat();
             if (format == GraphicsFormat::B10G11R11_UFloatPack32 && BlendsWithAlpha(node, i, frame))
             {
-                frame.notes.push_back("pass '" + node.name + "' blends with the alpha of '" +
-                                      colors[i]->name() + "', whose format " + ToString(format) +
+                frame.notes.push_back("pass '" + std::string(node.name) +
+                                      "' blends with the alpha of '" + colors[i]->name() +
+                                      "', whose format " + ToString(format) +
                                       " has none: it counts as 1; where that is the camera's "
                                       "colour, a hdrColorBufferPrecision of 64 bits has one");
             }

@@ -19,10 +19,14 @@ struct Lifetime
     std::uint64_t offset = 0;
 };
 
+using Lifetimes = std::pmr::vector<Lifetime>;
+
 class LifetimeFinder
 {
 public:
-    std::vector<Lifetime> Find(const std::vector<FrameNode>& nodes)
+    explicit LifetimeFinder(const FrameAllocator& memory) : m_Lifetimes(memory), m_Index(memory) {}
+
+    Lifetimes Find(const FrameNodes& nodes)
     {
         for (std::size_t i = 0; i < nodes.size(); ++i)
         {
@@ -30,10 +34,7 @@ public:
             {
                 Use(std::static_pointer_cast<const RenderTexture>(texture), i);
             }
-            for (const auto& target : TargetsOf(nodes[i]))
-            {
-                Use(target, i);
-            }
+            ForEachTarget(nodes[i], [&](const auto& target) { Use(target, i); });
             for (const SampleResolve& resolve : nodes[i].resolves)
             {
                 Use(resolve.to, i);
@@ -53,8 +54,8 @@ private:
         m_Lifetimes[found->second].last = node;
     }
 
-    std::vector<Lifetime> m_Lifetimes;
-    std::unordered_map<std::uint64_t, std::size_t> m_Index; ///< by Texture::id
+    Lifetimes m_Lifetimes;
+    std::pmr::unordered_map<std::uint64_t, std::size_t> m_Index; ///< by Texture::id
 };
 
 bool MayShare(const Lifetime& a, const Lifetime& b)
@@ -68,9 +69,10 @@ std::uint64_t AlignUp(std::uint64_t offset, std::uint64_t alignment)
 }
 
 /// The lowest offset where nothing lies that is alive at the same time.
-std::uint64_t FreeOffset(const Lifetime& lifetime, const std::vector<Lifetime>& placed)
+std::uint64_t FreeOffset(const Lifetime& lifetime, const Lifetimes& placed)
 {
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> taken; // begin and end
+    using Extent = std::pair<std::uint64_t, std::uint64_t>; // begin and end
+    std::pmr::vector<Extent> taken(placed.get_allocator());
     for (const Lifetime& other : placed)
     {
         if (!MayShare(lifetime, other))
@@ -92,7 +94,7 @@ std::uint64_t FreeOffset(const Lifetime& lifetime, const std::vector<Lifetime>& 
 }
 
 /// Whether some of them lie in one place.
-bool Shares(const std::vector<Lifetime>& placed)
+bool Shares(const Lifetimes& placed)
 {
     return std::any_of(placed.begin(), placed.end(),
                        [&](const Lifetime& a)
@@ -121,11 +123,11 @@ void Forget(TextureState& state, bool isPlaced)
 
 } // namespace
 
-void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
+void PlaceTextures(const FrameNodes& nodes, OutputSpan outputs,
                    const TextureFootprintFunction& footprint, CompiledFrame& frame)
 {
-    std::vector<Lifetime> lifetimes = LifetimeFinder().Find(nodes);
-    std::vector<Lifetime> placed;
+    Lifetimes lifetimes = LifetimeFinder(nodes.get_allocator()).Find(nodes);
+    Lifetimes placed(nodes.get_allocator());
     for (Lifetime& lifetime : lifetimes)
     {
         const RenderTexture& texture = *lifetime.texture;
@@ -146,10 +148,12 @@ void PlaceTextures(const std::vector<FrameNode>& nodes, OutputSpan outputs,
         }
     }
     // The largest first: the smaller ones fit into what they leave.
-    std::stable_sort(placed.begin(), placed.end(),
-                     [](const Lifetime& a, const Lifetime& b)
-                     { return a.footprint.size > b.footprint.size; });
-    std::vector<Lifetime> done;
+    const auto rank = [](const Lifetime& lifetime)
+    {
+        return std::pair(~lifetime.footprint.size, lifetime.texture->id());
+    };
+    std::ranges::sort(placed, {}, rank);
+    Lifetimes done(nodes.get_allocator());
     for (Lifetime& lifetime : placed)
     {
         lifetime.offset = FreeOffset(lifetime, done);

@@ -45,21 +45,9 @@ bool CanReadAnother(const FrameNode& node, const FrameTables& tables)
                                });
 }
 
-bool Reads(const FrameNode& node, const RenderTexture& texture)
-{
-    return std::ranges::any_of(node.reads,
-                               [&](const auto& read) { return read.get() == &texture; });
-}
-
-bool DrawsInto(const FrameNode& node, const RenderTexture& texture)
-{
-    return std::ranges::any_of(TargetsOf(node),
-                               [&](const auto& target) { return target.get() == &texture; });
-}
-
 /// Returns whether all that uses the copy, node `at`, can read the original. A draw with the depth
 /// behind it would have to be a pass apart from what reads it: the copy is cheaper then.
-bool CanDoWithout(const std::vector<FrameNode>& nodes, std::size_t at, const FrameTables& tables,
+bool CanDoWithout(const FrameNodes& nodes, std::size_t at, const FrameTables& tables,
                   const RenderTexture& original)
 {
     const RenderTexture& copy = *nodes[at].targets.colors.front();
@@ -68,7 +56,7 @@ bool CanDoWithout(const std::vector<FrameNode>& nodes, std::size_t at, const Fra
         const FrameNode& node = nodes[i];
         const bool isFine = i == at  ? true
                             : i < at ? !Uses(node, copy)
-                                     : !DrawsInto(node, original) && !DrawsInto(node, copy) &&
+                                     : !HasTarget(node, original) && !HasTarget(node, copy) &&
                                            (!Reads(node, copy) || CanReadAnother(node, tables));
         if (!isFine)
         {
@@ -80,7 +68,7 @@ bool CanDoWithout(const std::vector<FrameNode>& nodes, std::size_t at, const Fra
 
 } // namespace
 
-void ReadOriginals(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFrame& frame)
+void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
@@ -100,10 +88,9 @@ void ReadOriginals(std::vector<FrameNode>& nodes, OutputSpan outputs, CompiledFr
                 ReadInstead(node, frame, *copy, original);
             }
         }
-        nodes[i].whyLeftOut = "what reads '" + copy->name() + "' reads '" + original->name() +
-                              "', which nothing is drawn with any more";
+        Append(nodes[i].whyLeftOut, {"what reads '", copy->name(), "' reads '", original->name(),
+                                     "', which nothing is drawn with any more"});
     }
-    EraseLeftOut(nodes, frame);
 }
 
 } // namespace limn

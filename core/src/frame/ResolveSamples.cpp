@@ -15,12 +15,11 @@ bool IsRead(std::span<const FrameNode> following,
 {
     for (const FrameNode& node : following)
     {
-        const auto targets = TargetsOf(node);
-        if (std::find(node.reads.begin(), node.reads.end(), target) != node.reads.end())
+        if (Reads(node, *target))
         {
             return true;
         }
-        if (std::find(targets.begin(), targets.end(), target) != targets.end())
+        if (HasTarget(node, *target))
         {
             return false;
         }
@@ -31,18 +30,20 @@ bool IsRead(std::span<const FrameNode> following,
 
 } // namespace
 
-void ResolveSamples(std::vector<FrameNode>& nodes, OutputSpan outputs, const CompiledFrame& frame)
+void ResolveSamples(FrameNodes& nodes, OutputSpan outputs, const CompiledFrame& frame)
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
         const auto following = std::span<const FrameNode>(nodes).subspan(i + 1);
-        for (const auto& target : TargetsOf(nodes[i]))
+        const auto resolve = [&](const std::shared_ptr<const RenderTexture>& target)
         {
-            if (HasSamples(*target) && IsRead(following, target, outputs, frame.states))
+            if (target && HasSamples(*target) && IsRead(following, target, outputs, frame.states))
             {
                 nodes[i].resolves.push_back({target, target});
             }
-        }
+        };
+        std::ranges::for_each(nodes[i].targets.colors, resolve);
+        resolve(nodes[i].targets.depth);
     }
 }
 

@@ -31,7 +31,8 @@ void ExpectOtherTextures(const FrameNode& node, const DrawBindings& bindings)
         if (slot.texture == node.targets.depth ||
             std::find(colors.begin(), colors.end(), slot.texture) != colors.end())
         {
-            throw DrawError("pass '" + node.name + "' samples '" + slot.texture->name() +
+            throw DrawError("pass '" + std::string(node.name) + "' samples '" +
+                            slot.texture->name() +
                             "' while drawing into it; draw into another texture and copy");
         }
     }
@@ -57,13 +58,19 @@ void ExpectOtherTextures(const DrawBindings& bindings)
 class NodeSplitter
 {
 public:
-    explicit NodeSplitter(const FrameTables& tables) : m_Tables(tables) {}
-
-    std::vector<FrameNode> Split(std::vector<FrameCommand> commands)
+    NodeSplitter(const FrameTables& tables, FrameNodes& nodes)
+        : m_Tables(tables),
+          m_Nodes(nodes),
+          m_Pending(nodes.get_allocator()),
+          m_Samples(nodes.get_allocator())
     {
-        for (FrameCommand& command : commands)
+    }
+
+    void Split(std::span<const FrameCommand> commands)
+    {
+        for (const FrameCommand& command : commands)
         {
-            std::visit([&](auto& c) { Take(c); }, command);
+            std::visit([&](const auto& c) { Take(c); }, command);
         }
         for (; !m_Samples.empty(); m_Samples.pop_back())
         {
@@ -73,19 +80,18 @@ public:
         {
             FlushPending();
         }
-        return std::move(m_Nodes);
     }
 
 private:
-    void Take(SetRenderTargetCommand& command)
+    void Take(const SetRenderTargetCommand& command)
     {
-        m_Target = std::move(command);
+        m_Target = &command;
         m_Viewport.reset();
     }
 
     void Take(const SetViewportCommand& command) { m_Viewport = command.rect; }
 
-    void Take(ClearCommand& command)
+    void Take(ClearCommand command)
     {
         command.flags = m_Target ? Only(command.flags, AspectsOf(*m_Target)) : command.flags;
         if (command.flags == ClearFlag::None)
@@ -103,7 +109,7 @@ private:
         m_Started = true;
     }
 
-    void Take(DrawCommand& command)
+    void Take(const DrawCommand& command)
     {
         FrameNode& node = Node("a draw");
         const DrawBindings* bindings = m_Tables.Setup(command).bindings.get();
@@ -112,11 +118,11 @@ private:
             ExpectOtherTextures(node, *bindings);
             m_LastBindings = bindings;
         }
-        node.commands.emplace_back(std::move(command));
+        node.commands.emplace_back(command);
         m_Started = true;
     }
 
-    void Take(DispatchCommand& command)
+    void Take(const DispatchCommand& command)
     {
         ExpectOtherTextures(*m_Tables.Setup(command).bindings);
         FrameNode& node = AddNode();
@@ -188,7 +194,10 @@ private:
         }
         FrameNode& node = m_Nodes.emplace_back();
         node.commands.assign(m_Samples.begin(), m_Samples.begin() + open);
-        node.name = m_Samples.empty() ? std::string() : m_Samples.back().name.name();
+        if (!m_Samples.empty())
+        {
+            node.name = m_Samples.back().name.name();
+        }
         node.place = m_Nodes.size();
         m_NodeViewport.reset();
         m_Started = false;
@@ -206,29 +215,29 @@ private:
     void FlushPending()
     {
         auto& commands = m_Nodes.back().commands;
-        commands.insert(commands.end(), std::make_move_iterator(m_Pending.begin()),
-                        std::make_move_iterator(m_Pending.end()));
+        commands.insert(commands.end(), m_Pending.begin(), m_Pending.end());
         m_Pending.clear();
         m_PendingBegins = 0;
     }
 
     const FrameTables& m_Tables;
     const DrawBindings* m_LastBindings = nullptr; ///< of the last draw
-    std::vector<FrameNode> m_Nodes;
-    std::optional<SetRenderTargetCommand> m_Target;
-    bool m_Started = false;                     ///< the last node holds a draw or a clear
-    std::optional<ViewportRect> m_Viewport;     ///< as recorded; none = the whole target
-    std::optional<ViewportRect> m_NodeViewport; ///< in effect at the end of the last node
-    std::vector<PassCommand> m_Pending; ///< samples begun, which are the next node's, or empty
-    int m_PendingBegins = 0;            ///< of them, those that have not ended
-    std::vector<BeginSampleCommand> m_Samples; ///< open ones, outermost first
+    FrameNodes& m_Nodes;
+    const SetRenderTargetCommand* m_Target = nullptr; ///< bound; null = none yet
+    bool m_Started = false;                           ///< the last node holds a draw or a clear
+    std::optional<ViewportRect> m_Viewport;           ///< as recorded; none = the whole target
+    std::optional<ViewportRect> m_NodeViewport;       ///< in effect at the end of the last node
+    std::pmr::vector<PassCommand> m_Pending; ///< samples begun, which are the next node's, or empty
+    int m_PendingBegins = 0;                 ///< of them, those that have not ended
+    std::pmr::vector<BeginSampleCommand> m_Samples; ///< open ones, outermost first
 };
 
 } // namespace
 
-std::vector<FrameNode> SplitIntoNodes(std::vector<FrameCommand> commands, const FrameTables& tables)
+void SplitIntoNodes(std::span<const FrameCommand> commands, const FrameTables& tables,
+                    FrameNodes& nodes)
 {
-    return NodeSplitter(tables).Split(std::move(commands));
+    NodeSplitter(tables, nodes).Split(commands);
 }
 
 } // namespace limn

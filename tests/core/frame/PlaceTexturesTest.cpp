@@ -21,12 +21,20 @@ TransientPtr MakeTransient(int units)
 }
 
 FrameNode PlaceNode(const TransientPtr& target,
-                    std::vector<std::shared_ptr<const Texture>> reads = {})
+                    const std::vector<std::shared_ptr<const Texture>>& reads = {})
 {
     FrameNode node;
     node.targets.colors = {target};
-    node.reads = std::move(reads);
+    node.reads.assign(reads.begin(), reads.end());
     return node;
+}
+
+template <typename... Node>
+FrameNodes Nodes(Node&&... node)
+{
+    FrameNodes nodes;
+    (nodes.push_back(std::forward<Node>(node)), ...);
+    return nodes;
 }
 
 /// 16 bytes a texel.
@@ -55,7 +63,8 @@ TEST(PlaceTextures, GivesTheMemoryOfATextureThatIsReadNoMoreToTheNext)
     const TransientPtr b = MakeTransient(4);
     const TransientPtr c = MakeTransient(2);
     CompiledFrame frame;
-    PlaceTextures({PlaceNode(a), PlaceNode(b, {a}), PlaceNode(c, {b})}, {}, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b, {a}), PlaceNode(c, {b})), {}, SixteenBytes,
+                  frame);
     ASSERT_EQ(3u, frame.placed.size());
     EXPECT_EQ(0u, FindPlaced(frame, a)->offset);
     EXPECT_EQ(64u, FindPlaced(frame, b)->offset);
@@ -68,7 +77,7 @@ TEST(PlaceTextures, LeavesTexturesAloneWhereNoneCanShare)
     const TransientPtr a = MakeTransient(4);
     const TransientPtr b = MakeTransient(4);
     CompiledFrame frame;
-    PlaceTextures({PlaceNode(a), PlaceNode(b, {a})}, {}, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b, {a})), {}, SixteenBytes, frame);
     EXPECT_TRUE(frame.placed.empty());
 }
 
@@ -80,7 +89,8 @@ TEST(PlaceTextures, KeepsWhatIsLookedAtAfterTheFrameApart)
     const TransientPtr output = MakeTransient(4);
     const std::vector<TransientPtr> outputs{output};
     CompiledFrame frame;
-    PlaceTextures({PlaceNode(a), PlaceNode(kept), PlaceNode(output)}, outputs, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(kept), PlaceNode(output)), outputs, SixteenBytes,
+                  frame);
     EXPECT_TRUE(frame.placed.empty());
 }
 
@@ -96,12 +106,12 @@ TEST(PlaceTextures, LeavesWhatHoldsSomethingOfAFrameBeforeInMemoryOfItsOwn)
     state.texture = history;
     state.usage = TextureUsage::ShaderRead;
     state.isFilled = true;
-    PlaceTextures({PlaceNode(a), PlaceNode(history)}, {}, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
     EXPECT_EQ(nullptr, FindPlaced(frame, history));
     EXPECT_TRUE(state.isFilled);
 
     state.isFilled = false;
-    PlaceTextures({PlaceNode(a), PlaceNode(history)}, {}, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
     EXPECT_NE(nullptr, FindPlaced(frame, history));
 }
 
@@ -111,7 +121,7 @@ TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
     const TransientPtr b = MakeTransient(4);
     CompiledFrame frame;
     frame.states.textures[a->id()] = {a, TextureUsage::ShaderRead, false, false, {}, false, {}};
-    PlaceTextures({PlaceNode(a), PlaceNode(b)}, {}, SixteenBytes, frame);
+    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b)), {}, SixteenBytes, frame);
     EXPECT_EQ(2u, frame.placed.size());
     TextureState& state = frame.states.textures[a->id()];
     EXPECT_EQ(TextureUsage::Undefined, state.usage);
@@ -121,7 +131,7 @@ TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
     state.usage = TextureUsage::ColorAttachment;
     CompiledFrame next;
     next.states = frame.states;
-    PlaceTextures({PlaceNode(a)}, {}, SixteenBytes, next);
+    PlaceTextures(Nodes(PlaceNode(a)), {}, SixteenBytes, next);
     EXPECT_TRUE(next.placed.empty());
     EXPECT_EQ(TextureUsage::Undefined, next.states.textures[a->id()].usage);
     EXPECT_FALSE(next.states.textures[a->id()].isPlaced);
@@ -157,7 +167,7 @@ TEST(PlaceTextures, LetsNoTwoHoldSomethingInOnePlaceAtOnce)
         {
             textures.push_back(MakeTransient(static_cast<int>(pick(1, 9))));
         }
-        std::vector<FrameNode> nodes;
+        FrameNodes nodes;
         std::vector<std::vector<bool>> used(textures.size()); // by texture and node
         for (std::size_t n = pick(1, 10); n > 0; --n)
         {

@@ -251,7 +251,9 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
     CompiledFrame frame;
     frame.states = before;
     static_cast<FrameTables&>(frame) = commands;
-    std::vector<FrameNode> nodes = SplitIntoNodes(std::move(commands.commands), frame);
+    FrameNodes nodes;
+    FrameNodes leftOut;
+    SplitIntoNodes(commands.commands, frame, nodes);
     for (FrameNode& node : nodes)
     {
         CollectReads(node, frame);
@@ -260,19 +262,20 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
     {
         FindAccess(nodes, frame);
     }
-    using Step = void (*)(std::vector<FrameNode>&, OutputSpan, CompiledFrame&);
+    using Step = void (*)(FrameNodes&, OutputSpan, CompiledFrame&);
     const Step k_Steps[] = {FoldConstants, ForwardCopies, ReadOriginals, LeaveOutUnread,
                             LeaveOutStencil};
     for (int i = 1; i < std::min(steps, 6); ++i)
     {
         k_Steps[i - 1](nodes, outputs, frame);
+        EraseLeftOut(nodes, leftOut);
     }
     if (steps == 6)
     {
         MergeNodes(nodes, frame);
     }
     ResolveSamples(nodes, outputs, frame);
-    MakePasses(std::move(nodes), outputs, frame);
+    MakePasses(nodes, outputs, frame);
     return frame;
 }
 

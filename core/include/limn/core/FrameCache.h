@@ -2,12 +2,14 @@
 
 #include <limn/core/FrameCompiler.h>
 #include <memory>
+#include <memory_resource>
 
 namespace limn
 {
 
 /// Compiles one frame after the other for one device. A frame that records what the one before did
-/// is not worked out again: it only gets new uniform and per-draw data.
+/// is not worked out again: it only gets new uniform and per-draw data. Another one is worked out
+/// in the memory of the frame before.
 class FrameCache
 {
 public:
@@ -29,6 +31,8 @@ private:
                 const FrameCompilerOptions& options) const;
 
     std::shared_ptr<CompiledFrame> m_Frame;
+    /// What compiling takes for a time; made with the first frame, so that caches can be moved.
+    std::unique_ptr<std::pmr::unsynchronized_pool_resource> m_Memory;
     // What it was compiled from, without uniform and per-draw data.
     FrameCommands m_Commands;
     TextureStates m_States;
