@@ -142,22 +142,27 @@ bool ComparePictures(const Image& limn, const Image& hand)
     return different == 0;
 }
 
-void CompareFrames(const ArticleSettings& settings, const Options& options)
+/// What is drawn by hand stands still.
+void CompareFrames(const ArticleSettings& settings, const Options& options,
+                   Movement moving = Movement::None)
 {
+    constexpr const char* k_Moving[] = {"-", "camera", "1 %", "all"};
     TimedDevice device(options.device);
     ArticleScene scene(settings, device);
     const RenderResult first = scene.Render(); // a copy: what it says stays
     HandWrittenFrame hand(NumbersOf(*first.frame), options.device);
     hand.Draw();
     hand.Wait();
-    std::printf("%4dx%-4d %6d %5zu/%-5zu", settings.width, settings.height, settings.objects,
-                CountDraws(*first.frame), hand.drawCount());
+    std::printf("%4dx%-4d %6d %5zu/%-5zu %-6s", settings.width, settings.height, settings.objects,
+                CountDraws(*first.frame), hand.drawCount(),
+                k_Moving[static_cast<std::size_t>(moving)]);
     Comparison record;
     Comparison whole;
     Comparison deviceTime;
     Comparison finished;
     for (int i = 0; i < options.pairs; ++i)
     {
+        scene.Move(moving, i);
         const double limnWall = WallMilliseconds();
         const double limnBegin = CpuMilliseconds();
         scene.Render();
@@ -178,6 +183,8 @@ void CompareFrames(const ArticleSettings& settings, const Options& options)
     PrintColumns(deviceTime);
     PrintColumns(finished);
     std::printf(" | ");
+    scene.Move(moving, 0);
+    scene.Render();
     if (!ComparePictures(device.ReadBack(*first.output.rt()), hand.ReadBack()) && options.quick)
     {
         throw std::runtime_error("limn's picture is not the one drawn by hand");
@@ -188,7 +195,7 @@ void FrameTable(const Options& options)
 {
     std::printf(
         "\n(a) The article's frame, regions off: ms of limn, ms by hand, ratio [10 %%-90 %%]\n"
-        "size     objects draws       | record and submit, CPU          | whole frame, CPU"
+        "size     objects draws       moves  | record and submit, CPU          | whole frame, CPU"
         "                | device                          | until it is finished, wall\n");
     const int width = options.quick ? 64 : 1280;
     for (const int objects : {1, 100, 10000})
@@ -197,7 +204,11 @@ void FrameTable(const Options& options)
         settings.width = width;
         settings.height = width * 9 / 16;
         settings.objects = options.quick ? std::min(objects, 200) : objects;
-        CompareFrames(settings, options);
+        for (const Movement moving :
+             {Movement::None, Movement::Camera, Movement::Some, Movement::All})
+        {
+            CompareFrames(settings, options, moving);
+        }
         if (!options.quick)
         {
             settings.width = 1920;

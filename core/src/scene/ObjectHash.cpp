@@ -69,15 +69,16 @@ void AddTo(WordHash& hash, const RendererPropertyBlocks& blocks)
 
 } // namespace
 
-std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
+ObjectHash HashOf(const GameObject& object, WorldMatrices& matrices)
 {
-    WordHash hash;
-    hash.AddBytes(object.transform); // no padding: its size is that of its members
+    WordHash place;
+    place.AddBytes(object.transform); // no padding: its size is that of its members
     static_assert(sizeof(Transform) == 10 * sizeof(float) + sizeof(void*));
     if (object.transform.parent != nullptr)
     {
-        hash.AddBytes(matrices.OfParent(object.transform));
+        place.AddBytes(matrices.OfParent(object.transform));
     }
+    WordHash hash;
     hash.Add(static_cast<std::uint64_t>(object.layer) << 2 |
              static_cast<std::uint64_t>(object.activeSelf) << 1 |
              static_cast<std::uint64_t>(object.renderer.has_value()));
@@ -97,7 +98,7 @@ std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices)
             AddTo(hash, renderer.propertyBlocks);
         }
     }
-    return hash.value();
+    return {place.value(), hash.value()};
 }
 
 } // namespace limn

@@ -8,9 +8,17 @@
 namespace limn
 {
 
-/// Of all that an object's rows in a RendererTable are made from, but what its materials and meshes
-/// hold.
+/// Tells whether an object's rows in a RendererTable are still what they were made from. What
+/// materials and meshes hold is not looked at.
+struct ObjectHash
+{
+    std::uint64_t place = 0; ///< of the world matrix
+    std::uint64_t rest = 0;
+
+    bool operator==(const ObjectHash&) const = default;
+};
+
 /// @param matrices  gets those of its parents
-std::uint64_t HashOf(const GameObject& object, WorldMatrices& matrices);
+ObjectHash HashOf(const GameObject& object, WorldMatrices& matrices);
 
 } // namespace limn

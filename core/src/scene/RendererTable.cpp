@@ -43,6 +43,11 @@ bool isFinite(const glm::dvec3& place, const glm::mat3& axes)
     return sum == 0.0f;
 }
 
+bool isMirrored(const glm::mat3& axes)
+{
+    return glm::determinant(glm::dmat3(axes)) < 0.0;
+}
+
 /// Fetches what HashOf reads some objects on: they lie anywhere in memory, and waiting for them one
 /// by one would take most of the time.
 void Prefetch(const GameObjects& objects, std::size_t index)
@@ -117,36 +122,31 @@ void RendererTable::Update(const glm::dvec3& origin)
 /// @param known  how many objects there were last time
 void RendererTable::FindChanges(std::size_t known)
 {
-    const std::size_t parts = PartsOf(m_Objects->size());
-    m_Matrices.resize(parts);
-    m_Found.resize(parts);
-    const auto find = [&](std::size_t part, std::size_t begin, std::size_t end)
+    m_Parts.resize(PartsOf(m_Objects->size()));
+    const auto find = [&](std::size_t number, std::size_t begin, std::size_t end)
     {
-        WorldMatrices& matrices = m_Matrices[part];
-        std::vector<std::uint32_t>& found = m_Found[part];
-        matrices.Clear();
-        found.clear();
+        Part& part = m_Parts[number];
+        part.matrices.Clear();
+        part.changed.clear();
+        part.anew.clear();
+        part.beyondFloat.clear();
         for (std::size_t i = begin; i < end; ++i)
         {
             Prefetch(*m_Objects, i);
-            const std::uint64_t hash = HashOf(object(i), matrices);
-            if ((hash != m_Hash[i] || i >= known) && known > 0)
-            {
-                found.push_back(static_cast<std::uint32_t>(i));
-            }
-            m_Hash[i] = hash;
+            FindChange(static_cast<std::uint32_t>(i), i < known, part);
         }
     };
     try
     {
-        ForEachPart(m_Objects->size(), parts, find);
+        ForEachPart(m_Objects->size(), m_Parts.size(), find);
     }
     catch (...)
     {
         m_Hash.clear(); // what was found is lost: next time everything is new
         throw;
     }
-    const bool isUnchanged = std::ranges::all_of(m_Found, [](const auto& f) { return f.empty(); });
+    const bool isUnchanged =
+        std::ranges::all_of(m_Parts, [](const Part& part) { return part.changed.empty(); });
     if (known == 0 ? m_Objects->empty() : isUnchanged)
     {
         return;
@@ -160,30 +160,87 @@ void RendererTable::FindChanges(std::size_t known)
         SetRowsFrom(0);
         return;
     }
-    for (const auto& found : m_Found)
+    for (const Part& part : m_Parts)
     {
-        m_Changed.insert(m_Changed.end(), found.begin(), found.end());
+        m_Changed.insert(m_Changed.end(), part.changed.begin(), part.changed.end());
     }
     SetChanged();
 }
 
+void RendererTable::FindChange(std::uint32_t index, bool isKnown, Part& part)
+{
+    const ObjectHash hash = HashOf(object(index), part.matrices);
+    const ObjectHash before = std::exchange(m_Hash[index], hash);
+    if (isKnown && hash == before)
+    {
+        return;
+    }
+    part.changed.push_back(index);
+    if (!isKnown || hash.rest != before.rest || !MoveRows(index, part))
+    {
+        part.anew.push_back(index);
+    }
+}
+
+/// Most changes are of the place only.
+/// @return false where the rows are to be made anew all the same
+bool RendererTable::MoveRows(std::uint32_t index, Part& part)
+{
+    const std::uint32_t first = m_FirstRow[index];
+    const std::uint32_t end = m_FirstRow[index + 1];
+    if (first == end)
+    {
+        return true;
+    }
+    const Transform& transform = object(index).transform;
+    const glm::dmat4 local = LocalMatrix(transform);
+    const glm::dmat4 matrix =
+        transform.parent != nullptr ? *part.matrices.FindParent(transform.parent) * local : local;
+    const World world{glm::dvec3(matrix[3]), glm::mat3(matrix)};
+    if (isMirrored(world.axes) != m_Classes[m_ClassOf[first]].isMirrored)
+    {
+        return false;
+    }
+    if (!isFinite(world.place, world.axes))
+    {
+        part.beyondFloat.push_back(index);
+    }
+    for (std::uint32_t row = first; row < end; ++row)
+    {
+        SetBox(row, world);
+    }
+    return true;
+}
+
 void RendererTable::SetChanged()
 {
-    const auto other =
-        std::ranges::find_if(m_Changed, [&](std::uint32_t i)
-                             { return RowsOf(object(i)) != m_FirstRow[i + 1] - m_FirstRow[i]; });
     // An object that has a renderer only, or has lost it, is in nobody's way.
     std::erase_if(m_BeyondFloat,
-                  [&](std::uint32_t i) {
-                      return std::ranges::binary_search(m_Changed, i) ||
-                             (other != m_Changed.end() && i >= *other);
-                  });
-    std::for_each(m_Changed.begin(), other, [&](std::uint32_t i) { SetRows(i); });
-    if (other != m_Changed.end())
+                  [&](std::uint32_t i) { return std::ranges::binary_search(m_Changed, i); });
+    for (const Part& part : m_Parts)
     {
-        SetRowsFrom(*other);
+        m_BeyondFloat.insert(m_BeyondFloat.end(), part.beyondFloat.begin(), part.beyondFloat.end());
     }
+    SetAnew();
     std::ranges::sort(m_BeyondFloat);
+}
+
+/// Makes the rows anew of all that need it.
+void RendererTable::SetAnew()
+{
+    for (const Part& part : m_Parts)
+    {
+        for (const std::uint32_t index : part.anew)
+        {
+            if (RowsOf(object(index)) != m_FirstRow[index + 1] - m_FirstRow[index])
+            {
+                std::erase_if(m_BeyondFloat, [&](std::uint32_t i) { return i >= index; });
+                SetRowsFrom(index);
+                return;
+            }
+            SetRows(index);
+        }
+    }
 }
 
 void RendererTable::MoveTo(const glm::dvec3& origin)
@@ -203,7 +260,7 @@ void RendererTable::MoveTo(const glm::dvec3& origin)
             }
         }
     };
-    ForEachPart(m_Objects->size(), m_Matrices.size(), move);
+    ForEachPart(m_Objects->size(), m_Parts.size(), move);
 }
 
 glm::dmat4 RendererTable::MatrixOf(const Transform& transform) const
@@ -212,9 +269,9 @@ glm::dmat4 RendererTable::MatrixOf(const Transform& transform) const
     {
         return LocalMatrix(transform);
     }
-    for (const WorldMatrices& matrices : m_Matrices)
+    for (const Part& part : m_Parts)
     {
-        if (const glm::dmat4* parent = matrices.FindParent(transform.parent))
+        if (const glm::dmat4* parent = part.matrices.FindParent(transform.parent))
         {
             return *parent * LocalMatrix(transform);
         }
@@ -291,7 +348,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     rowClass.shadowCastingMode = renderer.shadowCastingMode;
     rowClass.isActive = source.activeSelf && renderer.enabled;
     rowClass.isFirst = isFirst;
-    rowClass.isMirrored = glm::determinant(glm::dmat3(world.axes)) < 0.0;
+    rowClass.isMirrored = isMirrored(world.axes);
     rowClass.isAgain = static_cast<int>(slot) >= renderer.mesh->subMeshCount();
     const int subMesh = std::min(static_cast<int>(slot), renderer.mesh->subMeshCount() - 1);
     const MeshPart part{renderer.mesh, subMesh, 0};
@@ -303,7 +360,6 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     SetBox(row, world);
 }
 
-/// Most changes are of the place only.
 bool RendererTable::HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const
 {
     if (m_ClassOf[row] == k_Free)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/ClassOrder.h"
+#include "scene/ObjectHash.h"
 #include "scene/WorldMatrices.h"
 
 #include <limn/core/Judge.h>
@@ -113,8 +114,20 @@ private:
         glm::mat3 axes;
     };
 
+    /// What a thread finds out about its part of the objects.
+    struct Part
+    {
+        WorldMatrices matrices;                 ///< of the parents of some
+        std::vector<std::uint32_t> changed;     ///< in order
+        std::vector<std::uint32_t> anew;        ///< of them, those whose rows are to be made anew
+        std::vector<std::uint32_t> beyondFloat; ///< of the others
+    };
+
     void FindChanges(std::size_t known);
+    void FindChange(std::uint32_t index, bool isKnown, Part& part);
+    bool MoveRows(std::uint32_t index, Part& part);
     void SetChanged();
+    void SetAnew();
     void MoveTo(const glm::dvec3& origin);
     glm::dmat4 MatrixOf(const Transform& transform) const;
     World WorldOf(std::size_t object) const;
@@ -134,16 +147,14 @@ private:
     std::uint64_t m_Version = 0;
     std::uint64_t m_LastChanges = 0; ///< the version before m_Changed
     std::vector<std::uint32_t> m_Changed;
-    std::vector<std::vector<std::uint32_t>>
-        m_Found; ///< by thread: what m_Changed is put together from
+    std::vector<Part> m_Parts; ///< by thread: what m_Changed is put together from
     glm::dvec3 m_Origin{0.0};
 
     // By object.
     std::shared_ptr<const GameObjects> m_Objects;
-    std::vector<std::uint64_t> m_Hash;     ///< of all that its rows are made from
+    std::vector<ObjectHash> m_Hash;        ///< of all that its rows are made from
     std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
     std::vector<std::uint32_t> m_BeyondFloat;
-    std::vector<WorldMatrices> m_Matrices; ///< by thread: of the parents of some
 
     // By row.
     std::vector<float> m_Center[k_Axes];

@@ -107,6 +107,23 @@ void ArticleScene::AddObjects(const ArticleSettings& settings)
     }
 }
 
+void ArticleScene::Move(Movement what, int step)
+{
+    const float x = step % 2 != 0 ? 0.01f : 0.0f;
+    if (what == Movement::Camera)
+    {
+        m_Camera.transform.localPosition.x = x;
+    }
+    const auto& objects = m_Scene.objects();
+    const std::size_t count = what == Movement::All    ? objects.size()
+                              : what == Movement::Some ? objects.size() / 100 + 1
+                                                       : 0;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        objects[i]->transform.localPosition.z = x;
+    }
+}
+
 void ArticleScene::AddOutline()
 {
     ScreenSpaceOutlineSettings outline;

@@ -25,6 +25,15 @@ struct ArticleSettings
     bool leavesOut = true; ///< see FrameCompilerOptions
 };
 
+/// What is elsewhere in each frame.
+enum class Movement
+{
+    None,
+    Camera,
+    Some, ///< a hundredth of the objects, and one at least
+    All
+};
+
 /// The article's frame: lit objects of which every tenth is outlined, all of them in the picture.
 class ArticleScene
 {
@@ -32,6 +41,9 @@ public:
     ArticleScene(const ArticleSettings& settings, GraphicsDevice& device);
     ArticleScene(const ArticleScene&) = delete;
     ArticleScene& operator=(const ArticleScene&) = delete;
+
+    /// Moves to one side in odd steps and back in even ones.
+    void Move(Movement what, int step);
 
     /// Until the next call.
     const RenderResult& Render()
