@@ -11,6 +11,7 @@
 #include <limn/core/Debug.h>
 #include <limn/core/DrawError.h>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/features/Version.h>
 #include <limn/vulkan/VulkanError.h>
 #include <new>
 
@@ -129,7 +130,7 @@ int ParseAndRun(std::span<const std::string> args, Console& console)
     };
     CommandLine line;
     CLI::App app("limn renders scenes as Unity's URP 14 does, without Unity.", "limn");
-    app.set_version_flag("-V,--version", "limn " LIMN_VERSION, "Print the version");
+    app.set_version_flag("-V,--version", "limn " LIMN_VERSION_TEXT, "Print the version");
     app.require_subcommand(1);
     app.fallthrough();
     app.allow_extras(); // ProblemOf names them

@@ -1,8 +1,10 @@
 #include "commands/DoctorCommand.h"
 
+#include "LibraryVersions.h"
 #include "console/CacheFolder.h"
 
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/features/Version.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
 
@@ -96,7 +98,7 @@ std::string FolderText(const std::filesystem::path& folder)
 
 int RunDoctor(const std::string& device, Console& console)
 {
-    Row(console, "limn", LIMN_VERSION);
+    Row(console, "limn", LIMN_VERSION_TEXT);
     Row(console, "libraries", LIMN_LIBRARY_VERSIONS);
     Row(console, "cache folder", FolderText(DefaultCacheFolder()));
     bool isUsable = false;

@@ -18,6 +18,7 @@
 #include <limn/base/HashContent.h>
 #include <limn/base/ReadFile.h>
 #include <limn/editor_stub/RunLimn.h>
+#include <limn/features/Version.h>
 #include <span>
 #include <sstream>
 #include <thread>
@@ -105,7 +106,7 @@ Study Describe(const std::string& scene, const StudyOptions& options, const Asse
     study.sceneHash = HashOf(assets);
     study.device = device.deviceName();
     study.machine = MachineName();
-    study.limnVersion = LIMN_VERSION;
+    study.limnVersion = LIMN_VERSION_TEXT;
     study.options = options.Text();
     study.started = Now();
     study.planned = PlanStudy(options);

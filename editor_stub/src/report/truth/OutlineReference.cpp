@@ -17,7 +17,7 @@ namespace
 /// The part of a square of side 1 that is behind a straight line.
 /// @param normal    of the line
 /// @param distance  of the line from the square's centre, positive if that is behind it
-double BoxCoverage(const glm::dvec2& normal, double distance)
+double PixelCoverage(const glm::dvec2& normal, double distance)
 {
     const double large = std::max(std::abs(normal.x), std::abs(normal.y));
     const double small = std::min(std::abs(normal.x), std::abs(normal.y));
@@ -87,7 +87,7 @@ private:
                 length > 1e-9 ? (center - nearest) / length : glm::dvec2(1.0, 0.0);
             const auto within = [&](double end)
             {
-                return BoxCoverage(normal, (end - distance) / side);
+                return PixelCoverage(normal, (end - distance) / side);
             };
             Add(corner, side, within(m_High) - within(m_Low));
         }
