@@ -5,7 +5,7 @@ limn_build_packages=(
     g++ cmake ninja-build
     libvulkan-dev mesa-vulkan-drivers                        # the device: lavapipe where no GPU is
     glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev   # shaders
-    libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev libcli11-dev nlohmann-json3-dev
+    libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev nlohmann-json3-dev
     libembree-dev                                            # what a click hits
     graphviz gnuplot-nox                                     # `limn explain --graph` and `limn report` draw with them
 )

@@ -19,7 +19,7 @@ needless=()
 if [ "$4" = shared ]; then
     extension=so
     # Who uses shared libraries needs nothing of what they are made of.
-    for package in glslang SPIRV-Tools SPIRV-Tools-opt spirv_cross_core yaml-cpp TinyGLTF PNG Vulkan CLI11; do
+    for package in glslang SPIRV-Tools SPIRV-Tools-opt spirv_cross_core yaml-cpp TinyGLTF PNG Vulkan; do
         needless+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
     done
 fi

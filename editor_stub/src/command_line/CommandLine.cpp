@@ -1,27 +1,24 @@
 #include "command_line/CommandLine.h"
 
-#include "command_line/Checks.h"
-#include "command_line/Completion.h"
-#include "command_line/Help.h"
-#include "command_line/OptionText.h"
-#include "command_line/ReportOptions.h"
-#include "command_line/SelectionOptions.h"
-#include "command_line/UsageProblem.h"
+#include "command_line/FlagTable.h"
+#include "command_line/Values.h"
 #include "commands/DoctorCommand.h"
+#include "commands/ExplainCommand.h"
+#include "commands/InspectCommand.h"
+#include "commands/NewCommand.h"
+#include "commands/PortCommand.h"
+#include "commands/RenderCommand.h"
+#include "commands/ReportCommand.h"
 #include "commands/SchemaCommand.h"
+#include "commands/SetCommand.h"
+#include "commands/ShaderCommand.h"
 #include "commands/WatchCommand.h"
-#include "explain/FrameGraph.h"
-#include "settings/Keys.h"
 
-#include <CLI/CLI.hpp>
-#include <charconv>
-#include <cmath>
-#include <limn/base/Case.h>
-#include <limn/editor_stub/Overrides.h>
+#include <cstdlib>
+#include <filesystem>
+#include <limn/base/TerminalText.h>
 #include <limn/editor_stub/RunLimn.h>
-#include <limn/volume/ProfileEdit.h>
-#include <limn/volume/YamlRead.h>
-#include <optional>
+#include <limn/features/Version.h>
 
 namespace limn
 {
@@ -29,491 +26,454 @@ namespace limn
 namespace
 {
 
-/// Width and height of "640x360"; nothing if the text is no size.
-std::optional<std::pair<int, int>> ParseSize(const std::string& text)
+using enum Times;
+
+/// The values of all verbs' flags.
+struct CommandLine
 {
-    const std::size_t x = text.find('x');
-    int numbers[2] = {0, 0};
-    const std::string parts[2] = {text.substr(0, x),
-                                  x == std::string::npos ? "" : text.substr(x + 1)};
-    for (std::size_t i = 0; i < 2; ++i)
+    ConsoleOptions console;
+    bool wantsHelp = false;
+    bool wantsVersion = false;
+    RenderOptions render; ///< of report as well
+    ShaderOptions shader;
+    ExplainOptions explain;
+    InspectOptions inspect;
+    SetOptions set;
+    ReportCommandOptions report;
+    NewOptions newFeature;
+    PortOptions port;
+    std::string kind; ///< of what is new, of a schema's files
+    std::vector<std::string> schemaPlugins;
+    std::string doctorDevice;
+    std::string helpVerb; ///< "": of limn itself
+    std::string shell;
+};
+
+Flag Argument(const char* value, const char* help, StoreValue store, Times times = Once)
+{
+    return {"", value, help, std::move(store), times};
+}
+
+Flag Switch(const char* name, const char* help, bool& isGiven, char letter = '\0')
+{
+    return {name, "", help, Into(isGiven), AtMostOnce, letter};
+}
+
+Flag RootFlag(std::vector<std::string>& roots)
+{
+    return {"root", "DIR",
+            "Let references and includes lead into this folder too, not only into the file's own "
+            "and the Unity project around it",
+            Into(roots), Any};
+}
+
+Flag PackageFlag(std::map<std::string, std::string>& packages)
+{
+    return {"package", "[NAME=]DIR",
+            "Take a package's shader includes from a folder of your own; without NAME, what its "
+            "package.json says",
+            IntoPackages(packages), AnyInARow};
+}
+
+Flag PluginFlag(std::vector<std::string>& plugins)
+{
+    return {"plugin", "FILE.so",
+            "Load features, volume components and shaders from a module, whose code runs",
+            Into(plugins), Any};
+}
+
+Flag SizeFlag(RenderOptions& options)
+{
+    return {"size", "WxH", "Picture size in pixels; without it the scene's",
+            IntoSize(options.width, options.height)};
+}
+
+Flag DeviceFlag(std::string& device)
+{
+    const char* usual = std::getenv("LIMN_DEVICE");
+    device = usual ? usual : "";
+    return {"device", "NAME",
+            "'software', a position in `limn doctor`'s list, or a part of a name; without it what "
+            "LIMN_DEVICE says, else the first real GPU, else the software device",
+            Into(device)};
+}
+
+Flag ProfileFlag(std::string& profile)
+{
+    return {"profile", "FILE", "Put this volume profile in place of that of every global volume",
+            Into(profile)};
+}
+
+Flag SetFlag(std::vector<std::string>& overrides)
+{
+    return {"set", "NAME.path=VALUE",
+            "Change one value; NAME is a volume component's type, a feature's name or a feature's "
+            "type",
+            Into(overrides, CheckAssignment), Any};
+}
+
+Flag NewFolderFlag(std::string& folder)
+{
+    return {"output", "DIR", "A new or empty folder", Into(folder, CheckFolder), Once, 'o'};
+}
+
+/// The flags that `render` and `watch` have in common.
+std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, CheckText check)
+{
+    using Kind = SelectionStep::Kind;
+    return {
+        Argument("SCENE", "A scene file, *.scene.yaml", Into(options.scene)),
+        {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
+        SizeFlag(options),
+        {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
+        ProfileFlag(options.profile),
+        SetFlag(options.overrides),
+        {"select", "NAME,...",
+         "Select the objects of these names, each with what hangs below it, and no others: they "
+         "get the rendering layer that outline features look for; \"\" selects nothing",
+         IntoSelection(options.selection, Kind::Select), Any},
+        {"click", "X,Y[@SECONDS]",
+         "Select what is seen at this pixel, counted from the top left, as a whole, or nothing; at "
+         "time 0 or at SECONDS; after what stands before it",
+         IntoSelection(options.selection, Kind::Click), Any},
+        {"ctrl-click", "X,Y[@SECONDS]",
+         "Add what is seen at this pixel, or take it away if it is selected",
+         IntoSelection(options.selection, Kind::CtrlClick), Any},
+        DeviceFlag(options.device),
+        {"cache-dir", "DIR",
+         "Keep compiled shaders here, not in the user's cache folder; LIMN_CACHE_LIMIT=SIZE (512M, "
+         "0 = no limit) says how many",
+         Into(options.cacheFolder)},
+        Switch("no-cache", "Keep no compiled shaders", options.noCache),
+        PluginFlag(options.plugins),
+        PackageFlag(options.packages),
+        RootFlag(options.roots)};
+}
+
+Verb RenderVerb(RenderOptions& options)
+{
+    std::vector<Flag> flags =
+        DrawingFlags(options, "The PNG file to write; - is stdout", CheckPicture);
+    flags.insert(
+        flags.end(),
+        {{"frames", "N", "Draw so many frames, 1/60 s apart, and write the last",
+          IntoNumber(options.frames, 100000)},
+         {"stats", "FILE", "Write times and counts as JSON", Into(options.statsFile)},
+         {"trace", "FILE", "Write a trace for chrome://tracing or Perfetto",
+          Into(options.traceFile)},
+         Switch("validate", "Run under the Vulkan validation layer; its errors give exit code 1",
+                options.validate)});
+    return {"render",
+            "Draw a scene into a PNG file",
+            [&options](Console& console) { return RunRender(options, console); },
+            std::move(flags),
+            {{"cache-dir", "no-cache"}}};
+}
+
+Verb WatchVerb(RenderOptions& options)
+{
+    return {"watch",
+            "Draw a scene again whenever one of its files changes, until Ctrl-C",
+            [&options](Console& console) { return RunWatch(options, console); },
+            DrawingFlags(options, "The PNG file to write", CheckWatchedPicture),
+            {{"cache-dir", "no-cache"}}};
+}
+
+Verb InspectVerb(InspectOptions& options)
+{
+    return {"inspect",
+            "Show parameters and settings: value, default, range, whether it is set",
+            [&options](Console& console) { return RunInspect(options, console); },
+            {Argument("SCENE|PROFILE", "A scene, a volume profile or a renderer asset",
+                      Into(options.file)),
+             Switch("json", "Print JSON", options.json), PluginFlag(options.plugins),
+             RootFlag(options.roots)}};
+}
+
+Verb ExplainVerb(ExplainOptions& options)
+{
+    return {"explain",
+            "Say what a scene draws and why: counts and what is odd; -v says all",
+            [&options](Console& console) { return RunExplain(options, console); },
+            {Argument("SCENE", "A scene file, *.scene.yaml", Into(options.scene)),
+             {"object", "NAME", "Only objects of this name and what hangs below them",
+              Into(options.object)},
+             {"pixel", "X,Y",
+              "Say what is drawn at this pixel of the picture, counted from the top left, and what "
+              "is rejected there, by which test; this draws, on a device",
+              Into(options.pixel, CheckPixel)},
+             Switch("json", "As JSON", options.json),
+             {"graph", "FILE",
+              "Write the frame as a picture: its passes, the textures between them, what is left "
+              "out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot",
+              Into(options.graph, CheckGraph)},
+             ProfileFlag(options.profile),
+             SetFlag(options.overrides),
+             DeviceFlag(options.device),
+             PluginFlag(options.plugins),
+             PackageFlag(options.packages),
+             RootFlag(options.roots)},
+            {{"object", "pixel"}, {"pixel", "graph"}}};
+}
+
+Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
+{
+    return {"report",
+            "Measure the error and the cost of every outline technique in a scene",
+            [&](Console& console) { return RunReport(render, options, console); },
+            {Argument("SCENE|DIR",
+                      "A scene file, *.scene.yaml; for --merge and --compare folders of reports",
+                      Into(options.paths), AtLeastOnce),
+             {"output", "DIR",
+              "The folder for the report; what an interrupted run left there is taken over",
+              Into(options.output, CheckOutput), Once, 'o', "compare"},
+             Switch("quick", "Fewer widths, shapes and sizes: within a minute", options.isQuick),
+             Switch("stability",
+                    "Put the techniques through extreme inputs, every two together, under the "
+                    "Vulkan validation layer, in place of all else",
+                    options.hasStability),
+             Switch("all-combinations", "Of extreme inputs; takes days", options.isFull),
+             {"technique", "NAME", "Only this one", Into(options.techniques), Any},
+             {"budget", "MS", "Say what to take if an outline may add so much GPU time to a frame",
+              IntoBudget(options.budget)},
+             {"shard", "I/N", "Measure the I-th of N parts, which --merge puts together",
+              IntoPart(options.shard, options.shards)},
+             Switch("merge", "Make one report of the folders of all parts; nothing is drawn",
+                    options.isMerge),
+             Switch("compare",
+                    "Say in which cells two folders differ, times apart; exit code 1 if they do",
+                    options.isCompare),
+             SizeFlag(render),
+             DeviceFlag(render.device),
+             PluginFlag(render.plugins),
+             PackageFlag(render.packages),
+             RootFlag(render.roots)},
+            {{"quick", "all-combinations"},
+             {"all-combinations", "stability", true},
+             {"shard", "merge"},
+             {"shard", "compare"},
+             {"merge", "compare"}}};
+}
+
+Verb SetVerb(SetOptions& options)
+{
+    return {"set",
+            "Change values of a volume profile, or of the features of a scene or a Unity renderer, "
+            "in place, and not a character besides",
+            [&options](Console& console) { return RunSet(options, console); },
+            {Argument("FILE",
+                      "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer "
+                      ".asset",
+                      Into(options.file)),
+             Argument("NAME.path=VALUE", "Such as ScreenSpaceOutline.m_OutlineWidth=4",
+                      Into(options.edits, CheckAssignment), AtLeastOnce),
+             PluginFlag(options.plugins)}};
+}
+
+Verb SchemaVerb(CommandLine& line)
+{
+    return {"schema",
+            "Print a JSON Schema, from which an editor completes keys and shows ranges",
+            [&line](Console& console) { return RunSchema(line.kind, line.schemaPlugins, console); },
+            {Argument("scene|profile|material", "The kind of file: scene, profile or material",
+                      Into(line.kind)),
+             PluginFlag(line.schemaPlugins)}};
+}
+
+Verb ShaderVerb(ShaderOptions& options)
+{
+    return {
+        "shader",
+        "Check ShaderLab files; of a single one show passes, states and layout",
+        [&options](Console& console) { return RunShader(options, console); },
+        {Argument("FILE|DIR", "Files, and folders with .shader files below them; or .compute files",
+                  Into(options.paths), AtLeastOnce),
+         {"output", "DIR", "Where --emit writes", Into(options.outputFolder, CheckFolder),
+          AtMostOnce, 'o'},
+         {"emit", "spirv|glsl|glsles|msl|hlsl", "Write the compiled programs", Into(options.emit)},
+         Switch("print", "Print the files as canonical ShaderLab text; compile nothing",
+                options.print),
+         Switch("parse-only", "Do not compile the programs", options.parseOnly),
+         Switch("variants", "Count variants; compile nothing", options.variants),
+         {"keywords", "A,B", "Compile with these keywords, not with those of a new material",
+          IntoWords(options.keywords), Any},
+         {"jobs", "N", "Files to check at a time; one a core by itself",
+          IntoNumber(options.jobs, 256), AtMostOnce, 'j'},
+         Switch("json", "Print {files: [...], summary: {...}}: what was parsed, compiled, refused",
+                options.json),
+         PackageFlag(options.packages),
+         RootFlag(options.roots)},
+        {{"output", "emit", true},
+         {"emit", "output", true},
+         {"emit", "print"},
+         {"emit", "parse-only"},
+         {"emit", "variants"},
+         {"print", "variants"},
+         {"print", "json"}}};
+}
+
+Verb NewVerb(CommandLine& line)
+{
+    return {"new",
+            "Write the folder of a render feature that builds and draws at once",
+            [&line](Console& console) { return RunNew(line.newFeature, console); },
+            {Argument("feature", "What to write: feature", Into(line.kind)),
+             Argument("NAME", "Of its classes, such as DepthFog", Into(line.newFeature.name)),
+             NewFolderFlag(line.newFeature.folder),
+             {"style", "urp14|unity6",
+              "Of the code: urp14, as in Unity 2022 (default), or unity6: a render graph",
+              Into(line.newFeature.style)}}};
+}
+
+Verb PortVerb(PortOptions& options)
+{
+    return {"port",
+            "Begin the C++ of a render feature of Unity's, and say what limn has of what it uses",
+            [&options](Console& console) { return RunPort(options, console); },
+            {Argument("FILE.cs", "Its C#: feature, passes, volume component", Into(options.files),
+                      AtLeastOnce),
+             NewFolderFlag(options.folder)}};
+}
+
+Verb DoctorVerb(std::string& device)
+{
+    return {"doctor",
+            "Show devices, drivers, the cache folder and versions on this machine",
+            [&device](Console& console) { return RunDoctor(device, console); },
+            {DeviceFlag(device)}};
+}
+
+int Print(const std::string& text, Console& console)
+{
+    console.out() << text;
+    return static_cast<int>(ExitCode::Done);
+}
+
+Verb CompletionVerb(const FlagTable& table, std::string& shell)
+{
+    return {"completion",
+            "Print a script for a shell's completion",
+            [&](Console& console) { return Print(CompletionScript(table, shell), console); },
+            {Argument("bash|zsh|fish", "For bash: source <(limn completion bash)", Into(shell))}};
+}
+
+Verb HelpVerb(const FlagTable& table, std::string& name)
+{
+    const auto store = [&](const std::string& text)
     {
-        const char* end = parts[i].data() + parts[i].size();
-        const auto [rest, error] = std::from_chars(parts[i].data(), end, numbers[i]);
-        if (error != std::errc{} || rest != end || numbers[i] < k_PictureSizes.min ||
-            numbers[i] > k_PictureSizes.max)
-        {
-            return std::nullopt;
-        }
-    }
-    return std::pair(numbers[0], numbers[1]);
-}
-
-std::string CheckSize(const std::string& text)
-{
-    return ParseSize(text) ? std::string()
-                           : "'" + text + "' is no size; WxH is expected, 1..." +
-                                 NumberText(k_PictureSizes.max) + " each: 1280x720";
-}
-
-std::map<std::string, std::string> ToPackages(const std::vector<std::string>& texts)
-{
-    std::map<std::string, std::string> packages;
-    for (const std::string& text : texts)
-    {
-        packages.merge(ReadPackages(text));
-    }
-    return packages;
-}
-
-void AddRootOption(CLI::App& verb, CommandLine& line)
-{
-    verb.add_option("--root", line.roots,
-                    "Let references and includes lead into this folder too, not only into the "
-                    "file's own and the Unity project around it")
-        ->type_name("DIR")
-        ->allow_extra_args(false);
-}
-
-void AddPackageOption(CLI::App& verb, CommandLine& line)
-{
-    verb.add_option("--package", line.packages,
-                    "Take a package's shader includes from a folder of your own; without NAME, "
-                    "what its package.json says")
-        ->type_name("[NAME=]DIR")
-        ->allow_extra_args(false)
-        ->check(CheckPackage);
-}
-
-void AddPluginOption(CLI::App& verb, CommandLine& line)
-{
-    verb.add_option("--plugin", line.plugins,
-                    "Load features, volume components and shaders from a module, whose code runs")
-        ->type_name("FILE.so")
-        ->allow_extra_args(false);
-}
-
-void AddSizeOption(CLI::App& verb, std::string& size)
-{
-    verb.add_option("--size", size, "Picture size in pixels; without it the scene's")
-        ->type_name("WxH")
-        ->check(CheckSize);
-}
-
-void AddDeviceOption(CLI::App& verb, std::string& device)
-{
-    verb.add_option("--device", device,
-                    "'software', a position in `limn doctor`'s list, or a part of a name; without "
-                    "it what LIMN_DEVICE says, else the first real GPU, else the software device")
-        ->type_name("NAME")
-        ->envname("LIMN_DEVICE");
-}
-
-/// Makes `run` what limn does if the arguments name this verb.
-void OnceParsed(CLI::App* verb, CommandLine& line, std::function<int(Console&)> run)
-{
-    verb->final_callback([&line, run = std::move(run)] { line.run = run; });
-}
-
-std::string CheckPixel(const std::string& text)
-{
-    const bool isPixel = ParseClick(text) && text.find('@') == std::string::npos;
-    return isPixel ? std::string()
-                   : "'" + text + "' is no pixel; X,Y from the top left is expected: 640,360";
-}
-
-std::string CheckAssignment(const std::string& text)
-{
-    const std::string problem = ValueAssignment::FormProblem(text);
-    return problem.empty() ? problem : "'" + text + "': " + problem;
-}
-
-/// Other values than the scene's.
-void AddValueOptions(CLI::App& verb, std::string& profile, std::vector<std::string>& overrides)
-{
-    verb.add_option("--profile", profile,
-                    "Put this volume profile in place of that of every global volume")
-        ->type_name("FILE");
-    verb.add_option("--set", overrides,
-                    "Change one value; NAME is a volume component's type, a feature's name or a "
-                    "feature's type")
-        ->type_name("NAME.path=VALUE")
-        ->allow_extra_args(false)
-        ->check(CheckAssignment);
-}
-
-/// What `render` and `watch` have in common.
-CLI::App* AddDrawingVerb(CLI::App& app, CommandLine& line, const char* name,
-                         const char* description)
-{
-    RenderOptions& options = line.render;
-    CLI::App* verb = app.add_subcommand(name, description);
-    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
-        ->type_name("SCENE")
-        ->required();
-    verb->add_option("-o,--output", options.output, "The PNG file to write; - is stdout")
-        ->type_name("FILE")
-        ->required()
-        ->check(CheckPicture);
-    AddSizeOption(*verb, line.size);
-    verb->add_option("--time", options.time, "What _Time shows in the first frame, seconds")
-        ->type_name("SECONDS")
-        ->check(CheckTime);
-    AddValueOptions(*verb, options.profile, options.overrides);
-    AddSelectionOptions(*verb, line.selection);
-    AddDeviceOption(*verb, options.device);
-    auto* cache = verb->add_option("--cache-dir", options.cacheFolder,
-                                   "Keep compiled shaders here, not in the user's cache folder; "
-                                   "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many")
-                      ->type_name("DIR");
-    verb->add_flag("--no-cache", options.noCache, "Keep no compiled shaders")->excludes(cache);
-    AddPluginOption(*verb, line);
-    AddPackageOption(*verb, line);
-    AddRootOption(*verb, line);
-    return verb;
-}
-
-void AddRender(CLI::App& app, CommandLine& line)
-{
-    RenderOptions& options = line.render;
-    CLI::App* verb = AddDrawingVerb(app, line, "render", "Draw a scene into a PNG file");
-    verb->add_option("--frames", options.frames,
-                     "Draw so many frames, 1/60 s apart, and write the last")
-        ->type_name("N")
-        ->check(CheckCount(100000));
-    verb->add_option("--stats", options.statsFile, "Write times and counts as JSON")
-        ->type_name("FILE");
-    verb->add_option("--trace", options.traceFile, "Write a trace for chrome://tracing or Perfetto")
-        ->type_name("FILE");
-    verb->add_flag("--validate", options.validate,
-                   "Run under the Vulkan validation layer; its errors give exit code 1");
-    OnceParsed(verb, line,
-               [verb, &line](Console& console)
-               {
-                   line.render.selection = SelectionStepsOf(*verb);
-                   return RunRender(line.render, console);
-               });
-}
-
-/// Refuses `-o ""` wherever there is an -o.
-void RequireOutputNames(CLI::App& app)
-{
-    for (CLI::App* verb : app.get_subcommands({}))
-    {
-        if (CLI::Option* output = verb->get_option_no_throw("--output"))
-        {
-            output->check([](const std::string& text)
-                          { return text.empty() ? "'' is no name of a file or folder" : ""; });
-        }
-        RequireOutputNames(*verb);
-    }
-}
-
-void AddWatch(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = AddDrawingVerb(
-        app, line, "watch", "Draw a scene again whenever one of its files changes, until Ctrl-C");
-    CLI::Option* output = verb->get_option("--output")->description("The PNG file to write");
-    output->check([](const std::string& text)
-                  { return text == "-" ? "stdout holds one picture only; name a file" : ""; });
-    OnceParsed(verb, line,
-               [verb, &line](Console& console)
-               {
-                   line.render.selection = SelectionStepsOf(*verb);
-                   return RunWatch(line.render, console);
-               });
-}
-
-void AddInspect(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "inspect", "Show parameters and settings: value, default, range, whether it is set");
-    verb->add_option("file", line.inspect.file, "A scene, a volume profile or a renderer asset")
-        ->type_name("SCENE|PROFILE")
-        ->required();
-    verb->add_flag("--json", line.inspect.json, "Print JSON");
-    AddPluginOption(*verb, line);
-    AddRootOption(*verb, line);
-    OnceParsed(verb, line, [&line](Console& console) { return RunInspect(line.inspect, console); });
-}
-
-void AddShader(CLI::App& app, CommandLine& line)
-{
-    ShaderOptions& options = line.shader;
-    CLI::App* verb = app.add_subcommand(
-        "shader", "Check ShaderLab files; of a single one show passes, states and layout");
-    verb->add_option("paths", options.paths,
-                     "Files, and folders with .shader files below them; or .compute files")
-        ->type_name("FILE|DIR")
-        ->required();
-    auto* folder = verb->add_option("-o,--output", options.outputFolder, "Where --emit writes")
-                       ->type_name("DIR");
-    folder->check([](const std::string& text)
-                  { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
-    auto* emit = verb->add_option("--emit", options.emit, "Write the compiled programs")
-                     ->type_name("spirv|glsl|glsles|msl|hlsl")
-                     ->check(CheckChoice("spirv|glsl|glsles|msl|hlsl"))
-                     ->needs(folder);
-    folder->needs(emit);
-    auto* print = verb->add_flag("--print", options.print,
-                                 "Print the files as canonical ShaderLab text; compile nothing")
-                      ->excludes(emit);
-    verb->add_flag("--parse-only", options.parseOnly, "Do not compile the programs")
-        ->excludes(emit);
-    verb->add_flag("--variants", options.variants, "Count variants; compile nothing")
-        ->excludes(emit)
-        ->excludes(print);
-    verb->add_option("--keywords", options.keywords,
-                     "Compile with these keywords, not with those of a new material")
-        ->type_name("A,B")
-        ->delimiter(',');
-    verb->add_option("-j,--jobs", options.jobs, "Files to check at a time; one a core by itself")
-        ->type_name("N")
-        ->check(CheckCount(256));
-    verb->add_flag("--json", options.json,
-                   "Print {files: [...], summary: {...}}: what was parsed, compiled, refused")
-        ->excludes(print);
-    AddPackageOption(*verb, line);
-    AddRootOption(*verb, line);
-    OnceParsed(verb, line, [&line](Console& console) { return RunShader(line.shader, console); });
-}
-
-void AddReport(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "report", "Measure the error and the cost of every outline technique in a scene");
-    AddReportOptions(*verb, line.report);
-    AddSizeOption(*verb, line.size);
-    AddDeviceOption(*verb, line.render.device);
-    AddPluginOption(*verb, line);
-    AddPackageOption(*verb, line);
-    AddRootOption(*verb, line);
-    OnceParsed(verb, line,
-               [&line](Console& console) { return RunReport(line.render, line.report, console); });
-}
-
-void AddExplain(CLI::App& app, CommandLine& line)
-{
-    ExplainOptions& options = line.explain;
-    CLI::App* verb = app.add_subcommand(
-        "explain", "Say what a scene draws and why: counts and what is odd; -v says all");
-    verb->add_option("scene", options.scene, "A scene file, *.scene.yaml")
-        ->type_name("SCENE")
-        ->required();
-    CLI::Option* object = verb->add_option("--object", options.object,
-                                           "Only objects of this name and what hangs below them")
-                              ->type_name("NAME");
-    CLI::Option* pixel =
-        verb->add_option("--pixel", options.pixel,
-                         "Say what is drawn at this pixel of the picture, counted from the top "
-                         "left, and what is rejected there, by which test; this draws, on a device")
-            ->type_name("X,Y")
-            ->check(CheckPixel)
-            ->excludes(object);
-    verb->add_flag("--json", options.json, "As JSON");
-    verb->add_option("--graph", options.graph,
-                     "Write the frame as a picture: its passes, the textures between them, what is "
-                     "left out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot")
-        ->type_name("FILE")
-        ->check(CheckGraph)
-        ->excludes(pixel);
-    AddValueOptions(*verb, options.profile, options.overrides);
-    AddDeviceOption(*verb, options.device);
-    AddPluginOption(*verb, line);
-    AddPackageOption(*verb, line);
-    AddRootOption(*verb, line);
-    OnceParsed(verb, line, [&line](Console& console) { return RunExplain(line.explain, console); });
-}
-
-void AddSet(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "set", "Change values of a volume profile, or of the features of a scene or a Unity "
-               "renderer, in place, and not a character besides");
-    verb->add_option(
-            "file", line.set.file,
-            "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer .asset")
-        ->type_name("FILE")
-        ->required();
-    verb->add_option("edits", line.set.edits, "Such as ScreenSpaceOutline.m_OutlineWidth=4")
-        ->type_name("NAME.path=VALUE")
-        ->required()
-        ->check(CheckAssignment);
-    AddPluginOption(*verb, line);
-    OnceParsed(verb, line, [&line](Console& console) { return RunSet(line.set, console); });
-}
-
-void AddSchema(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "schema", "Print a JSON Schema, from which an editor completes keys and shows ranges");
-    verb->add_option("kind", line.schemaKind, "The kind of file: scene, profile or material")
-        ->type_name("scene|profile|material")
-        ->required()
-        ->check(CheckChoice("scene|profile|material"));
-    AddPluginOption(*verb, line);
-    OnceParsed(verb, line,
-               [&line](Console& console)
-               { return RunSchema(line.schemaKind, line.plugins, console); });
-}
-
-void AddNew(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "new", "Write the folder of a render feature that builds and draws at once");
-    verb->add_option("kind", line.newKind, "What to write: feature")
-        ->type_name("feature")
-        ->required()
-        ->check(CheckChoice("feature"));
-    verb->add_option("name", line.newFeature.name, "Of its classes, such as DepthFog")
-        ->type_name("NAME")
-        ->required();
-    verb->add_option("-o,--output", line.newFeature.folder, "A new or empty folder")
-        ->type_name("DIR")
-        ->required()
-        ->check([](const std::string& text)
-                { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
-    verb->add_option("--style", line.newFeature.style,
-                     "Of the code: urp14, as in Unity 2022 (default), or unity6: a render graph")
-        ->type_name("urp14|unity6")
-        ->check(CheckChoice("urp14|unity6"));
-    OnceParsed(verb, line, [&line](Console& console) { return RunNew(line.newFeature, console); });
-}
-
-void AddPort(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "port", "Begin the C++ of a render feature of Unity's, and say what limn has of what it "
-                "uses");
-    verb->add_option("files", line.port.files, "Its C#: feature, passes, volume component")
-        ->type_name("FILE.cs")
-        ->required();
-    verb->add_option("-o,--output", line.port.folder, "A new or empty folder")
-        ->type_name("DIR")
-        ->required()
-        ->check([](const std::string& text)
-                { return text == "-" ? "stdout holds one file only; name a folder" : ""; });
-    OnceParsed(verb, line, [&line](Console& console) { return RunPort(line.port, console); });
-}
-
-void AddDoctor(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand(
-        "doctor", "Show devices, drivers, the cache folder and versions on this machine");
-    AddDeviceOption(*verb, line.doctorDevice);
-    OnceParsed(verb, line,
-               [&line](Console& console) { return RunDoctor(line.doctorDevice, console); });
-}
-
-void AddCompletion(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand("completion", "Print a script for a shell's completion");
-    verb->add_option("shell", line.completionShell, "For bash: source <(limn completion bash)")
-        ->type_name("bash|zsh|fish")
-        ->required()
-        ->check(CheckChoice("bash|zsh|fish"));
-    OnceParsed(verb, line,
-               [&app, &line](Console& console)
-               {
-                   console.out() << CompletionScript(app, line.completionShell);
-                   return static_cast<int>(ExitCode::Done);
-               });
-}
-
-void AddHelp(CLI::App& app, CommandLine& line)
-{
-    CLI::App* verb = app.add_subcommand("help", "Print this, or what a verb takes");
-    verb->add_option("verb", line.helpVerb, "What to explain")
-        ->type_name("VERB")
-        ->check(
-            [&app](const std::string& name)
-            {
-                const std::vector<std::string> names = VerbNames(app);
-                const bool isVerb = std::find(names.begin(), names.end(), name) != names.end();
-                return isVerb ? std::string() : UnknownVerb(name, app);
-            });
-    OnceParsed(verb, line,
-               [&app, &line](Console& console)
-               {
-                   const CLI::App& wanted =
-                       line.helpVerb.empty() ? app : *app.get_subcommand(line.helpVerb);
-                   console.out() << HelpText(wanted, TerminalWidth(console.out()));
-                   return static_cast<int>(ExitCode::Done);
-               });
-}
-
-void AddVersion(CLI::App& app, CommandLine& line)
-{
-    const auto print = [&app](Console& console)
-    {
-        console.out() << app.version() << '\n';
-        return static_cast<int>(ExitCode::Done);
+        name = text;
+        return CheckWord("verb", text, table.VerbNames());
     };
-    OnceParsed(app.add_subcommand("version", "Print the version, as -V does"), line, print);
+    const auto print = [&](Console& console)
+    {
+        const Verb& verb = name.empty() ? table.limn : *table.Find(name);
+        return Print(HelpText(table, verb, TerminalWidth(console.out())), console);
+    };
+    return {"help",
+            "Print this, or what a verb takes",
+            print,
+            {Argument("VERB", "What to explain", store, AtMostOnce)}};
+}
+
+Verb VersionVerb()
+{
+    return {"version",
+            "Print the version, as -V does",
+            [](Console& console) { return Print("limn " LIMN_VERSION_TEXT "\n", console); },
+            {}};
+}
+
+std::vector<Flag> CommonFlags(CommandLine& line)
+{
+    const auto storeColor = [&line](const std::string& text)
+    {
+        line.console.color = text == "always"  ? ColorMode::Always
+                             : text == "never" ? ColorMode::Never
+                                               : ColorMode::Auto;
+        return std::string();
+    };
+    return {Switch("version", "Print the version", line.wantsVersion, 'V'),
+            Switch("help", "Print this", line.wantsHelp, 'h'),
+            Switch("quiet", "Print errors only, besides results", line.console.isQuiet, 'q'),
+            Switch("verbose", "Print more: the device that draws, all that `explain` knows",
+                   line.console.isVerbose, 'v'),
+            {"color", "auto|always|never",
+             "Colours on stderr; 'auto': on a terminal, unless NO_COLOR is set", storeColor}};
+}
+
+/// Fills the table with limn's verbs, which store values in `line`. Both must outlive what is
+/// called of the table.
+void FillTable(FlagTable& table, CommandLine& line)
+{
+    table.limn = {"limn",
+                  "limn renders scenes as Unity's URP 14 does, without Unity.",
+                  {},
+                  CommonFlags(line),
+                  {{"quiet", "verbose"}}};
+    table.verbs = {RenderVerb(line.render),
+                   WatchVerb(line.render),
+                   InspectVerb(line.inspect),
+                   ExplainVerb(line.explain),
+                   ReportVerb(line.render, line.report),
+                   SetVerb(line.set),
+                   SchemaVerb(line),
+                   ShaderVerb(line.shader),
+                   NewVerb(line),
+                   PortVerb(line.port),
+                   DoctorVerb(line.doctorDevice),
+                   CompletionVerb(table, line.shell),
+                   HelpVerb(table, line.helpVerb),
+                   VersionVerb()};
+}
+
+int WrongUsage(const FlagTable& table, const ParsedFlags& parsed, Console& console)
+{
+    console.Error(Sentence(parsed.problem));
+    const std::string verb = parsed.verb == &table.limn ? "" : " " + parsed.verb->name;
+    console.Line("usage: " + UsageText(table, *parsed.verb) + "; see 'limn help" + verb + "'");
+    return static_cast<int>(ExitCode::WrongUsage);
+}
+
+/// Returns whether there is a working directory, without which no file can be found.
+bool HasWorkingDirectory(Console& console)
+{
+    std::error_code error;
+    if (!std::filesystem::current_path(error).empty())
+    {
+        return true;
+    }
+    if (error != std::errc::no_such_file_or_directory)
+    {
+        throw std::system_error(error, "the working directory");
+    }
+    console.Error("the working directory is not there any more; change into one that is");
+    return false;
 }
 
 } // namespace
 
-void AddEverything(CLI::App& app, CommandLine& line)
+int RunCommandLine(std::span<const std::string> args, Console& console)
 {
-    app.set_help_flag("-h,--help", "Print this");
-    app.add_flag("-q,--quiet", line.isQuiet, "Print errors only, besides results")
-        ->disable_flag_override();
-    app.add_flag("-v,--verbose", line.isVerbose,
-                 "Print more: the device that draws, all that `explain` knows")
-        ->disable_flag_override()
-        ->excludes("--quiet");
-    app.add_option("--color", line.color,
-                   "Colours on stderr; 'auto': on a terminal, unless NO_COLOR is set")
-        ->type_name("auto|always|never")
-        ->check(CheckChoice("auto|always|never"));
-    app.option_defaults()->disable_flag_override();
-    AddRender(app, line);
-    AddWatch(app, line);
-    AddInspect(app, line);
-    AddExplain(app, line);
-    AddReport(app, line);
-    AddSet(app, line);
-    AddSchema(app, line);
-    AddShader(app, line);
-    AddNew(app, line);
-    AddPort(app, line);
-    AddDoctor(app, line);
-    AddCompletion(app, line);
-    AddHelp(app, line);
-    AddVersion(app, line);
-    RequireOutputNames(app);
-}
-
-ConsoleOptions ConsoleOptionsOf(const CLI::App& app)
-{
-    // Not `line`, which CLI11 does not fill where another option is wrong.
-    const CLI::results_t& colors = app.get_option("--color")->results();
-    const std::string color = colors.empty() ? "auto" : colors.front();
-    return {color == "always"  ? ColorMode::Always
-            : color == "never" ? ColorMode::Never
-                               : ColorMode::Auto,
-            app.count("--quiet") > 0, app.count("--verbose") > 0};
-}
-
-void FinishOptions(CommandLine& line)
-{
-    if (const auto size = ParseSize(line.size))
+    CommandLine line;
+    FlagTable table;
+    FillTable(table, line);
+    const ParsedFlags parsed = ParseFlags(args, table);
+    console.Configure(line.console);
+    if (line.wantsHelp || args.empty())
     {
-        line.render.width = size->first;
-        line.render.height = size->second;
+        line.helpVerb = parsed.verb == &table.limn ? "" : parsed.verb->name;
+        return table.Find("help")->run(console);
     }
-    line.render.packages = ToPackages(line.packages);
-    line.shader.packages = line.render.packages;
-    line.explain.packages = line.render.packages;
-    line.render.plugins = line.plugins;
-    line.explain.plugins = line.plugins;
-    line.inspect.plugins = line.plugins;
-    line.set.plugins = line.plugins;
-    line.render.roots = line.roots;
-    line.shader.roots = line.roots;
-    line.explain.roots = line.roots;
-    line.inspect.roots = line.roots;
+    if (line.wantsVersion)
+    {
+        return table.Find("version")->run(console);
+    }
+    if (!parsed.problem.empty())
+    {
+        return WrongUsage(table, parsed, console);
+    }
+    return HasWorkingDirectory(console) ? parsed.verb->run(console)
+                                        : static_cast<int>(ExitCode::MachineLacksIt);
 }
 
 } // namespace limn

@@ -1,8 +1,4 @@
-#include "command_line/Completion.h"
-
-#include "command_line/OptionText.h"
-
-#include <CLI/CLI.hpp>
+#include "command_line/FlagTable.h"
 
 namespace limn
 {
@@ -10,87 +6,55 @@ namespace limn
 namespace
 {
 
-std::string Joined(const std::vector<std::string>& words)
+/// The text with `before` in front of every character that is special.
+std::string Escaped(const std::string& text, const std::string& special, const std::string& before)
 {
-    return CLI::detail::join(words, " ");
-}
-
-/// Text within '...' of any of the shells.
-std::string Quoted(std::string text, const std::string& escapedQuote)
-{
-    return "'" + CLI::detail::find_and_replace(std::move(text), "'", escapedQuote) + "'";
-}
-
-std::vector<const CLI::Option*> OptionsOf(const CLI::App& verb, bool arePositional)
-{
-    std::vector<const CLI::Option*> options;
-    for (const CLI::App* app = &verb; app; app = arePositional ? nullptr : app->get_parent())
+    std::string escaped;
+    for (const char c : text)
     {
-        for (const CLI::Option* option : app->get_options())
-        {
-            const bool isShadowed = app != &verb && option->get_name() == "--help";
-            if (option->get_positional() == arePositional && !isShadowed)
-            {
-                options.push_back(option);
-            }
-        }
+        escaped += (special.find(c) == std::string::npos ? "" : before) + c;
     }
-    return options;
+    return escaped;
 }
 
-/// "--output", "-o"
-std::vector<std::string> Spellings(const CLI::Option& option)
+/// Text within '...' of bash and zsh, which end it before a quote; fish takes a backslash.
+std::string Quoted(const std::string& text, bool isFish = false)
 {
-    std::vector<std::string> spellings;
-    for (const std::string& name : option.get_lnames())
-    {
-        spellings.push_back("--" + name);
-    }
-    for (const std::string& name : option.get_snames())
-    {
-        spellings.push_back("-" + name);
-    }
-    return spellings;
+    return "'" + Escaped(text, "'", isFish ? "\\" : "'\\'") + "'";
 }
 
-/// The words that may follow a verb; for `help` the verbs.
-std::vector<std::string> WordsOf(const CLI::App& verb)
+/// The words that may be a verb's argument, "bash zsh"; those of `help` are the verbs.
+std::string WordsOf(const FlagTable& table, const Verb& verb)
 {
-    std::vector<std::string> words;
-    for (const CLI::Option* option : OptionsOf(verb, true))
-    {
-        const std::vector<std::string> choices = ChoicesOf(*option);
-        words.insert(words.end(), choices.begin(), choices.end());
-    }
-    return verb.get_name() == "help" ? VerbNames(*verb.get_parent()) : words;
+    const bool hasArgument = !verb.flags.empty() && verb.flags.front().isArgument();
+    return verb.name == "help" ? table.VerbNames() : hasArgument ? verb.flags.front().Words() : "";
 }
 
-std::string BashScript(const CLI::App& app)
+std::string BashScript(const FlagTable& table)
 {
     std::string options;
     std::string values;
-    for (const CLI::App* verb : app.get_subcommands({}))
+    for (const Verb& verb : table.verbs)
     {
-        std::vector<std::string> words = WordsOf(*verb);
-        for (const CLI::Option* option : OptionsOf(*verb, false))
+        std::string words = WordsOf(table, verb);
+        for (const Flag* flag : table.FlagsOf(verb))
         {
-            const std::vector<std::string> spellings = Spellings(*option);
-            words.insert(words.end(), spellings.begin(), spellings.end());
-            const std::vector<std::string> choices = ChoicesOf(*option);
-            for (const std::string& spelling : choices.empty() ? choices : spellings)
+            for (const std::string& spelling : flag->Spellings())
             {
-                values += "        '" + verb->get_name() + " " + spelling + "') words='" +
-                          Joined(choices) + "' ;;\n";
+                words += (words.empty() ? "" : " ") + spelling;
+                values += flag->Words().empty() ? ""
+                                                : "        '" + verb.name + " " + spelling +
+                                                      "') words='" + flag->Words() + "' ;;\n";
             }
         }
-        options += "        " + verb->get_name() + ") words='" + Joined(words) + "' ;;\n";
+        options += "        " + verb.name + ") words='" + words + "' ;;\n";
     }
     return "_limn()\n"
            "{\n"
            "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words=\n"
            "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
            "        words='" +
-           Joined(VerbNames(app)) +
+           table.VerbNames() +
            "'\n"
            "    else\n"
            "        case ${COMP_WORDS[1]} in\n" +
@@ -105,42 +69,34 @@ std::string BashScript(const CLI::App& app)
            "complete -o default -F _limn limn\n";
 }
 
-/// "'--size[Picture size]:WxH:_files'" for zsh's _arguments.
-std::string ZshOption(const CLI::Option& option)
+/// "'*--size[Picture size]:value:_files'" for zsh's _arguments.
+std::string ZshFlag(const Flag& flag)
 {
-    std::string description = option.get_description();
-    for (const char* special : {"[", "]", ":"})
-    {
-        description =
-            CLI::detail::find_and_replace(description, special, std::string("\\") + special);
-    }
-    const std::vector<std::string> choices = ChoicesOf(option);
-    const std::string value =
-        isFlag(option) ? ""
-                       : ":value:" + (choices.empty() ? "_files" : "(" + Joined(choices) + ")");
+    const std::string words = flag.Words().empty() ? "_files" : "(" + flag.Words() + ")";
+    const std::string value = flag.value.empty() ? "" : ":value:" + words;
     std::string text;
-    for (const std::string& spelling : Spellings(option))
+    for (const std::string& spelling : flag.Spellings())
     {
-        text +=
-            " \\\n            " + Quoted("*" + spelling + "[" + description + "]" + value, "'\\''");
+        text += " \\\n            " +
+                Quoted("*" + spelling + "[" + Escaped(flag.help, "[]:", "\\") + "]" + value);
     }
     return text;
 }
 
-std::string ZshScript(const CLI::App& app)
+std::string ZshScript(const FlagTable& table)
 {
     std::string verbs;
     std::string cases;
-    for (const CLI::App* verb : app.get_subcommands({}))
+    for (const Verb& verb : table.verbs)
     {
-        verbs +=
-            "        " + Quoted(verb->get_name() + ":" + verb->get_description(), "'\\''") + "\n";
-        const std::vector<std::string> words = WordsOf(*verb);
-        cases += "    " + verb->get_name() + ")\n        _arguments" +
-                 " '*:word:" + (words.empty() ? "_files" : "(" + Joined(words) + ")") + "'";
-        for (const CLI::Option* option : OptionsOf(*verb, false))
+        verbs += "        " + Quoted(verb.name + ":" + verb.help) + "\n";
+        const std::string words = WordsOf(table, verb);
+        cases += "    " + verb.name +
+                 ")\n        _arguments '*:word:" + (words.empty() ? "_files" : "(" + words + ")") +
+                 "'";
+        for (const Flag* flag : table.FlagsOf(verb))
         {
-            cases += ZshOption(*option);
+            cases += ZshFlag(*flag);
         }
         cases += "\n        ;;\n";
     }
@@ -163,25 +119,24 @@ std::string ZshScript(const CLI::App& app)
            "compdef _limn limn\n";
 }
 
-std::string FishScript(const CLI::App& app)
+std::string FishScript(const FlagTable& table)
 {
     std::string script;
-    for (const CLI::App* verb : app.get_subcommands({}))
+    for (const Verb& verb : table.verbs)
     {
-        script += "complete -c limn -n __fish_use_subcommand -f -a " + verb->get_name() + " -d " +
-                  Quoted(verb->get_description(), "\\'") + "\n";
+        script += "complete -c limn -n __fish_use_subcommand -f -a " + verb.name + " -d " +
+                  Quoted(verb.help, true) + "\n";
         const std::string condition =
-            "complete -c limn -n '__fish_seen_subcommand_from " + verb->get_name() + "'";
-        const std::vector<std::string> words = WordsOf(*verb);
-        script += words.empty() ? "" : condition + " -f -a '" + Joined(words) + "'\n";
-        for (const CLI::Option* option : OptionsOf(*verb, false))
+            "complete -c limn -n '__fish_seen_subcommand_from " + verb.name + "'";
+        const std::string words = WordsOf(table, verb);
+        script += words.empty() ? "" : condition + " -f -a '" + words + "'\n";
+        for (const Flag* flag : table.FlagsOf(verb))
         {
-            const std::vector<std::string> choices = ChoicesOf(*option);
-            script += condition + " -l " + option->get_lnames().front() +
-                      (option->get_snames().empty() ? "" : " -s " + option->get_snames().front()) +
-                      (isFlag(*option) ? "" : " -r") +
-                      (choices.empty() ? "" : " -f -a '" + Joined(choices) + "'") + " -d " +
-                      Quoted(option->get_description(), "\\'") + "\n";
+            script += condition + " -l " + flag->name +
+                      (flag->letter == '\0' ? "" : " -s " + flag->Spellings().back().substr(1)) +
+                      (flag->value.empty() ? "" : " -r") +
+                      (flag->Words().empty() ? "" : " -f -a '" + flag->Words() + "'") + " -d " +
+                      Quoted(flag->help, true) + "\n";
         }
     }
     return script;
@@ -189,9 +144,11 @@ std::string FishScript(const CLI::App& app)
 
 } // namespace
 
-std::string CompletionScript(const CLI::App& app, const std::string& shell)
+std::string CompletionScript(const FlagTable& table, const std::string& shell)
 {
-    return shell == "bash" ? BashScript(app) : shell == "zsh" ? ZshScript(app) : FishScript(app);
+    return shell == "bash"  ? BashScript(table)
+           : shell == "zsh" ? ZshScript(table)
+                            : FishScript(table);
 }
 
 } // namespace limn

@@ -1,8 +1,4 @@
-#include "command_line/Help.h"
-
-#include "command_line/OptionText.h"
-
-#include <CLI/CLI.hpp>
+#include "command_line/FlagTable.h"
 
 namespace limn
 {
@@ -10,102 +6,88 @@ namespace limn
 namespace
 {
 
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
 constexpr const char* k_ExitCodes =
     "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
     "wrong usage, 3 the machine lacks something, 70 a bug in limn.";
 
-/// Appends the words in lines of `width`, all but the first behind `indent` blanks. Help is ASCII.
-void AppendWrapped(std::string& help, const std::string& words, std::size_t column,
-                   std::size_t indent, std::size_t width)
+/// The words in lines of `width`, all but the first behind `indent` blanks. Help is ASCII.
+/// @param column  where the first line begins
+std::string Wrapped(const std::string& words, std::size_t column, std::size_t indent,
+                    std::size_t width)
 {
-    bool isFirst = true;
-    for (const std::string& word : CLI::detail::split(words, ' '))
+    std::string text;
+    for (const std::string& word : SplitText(words, ' '))
     {
-        if (!isFirst && column + 1 + word.size() > width)
-        {
-            help += "\n" + std::string(indent, ' ') + word;
-            column = indent + word.size();
-            continue;
-        }
-        help += (isFirst ? "" : " ") + word;
-        column += word.size() + (isFirst ? 0 : 1);
-        isFirst = false;
+        const bool fits = text.empty() || column + 1 + word.size() <= width;
+        text += !fits ? "\n" + std::string(indent, ' ') : text.empty() ? "" : " ";
+        column = !fits ? indent : column + (text.empty() ? 0 : 1);
+        text += word;
+        column += word.size();
     }
-    help += "\n";
+    return text + "\n";
 }
 
-/// A table of two columns. What is too long for the left one has a line of its own.
-class HelpTable
+/// Two columns. What is too long for the left one has a line of its own.
+std::string TableText(const std::string& title, const Rows& rows, std::size_t width)
 {
-public:
-    explicit HelpTable(std::size_t width) : m_Width(width) {}
-
-    void Add(std::string left, std::string right)
+    const std::size_t indent = width < 70 ? 8 : 28;
+    std::string text = rows.empty() ? "" : "\n" + title + ":\n";
+    for (const auto& [left, right] : rows)
     {
-        m_Rows.emplace_back(std::move(left), std::move(right));
+        const std::size_t end = 2 + left.size();
+        const bool fits = width >= 70 && end + 2 <= indent;
+        text += "  " + left + (fits ? "" : "\n") + std::string(fits ? indent - end : indent, ' ') +
+                Wrapped(right, indent, indent, width);
     }
+    return text;
+}
 
-    void AppendTo(std::string& help, const std::string& title) const
+Rows RowsOf(const Verb& verb, bool areArguments)
+{
+    Rows rows;
+    for (const Flag& flag : verb.flags)
     {
-        const std::size_t indent = m_Width < 70 ? 8 : 28;
-        help += m_Rows.empty() ? "" : "\n" + title + ":\n";
-        for (const auto& [left, right] : m_Rows)
+        if (flag.isArgument() == areArguments)
         {
-            help += "  " + left;
-            const std::size_t end = 2 + left.size();
-            const bool fits = m_Width >= 70 && end + 2 <= indent;
-            help += fits ? std::string(indent - end, ' ') : "\n" + std::string(indent, ' ');
-            AppendWrapped(help, right, indent, indent, m_Width);
+            rows.emplace_back(flag.FullText(), flag.help);
         }
     }
-
-private:
-    std::size_t m_Width;
-    std::vector<std::pair<std::string, std::string>> m_Rows;
-};
-
-void AppendOptions(std::string& help, const CLI::App& app, bool arePositional, std::size_t width,
-                   const std::string& title)
-{
-    HelpTable table(width);
-    for (const CLI::Option* option : app.get_options())
-    {
-        // A verb's own --help is listed with what every verb has.
-        const bool isRepeated = app.get_parent() && option == app.get_help_ptr();
-        if (option->get_positional() == arePositional && !isRepeated)
-        {
-            table.Add(FullText(*option), option->get_description());
-        }
-    }
-    table.AppendTo(help, title);
+    return rows;
 }
 
 } // namespace
 
-std::string HelpText(const CLI::App& app, std::size_t width)
+std::string UsageText(const FlagTable& table, const Verb& verb)
 {
-    std::string help;
-    AppendWrapped(help, app.get_description(), 0, 0, width);
-    help += "\n";
-    AppendWrapped(help, "usage: " + UsageText(app), 0, 8, width);
-    AppendOptions(help, app, true, width, "arguments");
-    HelpTable verbs(width);
-    for (const CLI::App* verb : app.get_subcommands({}))
+    std::string text = &verb == &table.limn ? "limn VERB" : "limn " + verb.name;
+    for (const Flag& flag : verb.flags)
     {
-        verbs.Add(verb->get_name(), verb->get_description());
+        const std::string place = flag.isArgument() ? flag.FullText() : flag.ShortText();
+        text += flag.isRequired() ? " " + place : flag.isArgument() ? " [" + place + "]" : "";
     }
-    verbs.AppendTo(help, "verbs");
-    AppendOptions(help, app, false, width, "options");
-    if (app.get_parent())
+    return text + " [OPTIONS]";
+}
+
+std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width)
+{
+    const std::string text = Wrapped(verb.help, 0, 0, width) + "\n" +
+                             Wrapped("usage: " + UsageText(table, verb), 0, 8, width) +
+                             TableText("arguments", RowsOf(verb, true), width);
+    const std::string options = TableText("options", RowsOf(verb, false), width);
+    if (&verb != &table.limn)
     {
-        AppendOptions(help, *app.get_parent(), false, width, "options of every verb");
+        return text + options +
+               TableText("options of every verb", RowsOf(table.limn, false), width);
     }
-    else
+    Rows verbs;
+    for (const Verb& each : table.verbs)
     {
-        help += "\n";
-        AppendWrapped(help, k_ExitCodes, 0, 0, width);
+        verbs.emplace_back(each.name, each.help);
     }
-    return help;
+    return text + TableText("verbs", verbs, width) + options + "\n" +
+           Wrapped(k_ExitCodes, 0, 0, width);
 }
 
 } // namespace limn

@@ -189,6 +189,38 @@ TEST(Usage, OptionsThatDoNotGoTogetherAreNamed)
                      "error: --pixel and --graph exclude each other\n" + k_ExplainUsage);
 }
 
+TEST(Usage, FlagsAreWrittenAsGnuHasThem)
+{
+    for (const Arguments& args : {Arguments{"render", "no", "-o", "o"},
+                                  {"render", "no", "-oo"},
+                                  {"render", "no", "--output", "o"},
+                                  {"render", "no", "--output=o"},
+                                  {"render", "-qo", "o", "--quiet", "no"},
+                                  {"-q", "render", "-qoo", "no"},
+                                  {"render", "--output=o", "--select=", "--", "no"},
+                                  {"render", "-o", "o", "--stats", "--", "no"}})
+    {
+        const CommandRun run = RunCommand(args);
+        EXPECT_EQ(1, run.exitCode) << testing::PrintToString(args);
+        EXPECT_EQ("no: error: there is no such file\n", run.err);
+    }
+    EXPECT_EQ("--json: error: there is no such file\n",
+              RunCommand({"inspect", "--", "--json"}).err);
+    ExpectWrongUsage(Render({"-qv"}),
+                     "error: --quiet and --verbose exclude each other\n" + k_RenderUsage);
+    ExpectWrongUsage(Render({"-qz"}), "error: unknown option '-z'\n" + k_RenderUsage);
+    ExpectWrongUsage({"shader", "-qj0", "s"},
+                     "error: --jobs: '0' is no number from 1 to 256\n" + k_ShaderUsage);
+}
+
+TEST(Usage, HelpIsGivenWhateverElseIsWrong)
+{
+    const std::string help = RunCommand({"help", "render"}).out;
+    EXPECT_EQ(help, RunCommand({"-h", "render"}).out);
+    EXPECT_EQ(help, RunCommand({"render", "--frob", "--size", "x", "-qh"}).out);
+    ExpectWrongUsage({"render", "--help=1"}, "error: --help takes no value\n" + k_RenderUsage);
+}
+
 TEST(Usage, APixelIsTwoWholeNumbers)
 {
     for (const char* text : {"", "3", "3,", ",3", "3,4,5", "3x4", "a,b", "1.5,2", "3,4@1", "3, 4"})

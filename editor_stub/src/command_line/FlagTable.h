@@ -1,0 +1,103 @@
+#pragma once
+
+#include "console/Console.h"
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+// The command line is a table. Parsing, help, completion and complaints all go by it.
+
+enum class Times
+{
+    AtMostOnce,
+    Once,
+    Any,
+    AnyInARow, ///< and several values may stand behind one flag
+    AtLeastOnce
+};
+
+/// A flag, or an argument: a word that is known by its place.
+struct Flag
+{
+    std::string name;  ///< "output", as in --output; "": it is an argument
+    std::string value; ///< "FILE", or the words that may stand there, "bash|zsh"; "": takes none
+    std::string help;
+    /// Keeps the value, and returns what is wrong with it, or "" if nothing is.
+    std::function<std::string(const std::string&)> store;
+    Times times = Times::AtMostOnce;
+    char letter = '\0';      ///< 'o', as in -o; '\0': there is none
+    std::string unless = {}; ///< the flag beside which this may be missing
+
+    bool isArgument() const { return name.empty(); }
+    bool isRequired() const { return times == Times::Once || times == Times::AtLeastOnce; }
+    bool isRepeatable() const { return times >= Times::Any; }
+
+    std::string Words() const;                  ///< "bash zsh", if only they may stand there
+    std::vector<std::string> Spellings() const; ///< "--output", "-o"
+    std::string Name() const;                   ///< "SCENE", "--output"
+    std::string ShortText() const;              ///< "SCENE", "-o FILE"
+    std::string FullText() const;               ///< "SCENE ...", "-o, --output FILE"
+};
+
+/// A flag that needs another beside it, or two that exclude each other.
+struct FlagRule
+{
+    std::string first;
+    std::string second;
+    bool isNeeded = false; ///< the second is, by the first
+};
+
+struct Verb
+{
+    std::string name;
+    std::string help;
+    std::function<int(Console&)> run;
+    std::vector<Flag> flags; ///< as help lists them, the arguments first
+    std::vector<FlagRule> rules = {};
+};
+
+struct FlagTable
+{
+    Verb limn; ///< with the flags of every verb
+    std::vector<Verb> verbs;
+
+    const Verb* Find(const std::string& verb) const; ///< null if there is no such verb
+    std::string VerbNames() const;                   ///< "render watch"
+    /// Returns the flags that may stand behind a verb, but not its arguments.
+    std::vector<const Flag*> FlagsOf(const Verb& verb) const;
+};
+
+struct ParsedFlags
+{
+    const Verb* verb;    ///< FlagTable::limn if the words name none
+    std::string problem; ///< a sentence about the first wrong word; "": there is none
+};
+
+/// Reads `[FLAGS] VERB [FLAGS|ARGUMENTS]` and stores every value, also behind a wrong word.
+ParsedFlags ParseFlags(std::span<const std::string> words, const FlagTable& table);
+
+/// "limn render SCENE -o FILE [OPTIONS]".
+std::string UsageText(const FlagTable& table, const Verb& verb);
+
+/// What `limn help VERB` prints, or `limn help` for the table's `limn`.
+/// @param width  columns that a line may have
+std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width);
+
+/// A script that makes a shell complete verbs, flags, and values where there are only a few; other
+/// words are completed as file names.
+/// @param shell  "bash", "zsh" or "fish"
+std::string CompletionScript(const FlagTable& table, const std::string& shell);
+
+/// The texts between the separators, as many as there are of these and one more.
+std::vector<std::string> SplitText(const std::string& text, char separator);
+
+/// "unknown verb 'rendr'; did you mean 'render'?"; "" if the word is one of the known ones.
+/// @param known  "render watch"
+std::string CheckWord(const std::string& kind, const std::string& word, const std::string& known);
+
+} // namespace limn

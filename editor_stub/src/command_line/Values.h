@@ -1,0 +1,60 @@
+#pragma once
+
+#include "selection/SceneSelection.h"
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+// Functions for Flag::store, which keep a value and find what is wrong with it.
+
+using StoreValue = std::function<std::string(const std::string&)>;
+/// Returns what is wrong with a text, or "" if nothing is.
+using CheckText = std::string (*)(const std::string& text);
+
+inline void Keep(bool& isGiven, const std::string&)
+{
+    isGiven = true;
+}
+inline void Keep(std::string& kept, const std::string& text)
+{
+    kept = text;
+}
+inline void Keep(std::vector<std::string>& kept, const std::string& text)
+{
+    kept.push_back(text);
+}
+
+template <typename Kept>
+StoreValue Into(Kept& kept, CheckText check = nullptr)
+{
+    return [&kept, check](const std::string& text)
+    {
+        Keep(kept, text);
+        return check ? check(text) : std::string();
+    };
+}
+
+StoreValue IntoNumber(int& number, int most); ///< from 1
+StoreValue IntoSize(int& width, int& height);
+StoreValue IntoTime(double& seconds);                  ///< that a shader's float holds
+StoreValue IntoBudget(double& milliseconds);           ///< above 0
+StoreValue IntoPart(int& index, int& count);           ///< "I/N"
+StoreValue IntoWords(std::vector<std::string>& words); ///< "A,B"
+/// Keeps folders by the names of packages: `NAME=DIR`, or a folder that is a package or holds some.
+StoreValue IntoPackages(std::map<std::string, std::string>& packages);
+StoreValue IntoSelection(std::vector<SelectionStep>& steps, SelectionStep::Kind kind);
+
+std::string CheckOutput(const std::string& text);         ///< the name of a file or folder
+std::string CheckFolder(const std::string& text);         ///< not stdout
+std::string CheckPicture(const std::string& text);        ///< a PNG
+std::string CheckWatchedPicture(const std::string& text); ///< not stdout
+std::string CheckGraph(const std::string& text);
+std::string CheckPixel(const std::string& text);
+std::string CheckAssignment(const std::string& text);
+
+} // namespace limn
