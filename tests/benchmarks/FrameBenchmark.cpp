@@ -9,6 +9,7 @@
 //
 // --quick, a smoke test, fails where a picture of limn's is not the one drawn by hand.
 
+#include "CountAllocations.h"
 #include "CountDraws.h"
 #include "Samples.h"
 #include "frame/HandWrittenFrame.h"
@@ -160,13 +161,16 @@ void CompareFrames(const ArticleSettings& settings, const Options& options,
     Comparison whole;
     Comparison deviceTime;
     Comparison finished;
+    Samples allocations;
     for (int i = 0; i < options.pairs; ++i)
     {
         scene.Move(moving, i);
+        const long counted = AllocationCount();
         const double limnWall = WallMilliseconds();
         const double limnBegin = CpuMilliseconds();
         scene.Render();
         const double limnWhole = CpuMilliseconds() - limnBegin;
+        allocations.Add(static_cast<double>(AllocationCount() - counted));
         const double limnDevice = Sum(device.LastFrameTimings());
         const double handWall = WallMilliseconds();
         const double handBegin = CpuMilliseconds();
@@ -182,7 +186,7 @@ void CompareFrames(const ArticleSettings& settings, const Options& options,
     PrintColumns(whole);
     PrintColumns(deviceTime);
     PrintColumns(finished);
-    std::printf(" | ");
+    std::printf(" | %4.0f | ", allocations.Median());
     scene.Move(moving, 0);
     scene.Render();
     if (!ComparePictures(device.ReadBack(*first.output.rt()), hand.ReadBack()) && options.quick)
@@ -196,7 +200,8 @@ void FrameTable(const Options& options)
     std::printf(
         "\n(a) The article's frame, regions off: ms of limn, ms by hand, ratio [10 %%-90 %%]\n"
         "size     objects draws       moves  | record and submit, CPU          | whole frame, CPU"
-        "                | device                          | until it is finished, wall\n");
+        "                | device                          | until it is finished, wall        | "
+        "allocations\n");
     const int width = options.quick ? 64 : 1280;
     for (const int objects : {1, 100, 10000})
     {

@@ -5,13 +5,13 @@
 //   cmake --build --preset release --target scale_benchmark
 //   build/release/tests/scale_benchmark [--quick] [COUNT...]
 
+#include "CountAllocations.h"
 #include "CountDraws.h"
 #include "NoDevice.h"
 #include "Samples.h"
 #include "renderers/SortEntries.h"
 #include "scale/PlainLoops.h"
 
-#include <atomic>
 #include <cstdlib>
 #include <cstring>
 #include <limn/core/BuiltinShaders.h>
@@ -19,44 +19,9 @@
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/limn.h>
 #include <malloc.h>
-#include <new>
 #include <numeric>
 #include <random>
 #include <string>
-
-namespace
-{
-
-std::atomic<long> allocationCount{0};
-
-} // namespace
-
-// Not inlined: GCC takes the halves of an inlined pair for a mismatch.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    ++allocationCount;
-    if (void* memory = std::malloc(size))
-    {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-
-[[gnu::noinline]] void* operator new(std::size_t size, const std::nothrow_t&) noexcept
-{
-    ++allocationCount;
-    return std::malloc(size);
-}
-
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace limn::benchmarks
 {
@@ -320,9 +285,9 @@ Allocations CountSteadyAllocations(ManyRenderers& scene)
             scene.Frame();
         }
         move();
-        const long counted = allocationCount;
+        const long counted = AllocationCount();
         scene.Frame();
-        return allocationCount - counted;
+        return AllocationCount() - counted;
     };
     Allocations result;
     result.still = count([] {});

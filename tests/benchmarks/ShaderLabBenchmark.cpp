@@ -1,38 +1,12 @@
+#include "benchmarks/CountAllocations.h"
+
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
 #include <benchmark/benchmark.h>
 
-#include <atomic>
 #include <cstdlib>
-#include <new>
 #include <string>
-
-namespace
-{
-
-std::atomic<std::size_t> s_Allocations{0};
-
-} // namespace
-
-// Counts what the whole program allocates; only differences within one thread mean anything.
-[[gnu::noinline]] void* operator new(std::size_t size)
-{
-    s_Allocations.fetch_add(1, std::memory_order_relaxed);
-    if (void* const memory = std::malloc(size))
-    {
-        return memory;
-    }
-    throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* memory) noexcept
-{
-    std::free(memory);
-}
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept
-{
-    std::free(memory);
-}
 
 namespace
 {
@@ -92,9 +66,9 @@ void Parse(benchmark::State& state, const std::string& text)
     std::size_t allocations = 0;
     for (auto _ : state)
     {
-        const std::size_t before = s_Allocations;
+        const long before = limn::benchmarks::AllocationCount();
         ShaderLabParseResult result = ParseShaderLab(text, "bench.shader");
-        allocations = s_Allocations - before;
+        allocations = limn::benchmarks::AllocationCount() - before;
         benchmark::DoNotOptimize(result);
         if (result.hasErrors())
         {

@@ -88,6 +88,7 @@ public:
 
     void Fold(FrameNodes& nodes, OutputSpan outputs)
     {
+        m_Nodes.reserve(2 * nodes.size()); // each may have a clear before it
         for (FrameNode& node : nodes)
         {
             Fold(node);

@@ -253,6 +253,7 @@ std::size_t Delay(FrameNodes& nodes, const Begun& begun)
 void MergeNodes(FrameNodes& nodes, FrameTables& tables)
 {
     FrameNodes merged(nodes.get_allocator());
+    merged.reserve(nodes.size());
     for (FrameNode& node : nodes)
     {
         if (const auto begun = FindBegun(merged, node, tables))

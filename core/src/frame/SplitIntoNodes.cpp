@@ -68,6 +68,7 @@ public:
 
     void Split(std::span<const FrameCommand> commands)
     {
+        m_Nodes.reserve(static_cast<std::size_t>(std::ranges::count_if(commands, BeginsNode)));
         for (const FrameCommand& command : commands)
         {
             std::visit([&](const auto& c) { Take(c); }, command);
@@ -83,6 +84,12 @@ public:
     }
 
 private:
+    static bool BeginsNode(const FrameCommand& command)
+    {
+        return std::holds_alternative<SetRenderTargetCommand>(command) ||
+               std::holds_alternative<DispatchCommand>(command);
+    }
+
     void Take(const SetRenderTargetCommand& command)
     {
         m_Target = &command;

@@ -1,6 +1,6 @@
 #include "commands/DoctorCommand.h"
 
-#include "LibraryVersions.h"
+#include "commands/LibraryVersions.h"
 #include "console/CacheFolder.h"
 
 #include <limn/editor_stub/RunLimn.h>

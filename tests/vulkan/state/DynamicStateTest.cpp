@@ -82,7 +82,7 @@ PipelineState Blended(BlendOp color, BlendOp alpha)
 TargetFormats Formats(std::vector<VkFormat> colors)
 {
     TargetFormats formats;
-    formats.colors = std::move(colors);
+    formats.colors.assign(colors.begin(), colors.end());
     return formats;
 }
 

@@ -103,7 +103,8 @@ VulkanValues Defaults()
 TargetFormats AllTargets()
 {
     TargetFormats formats;
-    formats.colors.assign(8, VK_FORMAT_R8G8B8A8_UNORM);
+    formats.colors.resize(8);
+    std::ranges::fill(formats.colors, VK_FORMAT_R8G8B8A8_UNORM);
     formats.depth = VK_FORMAT_D32_SFLOAT_S8_UINT;
     formats.stencil = VK_FORMAT_D32_SFLOAT_S8_UINT;
     return formats;

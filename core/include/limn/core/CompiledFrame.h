@@ -99,6 +99,8 @@ struct CompiledRenderPass
     std::vector<std::string> SampleNames() const;
     /// All of them: "Draw Opaque Objects + Outline".
     std::string Title() const;
+    /// The same, in the memory of another text.
+    void WriteTitle(std::string& title) const;
 };
 
 /// Where a texture lies in memory that it shares with others, which hold nothing while it does.

@@ -172,10 +172,12 @@ std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
 } // namespace
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
-                                   FrameSlot& slot, const CompiledFrame& frame)
+                                   FrameSlot& slot, const CompiledFrame& frame,
+                                   DescriptorLists& lists)
     : m_Resources(resources),
       m_Slot(slot),
       m_Frame(frame),
+      m_Lists(lists),
       m_PieceElements(PieceElements(context.capabilities().limits))
 {
     FrameRecording& recording = slot.recording();
@@ -183,24 +185,22 @@ FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources
     recording.objects = VK_NULL_HANDLE;
     m_Data = &*recording.data;
     const VkDescriptorBufferInfo& perDraw = m_Data->perDraw();
-    m_Pieces[0] = Pieces(perDraw.buffer, perDraw.offset, frame.perDraw.size());
-    if (frame.objects)
-    {
-        m_Pieces[1] = Pieces(VK_NULL_HANDLE, 0, frame.objects->count()); // see UseObjects
-    }
+    m_Lists.sets.clear();
+    AddPieces(perDraw.buffer, perDraw.offset, frame.perDraw.size(), m_Lists.pieces[0]);
+    const std::size_t objects = frame.objects ? frame.objects->count() : 0;
+    AddPieces(VK_NULL_HANDLE, 0, objects, m_Lists.pieces[1]); // see UseObjects
 }
 
-std::vector<VkDescriptorBufferInfo> FrameDescriptors::Pieces(VkBuffer buffer, VkDeviceSize offset,
-                                                             std::size_t count) const
+void FrameDescriptors::AddPieces(VkBuffer buffer, VkDeviceSize offset, std::size_t count,
+                                 std::vector<VkDescriptorBufferInfo>& pieces) const
 {
     constexpr VkDeviceSize k_Size = sizeof(PerDrawData);
-    std::vector<VkDescriptorBufferInfo> pieces;
+    pieces.clear();
     for (std::size_t first = 0; first < count; first += m_PieceElements)
     {
         pieces.push_back({buffer, offset + first * k_Size,
                           std::min<std::size_t>(count - first, m_PieceElements) * k_Size});
     }
-    return pieces;
 }
 
 void FrameDescriptors::RequireInstances(const DrawCommand& draw) const
@@ -225,7 +225,7 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
         return {0, first, left, draw.firstInstance};
     }
     RequireInstances(draw);
-    const std::size_t pieces = m_Pieces[draw.drawsObjects ? 1 : 0].size();
+    const std::size_t pieces = m_Lists.pieces[draw.drawsObjects ? 1 : 0].size();
     const std::uint32_t piece = m_Frame.Element(first) / m_PieceElements;
     if (piece >= pieces)
     {
@@ -245,7 +245,8 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
 {
     const DrawSetup& setup = m_Frame.Setup(draw);
     const DrawBindings& bindings = setup.bindings ? *setup.bindings : k_NoBindings;
-    VkDescriptorSet& set = m_Sets[{&bindings, pass.setLayout.get(), draw.drawsObjects, piece}];
+    VkDescriptorSet& set =
+        m_Lists.sets[{&bindings, pass.setLayout.get(), draw.drawsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
         if (draw.drawsObjects)
@@ -254,7 +255,7 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
         }
         Use(bindings, number);
         set = Create(setup.program->layout, bindings, pass.setLayout.get(),
-                     m_Pieces[draw.drawsObjects ? 1 : 0], piece, number);
+                     m_Lists.pieces[draw.drawsObjects ? 1 : 0], piece, number);
     }
     return set;
 }
@@ -263,12 +264,12 @@ VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const Pro
                                       std::uint64_t number)
 {
     const DispatchSetup& setup = m_Frame.Setup(dispatch);
-    VkDescriptorSet& set = m_Sets[{setup.bindings.get(), kernel.setLayout.get(), false, 0}];
+    VkDescriptorSet& set = m_Lists.sets[{setup.bindings.get(), kernel.setLayout.get(), false, 0}];
     if (set == VK_NULL_HANDLE)
     {
         Use(*setup.bindings, number);
-        set = Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(), m_Pieces[0], 0,
-                     number);
+        set = Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(),
+                     m_Lists.pieces[0], 0, number);
     }
     return set;
 }
@@ -304,7 +305,7 @@ void FrameDescriptors::UseObjects(std::uint64_t number)
     }
     recording.objects = m_Resources.objects.Update(m_Frame.objects, number, m_Slot.uploads());
     recording.objectCount = m_Frame.objects->count();
-    for (VkDescriptorBufferInfo& piece : m_Pieces[1])
+    for (VkDescriptorBufferInfo& piece : m_Lists.pieces[1])
     {
         piece.buffer = recording.objects;
     }
@@ -315,15 +316,15 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
                                          const std::vector<VkDescriptorBufferInfo>& pieces,
                                          std::size_t piece, std::uint64_t number)
 {
-    m_Content.Clear(setLayout);
-    AddUniforms(m_Content, layout, bindings, m_Data->uniforms(), m_Resources);
-    AddTextures(m_Content, layout, bindings, m_Resources, number);
-    AddStorageTextures(m_Content, layout, bindings, m_Resources);
+    m_Lists.content.Clear(setLayout);
+    AddUniforms(m_Lists.content, layout, bindings, m_Data->uniforms(), m_Resources);
+    AddTextures(m_Lists.content, layout, bindings, m_Resources, number);
+    AddStorageTextures(m_Lists.content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
         if (const BufferSlot* slot = FindBuffer(bindings, buffer.binding))
         {
-            AddBuffer(m_Content, *slot, m_Resources);
+            AddBuffer(m_Lists.content, *slot, m_Resources);
             continue;
         }
         const bool isInstances = buffer.name == "limn_Instances";
@@ -331,10 +332,10 @@ VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const Dra
         {
             RefuseMissing("structured buffer", buffer.name, buffer.binding);
         }
-        m_Content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
-                            isInstances ? m_Data->instances() : pieces.at(piece));
+        m_Lists.content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
+                                  isInstances ? m_Data->instances() : pieces.at(piece));
     }
-    return m_Slot.descriptors().Get(m_Content);
+    return m_Slot.descriptors().Get(m_Lists.content);
 }
 
 } // namespace limn::vulkan

@@ -2,6 +2,7 @@
 
 #include "submit/DeviceResources.h"
 #include "submit/FrameSlot.h"
+#include <memory_resource>
 
 namespace limn::vulkan
 {
@@ -15,15 +16,26 @@ struct InstanceRun
     std::uint32_t base = 0; ///< the draw's first instance
 };
 
+/// What FrameDescriptors put together, frame by frame in the same memory.
+struct DescriptorLists
+{
+    using SetKey = std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>;
+
+    SetContent content;                                        ///< of the set that is being made
+    std::array<std::vector<VkDescriptorBufferInfo>, 2> pieces; ///< of perDraw and of objects
+    std::pmr::unsynchronized_pool_resource memory;
+    std::pmr::map<SetKey, VkDescriptorSet> sets{&memory};
+};
+
 /// The descriptor sets of one frame; draws of equal bindings and layout share one. Per-draw data
 /// beyond what the device binds at once are bound in pieces.
 class FrameDescriptors
 {
 public:
     /// Writes the frame's uniform and per-draw data to the slot's recording. @lifetime keeps
-    /// `frame` by reference
+    /// `frame` and `lists` by reference
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
-                     const CompiledFrame& frame);
+                     const CompiledFrame& frame, DescriptorLists& lists);
 
     /// The longest run that begins with the draw's instance `skipped`, counted from 0. All
     /// instances are one run where the shader reads no per-draw data.
@@ -43,8 +55,8 @@ private:
     void Use(const DrawBindings& bindings, std::uint64_t number);
     /// Where a draw has objects: brings their buffer up to date, before any pass.
     void UseObjects(std::uint64_t number);
-    std::vector<VkDescriptorBufferInfo> Pieces(VkBuffer buffer, VkDeviceSize offset,
-                                               std::size_t count) const;
+    void AddPieces(VkBuffer buffer, VkDeviceSize offset, std::size_t count,
+                   std::vector<VkDescriptorBufferInfo>& pieces) const;
     void RequireInstances(const DrawCommand& draw) const;
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
                            VkDescriptorSetLayout setLayout,
@@ -54,13 +66,9 @@ private:
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
-    SetContent m_Content; ///< of the set that is being made
+    DescriptorLists& m_Lists;
     const FrameData* m_Data = nullptr;
     std::uint32_t m_PieceElements; ///< of per-draw data, the last piece apart
-    std::array<std::vector<VkDescriptorBufferInfo>, 2> m_Pieces; ///< of perDraw and of objects
-    std::map<std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>,
-             VkDescriptorSet>
-        m_Sets;
 };
 
 } // namespace limn::vulkan

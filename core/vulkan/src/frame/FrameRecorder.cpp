@@ -72,7 +72,7 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     m_Prepared.passes.resize(frame.passes.size());
     m_Prepared.usesReversedZBuffer = frame.usesReversedZBuffer;
     m_Resources.images.Place(frame.placed, m_Number);
-    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame};
+    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, m_Prepared.descriptors};
     DrawPreparer draws{m_Context, m_Resources, descriptors, frame, m_Number, m_Prepared};
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
@@ -200,7 +200,7 @@ void FrameRecorder::RecordPasses(const CompiledFrame& frame) const
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         const PreparedPass& pass = m_Prepared.passes[i];
-        m_Slot.BeginTiming(frame.passes[i].Title());
+        m_Slot.BeginTiming(frame.passes[i]);
         RecordBarriers(commands, barriers.subspan(pass.firstBarrier, pass.barrierCount),
                        memory.subspan(pass.firstMemoryBarrier, pass.memoryBarrierCount));
         PassRecorder{m_Context, m_Resources.images, commands, frame.passes[i],

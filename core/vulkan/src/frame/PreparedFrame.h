@@ -65,7 +65,8 @@ struct PreparedFrame
     std::vector<PreparedDraw> draws;
     std::vector<PreparedRun> runs;
     std::vector<DynamicState> states; ///< of neighbours no two are equal
-    bool usesReversedZBuffer = true;  ///< see ShaderCompilerOptions
+    DescriptorLists descriptors;
+    bool usesReversedZBuffer = true; ///< see ShaderCompilerOptions
 
     void Clear()
     {

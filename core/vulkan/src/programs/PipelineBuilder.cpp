@@ -125,7 +125,7 @@ void DescribeTargets(PipelineParts& parts, const PipelineKey& key, int colorOutp
     parts.blend.logicOp = key.logicOp.value_or(VK_LOGIC_OP_COPY);
     parts.rendering.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO;
     parts.rendering.colorAttachmentCount = count;
-    parts.rendering.pColorAttachmentFormats = key.formats.colors.data();
+    parts.rendering.pColorAttachmentFormats = key.formats.colors.begin();
     parts.rendering.depthAttachmentFormat = key.formats.depth;
     parts.rendering.stencilAttachmentFormat = key.formats.stencil;
 }

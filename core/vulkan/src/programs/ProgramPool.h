@@ -13,7 +13,7 @@ namespace limn::vulkan
 /// What a pipeline is drawn into.
 struct TargetFormats
 {
-    std::vector<VkFormat> colors;
+    FixedList<VkFormat, k_MostColors> colors;
     VkFormat depth = VK_FORMAT_UNDEFINED;
     VkFormat stencil = VK_FORMAT_UNDEFINED;
     VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;

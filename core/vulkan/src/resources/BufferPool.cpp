@@ -113,17 +113,16 @@ const PooledBuffer* BufferPool::Find(const GraphicsBuffer& buffer) const
     return found == m_Buffers.end() ? nullptr : &found->second;
 }
 
-std::vector<std::shared_ptr<const GraphicsBuffer>> BufferPool::UsedBy(std::uint64_t number) const
+void BufferPool::AddUsed(std::uint64_t number,
+                         std::vector<std::weak_ptr<const GraphicsBuffer>>& used) const
 {
-    std::vector<std::shared_ptr<const GraphicsBuffer>> buffers;
     for (const auto& [id, pooled] : m_Buffers)
     {
-        if (auto owner = pooled.owner.lock(); owner && pooled.lastUse == number)
+        if (!pooled.owner.expired() && pooled.lastUse == number)
         {
-            buffers.push_back(std::move(owner));
+            used.push_back(pooled.owner);
         }
     }
-    return buffers;
 }
 
 void BufferPool::Rollback(std::uint64_t number) noexcept

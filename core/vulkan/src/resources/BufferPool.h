@@ -35,7 +35,9 @@ public:
     /// Null if no frame has used the buffer.
     PooledBuffer* Find(const GraphicsBuffer& buffer);
     const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
-    std::vector<std::shared_ptr<const GraphicsBuffer>> UsedBy(std::uint64_t number) const;
+    /// Those that submission `number` uses.
+    void AddUsed(std::uint64_t number,
+                 std::vector<std::weak_ptr<const GraphicsBuffer>>& used) const;
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
     std::size_t size() const { return m_Buffers.size(); }

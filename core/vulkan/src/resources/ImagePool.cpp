@@ -317,17 +317,15 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
     m_Uploads.clear();
 }
 
-std::vector<PooledImage*> ImagePool::UsedBy(std::uint64_t number)
+void ImagePool::AddUsed(std::uint64_t number, std::vector<PooledImage*>& used)
 {
-    std::vector<PooledImage*> images;
     for (auto& [id, image] : m_Images)
     {
         if (image.lastUse == number)
         {
-            images.push_back(&image);
+            used.push_back(&image);
         }
     }
-    return images;
 }
 
 void ImagePool::Commit()

@@ -93,7 +93,7 @@ public:
     void RecordUploads(UploadCommands& uploads);
 
     /// Those that submission `number` uses.
-    std::vector<PooledImage*> UsedBy(std::uint64_t number);
+    void AddUsed(std::uint64_t number, std::vector<PooledImage*>& used);
     void Commit();                                ///< what was prepared is submitted
     void Rollback(std::uint64_t number) noexcept; ///< it never will be
     void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses

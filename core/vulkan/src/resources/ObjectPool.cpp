@@ -13,10 +13,11 @@ constexpr VkPipelineStageFlags2 k_Readers =
     VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
 
 /// Where objects that lie side by side in the staging memory go; neighbours go together.
-std::vector<VkBufferCopy> Regions(std::span<const std::uint32_t> objects, VkDeviceSize staging)
+void FindRegions(std::span<const std::uint32_t> objects, VkDeviceSize staging,
+                 std::vector<VkBufferCopy>& regions)
 {
     constexpr VkDeviceSize k_Size = sizeof(PerDrawData);
-    std::vector<VkBufferCopy> regions;
+    regions.clear();
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
         const VkDeviceSize target = objects[i] * k_Size;
@@ -26,11 +27,10 @@ std::vector<VkBufferCopy> Regions(std::span<const std::uint32_t> objects, VkDevi
         }
         regions.back().size += k_Size;
     }
-    return regions;
 }
 
 void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objects, VkBuffer target,
-                  UploadCommands& uploads)
+                  UploadCommands& uploads, std::vector<VkBufferCopy>& regions)
 {
     const UploadedBytes bytes = uploads.staging().Allocate(objects.size() * sizeof(PerDrawData));
     std::byte* place = bytes.mapped;
@@ -48,7 +48,7 @@ void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objec
     barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
     barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
     RecordBarrier(commands, barrier);
-    const std::vector<VkBufferCopy> regions = Regions(objects, bytes.offset);
+    FindRegions(objects, bytes.offset, regions);
     vkCmdCopyBuffer(commands, bytes.buffer, target, static_cast<std::uint32_t>(regions.size()),
                     regions.data());
     barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
@@ -72,7 +72,7 @@ VkBuffer ObjectPool::Update(const std::shared_ptr<const ObjectTable>& table, std
     pooled.version = PooledObjects::k_Unknown; // until the copies are recorded
     if (!objects.empty())
     {
-        RecordCopies(*table, objects, pooled.buffer.handle.get(), uploads);
+        RecordCopies(*table, objects, pooled.buffer.handle.get(), uploads, m_Regions);
     }
     pooled.version = table->version();
     return pooled.buffer.handle.get();

@@ -42,6 +42,7 @@ private:
     MemoryAllocator& m_Allocator;
     std::unordered_map<std::uint64_t, PooledObjects> m_Objects; ///< by ObjectTable::id
     std::vector<PooledObjects> m_Outgrown;                      ///< may be in use by the GPU still
+    std::vector<VkBufferCopy> m_Regions; ///< of the copies that are being recorded
 };
 
 } // namespace limn::vulkan

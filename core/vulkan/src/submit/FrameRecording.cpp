@@ -8,16 +8,15 @@ namespace limn::vulkan
 void FrameRecording::Take(DeviceResources& resources, std::uint64_t number)
 {
     changes = resources.changeCount();
+    pooled.clear();
+    resources.images.AddUsed(number, pooled);
     images.clear();
-    for (PooledImage* image : resources.images.UsedBy(number))
+    for (PooledImage* image : pooled)
     {
         images.push_back({image, image->submitted, image->use});
     }
     buffers.clear();
-    for (const auto& buffer : resources.buffers.UsedBy(number))
-    {
-        buffers.push_back(buffer);
-    }
+    resources.buffers.AddUsed(number, buffers);
     uses.clear();
     resources.meshes.AddUses(number, uses);
     resources.programs.AddUses(number, uses);

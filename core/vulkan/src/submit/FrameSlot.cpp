@@ -60,7 +60,7 @@ void FrameSlot::ReserveQueries(std::size_t passCount)
     vkCmdResetQueryPool(commands(), m_Queries.get(), 0, needed);
 }
 
-void FrameSlot::BeginTiming(const std::string& name)
+void FrameSlot::BeginTiming(const CompiledRenderPass& pass)
 {
     if (m_Context.capabilities().timestampValidBits > 0)
     {
@@ -69,7 +69,7 @@ void FrameSlot::BeginTiming(const std::string& name)
         {
             m_TimedPasses.emplace_back();
         }
-        m_TimedPasses[m_TimedCount++] = name; // keeps the memory of the frames before
+        pass.WriteTitle(m_TimedPasses[m_TimedCount++]);
         vkCmdWriteTimestamp2(commands(), VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, m_Queries.get(),
                              query);
     }

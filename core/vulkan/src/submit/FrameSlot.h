@@ -36,7 +36,7 @@ public:
     /// Submits the uploads and then the commands.
     void Submit(SubmitQueue& queue);
 
-    void BeginTiming(const std::string& name);
+    void BeginTiming(const CompiledRenderPass& pass);
     void EndTiming();
     /// @pre the slot's last submission is finished
     void ReadTimings(std::vector<PassTiming>& timings);
