@@ -15,9 +15,14 @@ class RecordingFeature final : public ScriptableRendererFeature
 public:
     using Record = std::function<void(CommandBuffer&, RenderingData&)>;
 
-    RecordingFeature(RenderPassEvent event, Record record) : m_Pass(std::move(record))
+    RecordingFeature(RenderPassEvent event, Record record, const char* passName = nullptr)
+        : m_Pass(std::move(record))
     {
         m_Pass.renderPassEvent = event;
+        if (passName != nullptr)
+        {
+            m_Pass.profilingSampler = ProfilingSampler(passName);
+        }
     }
     void Create() override {}
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override

@@ -4,7 +4,7 @@
 #include <limn/core/Scene.h>
 #include <limn/core/TargetOrientation.h>
 
-#include "record/ExpectDraw.h"
+#include "record/Arguments.h"
 #include "record/MatrixIds.h"
 
 namespace limn

@@ -1,7 +1,6 @@
 #include <limn/core/CommandBuffer.h>
 
 #include "record/Arguments.h"
-#include "record/ExpectDraw.h"
 
 namespace limn
 {

@@ -14,22 +14,15 @@ void TransferMembers(Stream& stream, Members& members)
     stream.List(members,
                 [&](auto& member)
                 {
-                    stream.Value(member.name);
-                    stream.Value(member.type);
-                    stream.Value(member.components);
-                    stream.Value(member.offset);
-                    stream.Value(member.size);
-                    stream.Value(member.arraySize);
-                    stream.Value(member.arrayStride);
+                    stream.Values(member.name, member.type, member.components, member.offset,
+                                  member.size, member.arraySize, member.arrayStride);
                 });
 }
 
 template <typename Stream, typename Item>
 void TransferHead(Stream& stream, Item& item)
 {
-    stream.Value(item.name);
-    stream.Value(item.stages);
-    stream.Value(item.binding);
+    stream.Values(item.name, item.stages, item.binding);
 }
 
 template <typename Stream, typename Layout>
@@ -46,10 +39,8 @@ void TransferLayout(Stream& stream, Layout& layout)
                 [&](auto& texture)
                 {
                     TransferHead(stream, texture);
-                    stream.Value(texture.dimension);
-                    stream.Value(texture.multisampled);
-                    stream.Value(texture.combinedSampler);
-                    stream.Value(texture.type);
+                    stream.Values(texture.dimension, texture.multisampled, texture.combinedSampler,
+                                  texture.type);
                 });
     stream.List(layout.samplers,
                 [&](auto& sampler)
@@ -61,44 +52,29 @@ void TransferLayout(Stream& stream, Layout& layout)
                 [&](auto& buffer)
                 {
                     TransferHead(stream, buffer);
-                    stream.Value(buffer.stride);
-                    stream.Value(buffer.isWritten);
-                    stream.Value(buffer.isCounter);
+                    stream.Values(buffer.stride, buffer.isWritten, buffer.isCounter);
                 });
     stream.List(layout.storageTextures,
                 [&](auto& texture)
                 {
                     TransferHead(stream, texture);
-                    stream.Value(texture.dimension);
-                    stream.Value(texture.type);
-                    stream.Value(texture.isRead);
+                    stream.Values(texture.dimension, texture.type, texture.isRead);
                 });
-    stream.List(layout.vertexInputs,
-                [&](auto& input)
-                {
-                    stream.Value(input.semantic);
-                    stream.Value(input.location);
-                    stream.Value(input.type);
-                    stream.Value(input.components);
-                });
+    stream.List(layout.vertexInputs, [&](auto& input)
+                { stream.Values(input.semantic, input.location, input.type, input.components); });
     stream.Value(layout.colorOutputs);
     stream.List(layout.outputTypes, [&](auto& type) { stream.Value(type); });
-    stream.Value(layout.geometryInput);
-    stream.Value(layout.pushStages);
-    stream.Value(layout.fragmentHasInputs);
+    stream.Values(layout.geometryInput, layout.pushStages, layout.fragmentHasInputs);
 }
 
 template <typename Stream, typename Pass>
 void TransferPass(Stream& stream, Pass& pass)
 {
-    const auto word = [&](auto& value)
+    for (auto* words :
+         {&pass.vertexSpirv, &pass.geometrySpirv, &pass.fragmentSpirv, &pass.computeSpirv})
     {
-        stream.Value(value);
-    };
-    stream.List(pass.vertexSpirv, word);
-    stream.List(pass.geometrySpirv, word);
-    stream.List(pass.fragmentSpirv, word);
-    stream.List(pass.computeSpirv, word);
+        stream.List(*words, [&](auto& word) { stream.Value(word); });
+    }
     for (auto& size : pass.threadGroupSize)
     {
         stream.Value(size);
@@ -107,11 +83,8 @@ void TransferPass(Stream& stream, Pass& pass)
     stream.List(pass.diagnostics,
                 [&](auto& diagnostic)
                 {
-                    stream.Value(diagnostic.severity);
-                    stream.Value(diagnostic.file);
-                    stream.Value(diagnostic.location.line);
-                    stream.Value(diagnostic.location.column);
-                    stream.Value(diagnostic.message);
+                    stream.Values(diagnostic.severity, diagnostic.file, diagnostic.location.line,
+                                  diagnostic.location.column, diagnostic.message);
                 });
 }
 
@@ -119,45 +92,26 @@ template <typename Stream, typename Dependencies>
 void TransferDependencies(Stream& stream, Dependencies& dependencies)
 {
     stream.List(dependencies,
-                [&](auto& dependency)
-                {
-                    stream.Value(dependency.path);
-                    stream.Value(dependency.contentHash);
-                });
+                [&](auto& dependency) { stream.Values(dependency.path, dependency.contentHash); });
 }
 
 template <typename Stream, typename Files>
 void TransferFiles(Stream& stream, Files& files)
 {
-    stream.List(files,
-                [&](auto& file)
-                {
-                    stream.Value(file.name);
-                    stream.Value(file.text);
-                });
+    stream.List(files, [&](auto& file) { stream.Values(file.name, file.text); });
 }
 
 template <typename Stream, typename Place>
 void TransferPlaced(Stream& stream, Place& place)
 {
-    stream.Value(place.name);
-    stream.Value(place.location.line);
-    stream.Value(place.location.column);
+    stream.Values(place.name, place.location.line, place.location.column);
 }
 
 template <typename Stream, typename Program>
 void TransferSource(Stream& stream, Program& program)
 {
-    stream.Value(program.file);
-    stream.Value(program.location.line);
-    stream.Value(program.location.column);
-    stream.Value(program.language);
-    stream.List(program.chunks,
-                [&](auto& chunk)
-                {
-                    stream.Value(chunk.text);
-                    stream.Value(chunk.firstLine);
-                });
+    stream.Values(program.file, program.location.line, program.location.column, program.language);
+    stream.List(program.chunks, [&](auto& chunk) { stream.Values(chunk.text, chunk.firstLine); });
     TransferPlaced(stream, program.vertex);
     TransferPlaced(stream, program.fragment);
     TransferPlaced(stream, program.geometry);
@@ -166,14 +120,9 @@ void TransferSource(Stream& stream, Program& program)
     stream.List(program.keywordSets,
                 [&](auto& set)
                 {
-                    stream.Value(set.location.line);
-                    stream.Value(set.location.column);
-                    stream.Value(set.directive);
+                    stream.Values(set.location.line, set.location.column, set.directive);
                     stream.List(set.keywords, [&](auto& keyword) { stream.Value(keyword); });
-                    stream.Value(set.stages);
-                    stream.Value(set.isLocal);
-                    stream.Value(set.isFeature);
-                    stream.Value(set.isDynamic);
+                    stream.Values(set.stages, set.isLocal, set.isFeature, set.isDynamic);
                 });
     stream.List(program.pragmas,
                 [&](auto& pragma)

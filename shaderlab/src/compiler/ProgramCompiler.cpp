@@ -5,7 +5,6 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerMessages.h"
-#include "compiler/PlatformMacros.h"
 #include "lowering/Checks.h"
 #include "lowering/Rewriter.h"
 #include "preprocess/Preprocessor.h"

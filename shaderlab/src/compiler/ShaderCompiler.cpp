@@ -4,7 +4,6 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerProcess.h"
-#include "compiler/PlatformMacros.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
 #include "keywords/PassMacro.h"

@@ -119,18 +119,14 @@ void Transfer(ByteReader& stream, CompilerRequest& request)
 
 void Transfer(ByteWriter& stream, const CompilerAnswer& answer)
 {
-    stream.Value(answer.outcome);
-    stream.Value(answer.isLast);
-    stream.Value(answer.waitStatus);
+    stream.Values(answer.outcome, answer.isLast, answer.waitStatus);
     Transfer(stream, answer.dependencies);
     Transfer(stream, answer.program);
 }
 
 void Transfer(ByteReader& stream, CompilerAnswer& answer)
 {
-    stream.Value(answer.outcome);
-    stream.Value(answer.isLast);
-    stream.Value(answer.waitStatus);
+    stream.Values(answer.outcome, answer.isLast, answer.waitStatus);
     Transfer(stream, answer.dependencies);
     Transfer(stream, answer.program);
 }

@@ -15,20 +15,11 @@ namespace
 
 constexpr int k_Target = 45; ///< the first shader model with kernels
 
-/// Takes the next word off.
-std::string_view NextWord(std::string_view& text)
-{
-    text = Trim(text);
-    const std::string_view word = text.substr(0, text.find_first_of(" \t\r\f\v"));
-    text.remove_prefix(word.size());
-    return word;
-}
-
 /// `A B=2` as `#define`s.
 std::string Defines(std::string_view words)
 {
     std::string text;
-    for (std::string_view word = NextWord(words); !word.empty(); word = NextWord(words))
+    for (std::string_view word = TakeWord(words); !word.empty(); word = TakeWord(words))
     {
         const std::size_t name = std::min(word.find('='), word.size());
         const std::string_view value = name < word.size() ? word.substr(name + 1) : "1";
@@ -43,7 +34,7 @@ PassProgram WithKernel(const PassProgram& file, const ProgramPragma& pragma)
     std::string_view words = pragma.arguments;
     PassProgram kernel = file;
     kernel.location = pragma.location;
-    kernel.kernel = {std::string(NextWord(words)), pragma.location};
+    kernel.kernel = {std::string(TakeWord(words)), pragma.location};
     if (std::string defines = Defines(words); !defines.empty())
     {
         kernel.chunks.insert(kernel.chunks.begin(), {std::move(defines), pragma.location.line});

@@ -4,26 +4,12 @@
 #include <limn/base/WordList.h>
 
 #include <algorithm>
-#include <iterator>
-#include <utility>
 
 namespace limn
 {
 
 namespace
 {
-
-/// 0 = no operator between two values.
-int PrecedenceOf(std::string_view text)
-{
-    constexpr std::pair<std::string_view, int> k_Precedences[] = {
-        {"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
-        {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
-        {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
-    const auto* const found = std::find_if(std::begin(k_Precedences), std::end(k_Precedences),
-                                           [&](const auto& item) { return item.first == text; });
-    return found == std::end(k_Precedences) ? 0 : found->second;
-}
 
 bool isAssignment(std::string_view text)
 {
@@ -114,7 +100,7 @@ HlslNode* HlslTreeParser::ReadBinary(int precedence)
     while (!isEnd())
     {
         const int own = PrecedenceOf(Text());
-        if (own < precedence || own == 0)
+        if (own < precedence)
         {
             break;
         }

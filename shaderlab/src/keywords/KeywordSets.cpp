@@ -107,16 +107,32 @@ bool isKeywordDirective(std::string_view name)
                        [&](std::string_view directive) { return isSuffixed(name, directive); });
 }
 
+std::vector<std::string> KeywordDirectives()
+{
+    std::vector<std::string> names;
+    for (const std::string_view directive : k_Directives)
+    {
+        for (const char* suffix :
+             {"", "_local", "_vertex", "_fragment", "_local_vertex", "_local_fragment"})
+        {
+            names.push_back(std::string(directive) + suffix);
+        }
+    }
+    for (const Shortcut& shortcut : k_Shortcuts)
+    {
+        names.emplace_back(shortcut.name);
+    }
+    return names;
+}
+
 std::vector<KeywordSet> ReadKeywordSets(SourceLocation location, std::string_view name,
                                         std::string_view words)
 {
     const std::string_view shortcut = FindShortcut(name);
     words = shortcut.empty() ? words : shortcut;
     std::vector<KeywordSet> sets(1);
-    while (!(words = Trim(words)).empty())
+    for (auto word = TakeWord(words); !word.empty(); word = TakeWord(words))
     {
-        const std::string_view word = words.substr(0, words.find_first_of(" \t\r\f\v"));
-        words.remove_prefix(word.size());
         if (word == "|" && !shortcut.empty())
         {
             sets.emplace_back();

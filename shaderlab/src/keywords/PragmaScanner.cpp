@@ -19,19 +19,6 @@ namespace
 
 constexpr std::string_view k_IncludeWithPragmas = "include_with_pragmas";
 
-std::string_view TakeWord(std::string_view& text)
-{
-    text = Trim(text);
-    std::size_t size = 0;
-    while (size < text.size() && !isBlank(text[size]))
-    {
-        ++size;
-    }
-    const std::string_view word = text.substr(0, size);
-    text = Trim(text.substr(size));
-    return word;
-}
-
 /// The name of a directive: letters only, so that `#if(X)` and `#include"x"` are understood.
 std::string_view TakeName(std::string_view& text)
 {
@@ -138,6 +125,7 @@ private:
     void Apply(std::string_view text)
     {
         const std::string_view name = TakeWord(text);
+        text = Trim(text);
         std::string_view rest = text;
         if (name.empty())
         {

@@ -39,139 +39,6 @@ constexpr std::array<ShaderModel, 8> k_ShaderModels = {{
 constexpr std::array<std::string_view, 4> k_NeverThere = {"fbfetch", "framebufferfetch",
                                                           "inlineraytracing", "sparsetex"};
 
-const std::vector<std::string_view> k_Features = {"interpolators10",
-                                                  "interpolators15",
-                                                  "interpolators32",
-                                                  "integers",
-                                                  "mrt4",
-                                                  "mrt8",
-                                                  "derivatives",
-                                                  "samplelod",
-                                                  "fragcoord",
-                                                  "2darray",
-                                                  "cubearray",
-                                                  "instancing",
-                                                  "geometry",
-                                                  "compute",
-                                                  "randomwrite",
-                                                  "uav",
-                                                  "tesshw",
-                                                  "tessellation",
-                                                  "msaatex",
-                                                  "sparsetex",
-                                                  "framebufferfetch",
-                                                  "fbfetch",
-                                                  "setrtarrayindexfromanyshader",
-                                                  "wavevote",
-                                                  "waveballot",
-                                                  "wavebasic",
-                                                  "wavemath",
-                                                  "wavemultiprefix",
-                                                  "quadshuffle",
-                                                  "native16bit",
-                                                  "int64bufferatomics",
-                                                  "int64groupsharedatomics",
-                                                  "barycentrics",
-                                                  "multiview",
-                                                  "inlineraytracing"};
-
-const std::vector<std::string_view> k_Renderers = {"d3d11",
-                                                   "d3d12",
-                                                   "glcore",
-                                                   "gles",
-                                                   "gles3",
-                                                   "metal",
-                                                   "vulkan",
-                                                   "webgpu",
-                                                   "ps4",
-                                                   "ps5",
-                                                   "xboxone",
-                                                   "xboxseries",
-                                                   "gamecorexboxone",
-                                                   "gamecorexboxseries",
-                                                   "playstation",
-                                                   "switch",
-                                                   "switch2",
-                                                   "d3d9",
-                                                   "d3d11_9x",
-                                                   "xbox360",
-                                                   "ps3",
-                                                   "psp2",
-                                                   "psm",
-                                                   "wiiu",
-                                                   "n3ds",
-                                                   "flash",
-                                                   "nomrt",
-                                                   "opengl",
-                                                   "glcore32",
-                                                   "d3d11_50",
-                                                   "stadia",
-                                                   "ggp"};
-
-const std::vector<std::string_view> k_Pragmas = {"vertex",
-                                                 "fragment",
-                                                 "geometry",
-                                                 "hull",
-                                                 "domain",
-                                                 "surface",
-                                                 "lighting",
-                                                 "raytracing",
-                                                 "kernel",
-                                                 "target",
-                                                 "require",
-                                                 "multi_compile",
-                                                 "multi_compile_local",
-                                                 "multi_compile_vertex",
-                                                 "multi_compile_fragment",
-                                                 "multi_compile_local_vertex",
-                                                 "multi_compile_local_fragment",
-                                                 "shader_feature",
-                                                 "shader_feature_local",
-                                                 "shader_feature_vertex",
-                                                 "shader_feature_fragment",
-                                                 "shader_feature_local_vertex",
-                                                 "shader_feature_local_fragment",
-                                                 "dynamic_branch",
-                                                 "dynamic_branch_local",
-                                                 "multi_compile_fog",
-                                                 "multi_compile_instancing",
-                                                 "multi_compile_particles",
-                                                 "multi_compile_fwdbase",
-                                                 "multi_compile_fwdbasealpha",
-                                                 "multi_compile_fwdadd",
-                                                 "multi_compile_fwdadd_fullshadows",
-                                                 "multi_compile_shadowcaster",
-                                                 "skip_variants",
-                                                 "only_renderers",
-                                                 "exclude_renderers",
-                                                 "instancing_options",
-                                                 "enable_cbuffer",
-                                                 "enable_d3d11_debug_symbols",
-                                                 "skip_optimizations",
-                                                 "hlslcc_bytecode_disassembly",
-                                                 "disable_fastmath",
-                                                 "glsl_es2",
-                                                 "glsl",
-                                                 "hardware_tier_variants",
-                                                 "prefer_hlslcc",
-                                                 "fragmentoption",
-                                                 "profileoption",
-                                                 "glsl_no_auto_normalization",
-                                                 "use_dxc",
-                                                 "never_use_dxc",
-                                                 "editor_sync_compilation",
-                                                 "include_with_pragmas",
-                                                 "warning",
-                                                 "pack_matrix",
-                                                 "once",
-                                                 "rendertarget_format_hint",
-                                                 "disablepc",
-                                                 "option",
-                                                 "regcount",
-                                                 "optimize",
-                                                 "debug",
-                                                 "def"};
-
 /// The words of a text up to a ":" in it.
 std::vector<std::string> Words(std::string_view text)
 {
@@ -187,6 +54,33 @@ std::vector<std::string> Words(std::string_view text)
     return words;
 }
 
+const std::vector<std::string> k_Features =
+    Words("interpolators10 interpolators15 interpolators32 integers mrt4 mrt8 derivatives "
+          "samplelod fragcoord 2darray cubearray instancing geometry compute randomwrite uav "
+          "tesshw tessellation msaatex sparsetex framebufferfetch fbfetch "
+          "setrtarrayindexfromanyshader wavevote waveballot wavebasic wavemath wavemultiprefix "
+          "quadshuffle native16bit int64bufferatomics int64groupsharedatomics barycentrics "
+          "multiview inlineraytracing");
+
+const std::vector<std::string> k_Renderers =
+    Words("d3d11 d3d12 glcore gles gles3 metal vulkan webgpu ps4 ps5 xboxone xboxseries "
+          "gamecorexboxone gamecorexboxseries playstation switch switch2 d3d9 d3d11_9x xbox360 "
+          "ps3 psp2 psm wiiu n3ds flash nomrt opengl glcore32 d3d11_50 stadia ggp");
+
+const std::vector<std::string> k_Pragmas = []
+{
+    std::vector<std::string> names = Words(
+        "vertex fragment geometry hull domain surface lighting raytracing kernel target require "
+        "skip_variants only_renderers exclude_renderers instancing_options enable_cbuffer "
+        "enable_d3d11_debug_symbols skip_optimizations hlslcc_bytecode_disassembly "
+        "disable_fastmath glsl_es2 glsl hardware_tier_variants prefer_hlslcc fragmentoption "
+        "profileoption glsl_no_auto_normalization use_dxc never_use_dxc editor_sync_compilation "
+        "include_with_pragmas warning pack_matrix once rendertarget_format_hint disablepc "
+        "option regcount optimize debug def");
+    std::ranges::move(KeywordDirectives(), std::back_inserter(names));
+    return names;
+}();
+
 void AddModel(int target, std::set<std::string>& features)
 {
     const auto above = std::find_if(k_ShaderModels.begin(), k_ShaderModels.end(),
@@ -198,9 +92,9 @@ void AddModel(int target, std::set<std::string>& features)
     }
 }
 
-bool Contains(const std::vector<std::string_view>& list, std::string_view word)
+bool Contains(const std::vector<std::string>& list, std::string_view word)
 {
-    return std::find(list.begin(), list.end(), word) != list.end();
+    return std::ranges::find(list, word) != list.end();
 }
 
 /// The sentence for a pragma that asks for something limn never does.
@@ -241,7 +135,7 @@ std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPra
 }
 
 void CheckWords(const PassProgram& program, const ProgramPragma& pragma,
-                const std::vector<std::string_view>& known, std::string_view kind,
+                const std::vector<std::string>& known, std::string_view kind,
                 std::vector<Diagnostic>& warnings)
 {
     for (const std::string& word : Words(pragma.arguments))
@@ -250,7 +144,7 @@ void CheckWords(const PassProgram& program, const ProgramPragma& pragma,
         {
             continue;
         }
-        const std::string_view nearest = NearestName(word, known);
+        const std::string_view nearest = NearestName(word, {known.begin(), known.end()});
         warnings.push_back(
             {Severity::Warning, program.file, pragma.location,
              "#pragma " + pragma.name + ": there is no " + std::string(kind) + " '" + word + "'" +
@@ -341,7 +235,8 @@ std::vector<Diagnostic> CheckPragmas(const PassProgram& program)
         }
         else if (!Contains(k_Pragmas, pragma.name) && pragma.name.substr(0, 5) != "PSSL_")
         {
-            const std::string_view nearest = NearestName(pragma.name, k_Pragmas);
+            const std::string_view nearest =
+                NearestName(pragma.name, {k_Pragmas.begin(), k_Pragmas.end()});
             warnings.push_back(
                 {Severity::Warning, program.file, pragma.location,
                  "#pragma " + pragma.name + ": there is no such pragma" +

@@ -19,12 +19,14 @@ std::set<std::string, std::less<>> SkippedKeywords(const PassProgram& program)
     std::set<std::string, std::less<>> skipped;
     for (const ProgramPragma& pragma : program.pragmas)
     {
-        std::string_view words = pragma.arguments;
-        while (pragma.name == "skip_variants" && !(words = Trim(words)).empty())
+        std::string_view words;
+        if (pragma.name == "skip_variants")
         {
-            const std::string_view word = words.substr(0, words.find_first_of(" \t"));
+            words = pragma.arguments;
+        }
+        for (auto word = TakeWord(words); !word.empty(); word = TakeWord(words))
+        {
             skipped.emplace(word);
-            words.remove_prefix(word.size());
         }
     }
     return skipped;

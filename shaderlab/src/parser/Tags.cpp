@@ -1,6 +1,7 @@
 #include "parser/Parser.h"
 
 #include <limn/base/Text.h>
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 
@@ -14,46 +15,17 @@ constexpr std::size_t k_MaxTags = 256; ///< of a scope: each new one is compared
 constexpr std::size_t k_MaxTypos = 2;
 
 // Any key and any value is legal; these are only what a typo is measured against.
-const std::vector<std::string_view> k_TagKeys = {
-    "Queue",
-    "RenderType",
-    "RenderPipeline",
-    "LightMode",
-    "DisableBatching",
-    "ForceNoShadowCasting",
-    "IgnoreProjector",
-    "CanUseSpriteAtlas",
-    "PreviewType",
-    "PassFlags",
-    "UniversalMaterialType",
-    "TerrainCompatible",
-};
-const std::vector<std::string_view> k_Pipelines = {
-    "UniversalPipeline", "HDRenderPipeline", "UniversalRenderPipeline", "LightweightPipeline"};
-const std::vector<std::string_view> k_LightModes = {
-    "UniversalForward",
-    "UniversalForwardOnly",
-    "UniversalGBuffer",
-    "Universal2D",
-    "NormalsRendering",
-    k_DefaultLightMode,
-    "ShadowCaster",
-    "DepthOnly",
-    "DepthNormals",
-    "DepthNormalsOnly",
-    "MotionVectors",
-    "SceneSelectionPass",
-    "LightweightForward",
-    "ForwardBase",
-    "ForwardAdd",
-    "Deferred",
-    "PrepassBase",
-    "PrepassFinal",
-    "Always",
-    "Meta",
-    "Picking",
-    "Vertex",
-};
+const auto k_TagKeys =
+    SplitWords("Queue RenderType RenderPipeline LightMode DisableBatching ForceNoShadowCasting "
+               "IgnoreProjector CanUseSpriteAtlas PreviewType PassFlags UniversalMaterialType "
+               "TerrainCompatible");
+const auto k_Pipelines =
+    SplitWords("UniversalPipeline HDRenderPipeline UniversalRenderPipeline LightweightPipeline");
+const auto k_LightModes = SplitWords(
+    "UniversalForward UniversalForwardOnly UniversalGBuffer Universal2D NormalsRendering "
+    "SRPDefaultUnlit ShadowCaster DepthOnly DepthNormals DepthNormalsOnly MotionVectors "
+    "SceneSelectionPass LightweightForward ForwardBase ForwardAdd Deferred PrepassBase "
+    "PrepassFinal Always Meta Picking Vertex");
 
 /// The name that was probably meant; "" for one that is known, or that is near none. Names that
 /// differ by their last letters only ("Outline2") are meant as they are.

@@ -11,6 +11,7 @@
 #include <glslang/Public/ResourceLimits.h>
 #include <glslang/SPIRV/GlslangToSpv.h>
 #include <glslang/SPIRV/spirv.hpp>
+#include <limn/base/WordList.h>
 #include <spirv-tools/libspirv.hpp>
 #include <spirv-tools/optimizer.hpp>
 
@@ -42,30 +43,18 @@ namespace
 
 /// Inlining and dead-code removal decide which resources and inputs a pass really has. These passes
 /// leave as little as all of spirv-opt's for legal and fast SPIR-V, in half the time.
-const std::vector<std::string> k_FewPasses = {"--wrap-opkill",
-                                              "--eliminate-dead-branches",
-                                              "--merge-return",
-                                              "--inline-entry-points-exhaustive",
-                                              "--eliminate-dead-functions",
-                                              "--private-to-local",
-                                              "--scalar-replacement=0",
-                                              "--ssa-rewrite",
-                                              "--ccp",
-                                              "--loop-unroll",
-                                              "--eliminate-dead-branches",
-                                              "--convert-local-access-chains",
-                                              "--eliminate-local-single-block",
-                                              "--eliminate-local-single-store",
-                                              "--copy-propagate-arrays",
-                                              "--redundancy-elimination",
-                                              "--simplify-instructions",
-                                              "--merge-blocks"};
+constexpr std::string_view k_FewPasses =
+    "--wrap-opkill --eliminate-dead-branches --merge-return --inline-entry-points-exhaustive "
+    "--eliminate-dead-functions --private-to-local --scalar-replacement=0 --ssa-rewrite --ccp "
+    "--loop-unroll --eliminate-dead-branches --convert-local-access-chains "
+    "--eliminate-local-single-block --eliminate-local-single-store --copy-propagate-arrays "
+    "--redundancy-elimination --simplify-instructions --merge-blocks";
 
 /// In front of which arrays are split once more: the indices are known by now.
 constexpr std::string_view k_PassBehindKnownIndices = "--convert-local-access-chains";
 
 /// Those that make textures which travel in structs and through parameters legal for Vulkan.
-const std::vector<std::string> k_AllPasses = {"--legalize-hlsl", "-O"};
+constexpr std::string_view k_AllPasses = "--legalize-hlsl -O";
 
 /// Calls a function with each instruction's number, opcode and operands until it returns false.
 template <typename F>
@@ -164,20 +153,20 @@ std::vector<std::uint32_t> WithoutRelaxedVariables(const std::vector<std::uint32
 }
 
 std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
-                                    const std::vector<std::string>& passes, const std::string& file)
+                                    std::string_view passes, const std::string& file)
 {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
     std::string messages;
     optimizer.SetMessageConsumer(
         [&](spv_message_level_t, const char*, const spv_position_t&, const char* message)
         { messages.append(message).append("\n"); });
-    for (const std::string& pass : passes)
+    for (const std::string_view pass : SplitWords(passes))
     {
         if (pass == k_PassBehindKnownIndices && hasArrayVariables(spirv))
         {
             optimizer.RegisterPassFromFlag("--scalar-replacement=0");
         }
-        optimizer.RegisterPassFromFlag(pass);
+        optimizer.RegisterPassFromFlag(std::string(pass));
     }
     optimizer.RegisterPass(spvtools::CreateAggressiveDCEPass());
     optimizer.RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass());

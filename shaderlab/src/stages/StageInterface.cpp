@@ -2,6 +2,7 @@
 
 #include "hlsl/Types.h"
 #include <limn/base/Text.h>
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 #include <array>
@@ -86,41 +87,27 @@ std::string ModernName(const std::string& name, int index, ShaderStage stage, bo
 /// Whether the pipeline makes or takes this value at this border.
 bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
 {
-    static constexpr std::array<std::string_view, 2> k_VertexInputs = {"SV_VERTEXID",
-                                                                       "SV_INSTANCEID"};
-    static constexpr std::array<std::string_view, 6> k_VertexOutputs = {
-        "SV_POSITION",           "SV_CLIPDISTANCE",
-        "SV_CULLDISTANCE",       "SV_RENDERTARGETARRAYINDEX",
-        "SV_VIEWPORTARRAYINDEX", "PSIZE"};
-    static constexpr std::array<std::string_view, 8> k_FragmentInputs = {
-        "SV_POSITION",
-        "SV_ISFRONTFACE",
-        "SV_SAMPLEINDEX",
-        "SV_COVERAGE",
-        "SV_CLIPDISTANCE",
-        "SV_PRIMITIVEID",
-        "SV_RENDERTARGETARRAYINDEX",
-        "SV_VIEWPORTARRAYINDEX"};
-    static constexpr std::array<std::string_view, 5> k_FragmentOutputs = {
-        "SV_TARGET", "SV_DEPTH", "SV_DEPTHLESSEQUAL", "SV_DEPTHGREATEREQUAL", "SV_COVERAGE"};
-    static constexpr std::array<std::string_view, 5> k_GeometryInputs = {
-        "SV_POSITION", "SV_CLIPDISTANCE", "SV_CULLDISTANCE", "SV_PRIMITIVEID", "SV_GSINSTANCEID"};
-    static constexpr std::array<std::string_view, 6> k_GeometryOutputs = {
-        "SV_POSITION",    "SV_CLIPDISTANCE",           "SV_CULLDISTANCE",
-        "SV_PRIMITIVEID", "SV_RENDERTARGETARRAYINDEX", "SV_VIEWPORTARRAYINDEX"};
-    const auto contains = [&](const auto& names)
-    {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
-    if (stage == ShaderStage::Geometry)
-    {
-        return isOutput ? contains(k_GeometryOutputs) : contains(k_GeometryInputs);
-    }
-    if (stage == ShaderStage::Vertex)
-    {
-        return isOutput ? contains(k_VertexOutputs) : contains(k_VertexInputs);
-    }
-    return isOutput ? contains(k_FragmentOutputs) : contains(k_FragmentInputs);
+    static const WordList s_VertexInputs("SV_VERTEXID SV_INSTANCEID");
+    static const WordList s_VertexOutputs(
+        "SV_POSITION SV_CLIPDISTANCE SV_CULLDISTANCE SV_RENDERTARGETARRAYINDEX "
+        "SV_VIEWPORTARRAYINDEX PSIZE");
+    static const WordList s_FragmentInputs(
+        "SV_POSITION SV_ISFRONTFACE SV_SAMPLEINDEX SV_COVERAGE SV_CLIPDISTANCE SV_PRIMITIVEID "
+        "SV_RENDERTARGETARRAYINDEX SV_VIEWPORTARRAYINDEX");
+    static const WordList s_FragmentOutputs(
+        "SV_TARGET SV_DEPTH SV_DEPTHLESSEQUAL SV_DEPTHGREATEREQUAL SV_COVERAGE");
+    static const WordList s_GeometryInputs(
+        "SV_POSITION SV_CLIPDISTANCE SV_CULLDISTANCE SV_PRIMITIVEID SV_GSINSTANCEID");
+    static const WordList s_GeometryOutputs(
+        "SV_POSITION SV_CLIPDISTANCE SV_CULLDISTANCE SV_PRIMITIVEID SV_RENDERTARGETARRAYINDEX "
+        "SV_VIEWPORTARRAYINDEX");
+    const WordList& inputs = stage == ShaderStage::Geometry ? s_GeometryInputs
+                             : stage == ShaderStage::Vertex ? s_VertexInputs
+                                                            : s_FragmentInputs;
+    const WordList& outputs = stage == ShaderStage::Geometry ? s_GeometryOutputs
+                              : stage == ShaderStage::Vertex ? s_VertexOutputs
+                                                             : s_FragmentOutputs;
+    return (isOutput ? outputs : inputs).Has(name);
 }
 
 [[noreturn]] void Fail(const HlslVariable& variable, const std::string& message)

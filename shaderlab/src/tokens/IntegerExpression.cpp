@@ -2,7 +2,6 @@
 
 #include "tokens/Tokens.h"
 
-#include <array>
 #include <cstdlib>
 
 namespace limn
@@ -10,30 +9,6 @@ namespace limn
 
 namespace
 {
-
-struct BinaryOperator
-{
-    std::string_view text;
-    int precedence;
-};
-constexpr std::array<BinaryOperator, 18> k_BinaryOperators = {{{"||", 1},
-                                                               {"&&", 2},
-                                                               {"|", 3},
-                                                               {"^", 4},
-                                                               {"&", 5},
-                                                               {"==", 6},
-                                                               {"!=", 6},
-                                                               {"<", 7},
-                                                               {">", 7},
-                                                               {"<=", 7},
-                                                               {">=", 7},
-                                                               {"<<", 8},
-                                                               {">>", 8},
-                                                               {"+", 9},
-                                                               {"-", 9},
-                                                               {"*", 10},
-                                                               {"/", 10},
-                                                               {"%", 10}}};
 
 /// Wraps around like the machine does: whatever a file holds has a value.
 std::int64_t Calculate(std::string_view operation, std::int64_t left, std::int64_t right)
@@ -101,20 +76,12 @@ private:
     std::int64_t Binary(int lowest)
     {
         std::int64_t left = Unary();
-        for (;;)
+        for (int precedence; (precedence = PrecedenceOf(Text())) >= lowest;)
         {
-            const BinaryOperator* found = nullptr;
-            for (const BinaryOperator& candidate : k_BinaryOperators)
-            {
-                found = candidate.text == Text() ? &candidate : found;
-            }
-            if (!found || found->precedence < lowest)
-            {
-                return left;
-            }
-            ++m_Index;
-            left = Calculate(found->text, left, Binary(found->precedence + 1));
+            const std::string_view operation = m_Tokens[m_Index++].text;
+            left = Calculate(operation, left, Binary(precedence + 1));
         }
+        return left;
     }
 
     std::int64_t Unary()

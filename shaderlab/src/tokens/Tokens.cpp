@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <utility>
 
 namespace limn
 {
@@ -60,6 +62,17 @@ std::size_t TokenLength(std::string_view text)
 }
 
 } // namespace
+
+int PrecedenceOf(std::string_view text)
+{
+    constexpr std::pair<std::string_view, int> k_Precedences[] = {
+        {"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
+        {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
+        {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
+    const auto* const found = std::find_if(std::begin(k_Precedences), std::end(k_Precedences),
+                                           [&](const auto& item) { return item.first == text; });
+    return found == std::end(k_Precedences) ? 0 : found->second;
+}
 
 std::vector<HlslToken> TokenizeHlsl(std::string_view source)
 {

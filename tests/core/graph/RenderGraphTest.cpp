@@ -2,10 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
+#include "pipeline/PipelineTest.h"
 
 namespace limn
 {
@@ -22,17 +21,10 @@ using testing::ElementsAre;
 using testing::IsEmpty;
 
 /// A camera drawn by a UniversalRenderer with one feature, whose passes a test gives.
-class RenderGraphFrame : public testing::Test
+class RenderGraphFrame : public test::PipelineTest<>
 {
 protected:
-    RenderGraphFrame()
-    {
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 8;
-        m_Request.height = 4;
-        m_Request.compile.leavesOut = false;
-    }
+    RenderGraphFrame() : PipelineTest(8, 4) { m_Request.compile.leavesOut = false; }
 
     void Add(GraphPass::Recording recording, const char* name = "Feature",
              RenderPassEvent event = RenderPassEvent::AfterRenderingTransparents)
@@ -41,7 +33,6 @@ protected:
         m_Renderer.AddFeature(std::make_unique<test::LoggingFeature>(
             name, m_Log, std::vector<ScriptableRenderPass*>{m_Passes.back().get()}));
     }
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
 
     /// "target" of each pass, in their order.
     static std::vector<std::string> Targets(const RenderResult& result)
@@ -84,12 +75,6 @@ protected:
     }
 
     test::Log m_Log;
-    Scene m_Scene;
-    Camera m_Camera;
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    RenderRequest m_Request;
     std::vector<std::unique_ptr<GraphPass>> m_Passes;
 };
 

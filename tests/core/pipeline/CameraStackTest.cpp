@@ -2,10 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
+#include "pipeline/PipelineTest.h"
 #include "renderers/DrawHarness.h"
 
 namespace limn::test
@@ -28,18 +27,14 @@ public:
 };
 
 /// A camera that sees a cube of layer 0, and overlays that see one of layer 1.
-class CameraStack : public testing::Test
+class CameraStack : public PipelineTest<>
 {
 protected:
-    CameraStack()
+    CameraStack() : PipelineTest(64, 32)
     {
         AddCube(m_Scene, "first", {0, 0, 10}, {m_Opaque});
         AddCube(m_Scene, "second", {0, 0, 20}, {m_Opaque}).layer = 1;
-        m_Base.cullingMask = LayerMask::FromIndex(0);
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Base;
-        m_Request.width = 64;
-        m_Request.height = 32;
+        m_Camera.cullingMask = LayerMask::FromIndex(0);
         m_Request.compile.leavesOut = false;
     }
 
@@ -48,11 +43,9 @@ protected:
         auto overlay = std::make_shared<Camera>();
         overlay->renderType = CameraRenderType::Overlay;
         overlay->cullingMask = LayerMask::FromIndex(1);
-        m_Base.cameraStack.push_back(overlay);
+        m_Camera.cameraStack.push_back(overlay);
         return *overlay;
     }
-
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
 
     static std::vector<std::string> ReportedPasses(const RenderResult& result)
     {
@@ -82,14 +75,8 @@ protected:
         return commands;
     }
 
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{Compiler()};
     const std::shared_ptr<Material> m_Opaque =
         std::make_shared<Material>(ShaderWithProgram("", "float4 _Value;", "_Value"));
-    Scene m_Scene;
-    Camera m_Base;
-    RenderRequest m_Request;
 };
 
 //   base, depth cleared, overlay ─▶ _CameraColorAttachmentA ─▶ Final Blit
@@ -123,9 +110,9 @@ TEST_F(CameraStack, TellsFeaturesOfEachCameraWhatItIs)
 {
     std::vector<CameraData> seen;
     m_Renderer.AddFeature(std::make_unique<CamerasReader>(seen));
-    m_Base.allowHDR = false;
-    m_Base.cameraType = CameraType::SceneView;
-    m_Base.renderPostProcessing = false;
+    m_Camera.allowHDR = false;
+    m_Camera.cameraType = CameraType::SceneView;
+    m_Camera.renderPostProcessing = false;
     Camera& first = AddOverlay();
     first.clearDepth = false;
     first.fieldOfView = 20.0f;
@@ -178,7 +165,7 @@ TEST_F(CameraStack, BlendsTheVolumesOfEachCameraBeforeItsFeatures)
     };
     const Camera& overlay = AddOverlay();
     Render();
-    EXPECT_THAT(asked, ElementsAre(&m_Base, &overlay));
+    EXPECT_THAT(asked, ElementsAre(&m_Camera, &overlay));
 }
 
 TEST_F(CameraStack, CopiesTheDepthForTheCameraThatReadsItOnly)
@@ -205,7 +192,7 @@ TEST_F(CameraStack, CopiesTheDepthForTheCameraThatReadsItOnly)
 TEST_F(CameraStack, IsTheSingleCamerasFrameWhereNothingInItIsAnOverlay)
 {
     const RenderResult alone = Render();
-    m_Base.cameraStack.push_back(std::make_shared<Camera>());
+    m_Camera.cameraStack.push_back(std::make_shared<Camera>());
     const RenderResult stacked = Render();
     EXPECT_EQ(stacked.frame->passes.size(), alone.frame->passes.size());
     EXPECT_EQ(ReportedPasses(stacked), ReportedPasses(alone));
@@ -246,7 +233,7 @@ TEST_F(CameraStack, DrawsIntoTheTargetTextureOfTheBaseInItsSizeAndFormat)
         "mirror", RenderTextureDescriptor(16, 16, GraphicsFormat::R8G8B8A8_UNorm));
     std::vector<CameraData> seen;
     m_Renderer.AddFeature(std::make_unique<CamerasReader>(seen));
-    m_Base.targetTexture = target;
+    m_Camera.targetTexture = target;
     AddOverlay();
     const RenderResult result = Render();
     EXPECT_EQ(result.output.rt(), target);
@@ -260,7 +247,7 @@ TEST_F(CameraStack, DrawsIntoTheTargetTextureOfTheBaseInItsSizeAndFormat)
         EXPECT_EQ(data.cameraTargetDescriptor,
                   RenderTextureDescriptor(16, 16, GraphicsFormat::R8G8B8A8_UNorm, 32));
     }
-    m_Base.targetTexture = nullptr;
+    m_Camera.targetTexture = nullptr;
     EXPECT_EQ(Render().output.rt()->name(), "limn_Output");
 }
 
@@ -270,14 +257,14 @@ TEST_F(CameraStack, RefusesWhatCannotBeDrawn)
     {
         return ThrownMessage<ContractError>([&] { Render(); });
     };
-    m_Base.renderType = CameraRenderType::Overlay;
+    m_Camera.renderType = CameraRenderType::Overlay;
     EXPECT_EQ(message(), "RenderSingleCamera: the camera's renderType is Overlay; it is drawn by a "
                          "base camera that has it in its cameraStack");
-    m_Base.renderType = CameraRenderType::Base;
-    m_Base.cameraStack.push_back(nullptr);
+    m_Camera.renderType = CameraRenderType::Base;
+    m_Camera.cameraStack.push_back(nullptr);
     EXPECT_EQ(message(), "RenderSingleCamera: a camera of the cameraStack is null");
-    m_Base.cameraStack.clear();
-    m_Base.targetTexture = std::make_shared<const RenderTexture>(
+    m_Camera.cameraStack.clear();
+    m_Camera.targetTexture = std::make_shared<const RenderTexture>(
         "shadows", RenderTextureDescriptor(8, 8, GraphicsFormat::D32_SFloat));
     EXPECT_EQ(message(), "RenderSingleCamera: the camera's targetTexture 'shadows' is a depth "
                          "texture; it must be a colour");

@@ -2,10 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limn/core/BuiltinShaders.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
-#include "scene/TestScene.h"
+#include "pipeline/PipelineTest.h"
 #include "texture/PickyDevice.h"
 
 namespace limn
@@ -78,16 +76,12 @@ private:
 };
 
 /// An opaque cube that can be drawn in prepasses, seen by a camera of 64 x 32 pixels.
-class CameraTextures : public testing::Test
+class CameraTextures : public test::PipelineTest<>
 {
 protected:
-    CameraTextures()
+    CameraTextures() : PipelineTest(64, 32)
     {
         test::AddCube(m_Scene, "cube", {-1, 0, 10}, {m_Lit});
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 64;
-        m_Request.height = 32;
     }
 
     void AddPass(const std::string& name, int event, ScriptableRenderPassInput asks,
@@ -101,8 +95,6 @@ protected:
         material->SetRenderQueue(queue);
         test::AddCube(m_Scene, "reader", {1, 0, 10}, {material});
     }
-
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
 
     /// "event name" of all that ran, in order.
     static std::vector<std::string> Ran(const RenderResult& result)
@@ -139,12 +131,6 @@ protected:
 
     const std::shared_ptr<Material> m_Lit = std::make_shared<Material>(
         FindBuiltinShader("Universal Render Pipeline/Lit", test::Compiler()));
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
 };
 
 TEST_F(CameraTextures, AreNotMadeWhereTheyAreAskedForAndNotRead)

@@ -2,10 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
+#include "pipeline/PipelineTest.h"
 #include "pipeline/RendererHarness.h"
 
 namespace limn
@@ -52,9 +51,11 @@ private:
 };
 
 /// What ScriptableRenderPass::Blit does that makes its destination the camera's colour.
-class ColorSwaps : public testing::Test
+class ColorSwaps : public test::PipelineTest<>
 {
 protected:
+    ColorSwaps() : PipelineTest(8, 4) { m_Request.compile.leavesOut = false; }
+
     void Add(int event, SwappingPass::Action action)
     {
         m_Renderer.AddFeature(std::make_unique<SwappingFeature>(event, std::move(action)));
@@ -67,12 +68,7 @@ protected:
     RenderResult Render()
     {
         test::AddCube(m_Scene, "cube", {0, 0, 10}, {m_Opaque});
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 8;
-        m_Request.height = 4;
-        m_Request.compile.leavesOut = false;
-        return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        return PipelineTest::Render();
     }
     /// "texture <- what its draws read" of all passes in order.
     static std::vector<std::string> DrawnInto(const RenderResult& result)
@@ -103,12 +99,6 @@ protected:
     const std::shared_ptr<Material> m_Opaque =
         std::make_shared<Material>(test::ShaderWithProgram(""));
     const std::shared_ptr<Material> m_Reads = Reading("_BlitTexture");
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
 };
 
 TEST_F(ColorSwaps, ReachTheOutputWithoutACopyBack)

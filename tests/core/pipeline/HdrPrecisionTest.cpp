@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
+
+#include "pipeline/PipelineTest.h"
 
 namespace limn::test
 {
@@ -38,16 +38,12 @@ private:
     RecordingDevice m_Device;
 };
 
-class HdrPrecision : public testing::Test
+class HdrPrecision : public PipelineTest<>
 {
 protected:
-    HdrPrecision()
+    HdrPrecision() : PipelineTest(16, 8)
     {
         m_Renderer.AddFeature(std::make_unique<CamerasReader>(m_Seen));
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 16;
-        m_Request.height = 8;
         m_Pipeline.hdrColorBufferPrecision = HDRColorBufferPrecision::_32Bits;
     }
 
@@ -59,12 +55,6 @@ protected:
     }
     GraphicsFormat Format() { return FormatOf(m_Pipeline); }
 
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
     std::vector<CameraData> m_Seen;
     std::vector<std::string> m_Notes;
 };

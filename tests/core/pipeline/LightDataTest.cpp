@@ -2,9 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/RecordingDevice.h>
 #include <limn/core/UniversalFrameData.h>
-#include <limn/core/UniversalRenderPipeline.h>
+
+#include "pipeline/PipelineTest.h"
 
 namespace limn::test
 {
@@ -52,21 +52,17 @@ private:
     Pass m_Pass;
 };
 
-class LightDataOfAFrame : public testing::Test
+class LightDataOfAFrame : public PipelineTest<>
 {
 protected:
-    LightDataOfAFrame()
+    LightDataOfAFrame() : PipelineTest(8, 8)
     {
         m_Renderer.AddFeature(std::make_unique<LightsReader>(m_Seen));
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 8;
-        m_Request.height = 8;
     }
 
     const LightsReader::Seen& Render()
     {
-        m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        m_Result = PipelineTest::Render();
         return m_Seen;
     }
 
@@ -79,12 +75,6 @@ protected:
         return light;
     }
 
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
     RenderResult m_Result;
     LightsReader::Seen m_Seen;
 };

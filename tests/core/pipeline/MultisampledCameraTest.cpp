@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
+#include "pipeline/PipelineTest.h"
 #include "pipeline/RendererHarness.h"
 
 namespace limn
@@ -48,29 +47,17 @@ public:
 };
 
 /// A cube before a camera that is drawn with four samples a texel.
-class MultisampledCamera : public testing::Test
+class MultisampledCamera : public test::PipelineTest<LimitedDevice>
 {
 protected:
-    MultisampledCamera()
+    MultisampledCamera() : PipelineTest(64, 32)
     {
         test::AddCube(m_Scene, "cube", {0, 0, 10},
                       {std::make_shared<Material>(test::ShaderWithProgram("", "", "1"))});
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 64;
-        m_Request.height = 32;
         m_Pipeline.msaaSampleCount = 4;
     }
 
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
     int Samples() { return Render().frame->passes.at(0).depth->texture->descriptor().msaaSamples; }
-
-    LimitedDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
 };
 
 TEST_F(MultisampledCamera, IsDrawnInSamplesThatAreResolvedForTheOutputAndNotKept)

@@ -2,10 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 
 #include "ThrownMessage.h"
+#include "pipeline/PipelineTest.h"
 #include "renderers/DrawHarness.h"
 
 namespace limn::test
@@ -13,16 +12,12 @@ namespace limn::test
 namespace
 {
 
-class RenderScale : public testing::Test
+class RenderScale : public PipelineTest<>
 {
 protected:
-    RenderScale()
+    RenderScale() : PipelineTest(65, 32)
     {
         m_Renderer.AddFeature(std::make_unique<CamerasReader>(m_Seen));
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 65;
-        m_Request.height = 32;
         m_Request.compile.leavesOut = false;
     }
 
@@ -30,7 +25,7 @@ protected:
     const CameraData& Render(float scale)
     {
         m_Pipeline.renderScale = scale;
-        m_Result = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+        m_Result = PipelineTest::Render();
         return m_Seen.back();
     }
 
@@ -39,12 +34,6 @@ protected:
         return {data.cameraTargetDescriptor.width, data.cameraTargetDescriptor.height};
     }
 
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{Compiler()};
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
     RenderResult m_Result;
     std::vector<CameraData> m_Seen;
 };

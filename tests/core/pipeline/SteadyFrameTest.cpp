@@ -1,8 +1,6 @@
-#include "scene/TestScene.h"
-
 #include <gmock/gmock.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
+
+#include "pipeline/PipelineTest.h"
 
 namespace limn
 {
@@ -10,21 +8,15 @@ namespace
 {
 
 /// A cube before a camera, frame after frame.
-class SteadyFrames : public testing::Test
+class SteadyFrames : public test::PipelineTest<>
 {
 protected:
-    SteadyFrames()
+    SteadyFrames() : PipelineTest(8, 4)
     {
         m_Cube = &test::AddCube(
             m_Scene, "cube", {0.0f, 0.0f, 5.0f},
             {std::make_shared<Material>(test::ShaderWithProgram("", "float4 _Time;", "_Time.y"))});
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 8;
-        m_Request.height = 4;
     }
-
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
 
     /// What frames have settled to.
     std::uint64_t SteadyStructure()
@@ -34,13 +26,7 @@ protected:
         return Render().frame->structure;
     }
 
-    Scene m_Scene;
-    Camera m_Camera;
     GameObject* m_Cube = nullptr;
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    RenderRequest m_Request;
 };
 
 } // namespace

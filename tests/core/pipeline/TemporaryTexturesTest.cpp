@@ -1,9 +1,7 @@
-#include "scene/TestScene.h"
-
 #include <gtest/gtest.h>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
+
+#include "pipeline/PipelineTest.h"
 
 namespace limn
 {
@@ -95,30 +93,20 @@ public:
 };
 
 /// A cube before a camera, drawn by way of temporary textures.
-class TemporaryTextures : public testing::Test
+class TemporaryTextures : public test::PipelineTest<>
 {
 protected:
-    TemporaryTextures()
+    TemporaryTextures() : PipelineTest(8, 4)
     {
         GameObject& cube = test::AddCube(m_Scene, "cube", {0.0f, 0.0f, 5.0f}, {});
         auto feature = std::make_unique<TemporaryFeature>(cube);
         m_Pass = &feature->pass;
         m_Renderer.AddFeature(std::move(feature));
         m_Cube = &cube;
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 8;
-        m_Request.height = 4;
     }
 
-    Scene m_Scene;
-    Camera m_Camera;
     GameObject* m_Cube = nullptr;
     TemporaryPass* m_Pass = nullptr;
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
-    RenderRequest m_Request;
 };
 
 } // namespace
@@ -128,41 +116,41 @@ TEST_F(TemporaryTextures, AreTheSameInEachFrameWhichIsNotCompiledAgain)
     std::uint64_t structure = 0;
     for (int i = 0; i < 4; ++i)
     {
-        structure = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure;
+        structure = Render().frame->structure;
     }
     const auto used = m_Pass->used;
     EXPECT_NE(used[0], used[1]);
     m_Cube->transform.localPosition.x = 0.5f;
-    EXPECT_EQ(m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure, structure);
+    EXPECT_EQ(Render().frame->structure, structure);
     EXPECT_EQ(m_Pass->used, used);
 }
 
 TEST_F(TemporaryTextures, OfANameAreTheSameInEachFrameWhichIsNotCompiledAgain)
 {
     m_Renderer.AddFeature(std::make_unique<NamedTemporaryFeature>());
-    const RenderResult first = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    const RenderResult first = Render();
     EXPECT_TRUE(first.report.notes.empty());
     std::uint64_t structure = 0;
     for (int i = 0; i < 3; ++i)
     {
-        structure = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request).frame->structure;
+        structure = Render().frame->structure;
     }
     m_Cube->transform.localPosition.x = 0.5f;
-    const RenderResult last = m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    const RenderResult last = Render();
     EXPECT_EQ(last.frame->structure, structure);
     EXPECT_TRUE(last.report.notes.empty());
 }
 
 TEST_F(TemporaryTextures, AreNotSharedByTwoPipelines)
 {
-    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    Render();
     const auto first = m_Pass->used;
     RecordingDevice device;
     UniversalRenderPipeline other(device);
     other.RenderSingleCamera(m_Renderer, m_Request);
     EXPECT_NE(m_Pass->used[0], first[0]);
     EXPECT_NE(m_Pass->used[1], first[1]);
-    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request);
+    Render();
     EXPECT_EQ(m_Pass->used, first);
 }
 

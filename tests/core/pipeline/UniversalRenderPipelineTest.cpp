@@ -2,12 +2,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limn/core/BuiltinShaders.h>
-#include <limn/core/RecordingDevice.h>
-#include <limn/core/UniversalRenderPipeline.h>
 #include <set>
 
 #include "ThrownMessage.h"
 #include "frame/FrameBuilder.h"
+#include "pipeline/PipelineTest.h"
 #include "renderers/DrawHarness.h"
 
 namespace limn
@@ -20,30 +19,18 @@ using testing::UnorderedElementsAre;
 using enum TextureUsage;
 
 /// Two cubes before a camera, rendered at 64 x 32 pixels on a device that draws nothing.
-class Pipeline : public testing::Test
+class Pipeline : public test::PipelineTest<>
 {
 protected:
-    Pipeline()
+    Pipeline() : PipelineTest(64, 32)
     {
         test::AddCube(m_Scene, "left", {-1, 0, 10}, {m_Opaque});
         test::AddCube(m_Scene, "right", {1, 0, 10}, {m_Opaque});
-        m_Request.scene = &m_Scene;
-        m_Request.camera = &m_Camera;
-        m_Request.width = 64;
-        m_Request.height = 32;
         m_Request.compile.leavesOut = false; // what leaving out makes of it: LeanPipelineTest.cpp
     }
 
-    RenderResult Render() { return m_Pipeline.RenderSingleCamera(m_Renderer, m_Request); }
-
-    RecordingDevice m_Device;
-    UniversalRenderPipeline m_Pipeline{m_Device};
-    UniversalRenderer m_Renderer{test::Compiler()};
     const std::shared_ptr<Material> m_Opaque =
         std::make_shared<Material>(test::ShaderWithProgram("", "float4 _Value;", "_Value"));
-    Scene m_Scene;
-    Camera m_Camera;
-    RenderRequest m_Request;
 };
 
 std::vector<test::SeenDraw> DrawsOf(const CompiledFrame& frame, std::size_t pass)

@@ -1,16 +1,57 @@
 #include "profile/UnityVolumeProfile.h"
 
-#include "profile/UrpVolumeComponents.h"
-
 #include <algorithm>
+#include <limn/base/WordList.h>
 #include <limn/volume/UnityHeaderField.h>
 #include <set>
+#include <unordered_map>
 
 namespace limn
 {
 
 namespace
 {
+
+/// The parameters of a volume component that URP comes with; null for another. (URP 7 to 17)
+const WordList* FindUrpComponent(std::string_view name)
+{
+    static const std::unordered_map<std::string_view, WordList> s_Components = {
+        {"Bloom", WordList("skipIterations threshold intensity scatter clamp tint filter downscale "
+                           "maxIterations dirtTexture dirtIntensity highQualityFiltering")},
+        {"ChannelMixer",
+         WordList("redOutRedIn redOutGreenIn redOutBlueIn greenOutRedIn greenOutGreenIn "
+                  "greenOutBlueIn blueOutRedIn blueOutGreenIn blueOutBlueIn")},
+        {"ChromaticAberration", WordList("intensity")},
+        {"ColorAdjustments", WordList("postExposure contrast colorFilter hueShift saturation")},
+        {"ColorCurves", WordList("master red green blue hueVsHue hueVsSat satVsSat lumVsSat")},
+        {"ColorLookup", WordList("texture contribution")},
+        {"DepthOfField",
+         WordList("mode gaussianStart gaussianEnd gaussianMaxRadius highQualitySampling "
+                  "focusDistance aperture focalLength bladeCount bladeCurvature bladeRotation")},
+        {"FilmGrain", WordList("type intensity response texture")},
+        {"LensDistortion", WordList("intensity xMultiplier yMultiplier center scale")},
+        {"LiftGammaGain", WordList("lift gamma gain")},
+        {"MotionBlur", WordList("mode quality intensity clamp")},
+        {"PaniniProjection", WordList("distance cropToFit")},
+        {"ProbeVolumesOptions", WordList("")},
+        {"ScreenSpaceLensFlare",
+         WordList("intensity tintColor bloomMip firstFlareIntensity secondaryFlareIntensity "
+                  "warpedFlareIntensity warpedFlareScale samples sampleDimmer vignetteEffect "
+                  "startingPosition scale streaksIntensity streaksLength streaksOrientation "
+                  "streaksThreshold resolution chromaticAbberationIntensity "
+                  "chromaticAbberationSampleCount")},
+        {"ShadowsMidtonesHighlights",
+         WordList("shadows midtones highlights shadowsStart shadowsEnd highlightsStart "
+                  "highlightsEnd")},
+        {"SplitToning", WordList("shadows highlights balance")},
+        {"Tonemapping",
+         WordList("mode neutralHDRRangeReductionMode acesPreset hueShiftAmount paperWhite "
+                  "detectPaperWhite minNits maxNits detectBrightnessLimits")},
+        {"Vignette", WordList("color center intensity smoothness rounded")},
+        {"WhiteBalance", WordList("temperature tint")}};
+    const auto found = s_Components.find(name);
+    return found == s_Components.end() ? nullptr : &found->second;
+}
 
 bool isHeaderField(std::string_view name)
 {
@@ -54,7 +95,7 @@ bool HasEffect(const UnityObject& object)
 
 void NoteUnknownComponent(const UnityObject& object, AssetDiagnostics& diagnostics)
 {
-    const bool isUrp = IsUrpVolumeComponent(object.name);
+    const bool isUrp = FindUrpComponent(object.name) != nullptr;
     if (!isUrp || HasEffect(object))
     {
         diagnostics.Note(object.location,
@@ -69,7 +110,8 @@ void NoteUnknownComponent(const UnityObject& object, AssetDiagnostics& diagnosti
 void NoteUnknownParameter(const UnityObject& object, const YamlEntry& entry, std::string& undrawn,
                           AssetDiagnostics& diagnostics)
 {
-    if (!IsUrpParameter(object.name, entry.key))
+    const WordList* known = FindUrpComponent(object.name);
+    if (!known || !known->Has(entry.key))
     {
         diagnostics.Note(entry.keyLocation,
                          object.name + "." + entry.key + ": left out, no such parameter is known");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limn/base/Text.h>
 #include <limn/volume/AssetDiagnostics.h>
 
 namespace limn
@@ -23,15 +24,6 @@ std::optional<T> ParseWhole(std::string_view text)
     const char* end = text.data() + text.size();
     const auto [rest, error] = std::from_chars(text.data(), end, value);
     return error == std::errc{} && rest == end ? std::optional(value) : std::nullopt;
-}
-
-/// The next word of a line, which is taken off it.
-std::string_view TakeWord(std::string_view& line)
-{
-    line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-    const std::string_view word = line.substr(0, line.find_first_of(" \t\r"));
-    line.remove_prefix(word.size());
-    return word;
 }
 
 /// YAML has no place for a word behind the anchor, as "stripped" is; so this is read here.

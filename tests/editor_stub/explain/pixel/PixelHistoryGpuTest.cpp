@@ -167,14 +167,13 @@ TEST_F(PixelHistoryGpu, TellsWhatTheScissorLeavesOut)
     {
         SceneAsset asset = Load();
         // The rows of a texture begin at the bottom of the picture: these are its lowest five.
-        asset.renderer.features.push_back(
-            std::make_unique<CommandFeature>(RenderPassEvent::BeforeRenderingOpaques, "Cut",
-                                             [](CommandBuffer& cmd) {
-                                                 cmd.EnableScissorRect({0, 0, 20, 5});
-                                             }));
-        asset.renderer.features.push_back(
-            std::make_unique<CommandFeature>(RenderPassEvent::AfterRenderingOpaques, "Mend",
-                                             [](CommandBuffer& cmd) { cmd.DisableScissorRect(); }));
+        asset.renderer.features.push_back(Commands(RenderPassEvent::BeforeRenderingOpaques, "Cut",
+                                                   [](CommandBuffer& cmd) {
+                                                       cmd.EnableScissorRect({0, 0, 20, 5});
+                                                   }));
+        asset.renderer.features.push_back(Commands(RenderPassEvent::AfterRenderingOpaques, "Mend",
+                                                   [](CommandBuffer& cmd)
+                                                   { cmd.DisableScissorRect(); }));
         return asset;
     };
     EXPECT_EQ(PixelFate::Drawn, EventOf(Trace(load(), 10, 15), "Wide").fate);
@@ -276,9 +275,9 @@ TEST_F(PixelHistoryGpu, NamesObjectsThatCommandsDraw)
     SceneAsset asset = Load();
     const GameObject* right = asset.scene.Find("Right");
     const auto green = asset.scene.Find("Paint")->renderer->sharedMaterial();
-    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
-        RenderPassEvent::AfterRenderingOpaques, "Own",
-        [=](CommandBuffer& cmd) { cmd.DrawRenderer(*right, green); }));
+    asset.renderer.features.push_back(Commands(RenderPassEvent::AfterRenderingOpaques, "Own",
+                                               [=](CommandBuffer& cmd)
+                                               { cmd.DrawRenderer(*right, green); }));
     const PixelHistory history = Trace(std::move(asset), 15, 10);
     ASSERT_TRUE(HasEvent(history, "Own", PixelFate::Drawn));
     for (const PixelEvent& event : history.events)
@@ -307,15 +306,14 @@ TEST_F(PixelHistoryGpu, ShowsDepthWhereAPassHasNoColour)
     descriptor.depthBufferBits = 32;
     const RTHandle depth =
         RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "OwnDepth");
-    asset.renderer.features.push_back(
-        std::make_unique<CommandFeature>(RenderPassEvent::BeforeRenderingOpaques, "Depths",
-                                         [=](CommandBuffer& cmd)
-                                         {
-                                             cmd.SetRenderTarget(depth);
-                                             cmd.ClearRenderTarget(true, false, Color::black);
-                                             cmd.DrawRenderer(*front, red);
-                                             cmd.DrawRenderer(*back, red);
-                                         }));
+    asset.renderer.features.push_back(Commands(RenderPassEvent::BeforeRenderingOpaques, "Depths",
+                                               [=](CommandBuffer& cmd)
+                                               {
+                                                   cmd.SetRenderTarget(depth);
+                                                   cmd.ClearRenderTarget(true, false, Color::black);
+                                                   cmd.DrawRenderer(*front, red);
+                                                   cmd.DrawRenderer(*back, red);
+                                               }));
     const PixelHistory history = Trace(std::move(asset), 10, 10);
     std::vector<PixelEvent> events;
     std::ranges::copy_if(history.events, std::back_inserter(events),
@@ -344,14 +342,14 @@ TEST_F(PixelHistoryGpu, TakesATargetThatHeldNothingForWritten)
     RenderTextureDescriptor descriptor(20, 20, GraphicsFormat::R8G8B8A8_UNorm);
     const RTHandle own =
         RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "Own");
-    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
-        RenderPassEvent::BeforeRenderingOpaques, "Fill",
-        [=](CommandBuffer& cmd)
-        {
-            cmd.SetRenderTarget(own, RTHandle());
-            cmd.DrawRenderer(*zero, zero->renderer->sharedMaterial());
-            cmd.DrawRenderer(*never, never->renderer->sharedMaterial());
-        }));
+    asset.renderer.features.push_back(
+        Commands(RenderPassEvent::BeforeRenderingOpaques, "Fill",
+                 [=](CommandBuffer& cmd)
+                 {
+                     cmd.SetRenderTarget(own, RTHandle());
+                     cmd.DrawRenderer(*zero, zero->renderer->sharedMaterial());
+                     cmd.DrawRenderer(*never, never->renderer->sharedMaterial());
+                 }));
     const PixelHistory history = Trace(std::move(asset), 10, 10);
     std::vector<PixelEvent> events;
     std::ranges::copy_if(history.events, std::back_inserter(events),
@@ -386,19 +384,19 @@ TEST_F(PixelHistoryGpu, SeesBuffersAsTheFirstFrameDoesHoweverOftenItIsDrawnAgain
     const RTHandle result =
         RTHandles::Alloc(descriptor, FilterMode::Point, TextureWrapMode::Clamp, "Result");
     SceneAsset asset = Load();
-    asset.renderer.features.push_back(std::make_unique<CommandFeature>(
-        RenderPassEvent::BeforeRenderingOpaques, "Kernels",
-        [=](CommandBuffer& cmd)
-        {
-            cmd.SetComputeBufferParam(kernels, 0, "_Count", count);
-            cmd.SetComputeBufferParam(kernels, 1, "_Count", count);
-            cmd.SetComputeTextureParam(kernels, 1, "_Result", result.nameID());
-            cmd.DispatchCompute(kernels, 0, 1, 1, 1);
-            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
-            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
-            cmd.DispatchCompute(kernels, 0, 1, 1, 1);
-            cmd.DispatchCompute(kernels, 1, 20, 20, 1);
-        }));
+    asset.renderer.features.push_back(
+        Commands(RenderPassEvent::BeforeRenderingOpaques, "Kernels",
+                 [=](CommandBuffer& cmd)
+                 {
+                     cmd.SetComputeBufferParam(kernels, 0, "_Count", count);
+                     cmd.SetComputeBufferParam(kernels, 1, "_Count", count);
+                     cmd.SetComputeTextureParam(kernels, 1, "_Result", result.nameID());
+                     cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+                     cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+                     cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+                     cmd.DispatchCompute(kernels, 0, 1, 1, 1);
+                     cmd.DispatchCompute(kernels, 1, 20, 20, 1);
+                 }));
     const PixelHistory history = Trace(std::move(asset), 10, 10);
     std::vector<std::pair<PixelFate, Floats>> seen;
     for (const PixelEvent& event : history.events)

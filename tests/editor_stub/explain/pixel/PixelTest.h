@@ -2,11 +2,10 @@
 
 #include "SceneFolder.h"
 #include "explain/pixel/PixelHistory.h"
+#include "features/RecordingFeature.h"
 #include "vulkan/GpuTestDevice.h"
 
 #include <gmock/gmock.h>
-#include <limn/core/ScriptableRenderPass.h>
-#include <limn/core/ScriptableRenderer.h>
 
 namespace limn::test
 {
@@ -27,45 +26,19 @@ inline const Floats k_Black{0, 0, 0, 1};
 inline const Floats k_Red{1, 0, 0, 1};
 inline const Floats k_Green{0, 1, 0, 1};
 
-/// Places a command among the passes of the renderer.
-class CommandFeature final : public ScriptableRendererFeature
+/// Places commands among the passes of the renderer, in one of this name.
+inline std::unique_ptr<RecordingFeature> Commands(RenderPassEvent event, const char* passName,
+                                                  std::function<void(CommandBuffer&)> record)
 {
-public:
-    using Record = std::function<void(CommandBuffer&)>;
-
-    CommandFeature(RenderPassEvent event, std::string passName, Record record)
-        : m_Pass(std::move(record))
-    {
-        m_Pass.renderPassEvent = event;
-        m_Pass.profilingSampler = ProfilingSampler(std::move(passName));
-    }
-    void Create() override {}
-    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
-    {
-        renderer.EnqueuePass(m_Pass);
-    }
-
-private:
-    class Pass final : public ScriptableRenderPass
-    {
-    public:
-        explicit Pass(Record record) : m_Record(std::move(record)) {}
-        void Execute(ScriptableRenderContext& context, RenderingData&) override
+    return std::make_unique<RecordingFeature>(
+        event,
+        [=](CommandBuffer& cmd, RenderingData&)
         {
-            CommandBuffer cmd;
-            {
-                const ProfilingScope scope(cmd, profilingSampler);
-                m_Record(cmd);
-            }
-            context.ExecuteCommandBuffer(cmd);
-        }
-
-    private:
-        Record m_Record;
-    };
-
-    Pass m_Pass;
-};
+            const ProfilingScope scope(cmd, ProfilingSampler(passName));
+            record(cmd);
+        },
+        passName);
+}
 
 class PixelHistoryGpu : public GpuTest
 {

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
+#include <limn/base/WordList.h>
 #include <string_view>
 
 namespace limn
@@ -9,19 +8,12 @@ namespace limn
 
 /// Whether every MonoBehaviour of a Unity asset has this field; what is left are the fields of its
 /// class. (2022.3)
-constexpr bool isUnityHeaderField(std::string_view name)
+inline bool isUnityHeaderField(std::string_view name)
 {
-    constexpr std::array<std::string_view, 10> k_Fields{"m_ObjectHideFlags",
-                                                        "m_CorrespondingSourceObject",
-                                                        "m_PrefabInstance",
-                                                        "m_PrefabAsset",
-                                                        "m_GameObject",
-                                                        "m_Enabled",
-                                                        "m_EditorHideFlags",
-                                                        "m_Script",
-                                                        "m_Name",
-                                                        "m_EditorClassIdentifier"};
-    return std::ranges::find(k_Fields, name) != k_Fields.end();
+    static const WordList s_Fields(
+        "m_ObjectHideFlags m_CorrespondingSourceObject m_PrefabInstance m_PrefabAsset "
+        "m_GameObject m_Enabled m_EditorHideFlags m_Script m_Name m_EditorClassIdentifier");
+    return s_Fields.Has(name);
 }
 
 } // namespace limn

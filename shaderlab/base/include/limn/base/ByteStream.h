@@ -25,6 +25,11 @@ public:
         Value(static_cast<std::uint32_t>(text.size()));
         m_Bytes += text;
     }
+    template <typename... Ts>
+    void Values(const Ts&... values)
+    {
+        (Value(values), ...);
+    }
     template <typename T, typename F>
     void List(const std::vector<T>& items, F&& each)
     {
@@ -58,6 +63,11 @@ public:
         std::uint32_t size = 0;
         Value(size);
         text = std::string(Take(size));
+    }
+    template <typename... Ts>
+    void Values(Ts&... values)
+    {
+        (Value(values), ...);
     }
     template <typename T, typename F>
     void List(std::vector<T>& items, F&& each)

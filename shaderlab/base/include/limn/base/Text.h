@@ -45,4 +45,13 @@ constexpr std::string_view Trim(std::string_view text)
     return text;
 }
 
+/// Takes the first word off a text, together with the blanks before it; "" where there is none.
+constexpr std::string_view TakeWord(std::string_view& text)
+{
+    text = Trim(text);
+    const std::string_view word = text.substr(0, text.find_first_of(" \t\r\n\f\v"));
+    text.remove_prefix(word.size());
+    return word;
+}
+
 } // namespace limn

@@ -5,22 +5,30 @@
 #include <algorithm>
 #include <string_view>
 #include <unordered_set>
+#include <vector>
 
 namespace limn
 {
 
-/// The words of a literal that blanks separate, told apart from others.
+/// The words of a literal that blanks separate.
+inline std::vector<std::string_view> SplitWords(std::string_view text)
+{
+    std::vector<std::string_view> words;
+    for (auto word = TakeWord(text); !word.empty(); word = TakeWord(text))
+    {
+        words.push_back(word);
+    }
+    return words;
+}
+
+/// A set of such words.
 class WordList
 {
 public:
     explicit WordList(std::string_view text)
     {
-        for (text = Trim(text); !text.empty(); text = Trim(text))
-        {
-            const std::size_t size = std::min(text.find(' '), text.size());
-            m_Words.insert(text.substr(0, size));
-            text.remove_prefix(size);
-        }
+        const auto words = SplitWords(text);
+        m_Words.insert(words.begin(), words.end());
     }
 
     bool Has(std::string_view word) const { return m_Words.contains(word); }
