@@ -55,14 +55,14 @@ void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const Text
     if (options.leavesOut)
     {
         FindAccess(nodes, frame);
-        for (const auto step : {FoldConstants, ForwardCopies, ReadOriginals, LeaveOutUnread})
+        for (const auto step : {ElideConstantDraws, EliminateCopies, ReadOriginals, CullPasses})
         {
             step(nodes, outputs, frame);
             EraseLeftOut(nodes, leftOut);
         }
         if (options.limitsRegions)
         {
-            LimitRegions(nodes, frame);
+            ScissorFullScreenPasses(nodes, frame);
         }
         MergeNodes(nodes, frame);
         std::for_each(nodes.begin(), nodes.end(), EraseEmptySamples);
@@ -71,10 +71,10 @@ void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const Text
     {
         CollectReads(node, frame);
     }
-    LeaveOutStencil(nodes, outputs, frame);
+    StripUnusedStencil(nodes, outputs, frame);
     ResolveSamples(nodes, outputs, frame);
-    PlaceTextures(nodes, outputs, options.footprint, frame);
-    MakePasses(nodes, outputs, frame);
+    AliasTransientMemory(nodes, outputs, options.footprint, frame);
+    AssignLoadStoreBarriers(nodes, outputs, frame);
     ForgetContents(frame.states);
     WriteLeftOut(leftOut, frame.leftOut);
 }

@@ -188,19 +188,19 @@ void FindAccess(FrameNodes& nodes, const FrameTables& tables);
 // what `frame.states` says, and say in FrameNode::whyLeftOut what they leave out: EraseLeftOut
 // comes behind each.
 
-void FoldConstants(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
-void ForwardCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void ElideConstantDraws(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Lets draws read a depth texture itself in place of its copy, where nothing is drawn with the
 /// depth behind the copy.
 void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
-void LeaveOutUnread(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void CullPasses(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
 /// before and the passes' promises tell.
-void LimitRegions(FrameNodes& nodes, const FrameTables& tables);
+void ScissorFullScreenPasses(FrameNodes& nodes, const FrameTables& tables);
 /// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
 /// of the frame uses the stencil of: less memory, less traffic. What draws sample of it is the
 /// depth alone. Outputs and what kernels read stay, since others know them by identity.
-void LeaveOutStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void StripUnusedStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Makes one node of those on equal targets, past or behind all that does not mind.
 void MergeNodes(FrameNodes& nodes, FrameTables& tables);
 /// Resolves samples where something reads them before the texture's next node: as late as possible,
@@ -209,12 +209,12 @@ void ResolveSamples(FrameNodes& nodes, OutputSpan outputs, const CompiledFrame& 
 
 /// Puts textures into shared memory, where that saves any: `frame.placed`. What they held before
 /// the frame is gone. An empty `footprint` places none.
-void PlaceTextures(const FrameNodes& nodes, OutputSpan outputs,
-                   const TextureFootprintFunction& footprint, CompiledFrame& frame);
+void AliasTransientMemory(const FrameNodes& nodes, OutputSpan outputs,
+                          const TextureFootprintFunction& footprint, CompiledFrame& frame);
 
 /// Load, store and barriers.
 /// @param frame  its `passes` are taken for those of an earlier frame, whose memory is used again
-void MakePasses(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
+void AssignLoadStoreBarriers(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 
 /// Compiles into a frame whose lists have the memory of an earlier one.
 /// @param memory  of what is needed until then

@@ -1,6 +1,6 @@
 #include "renderers/ObjectDraws.h"
 #include "resolve/DrawRecorder.h"
-#include "targets/IdentifiedTargets.h"
+#include "targets/RenderTargetResolver.h"
 
 #include <algorithm>
 #include <limn/core/ScriptableRenderContext.h>
@@ -45,7 +45,7 @@ bool HasWholeSamples(const CommandBuffer& commandBuffer)
 
 ScriptableRenderContext::ScriptableRenderContext()
     : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName)),
-      m_Identified(std::make_unique<IdentifiedTargets>(m_Frame, m_Globals))
+      m_Identified(std::make_unique<RenderTargetResolver>(m_Frame, m_Globals))
 {
 }
 

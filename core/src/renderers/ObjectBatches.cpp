@@ -1,7 +1,7 @@
 // What may be drawn at once.
 #include "renderers/ObjectDraws.h"
 #include "scene/RendererTable.h"
-#include "support/Emptied.h"
+#include "support/ThreadScratch.h"
 
 #include <algorithm>
 #include <utility>
@@ -124,8 +124,8 @@ private:
     const std::size_t m_Parts;
     Memory& m_Memory = MemoryOfThread();
     bool m_Remembers = false; ///< kinds that were not the last
-    std::vector<Run>& m_Runs = Emptied<Run>();
-    std::vector<ObjectBatch>& m_Batches = Emptied<ObjectBatch>();
+    std::vector<Run>& m_Runs = ThreadScratch<Run>();
+    std::vector<ObjectBatch>& m_Batches = ThreadScratch<ObjectBatch>();
     std::size_t m_LastKind = 0;
     std::uint32_t m_Batch = 0;
     std::uint32_t m_Number = 0;

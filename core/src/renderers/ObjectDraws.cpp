@@ -3,7 +3,7 @@
 #include "cull/ProjectedBounds.h"
 #include "scene/PerDraw.h"
 #include "scene/RendererTable.h"
-#include "support/Emptied.h"
+#include "support/ThreadScratch.h"
 
 #include <algorithm>
 #include <array>
@@ -166,7 +166,7 @@ private:
     const RenderStateBlock& m_StateBlock;
     DrawRecorder& m_Recorder;
     const MaterialPropertyBlock* m_Properties = nullptr; ///< of what is added
-    std::vector<ObjectPass>& m_Passes = Emptied<ObjectPass>();
+    std::vector<ObjectPass>& m_Passes = ThreadScratch<ObjectPass>();
     Index& m_Index = NextCall();
 };
 
@@ -360,7 +360,7 @@ private:
     ObjectLights& m_Lights;
     std::uint32_t m_Next;
     Memory& m_Memory = MemoryOfThread();
-    std::vector<ClassRun>& m_Runs = Emptied<ClassRun>();
+    std::vector<ClassRun>& m_Runs = ThreadScratch<ClassRun>();
 };
 
 } // namespace
@@ -372,7 +372,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
     const RendererTable& table = *items.table();
     PassList passes(drawing, stateBlock, recorder);
     static thread_local std::vector<std::vector<std::uint32_t>> passesOf; // by class
-    std::vector<std::uint8_t>& isKnown = Emptied<std::uint8_t>();
+    std::vector<std::uint8_t>& isKnown = ThreadScratch<std::uint8_t>();
     passesOf.resize(std::max(passesOf.size(), table.classes().size()));
     isKnown.resize(table.classes().size());
     for (const ClassRun& run : runs)
@@ -388,7 +388,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
     {
         runs = LightSplitter(items, passes, passesOf, recorder.objectLights()).Split(runs);
     }
-    std::vector<std::uint32_t>& commutes = Emptied<std::uint32_t>();
+    std::vector<std::uint32_t>& commutes = ThreadScratch<std::uint32_t>();
     for (const ObjectPass& pass : passes.passes())
     {
         commutes.push_back(Commutes(pass, static_cast<std::uint32_t>(commutes.size()),

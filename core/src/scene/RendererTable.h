@@ -4,8 +4,8 @@
 #include "scene/ObjectHash.h"
 #include "scene/WorldMatrices.h"
 
+#include <limn/core/InstanceData.h>
 #include <limn/core/Judge.h>
-#include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
 #include <map>
 #include <mutex>
@@ -34,7 +34,7 @@ private:
 /// The renderers of a scene as arrays, one row for each (renderer, material) pair in the scene's
 /// order: what a frame goes through lies side by side. Kept from frame to frame; only objects that
 /// have changed are worked out again. Where an object is is not kept beside the object itself.
-class RendererTable final : public ObjectTable
+class RendererTable final : public InstanceData
 {
 public:
     static constexpr std::size_t k_Axes = 3;

@@ -1,6 +1,5 @@
 #include "commands/DoctorCommand.h"
 
-#include "commands/LibraryVersions.h"
 #include "console/CacheFolder.h"
 
 #include <limn/editor_stub/RunLimn.h>

@@ -1,6 +1,6 @@
 #include "compiler/CompilerMessages.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <algorithm>
 #include <optional>

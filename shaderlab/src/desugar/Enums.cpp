@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <algorithm>
 #include <map>
@@ -15,7 +15,7 @@ namespace
 class EnumSpeller
 {
 public:
-    explicit EnumSpeller(HlslEditor& code) : m_Code(code) {}
+    explicit EnumSpeller(TokenEdits& code) : m_Code(code) {}
 
     void Spell()
     {
@@ -100,13 +100,13 @@ private:
         }
     }
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     std::map<std::string_view, Names> m_Types; ///< by name
 };
 
 } // namespace
 
-void SpellEnums(HlslEditor& code)
+void SpellEnums(TokenEdits& code)
 {
     EnumSpeller(code).Spell();
 }

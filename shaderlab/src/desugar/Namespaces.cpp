@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <algorithm>
 #include <map>
@@ -20,7 +20,7 @@ namespace
 class NamespaceTaker
 {
 public:
-    explicit NamespaceTaker(HlslEditor& code) : m_Code(code) {}
+    explicit NamespaceTaker(TokenEdits& code) : m_Code(code) {}
 
     void Take()
     {
@@ -195,7 +195,7 @@ private:
         return isOwn || name > index;
     }
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     std::map<std::string, std::set<std::string_view>> m_Names; ///< by namespace
     std::set<std::string_view> m_Members; ///< of structs, which have no own names
     std::vector<std::pair<std::string, std::size_t>> m_Used; ///< namespace; token where that ends
@@ -204,7 +204,7 @@ private:
 
 } // namespace
 
-void TakeNamespaces(HlslEditor& code)
+void TakeNamespaces(TokenEdits& code)
 {
     NamespaceTaker(code).Take();
 }

@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 #include "hlsl/Types.h"
 
 #include <map>
@@ -20,7 +20,7 @@ const std::map<std::string_view, std::string_view> k_TextureTypes = {
 class OldFormTaker
 {
 public:
-    OldFormTaker(HlslEditor& code, std::vector<Diagnostic>& warnings)
+    OldFormTaker(TokenEdits& code, std::vector<Diagnostic>& warnings)
         : m_Code(code), m_Warnings(warnings)
     {
     }
@@ -201,7 +201,7 @@ private:
         m_Code.Erase(first, m_Code.AfterBracket(open));
     }
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     std::vector<Diagnostic>& m_Warnings;
     int m_Depth = 0;               ///< brackets around the token
     std::size_t m_Declaration = 0; ///< of the file, that the token is in: its first
@@ -210,7 +210,7 @@ private:
 
 } // namespace
 
-void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings)
+void TakeOldForms(TokenEdits& code, std::vector<Diagnostic>& warnings)
 {
     OldFormTaker(code, warnings).Take();
 }

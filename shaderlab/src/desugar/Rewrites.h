@@ -3,7 +3,7 @@
 #include <limn/base/Diagnostic.h>
 #include <limn/shaderlab/PassProgram.h>
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 #include "tokens/SourceLines.h"
 
 #include <set>
@@ -27,7 +27,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
 
 /// Makes integer constants of enumerators and int of the types of `enum`s, which is all that they
 /// mean; glslang does not read them.
-void SpellEnums(HlslEditor& code);
+void SpellEnums(TokenEdits& code);
 
 /// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
 /// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
@@ -35,27 +35,27 @@ void SpellEnums(HlslEditor& code);
 /// declared by that name, those that variables are declared with before them, `uniform` says
 /// nothing of a function's parameter, and `row_major` nothing of a uniform matrix, whose elements
 /// limn sets by row and column.
-void TakeOldForms(HlslEditor& code, std::vector<Diagnostic>& warnings);
+void TakeOldForms(TokenEdits& code, std::vector<Diagnostic>& warnings);
 
 /// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
-void TakeStructsOutOfBuffers(HlslEditor& code);
+void TakeStructsOutOfBuffers(TokenEdits& code);
 
 /// Takes namespaces away, and `using namespace`: what they declare, uniforms apart, gets a name
 /// with theirs in it. glslang finds no types in them, and no names of them that stand alone.
 ///
 /// @throws AssetError  where one is used that is not there
-void TakeNamespaces(HlslEditor& code);
+void TakeNamespaces(TokenEdits& code);
 
 /// Gives `struct B : A` a copy of A's members in front of its own; glslang reads over the base.
-void CopyBaseMembers(HlslEditor& code);
+void CopyBaseMembers(TokenEdits& code);
 
 /// Makes variables of the file, before their struct, of the static variables of structs, and calls
 /// static methods by their whole name: glslang knows no such variables, and no other name of such
 /// methods.
-void TakeStaticMembers(HlslEditor& code);
+void TakeStaticMembers(TokenEdits& code);
 
 /// Makes uniforms of the program of the `uniform` parameters of entry functions, which is what they
 /// mean; in other functions they are ordinary parameters.
-void TakeUniformParameters(HlslEditor& code, const std::set<std::string_view>& entries);
+void TakeUniformParameters(TokenEdits& code, const std::set<std::string_view>& entries);
 
 } // namespace limn

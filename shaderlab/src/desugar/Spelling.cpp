@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 #include "hlsl/Types.h"
 #include "lowering/Checks.h"
 #include <limn/base/WordList.h>
@@ -33,7 +33,7 @@ const WordList k_Statements("for if while switch return");
 class Speller
 {
 public:
-    explicit Speller(HlslEditor& code) : m_Code(code)
+    explicit Speller(TokenEdits& code) : m_Code(code)
     {
         FindLookedUp();
         FindSampledBy();
@@ -260,7 +260,7 @@ private:
         }
     }
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     enum class Answer : char
     {
         None, ///< not asked yet
@@ -278,7 +278,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
                               std::vector<Diagnostic>& warnings)
 {
     std::optional<HlslTokens> tokens(std::in_place, text, &lines);
-    std::optional<HlslEditor> code(std::in_place, *tokens);
+    std::optional<TokenEdits> code(std::in_place, *tokens);
     RequireShallow(*tokens);
     RequirePairs(*tokens);
     const auto rewrite = [&](const auto& edit)
@@ -297,7 +297,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Sour
     rewrite(CopyBaseMembers);
     rewrite(TakeStaticMembers);
     rewrite(
-        [&](HlslEditor& whole)
+        [&](TokenEdits& whole)
         {
             TakeUniformParameters(
                 whole, {program.vertex.name, program.geometry.name, program.fragment.name});

@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <algorithm>
 #include <map>
@@ -18,7 +18,7 @@ namespace
 class StaticTaker
 {
 public:
-    explicit StaticTaker(HlslEditor& code) : m_Code(code) {}
+    explicit StaticTaker(TokenEdits& code) : m_Code(code) {}
 
     void Take()
     {
@@ -192,7 +192,7 @@ private:
         }
     }
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     std::map<std::string_view, Names> m_Statics; ///< by struct
     /// Name → the statics of its type, the newest declaration last; null = of another type.
     std::map<std::string_view, std::vector<const Names*>> m_Variables;
@@ -203,12 +203,12 @@ private:
 
 } // namespace
 
-void TakeStaticMembers(HlslEditor& code)
+void TakeStaticMembers(TokenEdits& code)
 {
     StaticTaker(code).Take();
 }
 
-void TakeStructsOutOfBuffers(HlslEditor& code)
+void TakeStructsOutOfBuffers(TokenEdits& code)
 {
     for (std::size_t i = 0; i < code.size(); ++i)
     {
@@ -238,7 +238,7 @@ void TakeStructsOutOfBuffers(HlslEditor& code)
     }
 }
 
-void CopyBaseMembers(HlslEditor& code)
+void CopyBaseMembers(TokenEdits& code)
 {
     std::map<std::string_view, std::string> members; // by the name of the struct
     for (std::size_t i = 0; i < code.size(); ++i)

@@ -1,6 +1,6 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <algorithm>
 
@@ -12,7 +12,7 @@ namespace
 
 /// Takes the uniform ones out of `( … )` and gives those declarations of theirs that are not
 /// `known` yet: several entry functions may have the same one.
-std::string TakeParameters(HlslEditor& code, std::size_t open, std::set<std::string>& known)
+std::string TakeParameters(TokenEdits& code, std::size_t open, std::set<std::string>& known)
 {
     std::string declarations;
     const std::size_t close = code.AfterBracket(open) - 1;
@@ -39,7 +39,7 @@ std::string TakeParameters(HlslEditor& code, std::size_t open, std::set<std::str
 
 } // namespace
 
-void TakeUniformParameters(HlslEditor& code, const std::set<std::string_view>& entries)
+void TakeUniformParameters(TokenEdits& code, const std::set<std::string_view>& entries)
 {
     std::set<std::string> known;
     std::size_t declaration = 0;

@@ -1,6 +1,6 @@
 #include "lowering/Checks.h"
 
-#include "hlsl/Repeats.h"
+#include "hlsl/DuplicateDeclarations.h"
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -442,7 +442,7 @@ void RequireSound(const HlslSource& source)
 {
     source.tokens.Refuse(source.declarations.problems); // others may come of them
     std::vector<HlslProblem> problems;
-    for (const HlslVariable* variable : FindRepeats(source.declarations).redefinitions)
+    for (const HlslVariable* variable : FindDuplicates(source.declarations).redefinitions)
     {
         problems.push_back({variable->token, "redefinition; something else has this name already"});
     }

@@ -15,7 +15,7 @@ namespace
 
 /// Whether the compiler may know its value: it names nothing that changes and calls nobody's
 /// function.
-bool MayBeConstant(const HlslNode& node, const HlslEditor& code)
+bool MayBeConstant(const HlslNode& node, const TokenEdits& code)
 {
     switch (node.kind)
     {
@@ -53,7 +53,7 @@ std::optional<double> NumberOf(std::string_view literal)
 /// The value of a number that is written with operators only; nothing of others.
 ///
 /// @param names  how many variables may stand for one another
-std::optional<double> ValueOf(const HlslNode& node, const HlslEditor& code, int names = 4)
+std::optional<double> ValueOf(const HlslNode& node, const TokenEdits& code, int names = 4)
 {
     const std::string_view text = code.Text(node.token);
     const auto first = [&]

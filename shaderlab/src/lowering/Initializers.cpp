@@ -51,7 +51,7 @@ class ListDealer
 {
 public:
     /// @param hasEffects  asks of a value whether it must be worked out once
-    ListDealer(const HlslDeclarations& declarations, HlslEditor& code, const HlslNode& list,
+    ListDealer(const HlslDeclarations& declarations, TokenEdits& code, const HlslNode& list,
                std::function<bool(const HlslNode&)> hasEffects)
         : m_Declarations(declarations), m_Code(code), m_HasEffects(std::move(hasEffects))
     {
@@ -205,7 +205,7 @@ private:
     }
 
     const HlslDeclarations& m_Declarations;
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     std::vector<const HlslNode*> m_Items;
     std::vector<const HlslNode*> m_Whole; ///< of them
     std::function<bool(const HlslNode&)> m_HasEffects;

@@ -13,7 +13,7 @@ bool isTruth(const HlslNode& node)
 
 } // namespace
 
-HlslLowering::HlslLowering(HlslEditor& code, const HlslGlobals& globals)
+HlslLowering::HlslLowering(TokenEdits& code, const HlslGlobals& globals)
     : m_Code(code), m_Globals(globals)
 {
 }

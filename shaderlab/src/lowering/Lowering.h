@@ -1,7 +1,7 @@
 #pragma once
 
-#include "hlsl/Editor.h"
 #include "hlsl/Resolver.h"
+#include "hlsl/TokenEdits.h"
 #include "hlsl/Tree.h"
 
 #include <set>
@@ -19,7 +19,7 @@ class HlslLowering
 public:
     /// @param code     gets the edits
     /// @param globals  outlive this
-    HlslLowering(HlslEditor& code, const HlslGlobals& globals);
+    HlslLowering(TokenEdits& code, const HlslGlobals& globals);
 
     /// A function's body, or a global variable's value.
     ///
@@ -92,7 +92,7 @@ private:
     void LowerDeclarator(HlslNode& node);
     void LowerArrayCast(HlslNode& node);
 
-    HlslEditor& m_Code;
+    TokenEdits& m_Code;
     const HlslGlobals& m_Globals;
     bool m_IsInitial = false; ///< in the value of something static, where no call may stand
     std::set<std::string> m_Known;

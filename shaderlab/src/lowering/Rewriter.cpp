@@ -2,9 +2,9 @@
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "hlsl/Editor.h"
-#include "hlsl/Reach.h"
-#include "hlsl/Repeats.h"
+#include "hlsl/DuplicateDeclarations.h"
+#include "hlsl/ReachableFunctions.h"
+#include "hlsl/TokenEdits.h"
 #include "hlsl/TreeParser.h"
 #include "lowering/Checks.h"
 #include "lowering/Lowering.h"
@@ -65,7 +65,7 @@ public:
         ReadTrees();
     }
 
-    const HlslReach& reach() const { return m_Reach; }
+    const ReachableFunctions& reach() const { return m_Reach; }
 
     /// What only compute shaders do in limn.
     void RefuseWritable() const
@@ -88,7 +88,7 @@ public:
         TakeStandIns();
         RefuseMatrices();
         RemoveEmptyMembers();
-        RemoveRepeats(m_Code, m_Source.declarations);
+        RemoveDuplicates(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
         CopyAssignedUniforms();
         FindDelayedStatics();
@@ -431,10 +431,10 @@ private:
 
     const HlslSource& m_Source;
     const HlslTokens& m_Tokens;
-    HlslEditor m_Code;
+    TokenEdits m_Code;
     HlslLowering m_Lowering;
     HlslResolver m_Resolver;
-    const HlslReach m_Reach;
+    const ReachableFunctions m_Reach;
     HlslNodes m_Nodes;
     std::vector<Tree> m_Trees;
     std::vector<std::size_t> m_UnknownTypes;

@@ -263,8 +263,8 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
         FindAccess(nodes, frame);
     }
     using Step = void (*)(FrameNodes&, OutputSpan, CompiledFrame&);
-    const Step k_Steps[] = {FoldConstants, ForwardCopies, ReadOriginals, LeaveOutUnread,
-                            LeaveOutStencil};
+    const Step k_Steps[] = {ElideConstantDraws, EliminateCopies, ReadOriginals, CullPasses,
+                            StripUnusedStencil};
     for (int i = 1; i < std::min(steps, 6); ++i)
     {
         k_Steps[i - 1](nodes, outputs, frame);
@@ -275,7 +275,7 @@ CompiledFrame CompileWith(int steps, FrameCommands commands, const TextureStates
         MergeNodes(nodes, frame);
     }
     ResolveSamples(nodes, outputs, frame);
-    MakePasses(nodes, outputs, frame);
+    AssignLoadStoreBarriers(nodes, outputs, frame);
     return frame;
 }
 

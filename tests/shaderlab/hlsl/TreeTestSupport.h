@@ -36,7 +36,7 @@ private:
 inline std::string Lowered(const std::string& text)
 {
     const HlslSource source(text);
-    HlslEditor code(source.tokens);
+    TokenEdits code(source.tokens);
     HlslLowering lowering(code, source.globals);
     for (const HlslFunction& function : source.declarations.functions)
     {

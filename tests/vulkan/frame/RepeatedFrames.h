@@ -3,7 +3,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
-#include <limn/core/ObjectTable.h>
+#include <limn/core/InstanceData.h>
 #include <optional>
 
 namespace limn::test
@@ -120,7 +120,7 @@ private:
 };
 
 /// Objects that may be changed, each with one value.
-class ValueTable final : public ObjectTable
+class ValueTable final : public InstanceData
 {
 public:
     explicit ValueTable(std::vector<float> values) : m_Values(std::move(values)) {}

@@ -79,7 +79,7 @@ PipelineState Blended(BlendOp color, BlendOp alpha)
     return state;
 }
 
-TargetFormats Formats(std::vector<VkFormat> colors)
+TargetFormats Formats(const std::vector<VkFormat>& colors)
 {
     TargetFormats formats;
     formats.colors.assign(colors.begin(), colors.end());

@@ -464,7 +464,7 @@ public:
     const MaterialPropertyBlock* PropertiesOf(const RecordedDraw& draw) const;
 
 private:
-    friend class IdentifiedTargets;
+    friend class RenderTargetResolver;
 
     /// Draws onto what is bound.
     /// @param source  null = none

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <iterator>
+#include <limn/core/InstanceData.h>
 #include <limn/core/Judge.h>
-#include <limn/core/ObjectTable.h>
 #include <limn/core/Scene.h>
 #include <vector>
 
@@ -92,7 +92,7 @@ struct CullingResults
 {
     RendererItems items;
     /// What shaders get to know of the scene's objects, relative to the origin.
-    std::shared_ptr<const ObjectTable> objects;
+    std::shared_ptr<const InstanceData> objects;
     /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
     /// float: nothing of them is seen.
     std::vector<const GameObject*> beyondFloat;

@@ -3,8 +3,8 @@
 #include <limn/core/Color.h>
 #include <limn/core/FixedList.h>
 #include <limn/core/GraphicsBuffer.h>
+#include <limn/core/InstanceData.h>
 #include <limn/core/Mesh.h>
-#include <limn/core/ObjectTable.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/ShaderId.h>
@@ -281,7 +281,7 @@ struct FrameTables
     std::vector<std::shared_ptr<const Mesh>> meshes; ///< none is null
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
     std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
-    std::shared_ptr<const ObjectTable> objects; ///< of the scene; null = no draw has any
+    std::shared_ptr<const InstanceData> objects; ///< of the scene; null = no draw has any
     bool usesReversedZBuffer = true; ///< what its shaders count on, see ShaderCompilerOptions
 
     const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }

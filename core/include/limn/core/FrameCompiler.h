@@ -44,21 +44,22 @@ struct FrameCompilerOptions
 ///   or cleared forms none; each dispatch is a node, which changes the textures that it may write;
 /// - NoteMissingAlpha: draws that blend with an alpha which an HDR target of 32 bits lacks;
 /// - FindAccess: what each node reads, and whether it covers what its target held;
-/// - FoldConstants: a draw that is known to change nothing goes; one that makes its target one
+/// - ElideConstantDraws: a draw that is known to change nothing goes; one that makes its target one
 ///   colour, as a copy of one colour does, is a clear; a node without draws only says what its
 ///   targets hold from now on, and is run where something reads that; depth is attached where a
 ///   draw uses it;
-/// - ForwardCopies: a copy of a texture that nothing else reads goes: what drew into the texture
+/// - EliminateCopies: a copy of a texture that nothing else reads goes: what drew into the texture
 ///   draws into the copy, or is resolved into it; what blends, where the copy holds the same;
 /// - ReadOriginals: a copy of depth goes where nothing is drawn with the depth any more: what reads
 ///   the copy reads the depth itself;
-/// - LeaveOutUnread: a node whose targets nothing reads goes, unless it isKept or writes a buffer;
-/// - LimitRegions: a full-screen pass is drawn where what it reads is not known to be 0;
-/// - LeaveOutStencil: depth has a stencil where a draw uses it;
+/// - CullPasses: a node whose targets nothing reads goes, unless it isKept or writes a buffer;
+/// - ScissorFullScreenPasses: a full-screen pass is drawn where what it reads is not known to be 0;
+/// - StripUnusedStencil: depth has a stencil where a draw uses it;
 /// - MergeNodes: nodes whose colours are the same, as far as both have some, and whose depth is not
 ///   another become one, if nothing between them minds; so do neighbouring dispatches;
 /// - ResolveSamples: several samples a texel become one where something reads that;
-/// - PlaceTextures: textures that nothing keeps share memory where no two hold something at once;
+/// - AliasTransientMemory: textures that nothing keeps share memory where no two hold something at
+/// once;
 /// - then load, store and barriers: an attachment is loaded if it holds something worth keeping,
 ///   and stored if it is read later, is an output, or may be read by a next frame.
 ///

@@ -12,7 +12,7 @@ namespace limn
 {
 
 class DrawRecorder;
-class IdentifiedTargets;
+class RenderTargetResolver;
 class RenderTexturePool;
 
 /// What identifiers stand for while a camera is rendered.
@@ -122,7 +122,7 @@ private:
     FrameCommands m_Frame;
     MaterialPropertyBlock m_Globals;
     std::unique_ptr<DrawRecorder> m_Recorder;
-    std::unique_ptr<IdentifiedTargets> m_Identified;
+    std::unique_ptr<RenderTargetResolver> m_Identified;
 };
 
 } // namespace limn

@@ -232,7 +232,7 @@ void DrawPreparer::UseMesh(const DrawCommand& draw)
     if (m_Last == nullptr || m_Last->mesh != draw.mesh || m_LastIsIndirect != isIndirect)
     {
         m_Draw.mesh = !mesh        ? nullptr
-                      : isIndirect ? &m_Resources.meshes.UseAlone(mesh, m_Number)
+                      : isIndirect ? &m_Resources.meshes.UseDedicatedBuffer(mesh, m_Number)
                                    : &m_Resources.meshes.Use(mesh, m_Number);
         m_LastIsIndirect = isIndirect;
     }

@@ -50,7 +50,8 @@ PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t
     return Use(m_Meshes, mesh, number, false);
 }
 
-PooledMesh& MeshPool::UseAlone(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
+PooledMesh& MeshPool::UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh,
+                                         std::uint64_t number)
 {
     return Use(m_Alone, mesh, number, true);
 }

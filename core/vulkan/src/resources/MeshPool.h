@@ -28,7 +28,7 @@ public:
     PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
     /// With a block of its own, where it begins with vertex 0 and index 0: the counts of an
     /// indirect draw name them so.
-    PooledMesh& UseAlone(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
+    PooledMesh& UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
     void RecordUploads(UploadCommands& uploads);
     /// Adds the PooledMesh::lastUse of those that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);

@@ -29,8 +29,8 @@ void FindRegions(std::span<const std::uint32_t> objects, VkDeviceSize staging,
     }
 }
 
-void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objects, VkBuffer target,
-                  UploadCommands& uploads, std::vector<VkBufferCopy>& regions)
+void RecordCopies(const InstanceData& table, std::span<const std::uint32_t> objects,
+                  VkBuffer target, UploadCommands& uploads, std::vector<VkBufferCopy>& regions)
 {
     const UploadedBytes bytes = uploads.staging().Allocate(objects.size() * sizeof(PerDrawData));
     std::byte* place = bytes.mapped;
@@ -59,7 +59,7 @@ void RecordCopies(const ObjectTable& table, std::span<const std::uint32_t> objec
 
 } // namespace
 
-VkBuffer ObjectPool::Update(const std::shared_ptr<const ObjectTable>& table, std::uint64_t number,
+VkBuffer ObjectPool::Update(const std::shared_ptr<const InstanceData>& table, std::uint64_t number,
                             UploadCommands& uploads)
 {
     PooledObjects& pooled = Use(table, number);
@@ -78,7 +78,7 @@ VkBuffer ObjectPool::Update(const std::shared_ptr<const ObjectTable>& table, std
     return pooled.buffer.handle.get();
 }
 
-PooledObjects& ObjectPool::Use(const std::shared_ptr<const ObjectTable>& table,
+PooledObjects& ObjectPool::Use(const std::shared_ptr<const InstanceData>& table,
                                std::uint64_t number)
 {
     const VkDeviceSize needed = table->count() * VkDeviceSize{sizeof(PerDrawData)};

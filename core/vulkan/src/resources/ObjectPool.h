@@ -1,18 +1,18 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
-#include <limn/core/ObjectTable.h>
+#include <limn/core/InstanceData.h>
 #include <unordered_map>
 
 namespace limn::vulkan
 {
 
-/// The buffer behind one ObjectTable: a PerDrawData for each object.
+/// The buffer behind one InstanceData: a PerDrawData for each object.
 struct PooledObjects
 {
     static constexpr std::uint64_t k_Unknown = ~std::uint64_t{0};
 
-    std::weak_ptr<const ObjectTable> owner;
+    std::weak_ptr<const InstanceData> owner;
     Buffer buffer;
     std::uint64_t version = k_Unknown; ///< of the table that the buffer holds
     std::uint64_t createdBy = 0;
@@ -30,17 +30,17 @@ public:
     }
 
     /// The table's buffer with what it holds now: records the copies.
-    VkBuffer Update(const std::shared_ptr<const ObjectTable>& table, std::uint64_t number,
+    VkBuffer Update(const std::shared_ptr<const InstanceData>& table, std::uint64_t number,
                     UploadCommands& uploads);
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
 
 private:
-    PooledObjects& Use(const std::shared_ptr<const ObjectTable>& table, std::uint64_t number);
+    PooledObjects& Use(const std::shared_ptr<const InstanceData>& table, std::uint64_t number);
 
     VkDevice m_Device;
     MemoryAllocator& m_Allocator;
-    std::unordered_map<std::uint64_t, PooledObjects> m_Objects; ///< by ObjectTable::id
+    std::unordered_map<std::uint64_t, PooledObjects> m_Objects; ///< by InstanceData::id
     std::vector<PooledObjects> m_Outgrown;                      ///< may be in use by the GPU still
     std::vector<VkBufferCopy> m_Regions; ///< of the copies that are being recorded
 };

@@ -10,10 +10,10 @@ namespace limn
 
 /// What shaders get to know of a scene's objects, by index. It stays from frame to frame, so that a
 /// device copies only what has changed.
-class ObjectTable
+class InstanceData
 {
 public:
-    virtual ~ObjectTable() = default;
+    virtual ~InstanceData() = default;
 
     virtual std::uint64_t id() const = 0;      ///< unique in the process
     virtual std::uint64_t version() const = 0; ///< grows with each change

@@ -374,7 +374,7 @@ private:
 
 } // namespace
 
-void FoldConstants(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
+void ElideConstantDraws(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     ConstantFolder(frame, nodes.get_allocator()).Fold(nodes, outputs);
 }

@@ -161,7 +161,7 @@ private:
 
 } // namespace
 
-void LimitRegions(FrameNodes& nodes, const FrameTables& tables)
+void ScissorFullScreenPasses(FrameNodes& nodes, const FrameTables& tables)
 {
     RegionLimiter limiter(tables, nodes.get_allocator());
     for (FrameNode& node : nodes)

@@ -1,9 +1,9 @@
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 namespace limn
 {
 
-std::string& HlslEditor::Spelling(std::size_t index)
+std::string& TokenEdits::Spelling(std::size_t index)
 {
     if (m_Edit[index] == 0)
     {
@@ -13,12 +13,12 @@ std::string& HlslEditor::Spelling(std::size_t index)
     return m_Spelling[m_Edit[index] - 1];
 }
 
-std::string_view HlslEditor::Now(std::size_t index) const
+std::string_view TokenEdits::Now(std::size_t index) const
 {
     return m_Edit[index] == 0 ? Text(index) : m_Spelling[m_Edit[index] - 1];
 }
 
-std::string HlslEditor::Spelled(std::size_t first, std::size_t end) const
+std::string TokenEdits::Spelled(std::size_t first, std::size_t end) const
 {
     std::string result;
     for (; first < end; ++first)
@@ -28,14 +28,14 @@ std::string HlslEditor::Spelled(std::size_t first, std::size_t end) const
     return result;
 }
 
-void HlslEditor::Wrap(std::size_t first, std::size_t end, std::string_view before,
+void TokenEdits::Wrap(std::size_t first, std::size_t end, std::string_view before,
                       std::string_view after)
 {
     Spelling(first).insert(0, before);
     Spelling(end - 1).append(after);
 }
 
-void HlslEditor::Erase(std::size_t first, std::size_t end)
+void TokenEdits::Erase(std::size_t first, std::size_t end)
 {
     for (; first < end; ++first)
     {
@@ -43,7 +43,7 @@ void HlslEditor::Erase(std::size_t first, std::size_t end)
     }
 }
 
-std::string HlslEditor::Assemble() const
+std::string TokenEdits::Assemble() const
 {
     const std::string_view source = m_Tokens.source();
     std::string result;
@@ -60,7 +60,7 @@ std::string HlslEditor::Assemble() const
     return result.append(source.substr(position));
 }
 
-std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) const
+std::string TokenEdits::AssembleByToken(const std::vector<bool>& isLeftOut) const
 {
     constexpr std::size_t k_FewLines = 24; // shorter than a directive
     std::string result;
@@ -100,7 +100,7 @@ std::string HlslEditor::AssembleByToken(const std::vector<bool>& isLeftOut) cons
     return result.append("\n");
 }
 
-std::string_view HlslEditor::PragmaBefore(std::size_t index) const
+std::string_view TokenEdits::PragmaBefore(std::size_t index) const
 {
     const std::string_view source = m_Tokens.source();
     const std::size_t begin =

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hlsl/Declarations.h"
-#include "hlsl/Editor.h"
+#include "hlsl/TokenEdits.h"
 
 #include <vector>
 
@@ -9,7 +9,7 @@ namespace limn
 {
 
 /// Names that are declared more than once at file scope or in cbuffers.
-struct HlslRepeats
+struct DuplicateDeclarations
 {
     /// Equal to another declaration, which is enough. Newer versions of Unity's library declare
     /// what authors had to declare before, and authors still do.
@@ -19,9 +19,9 @@ struct HlslRepeats
 };
 
 /// Pointers into `declarations`.
-HlslRepeats FindRepeats(const HlslDeclarations& declarations);
+DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations);
 
 /// Takes out what is superfluous, and buffers that nothing is left of.
-void RemoveRepeats(HlslEditor& code, const HlslDeclarations& declarations);
+void RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations);
 
 } // namespace limn

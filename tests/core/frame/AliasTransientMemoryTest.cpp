@@ -57,14 +57,14 @@ const PlacedTexture* FindPlaced(const CompiledFrame& frame, const TransientPtr& 
 
 } // namespace
 
-TEST(PlaceTextures, GivesTheMemoryOfATextureThatIsReadNoMoreToTheNext)
+TEST(AliasTransientMemory, GivesTheMemoryOfATextureThatIsReadNoMoreToTheNext)
 {
     const TransientPtr a = MakeTransient(4);
     const TransientPtr b = MakeTransient(4);
     const TransientPtr c = MakeTransient(2);
     CompiledFrame frame;
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b, {a}), PlaceNode(c, {b})), {}, SixteenBytes,
-                  frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(b, {a}), PlaceNode(c, {b})), {},
+                         SixteenBytes, frame);
     ASSERT_EQ(3u, frame.placed.size());
     EXPECT_EQ(0u, FindPlaced(frame, a)->offset);
     EXPECT_EQ(64u, FindPlaced(frame, b)->offset);
@@ -72,16 +72,16 @@ TEST(PlaceTextures, GivesTheMemoryOfATextureThatIsReadNoMoreToTheNext)
     EXPECT_EQ(32u, FindPlaced(frame, c)->size);
 }
 
-TEST(PlaceTextures, LeavesTexturesAloneWhereNoneCanShare)
+TEST(AliasTransientMemory, LeavesTexturesAloneWhereNoneCanShare)
 {
     const TransientPtr a = MakeTransient(4);
     const TransientPtr b = MakeTransient(4);
     CompiledFrame frame;
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b, {a})), {}, SixteenBytes, frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(b, {a})), {}, SixteenBytes, frame);
     EXPECT_TRUE(frame.placed.empty());
 }
 
-TEST(PlaceTextures, KeepsWhatIsLookedAtAfterTheFrameApart)
+TEST(AliasTransientMemory, KeepsWhatIsLookedAtAfterTheFrameApart)
 {
     const TransientPtr a = MakeTransient(4);
     const auto kept = std::make_shared<const RenderTexture>(
@@ -89,13 +89,13 @@ TEST(PlaceTextures, KeepsWhatIsLookedAtAfterTheFrameApart)
     const TransientPtr output = MakeTransient(4);
     const std::vector<TransientPtr> outputs{output};
     CompiledFrame frame;
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(kept), PlaceNode(output)), outputs, SixteenBytes,
-                  frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(kept), PlaceNode(output)), outputs,
+                         SixteenBytes, frame);
     EXPECT_TRUE(frame.placed.empty());
 }
 
 /// As in the last of several frames, after which nothing is kept.
-TEST(PlaceTextures, LeavesWhatHoldsSomethingOfAFrameBeforeInMemoryOfItsOwn)
+TEST(AliasTransientMemory, LeavesWhatHoldsSomethingOfAFrameBeforeInMemoryOfItsOwn)
 {
     const auto history = std::make_shared<const RenderTexture>(
         "history", RenderTextureDescriptor(4, 1, GraphicsFormat::R32G32B32A32_SFloat));
@@ -106,22 +106,22 @@ TEST(PlaceTextures, LeavesWhatHoldsSomethingOfAFrameBeforeInMemoryOfItsOwn)
     state.texture = history;
     state.usage = TextureUsage::ShaderRead;
     state.isFilled = true;
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
     EXPECT_EQ(nullptr, FindPlaced(frame, history));
     EXPECT_TRUE(state.isFilled);
 
     state.isFilled = false;
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(history)), {}, SixteenBytes, frame);
     EXPECT_NE(nullptr, FindPlaced(frame, history));
 }
 
-TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
+TEST(AliasTransientMemory, BeginsAnewWithWhatLiesOrLayInSharedMemory)
 {
     const TransientPtr a = MakeTransient(4);
     const TransientPtr b = MakeTransient(4);
     CompiledFrame frame;
     frame.states.textures[a->id()] = {a, TextureUsage::ShaderRead, false, false, {}, false, {}};
-    PlaceTextures(Nodes(PlaceNode(a), PlaceNode(b)), {}, SixteenBytes, frame);
+    AliasTransientMemory(Nodes(PlaceNode(a), PlaceNode(b)), {}, SixteenBytes, frame);
     EXPECT_EQ(2u, frame.placed.size());
     TextureState& state = frame.states.textures[a->id()];
     EXPECT_EQ(TextureUsage::Undefined, state.usage);
@@ -131,13 +131,13 @@ TEST(PlaceTextures, BeginsAnewWithWhatLiesOrLayInSharedMemory)
     state.usage = TextureUsage::ColorAttachment;
     CompiledFrame next;
     next.states = frame.states;
-    PlaceTextures(Nodes(PlaceNode(a)), {}, SixteenBytes, next);
+    AliasTransientMemory(Nodes(PlaceNode(a)), {}, SixteenBytes, next);
     EXPECT_TRUE(next.placed.empty());
     EXPECT_EQ(TextureUsage::Undefined, next.states.textures[a->id()].usage);
     EXPECT_FALSE(next.states.textures[a->id()].isPlaced);
 }
 
-TEST(PlaceTextures, BeginsAnewWithAnOutputThatLayInSharedMemoryAndNoPassUses)
+TEST(AliasTransientMemory, BeginsAnewWithAnOutputThatLayInSharedMemoryAndNoPassUses)
 {
     const TransientPtr output = MakeTransient(4);
     const std::vector<TransientPtr> outputs{output};
@@ -146,12 +146,12 @@ TEST(PlaceTextures, BeginsAnewWithAnOutputThatLayInSharedMemoryAndNoPassUses)
     state.texture = output;
     state.usage = TextureUsage::ColorAttachment;
     state.isPlaced = true;
-    PlaceTextures({}, outputs, SixteenBytes, frame);
+    AliasTransientMemory({}, outputs, SixteenBytes, frame);
     EXPECT_EQ(TextureUsage::Undefined, state.usage);
     EXPECT_FALSE(state.isPlaced);
 }
 
-TEST(PlaceTextures, LetsNoTwoHoldSomethingInOnePlaceAtOnce)
+TEST(AliasTransientMemory, LetsNoTwoHoldSomethingInOnePlaceAtOnce)
 {
     std::mt19937 random(20'261'122);
     const auto pick = [&](std::size_t least, std::size_t most)
@@ -193,7 +193,7 @@ TEST(PlaceTextures, LetsNoTwoHoldSomethingInOnePlaceAtOnce)
             return TextureFootprint{units * 16, units % 2 == 0 ? 64u : 16u,
                                     static_cast<std::uint32_t>(units % 3 == 0)};
         };
-        PlaceTextures(nodes, {}, footprint, frame);
+        AliasTransientMemory(nodes, {}, footprint, frame);
         std::uint64_t end[2] = {0, 0};
         for (const PlacedTexture& placed : frame.placed)
         {

@@ -1,4 +1,4 @@
-#include "hlsl/Repeats.h"
+#include "hlsl/DuplicateDeclarations.h"
 
 #include "hlsl/Types.h"
 
@@ -31,7 +31,7 @@ bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
 }
 
 /// `cbuffer name { }` with nothing in it, which glslang does not read.
-void RemoveBuffer(HlslEditor& code, std::size_t close)
+void RemoveBuffer(TokenEdits& code, std::size_t close)
 {
     std::size_t first = code.tokens().MatchingOpen(close);
     while (first > 0 && code.Text(first) != "cbuffer" && code.Text(first) != "tbuffer")
@@ -42,7 +42,7 @@ void RemoveBuffer(HlslEditor& code, std::size_t close)
 }
 
 /// Takes names out of a declaration, with the commas that they leave, or all of it.
-void RemoveFromList(HlslEditor& code, const std::vector<const HlslVariable*>& list,
+void RemoveFromList(TokenEdits& code, const std::vector<const HlslVariable*>& list,
                     const std::set<const HlslVariable*>& goes)
 {
     const auto isGoing = [&](const HlslVariable* variable)
@@ -72,9 +72,9 @@ void RemoveFromList(HlslEditor& code, const std::vector<const HlslVariable*>& li
 
 } // namespace
 
-HlslRepeats FindRepeats(const HlslDeclarations& declarations)
+DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations)
 {
-    HlslRepeats repeats;
+    DuplicateDeclarations repeats;
     std::unordered_map<std::string_view, const HlslVariable*> known;
     const auto compare = [&](const HlslVariable& variable)
     {
@@ -122,9 +122,9 @@ HlslRepeats FindRepeats(const HlslDeclarations& declarations)
     return repeats;
 }
 
-void RemoveRepeats(HlslEditor& code, const HlslDeclarations& declarations)
+void RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations)
 {
-    const std::vector<const HlslVariable*> superfluous = FindRepeats(declarations).superfluous;
+    const std::vector<const HlslVariable*> superfluous = FindDuplicates(declarations).superfluous;
     const std::set<const HlslVariable*> goes(superfluous.begin(), superfluous.end());
     if (goes.empty())
     {

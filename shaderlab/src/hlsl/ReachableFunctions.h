@@ -11,12 +11,13 @@ namespace limn
 
 /// The functions that an entry function, or the value of a global variable, can come to. All
 /// overloads of a name at once, whichever is called.
-class HlslReach
+class ReachableFunctions
 {
 public:
     /// @param tokens   outlive this, as do
     /// @param globals  of the same text
-    HlslReach(const HlslTokens& tokens, const HlslGlobals& globals, std::string_view entry);
+    ReachableFunctions(const HlslTokens& tokens, const HlslGlobals& globals,
+                       std::string_view entry);
 
     const std::set<const HlslFunction*>& functions() const { return m_Functions; }
     /// By token: whether it is of a function out of reach.

@@ -101,7 +101,7 @@ void ReadTwins(FrameNodes& nodes, std::span<const RenderTexturePtr> originals, C
 
 } // namespace
 
-void LeaveOutStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
+void StripUnusedStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     auto& twins = frame.states.depthTwins;
     std::erase_if(twins, [](const auto& entry) { return entry.second.original.expired(); });

@@ -123,8 +123,8 @@ void Forget(TextureState& state, bool isPlaced)
 
 } // namespace
 
-void PlaceTextures(const FrameNodes& nodes, OutputSpan outputs,
-                   const TextureFootprintFunction& footprint, CompiledFrame& frame)
+void AliasTransientMemory(const FrameNodes& nodes, OutputSpan outputs,
+                          const TextureFootprintFunction& footprint, CompiledFrame& frame)
 {
     Lifetimes lifetimes = LifetimeFinder(nodes.get_allocator()).Find(nodes);
     Lifetimes placed(nodes.get_allocator());

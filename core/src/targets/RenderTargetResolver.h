@@ -8,12 +8,12 @@ namespace limn
 {
 
 /// Looks up what identifiers stand for, and says their commands with textures.
-class IdentifiedTargets
+class RenderTargetResolver
 {
 public:
     /// @param frame    what is bound by its end
     /// @param globals  where names are looked up that are no temporary textures
-    IdentifiedTargets(const FrameCommands& frame, const MaterialPropertyBlock& globals)
+    RenderTargetResolver(const FrameCommands& frame, const MaterialPropertyBlock& globals)
         : m_Frame(frame), m_Globals(globals)
     {
     }

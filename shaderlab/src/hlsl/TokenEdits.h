@@ -18,11 +18,11 @@ inline constexpr const char* k_TokenFile = "tokens";
 
 /// Preprocessed HLSL in which tokens are spelled anew. What lies between them, line ends and
 /// directives, stays, so that positions of messages hold.
-class HlslEditor
+class TokenEdits
 {
 public:
     /// @param tokens  must outlive this
-    explicit HlslEditor(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
+    explicit TokenEdits(const HlslTokens& tokens) : m_Tokens(tokens), m_Edit(tokens.size()) {}
 
     const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }

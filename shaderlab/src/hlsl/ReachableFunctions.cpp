@@ -1,4 +1,4 @@
-#include "hlsl/Reach.h"
+#include "hlsl/ReachableFunctions.h"
 
 #include <algorithm>
 #include <span>
@@ -6,7 +6,8 @@
 namespace limn
 {
 
-HlslReach::HlslReach(const HlslTokens& tokens, const HlslGlobals& globals, std::string_view entry)
+ReachableFunctions::ReachableFunctions(const HlslTokens& tokens, const HlslGlobals& globals,
+                                       std::string_view entry)
     : m_Tokens(tokens), m_IsLeftOut(tokens.size(), false)
 {
     for (const HlslFunction& function : globals.declarations().functions)
@@ -40,13 +41,13 @@ HlslReach::HlslReach(const HlslTokens& tokens, const HlslGlobals& globals, std::
     }
 }
 
-void HlslReach::Mark(const HlslFunction& function, bool isLeftOut)
+void ReachableFunctions::Mark(const HlslFunction& function, bool isLeftOut)
 {
     std::fill(m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.begin),
               m_IsLeftOut.begin() + static_cast<std::ptrdiff_t>(function.end), isLeftOut);
 }
 
-bool HlslReach::Names(std::string_view word) const
+bool ReachableFunctions::Names(std::string_view word) const
 {
     const auto names = [&](const HlslFunction* function)
     {

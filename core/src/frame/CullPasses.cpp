@@ -77,7 +77,7 @@ void NoteReads(const FrameNode& node, TextureIds& read)
 
 } // namespace
 
-void LeaveOutUnread(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
+void CullPasses(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     TextureIds read = ReadAfterwards(nodes, outputs, frame.states);
     for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)

@@ -342,7 +342,7 @@ private:
 
 } // namespace
 
-void MakePasses(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
+void AssignLoadStoreBarriers(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     PassMaker(nodes, outputs, frame).Make();
 }

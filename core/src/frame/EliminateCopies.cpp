@@ -97,7 +97,7 @@ void DrawInto(FrameNode& node, FrameTables& tables, const TexturePtr& to)
 
 } // namespace
 
-void ForwardCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
+void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {

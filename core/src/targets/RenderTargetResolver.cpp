@@ -1,4 +1,4 @@
-#include "targets/IdentifiedTargets.h"
+#include "targets/RenderTargetResolver.h"
 
 #include "targets/CopyKernel.h"
 
@@ -55,14 +55,14 @@ void ExpectCopyable(const Texture& source, const RenderTexture& dest)
 
 } // namespace
 
-void IdentifiedTargets::BeginCamera(CameraTargets camera, std::vector<std::string>& notes)
+void RenderTargetResolver::BeginCamera(CameraTargets camera, std::vector<std::string>& notes)
 {
     EndCamera();
     m_Camera = std::move(camera);
     m_Notes = &notes;
 }
 
-void IdentifiedTargets::EndCamera()
+void RenderTargetResolver::EndCamera()
 {
     m_Result.Clear();
     m_Temporaries.clear();
@@ -70,7 +70,7 @@ void IdentifiedTargets::EndCamera()
     m_Notes = nullptr;
 }
 
-const CameraTargets& IdentifiedTargets::Camera(std::string_view call) const
+const CameraTargets& RenderTargetResolver::Camera(std::string_view call) const
 {
     if (m_Notes == nullptr)
     {
@@ -81,7 +81,7 @@ const CameraTargets& IdentifiedTargets::Camera(std::string_view call) const
 }
 
 /// What later draws of the frame go into.
-const SetRenderTargetCommand& IdentifiedTargets::Bound(std::string_view call) const
+const SetRenderTargetCommand& RenderTargetResolver::Bound(std::string_view call) const
 {
     const auto isTarget = [](const FrameCommand& command)
     {
@@ -96,8 +96,8 @@ const SetRenderTargetCommand& IdentifiedTargets::Bound(std::string_view call) co
     return std::get<SetRenderTargetCommand>(*bound);
 }
 
-IdentifiedTargets::TexturePointer IdentifiedTargets::FindNamed(ShaderPropertyId name,
-                                                               std::string_view call) const
+RenderTargetResolver::TexturePointer RenderTargetResolver::FindNamed(ShaderPropertyId name,
+                                                                     std::string_view call) const
 {
     if (const auto temporary = m_Temporaries.find(name); temporary != m_Temporaries.end())
     {
@@ -115,8 +115,8 @@ IdentifiedTargets::TexturePointer IdentifiedTargets::FindNamed(ShaderPropertyId 
 }
 
 /// @return null for none
-IdentifiedTargets::TexturePointer IdentifiedTargets::Find(const RenderTargetIdentifier& identifier,
-                                                          std::string_view call) const
+RenderTargetResolver::TexturePointer
+RenderTargetResolver::Find(const RenderTargetIdentifier& identifier, std::string_view call) const
 {
     if (const auto* texture = std::get_if<TexturePointer>(&identifier.content()))
     {
@@ -142,8 +142,8 @@ IdentifiedTargets::TexturePointer IdentifiedTargets::Find(const RenderTargetIden
     return nullptr;
 }
 
-RTHandle IdentifiedTargets::FindTarget(const RenderTargetIdentifier& identifier,
-                                       std::string_view call) const
+RTHandle RenderTargetResolver::FindTarget(const RenderTargetIdentifier& identifier,
+                                          std::string_view call) const
 {
     const TexturePointer texture = Find(identifier, call);
     auto target = std::dynamic_pointer_cast<const RenderTexture>(texture);
@@ -157,7 +157,7 @@ RTHandle IdentifiedTargets::FindTarget(const RenderTargetIdentifier& identifier,
 }
 
 /// Returns the depth that is bound with a colour which is named alone.
-RTHandle IdentifiedTargets::DepthBeside(const RenderTargetIdentifier& color) const
+RTHandle RenderTargetResolver::DepthBeside(const RenderTargetIdentifier& color) const
 {
     if (color == BuiltinRenderTextureType::CameraTarget)
     {
@@ -172,7 +172,7 @@ RTHandle IdentifiedTargets::DepthBeside(const RenderTargetIdentifier& color) con
     return texture ? RTHandle(texture->depthBuffer()) : RTHandle();
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const GetTemporaryRTCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const GetTemporaryRTCommand& command)
 {
     const CameraTargets& camera = Camera("GetTemporaryRT");
     if (camera.temporaryTextures == nullptr)
@@ -196,7 +196,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const GetTemporaryRTCommand& com
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const ReleaseTemporaryRTCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const ReleaseTemporaryRTCommand& command)
 {
     m_Result.Clear();
     const auto temporary = m_Temporaries.find(command.id);
@@ -221,7 +221,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const ReleaseTemporaryRTCommand&
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const SetIdentifiedTargetCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const SetIdentifiedTargetCommand& command)
 {
     static constexpr std::string_view k_Call = "SetRenderTarget";
     const RenderTargetIdentifier& depth = command.depth;
@@ -254,14 +254,14 @@ const CommandBuffer& IdentifiedTargets::Resolve(const SetIdentifiedTargetCommand
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const SetGlobalIdentifierCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const SetGlobalIdentifierCommand& command)
 {
     m_Result.Clear();
     m_Result.SetGlobalTexture(command.id, Find(command.value, "SetGlobalTexture"));
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const IdentifiedBlitCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const IdentifiedBlitCommand& command)
 {
     m_Result.Clear();
     const TexturePointer source = Find(command.source, "Blit");
@@ -282,7 +282,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const IdentifiedBlitCommand& com
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const CopyTextureCommand& command)
 {
     m_Result.Clear();
     const TexturePointer source = Find(command.source, "CopyTexture");
@@ -298,7 +298,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyTextureCommand& comman
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const SetComputeTextureCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const SetComputeTextureCommand& command)
 {
     m_Result.Clear();
     m_Result.SetParam(command.shader, command.kernel, command.id,
@@ -306,7 +306,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const SetComputeTextureCommand& 
     return m_Result;
 }
 
-const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
+const CommandBuffer& RenderTargetResolver::Resolve(const CopyDrawCommand& command)
 {
     m_Result.Clear();
     const TexturePointer source = Find(command.source, "BlitTexture");
@@ -342,7 +342,7 @@ const CommandBuffer& IdentifiedTargets::Resolve(const CopyDrawCommand& command)
 }
 
 std::shared_ptr<const RenderTexture>
-IdentifiedTargets::Resolve(const GenerateMipsCommand& command) const
+RenderTargetResolver::Resolve(const GenerateMipsCommand& command) const
 {
     const TexturePointer found = Find(command.texture, "GenerateMips");
     auto texture = std::dynamic_pointer_cast<const RenderTexture>(found);
@@ -356,7 +356,7 @@ IdentifiedTargets::Resolve(const GenerateMipsCommand& command) const
 }
 
 /// Sets the target of a blit with the depth that belongs to it.
-void IdentifiedTargets::Bind(const RenderTargetIdentifier& dest, const RTHandle& texture)
+void RenderTargetResolver::Bind(const RenderTargetIdentifier& dest, const RTHandle& texture)
 {
     if (dest != BuiltinRenderTextureType::CurrentActive)
     {
@@ -364,8 +364,8 @@ void IdentifiedTargets::Bind(const RenderTargetIdentifier& dest, const RTHandle&
     }
 }
 
-void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RenderTexture& dest,
-                                 const glm::vec4& scaleBias, int pass, std::string_view call)
+void RenderTargetResolver::DrawCopy(const TexturePointer& source, const RenderTexture& dest,
+                                    const glm::vec4& scaleBias, int pass, std::string_view call)
 {
     if (source.get() == &dest)
     {
@@ -377,15 +377,16 @@ void IdentifiedTargets::DrawCopy(const TexturePointer& source, const RenderTextu
     DrawCopy(source, pass, call, std::move(properties), MeshTopology::Triangles);
 }
 
-void IdentifiedTargets::DrawCopy(const TexturePointer& source, int pass, std::string_view call,
-                                 MaterialPropertyBlock properties, MeshTopology topology)
+void RenderTargetResolver::DrawCopy(const TexturePointer& source, int pass, std::string_view call,
+                                    MaterialPropertyBlock properties, MeshTopology topology)
 {
     properties.SetTexture(_BlitTexture, source);
     m_Result.DrawProcedural(glm::mat4(1.0f), CopyMaterial(call), pass, topology,
                             topology == MeshTopology::Quads ? 4 : 3, 1, properties);
 }
 
-const std::shared_ptr<const Material>& IdentifiedTargets::CopyMaterial(std::string_view call) const
+const std::shared_ptr<const Material>&
+RenderTargetResolver::CopyMaterial(std::string_view call) const
 {
     const std::shared_ptr<const Material>& material = Camera(call).copy;
     if (!material)
@@ -396,7 +397,7 @@ const std::shared_ptr<const Material>& IdentifiedTargets::CopyMaterial(std::stri
     return material;
 }
 
-const std::shared_ptr<const ComputeShader>& IdentifiedTargets::CopyKernel(std::string_view call)
+const std::shared_ptr<const ComputeShader>& RenderTargetResolver::CopyKernel(std::string_view call)
 {
     const std::shared_ptr<ShaderCompiler>& compiler = CopyMaterial(call)->shader()->compiler();
     if (m_CopyCompiler != compiler)
@@ -408,7 +409,7 @@ const std::shared_ptr<const ComputeShader>& IdentifiedTargets::CopyKernel(std::s
 }
 
 /// The target and the viewport that the frame ends with.
-void IdentifiedTargets::BindAgain()
+void RenderTargetResolver::BindAgain()
 {
     const auto& commands = m_Frame.commands;
     const SetViewportCommand* viewport = nullptr;
