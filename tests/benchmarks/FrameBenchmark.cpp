@@ -143,7 +143,7 @@ bool ComparePictures(const Image& limn, const Image& hand)
     return different == 0;
 }
 
-/// What is drawn by hand stands still.
+/// Compares one kind of frame. Nothing moves in the one that is drawn by hand.
 void CompareFrames(const ArticleSettings& settings, const Options& options,
                    Movement moving = Movement::None)
 {

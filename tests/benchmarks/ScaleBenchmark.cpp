@@ -175,7 +175,7 @@ public:
         m_Camera.transform.localPosition.y = static_cast<float>(m_Steps % 7) * 0.1f;
     }
 
-    /// All of them, a little.
+    /// Moves all of them a little.
     void MoveAll()
     {
         for (const auto& object : m_Scene.objects())
@@ -263,7 +263,7 @@ void CompareSorting(std::size_t count, int pairs)
     comparison.Print("sorting / the plain radix loop");
 }
 
-/// How often frames asked for memory that came behind enough of their kind.
+/// Counts how often frames asked for memory that came behind enough of their kind.
 struct Allocations
 {
     long still = 0;

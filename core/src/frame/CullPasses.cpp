@@ -48,7 +48,7 @@ void SayThatNothingReads(FrameNode& node)
                   });
 }
 
-/// What the node needs of the textures is read before it, but for what it writes itself.
+/// Notes that the node reads what it needs of textures, but not what it writes itself.
 void NoteReads(const FrameNode& node, TextureIds& read)
 {
     for (const SampleResolve& resolve : node.resolves)

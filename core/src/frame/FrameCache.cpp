@@ -70,7 +70,8 @@ bool AreSame(const TextureStates& now, const TextureStates& then)
            std::ranges::all_of(now.depthTwins, isSameTwin);
 }
 
-/// What a frame of the same structure has anew; the memory of the frame before is the recorder's.
+/// Gives the frame the data that differ in frames of one structure, and the recorder the memory of
+/// those before.
 void SwapData(FrameCommands& commands, CompiledFrame& frame)
 {
     std::swap(frame.uniformData, commands.uniformData);

@@ -27,8 +27,8 @@ struct BufferUse
     bool isWritten = false;
 };
 
-/// Where the lists of a frame lie while it is compiled: they go together, and the next frame has
-/// their memory.
+/// Gives the lists of a frame their memory while it is compiled. They go together, and the next
+/// frame has that memory.
 using FrameAllocator = std::pmr::polymorphic_allocator<>;
 
 /// Commands on one set of targets, or dispatches, before load, store and barriers are decided.
@@ -159,6 +159,7 @@ void Merge(ClearCommand& clear, const ClearCommand& other);
 /// Moves the nodes that have a reason for it behind those that are left out already.
 void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut);
 
+/// Appends all parts without a text in between.
 inline void Append(std::pmr::string& text, std::initializer_list<std::string_view> parts)
 {
     for (const std::string_view part : parts)

@@ -114,7 +114,7 @@ private:
         glm::mat3 axes;
     };
 
-    /// What a thread finds out about its part of the objects.
+    /// Holds what a thread finds out about its part of the objects.
     struct Part
     {
         WorldMatrices matrices;                 ///< of the parents of some

@@ -84,7 +84,7 @@ ParsedFlags ParseFlags(std::span<const std::string> words, const FlagTable& tabl
 /// "limn render SCENE -o FILE [OPTIONS]".
 std::string UsageText(const FlagTable& table, const Verb& verb);
 
-/// What `limn help VERB` prints, or `limn help` for the table's `limn`.
+/// Returns what `limn help VERB` prints, or `limn help` for the table's `limn`.
 /// @param width  columns that a line may have
 std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width);
 

@@ -30,8 +30,8 @@ struct HlslToken
 /// Views into `source`, which must outlive them.
 std::vector<HlslToken> TokenizeHlsl(std::string_view source);
 
-/// How tightly an operator between two values binds, from 1; 0 for what is none. C has the same
-/// order.
+/// Returns how tightly an operator between two values binds, from 1; 0 for what is none. C has the
+/// same order.
 int PrecedenceOf(std::string_view text);
 
 /// Where the character at `offset` of preprocessed text came from, by the #line directives before

@@ -25,7 +25,7 @@ struct ArticleSettings
     bool leavesOut = true; ///< see FrameCompilerOptions
 };
 
-/// What is elsewhere in each frame.
+/// Tells what has another place in each frame.
 enum class Movement
 {
     None,

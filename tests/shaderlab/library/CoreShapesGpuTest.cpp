@@ -185,7 +185,7 @@ TEST_F(CoreShapes, ExposuresAddUpAsInTheApexSystem)
         "float2(ConvertExposureToEV100(ConvertEV100ToExposure(a.x)), "
         "ConvertExposureToEV100(ConvertEV100ToExposure(a.x, 3), 3))",
         Combine({-4, 0, 9}), [](auto& a, auto&, auto&) { return dvec2(a.x, a.x); }, tolerance);
-    // What is left of a difference halves every 1 / speed seconds.
+    // A difference halves every 1 / speed seconds.
     grid.Add(
         "ComputeLuminanceAdaptation(a.x, b.x, 2, 0.5, c.x)", Combine({1, 9}, {1, 9}, {0, 2, 4}),
         [](auto& a, auto& b, auto& c)

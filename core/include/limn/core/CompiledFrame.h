@@ -99,7 +99,7 @@ struct CompiledRenderPass
     std::vector<std::string> SampleNames() const;
     /// All of them: "Draw Opaque Objects + Outline".
     std::string Title() const;
-    /// The same, in the memory of another text.
+    /// Writes the title over another text, in its memory.
     void WriteTitle(std::string& title) const;
 };
 

@@ -31,7 +31,7 @@ private:
                 const FrameCompilerOptions& options) const;
 
     std::shared_ptr<CompiledFrame> m_Frame;
-    /// What compiling takes for a time; made with the first frame, so that caches can be moved.
+    /// Compiling uses it for a time. The first frame makes it, so that caches can be moved.
     std::unique_ptr<std::pmr::unsynchronized_pool_resource> m_Memory;
     // What it was compiled from, without uniform and per-draw data.
     FrameCommands m_Commands;

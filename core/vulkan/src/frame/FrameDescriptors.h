@@ -16,7 +16,7 @@ struct InstanceRun
     std::uint32_t base = 0; ///< the draw's first instance
 };
 
-/// What FrameDescriptors put together, frame by frame in the same memory.
+/// Holds what FrameDescriptors put together, frame by frame in the same memory.
 struct DescriptorLists
 {
     using SetKey = std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>;

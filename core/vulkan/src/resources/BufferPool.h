@@ -35,7 +35,7 @@ public:
     /// Null if no frame has used the buffer.
     PooledBuffer* Find(const GraphicsBuffer& buffer);
     const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
-    /// Those that submission `number` uses.
+    /// Adds those that submission `number` uses.
     void AddUsed(std::uint64_t number,
                  std::vector<std::weak_ptr<const GraphicsBuffer>>& used) const;
     void Rollback(std::uint64_t number) noexcept;

@@ -92,7 +92,7 @@ public:
     /// Records the copies of all queued texels.
     void RecordUploads(UploadCommands& uploads);
 
-    /// Those that submission `number` uses.
+    /// Adds those that submission `number` uses.
     void AddUsed(std::uint64_t number, std::vector<PooledImage*>& used);
     void Commit();                                ///< what was prepared is submitted
     void Rollback(std::uint64_t number) noexcept; ///< it never will be

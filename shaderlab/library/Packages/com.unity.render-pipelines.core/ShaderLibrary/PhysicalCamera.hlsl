@@ -23,7 +23,7 @@ float ComputeEV100FromAvgLuminance(float avgLuminance)
     return ComputeEV100FromAvgLuminance(avgLuminance, 12.5);
 }
 
-// What luminances are multiplied by. The scale is 78 / (100 * transmission of the lens).
+// Luminances are multiplied by it. The scale is 78 / (100 * transmission of the lens).
 float ConvertEV100ToExposure(float EV100, float exposureScale) { return exp2(-EV100) / exposureScale; }
 float ConvertEV100ToExposure(float EV100) { return ConvertEV100ToExposure(EV100, 1.2); }
 float ConvertExposureToEV100(float exposure, float exposureScale)
