@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// Whether what is pending takes the place of all that was drawn.
+/// Returns whether what is pending takes the place of all that was drawn.
 bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
 {
     const auto state = states.textures.find(texture.id());

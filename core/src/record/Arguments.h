@@ -9,7 +9,7 @@ namespace limn
 
 inline constexpr int k_AllPasses = -1;
 
-// What can be seen wrong in a draw or dispatch when it is recorded. All throw ContractError.
+// These find what is wrong in a draw or dispatch when it is recorded. All throw ContractError.
 
 void ExpectMaterial(const std::shared_ptr<const Material>& material);
 /// A material, this pass of it, and a finite matrix.

@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <iostream>
+#include <limn/base/Diagnostic.h>
 
 /// `first_picture SCENE FILE` draws as `limn render SCENE -o FILE` does.
 int main(int argc, char** argv)
@@ -18,6 +19,11 @@ int main(int argc, char** argv)
         options.scene = argv[1];
         options.output = argv[2];
         return limn::RunRender(options, console);
+    }
+    catch (const limn::AssetError& error)
+    {
+        console.Print(error.diagnostics());
+        return 1;
     }
     catch (const std::exception& error)
     {

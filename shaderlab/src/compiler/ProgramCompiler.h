@@ -11,7 +11,7 @@
 namespace limn
 {
 
-// What options come to in HLSL: on as keywords are, and with them in the cache's key.
+// Options become these macros in HLSL: they are on as keywords are, and are in the cache's key.
 
 /// ShaderCompilerOptions::usesReversedZBuffer is off.
 inline constexpr const char* k_StandardZMacro = "LIMN_STANDARD_Z";

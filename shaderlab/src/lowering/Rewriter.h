@@ -27,7 +27,7 @@ struct HlslSource
 
 struct RewrittenHlsl
 {
-    /// As TokenEdits::AssembleByToken() writes it, and the entry function.
+    /// It is what TokenEdits::AssembleByToken() writes, and the entry function.
     std::string text;
     /// "uses X, which limn does not have: Y" for each function that the entry function reaches and
     /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of

@@ -317,17 +317,6 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
     m_Uploads.clear();
 }
 
-void ImagePool::AddUsed(std::uint64_t number, std::vector<PooledImage*>& used)
-{
-    for (auto& [id, image] : m_Images)
-    {
-        if (image.lastUse == number)
-        {
-            used.push_back(&image);
-        }
-    }
-}
-
 void ImagePool::Commit()
 {
     for (auto& [id, image] : m_Images)

@@ -92,8 +92,18 @@ public:
     /// Records the copies of all queued texels.
     void RecordUploads(UploadCommands& uploads);
 
-    /// Adds those that submission `number` uses.
-    void AddUsed(std::uint64_t number, std::vector<PooledImage*>& used);
+    /// Calls `function` with each image that submission `number` uses.
+    template <typename Function>
+    void ForEachUsed(std::uint64_t number, const Function& function)
+    {
+        for (auto& [id, image] : m_Images)
+        {
+            if (image.lastUse == number)
+            {
+                function(image);
+            }
+        }
+    }
     void Commit();                                ///< what was prepared is submitted
     void Rollback(std::uint64_t number) noexcept; ///< it never will be
     void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses

@@ -8,13 +8,11 @@ namespace limn::vulkan
 void FrameRecording::Take(DeviceResources& resources, std::uint64_t number)
 {
     changes = resources.changeCount();
-    pooled.clear();
-    resources.images.AddUsed(number, pooled);
     images.clear();
-    for (PooledImage* image : pooled)
-    {
-        images.push_back({image, image->submitted, image->use});
-    }
+    resources.images.ForEachUsed(number,
+                                 [&](PooledImage& image) {
+                                     images.push_back({&image, image.submitted, image.use});
+                                 });
     buffers.clear();
     resources.buffers.AddUsed(number, buffers);
     uses.clear();

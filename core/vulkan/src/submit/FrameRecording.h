@@ -19,8 +19,7 @@ struct FrameRecording
 
     std::uint64_t structure = 0;      ///< CompiledFrame::structure; 0 = not to be submitted again
     std::uint64_t changes = 0;        ///< DeviceResources::changeCount, of all that follows
-    std::vector<PooledImage*> pooled; ///< all images of the frame
-    std::vector<UsedImage> images;    ///< the same, with their uses
+    std::vector<UsedImage> images;    ///< all of the frame
     std::vector<std::uint64_t*> uses; ///< `lastUse` of its meshes, programs, samplers
     std::vector<std::weak_ptr<const GraphicsBuffer>> buffers;
     std::optional<FrameData> data;
