@@ -7,7 +7,7 @@
 #include <limn/core/UniversalFrameData.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
-#include <limn/volume/FloatParameter.h>
+#include <limn/volume/NumberParameters.h>
 #include <limn/volume/VolumeStack.h>
 
 // A plug-in of the tests: it paints the picture red, or throws where its setting says.

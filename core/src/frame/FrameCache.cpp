@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 #include <utility>
 
 namespace limn

@@ -6,9 +6,9 @@
 #include <exception>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/CurrentCamera.h>
+#include <limn/core/FeatureCode.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/ShaderSource.h>
-#include <limn/core/TypeName.h>
 
 namespace limn
 {

@@ -4,7 +4,7 @@
 #include "scene/ObjectHash.h"
 #include "scene/WorldMatrices.h"
 
-#include <limn/core/InstanceData.h>
+#include <limn/core/FrameCommands.h>
 #include <limn/core/Judge.h>
 #include <limn/core/Scene.h>
 #include <map>

@@ -1,4 +1,4 @@
-#include <limn/core/TypeName.h>
+#include <limn/core/FeatureCode.h>
 
 #include <cstdlib>
 #include <cxxabi.h>

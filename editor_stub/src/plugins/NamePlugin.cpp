@@ -4,7 +4,6 @@
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ModuleFile.h>
 #include <limn/core/FeatureCode.h>
-#include <limn/core/TypeName.h>
 #include <limn/vulkan/VulkanError.h>
 #include <map>
 #include <mutex>

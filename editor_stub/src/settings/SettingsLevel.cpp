@@ -1,7 +1,7 @@
 #include "settings/SettingsLevel.h"
 
 #include <algorithm>
-#include <limn/volume/UnityHeaderField.h>
+#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {

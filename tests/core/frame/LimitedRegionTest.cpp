@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <limits>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 #include <random>
 
 namespace limn

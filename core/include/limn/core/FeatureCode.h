@@ -1,11 +1,16 @@
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <typeindex>
 #include <typeinfo>
 #include <utility>
 
 namespace limn
 {
+
+/// A type's name as C++ writes it, without the namespace limn.
+std::string TypeName(std::type_index type);
 
 /// A call into the code of whoever wrote a feature, a pass or a volume component.
 struct FeatureCode
