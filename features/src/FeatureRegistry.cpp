@@ -26,7 +26,7 @@ std::unique_ptr<ScriptableRendererFeature> FeatureRegistry::Create(std::string_v
     {
         return nullptr;
     }
-    return RunFeatureCode(*(*found)->type, name, "its constructor", (*found)->create);
+    return RunPluginCode(*(*found)->type, name, "its constructor", (*found)->create);
 }
 
 std::vector<std::string_view> FeatureRegistry::names() const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRendererFeature.h>
 
@@ -10,7 +10,7 @@ namespace limn
 /// The feature's Describe, which may be a plug-in's.
 inline void DescribeFeature(ScriptableRendererFeature& feature, Inspector& inspector)
 {
-    RunFeatureCode(typeid(feature), feature.name, "Describe", [&] { feature.Describe(inspector); });
+    RunPluginCode(typeid(feature), feature.name, "Describe", [&] { feature.Describe(inspector); });
 }
 
 } // namespace limn

@@ -147,7 +147,7 @@ void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderS
     const ShaderSourceScope scope(shaders);
     try
     {
-        RunFeatureCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });
+        RunPluginCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });
     }
     catch (const AssetError& error)
     {

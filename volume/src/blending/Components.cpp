@@ -15,7 +15,7 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
 
 void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor)
 {
-    RunFeatureCode(typeid(component), component.displayName, "Override",
+    RunPluginCode(typeid(component), component.displayName, "Override",
                    [&] { component.Override(state, interpFactor); });
 }
 

@@ -2,7 +2,7 @@
 
 #include <concepts>
 #include <functional>
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRendererFeature.h>
 #include <memory>
 #include <string>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/Features.h>
 #include <limn/features/OutlineComponent.h>

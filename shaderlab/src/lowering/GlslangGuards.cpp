@@ -1,4 +1,4 @@
-#include "lowering/Checks.h"
+#include "lowering/GlslangGuards.h"
 
 #include "hlsl/DuplicateDeclarations.h"
 #include <limn/base/Text.h>

@@ -1,4 +1,4 @@
-#include "scene/ClassOrder.h"
+#include "scene/BatchOrder.h"
 
 #include "scene/RendererTable.h"
 
@@ -7,7 +7,7 @@
 namespace limn
 {
 
-void ClassOrder::Update(const RendererTable& table)
+void BatchOrder::Update(const RendererTable& table)
 {
     std::vector<StateId> ids;
     std::map<std::tuple<const Material*, const MaterialPropertyBlock*, std::uint32_t, bool, bool>,
@@ -17,7 +17,7 @@ void ClassOrder::Update(const RendererTable& table)
     firsts.clear();
     looks.clear();
     classOfLook.clear();
-    for (const RendererTable::RowClass& own : table.classes())
+    for (const RendererTable::DrawKey& own : table.classes())
     {
         const Material* material = own.material.get();
         ids.push_back(StateOf(material, table.meshParts()[own.meshPart].mesh.get()));

@@ -1,4 +1,4 @@
-#include "tokens/SourceLines.h"
+#include "tokens/ColumnFinder.h"
 
 #include <algorithm>
 
@@ -87,7 +87,7 @@ std::vector<std::size_t> Match(std::span<const HlslToken> made, std::span<const 
 
 } // namespace
 
-std::optional<std::string_view> SourceLines::Find(const std::string& file, int line)
+std::optional<std::string_view> ColumnFinder::Find(const std::string& file, int line)
 {
     if (file != m_Program.file)
     {
@@ -109,7 +109,7 @@ std::optional<std::string_view> SourceLines::Find(const std::string& file, int l
     return result;
 }
 
-int SourceLines::Column(const HlslPlace& place, std::span<const HlslToken> preprocessed,
+int ColumnFinder::Column(const HlslPlace& place, std::span<const HlslToken> preprocessed,
                         std::size_t index)
 {
     constexpr std::size_t k_LongestLine = 500; // tokens
@@ -146,7 +146,7 @@ int SourceLines::Column(const HlslPlace& place, std::span<const HlslToken> prepr
     return match == k_None ? 0 : static_cast<int>(written[match].Begin(code)) + 1;
 }
 
-void SourceLines::AddColumns(std::vector<Diagnostic>& diagnostics)
+void ColumnFinder::AddColumns(std::vector<Diagnostic>& diagnostics)
 {
     for (Diagnostic& diagnostic : diagnostics)
     {

@@ -13,7 +13,7 @@ namespace limn
 class RendererTable;
 
 /// What judging and the order of draws need to know of each class of a table.
-struct ClassOrder
+struct BatchOrder
 {
     /// By class: its rank by what OptimizeStateChanges brings together.
     std::vector<std::uint32_t> ranks;

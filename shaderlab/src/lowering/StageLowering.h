@@ -15,7 +15,7 @@ namespace limn
 struct HlslSource
 {
     /// @param lines  see HlslTokens
-    explicit HlslSource(std::string preprocessed, SourceLines* lines = nullptr);
+    explicit HlslSource(std::string preprocessed, ColumnFinder* lines = nullptr);
     HlslSource(const HlslSource&) = delete;
     HlslSource& operator=(const HlslSource&) = delete;
 

@@ -1,4 +1,4 @@
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/PragmaVocabulary.h>
 
 #include "keywords/DynamicKeywords.h"
 #include "keywords/KeywordSets.h"

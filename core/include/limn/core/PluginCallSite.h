@@ -13,7 +13,7 @@ namespace limn
 std::string TypeName(std::type_index type);
 
 /// A call into the code of whoever wrote a feature, a pass or a volume component.
-struct FeatureCode
+struct PluginCallSite
 {
     const std::type_info& type; ///< whose member it is; in the module that defines the type
     std::string_view name;      ///< the feature's, or the pass's profilingSampler's; "" = none
@@ -25,19 +25,19 @@ struct FeatureCode
 
 /// Hears of an exception that such code let out, while it is being handled: it can throw another
 /// one in its place, which says whose code it is.
-using FeatureCodeListener = void (*)(const FeatureCode& code);
+using PluginCodeListener = void (*)(const PluginCallSite& code);
 
 /// @param listener  in place of the one before; null = nobody
-void SetFeatureCodeListener(FeatureCodeListener listener);
+void SetPluginCodeListener(PluginCodeListener listener);
 
 namespace detail
 {
-void TellOfFeatureCode(const FeatureCode& code);
+void TellOfPluginCode(const PluginCallSite& code);
 }
 
 /// Calls `work`, which is such code; an exception goes through the listener.
 template <typename Work>
-decltype(auto) RunFeatureCode(const std::type_info& type, std::string_view name, const char* member,
+decltype(auto) RunPluginCode(const std::type_info& type, std::string_view name, const char* member,
                               Work&& work)
 {
     try
@@ -46,7 +46,7 @@ decltype(auto) RunFeatureCode(const std::type_info& type, std::string_view name,
     }
     catch (...)
     {
-        detail::TellOfFeatureCode({type, name, member});
+        detail::TellOfPluginCode({type, name, member});
         throw;
     }
 }

@@ -16,12 +16,12 @@ namespace limn
 {
 
 /// The lines of a program and of the files that it includes, as their authors wrote them.
-class SourceLines
+class ColumnFinder
 {
 public:
     /// @param program   outlives this, as does
     /// @param resolver  that has found the included files
-    SourceLines(const PassProgram& program, IncludeResolver& resolver)
+    ColumnFinder(const PassProgram& program, IncludeResolver& resolver)
         : m_Program(program), m_Resolver(resolver)
     {
     }

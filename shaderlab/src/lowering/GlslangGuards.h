@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lowering/Rewriter.h"
+#include "lowering/StageLowering.h"
 
 #include <optional>
 #include <string>

@@ -1,4 +1,4 @@
-#include "lowering/Rewriter.h"
+#include "lowering/StageLowering.h"
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
@@ -6,7 +6,7 @@
 #include "hlsl/ReachableFunctions.h"
 #include "hlsl/TokenEdits.h"
 #include "hlsl/TreeParser.h"
-#include "lowering/Checks.h"
+#include "lowering/GlslangGuards.h"
 #include "lowering/Lowering.h"
 #include "stages/GeometryEntryWriter.h"
 #include "stages/KernelEntryWriter.h"
@@ -37,10 +37,10 @@ bool isHalfNumber(std::string_view text)
            !text.starts_with("0x") && !text.starts_with("0X");
 }
 
-class Rewriter
+class StageLowering
 {
 public:
-    Rewriter(const HlslSource& source, std::string_view entry)
+    StageLowering(const HlslSource& source, std::string_view entry)
         : m_Source(source),
           m_Tokens(source.tokens),
           m_Code(source.tokens),
@@ -445,7 +445,7 @@ private:
 
 } // namespace
 
-HlslSource::HlslSource(std::string preprocessed, SourceLines* lines)
+HlslSource::HlslSource(std::string preprocessed, ColumnFinder* lines)
     : text(std::move(preprocessed)),
       tokens(text, lines),
       declarations(ReadDeclarations(tokens)),
@@ -456,15 +456,15 @@ HlslSource::HlslSource(std::string preprocessed, SourceLines* lines)
 RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
                            const StageInterface& interface, const StageLinkage& linkage)
 {
-    Rewriter rewriter(source, interface.function->name);
-    rewriter.RefuseWritable();
-    rewriter.Rewrite();
+    StageLowering lowering(source, interface.function->name);
+    lowering.RefuseWritable();
+    lowering.Rewrite();
     if (interface.geometry)
     {
-        rewriter.TakeGeometryApart(interface, linkage);
+        lowering.TakeGeometryApart(interface, linkage);
     }
-    return rewriter.Finish(WriteEntryPoint(interface, linkage, stage, rewriter.prologue(),
-                                           rewriter.reach().Names(k_DrawIndex)));
+    return lowering.Finish(WriteEntryPoint(interface, linkage, stage, lowering.prologue(),
+                                           lowering.reach().Names(k_DrawIndex)));
 }
 
 RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel)
@@ -483,15 +483,15 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
              "; write three constants, 1 to 1024 along x and y and 1 to 64 along z, which make at "
              "most 1024 threads");
     }
-    Rewriter rewriter(source, kernel.name);
-    if (rewriter.reach().Names(k_DrawIndex))
+    StageLowering lowering(source, kernel.name);
+    if (lowering.reach().Names(k_DrawIndex))
     {
         fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
              "nothing, so give it the value as a parameter");
     }
-    rewriter.Rewrite();
-    rewriter.TakeAttributes(kernel);
-    return rewriter.Finish(WriteKernelEntry(kernel, rewriter.prologue()));
+    lowering.Rewrite();
+    lowering.TakeAttributes(kernel);
+    return lowering.Finish(WriteKernelEntry(kernel, lowering.prologue()));
 }
 
 } // namespace limn
