@@ -213,9 +213,9 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, cons
                                                 RelativeTo(origin, camera.viewMatrix())),
                                       margin);
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
-    CullingResults results = CullTable(table, planes,
-                                       [&](const RendererTable::DrawKey& rowClass)
-                                       { return KindOf(rowClass, camera); });
+    CullingResults results =
+        CullTable(table, planes,
+                  [&](const RendererTable::DrawKey& rowClass) { return KindOf(rowClass, camera); });
     for (const std::uint32_t index : table->beyondFloat())
     {
         const GameObject& object = table->object(index);

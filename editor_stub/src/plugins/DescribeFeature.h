@@ -1,7 +1,7 @@
 #pragma once
 
-#include <limn/core/PluginCallSite.h>
 #include <limn/core/Inspector.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRendererFeature.h>
 
 namespace limn

@@ -110,7 +110,7 @@ std::optional<std::string_view> ColumnFinder::Find(const std::string& file, int 
 }
 
 int ColumnFinder::Column(const HlslPlace& place, std::span<const HlslToken> preprocessed,
-                        std::size_t index)
+                         std::size_t index)
 {
     constexpr std::size_t k_LongestLine = 500; // tokens
     const auto line = Find(place.file, place.location.line);

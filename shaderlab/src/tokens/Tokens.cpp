@@ -1,7 +1,7 @@
 #include "tokens/Tokens.h"
 
-#include "tokens/Lines.h"
 #include "tokens/ColumnFinder.h"
+#include "tokens/Lines.h"
 #include <limn/base/Text.h>
 
 #include <algorithm>

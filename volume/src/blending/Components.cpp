@@ -16,7 +16,7 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
 void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor)
 {
     RunPluginCode(typeid(component), component.displayName, "Override",
-                   [&] { component.Override(state, interpFactor); });
+                  [&] { component.Override(state, interpFactor); });
 }
 
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to)

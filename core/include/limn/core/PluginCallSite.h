@@ -38,7 +38,7 @@ void TellOfPluginCode(const PluginCallSite& code);
 /// Calls `work`, which is such code; an exception goes through the listener.
 template <typename Work>
 decltype(auto) RunPluginCode(const std::type_info& type, std::string_view name, const char* member,
-                              Work&& work)
+                             Work&& work)
 {
     try
     {

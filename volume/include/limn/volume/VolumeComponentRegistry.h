@@ -40,7 +40,7 @@ public:
         const auto create = [name = std::string(name)]
         {
             return RunPluginCode(typeid(T), name, "its constructor",
-                                  [] { return std::make_unique<T>(); });
+                                 [] { return std::make_unique<T>(); });
         };
         Add({std::string(name), typeid(T), create, nullptr});
     }
