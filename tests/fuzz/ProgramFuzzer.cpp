@@ -1,5 +1,5 @@
 #include <limn/shaderlab/InitialKeywords.h>
-#include <limn/shaderlab/PragmaVocabulary.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/VariantCount.h>
 
 #include "desugar/Rewrites.h"

@@ -1,7 +1,7 @@
 #include "compiler/ProgramCompiler.h"
 
 #include <limn/shaderlab/MissingIncludeError.h>
-#include <limn/shaderlab/PragmaVocabulary.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerMessages.h"

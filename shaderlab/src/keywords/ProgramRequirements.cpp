@@ -1,4 +1,4 @@
-#include <limn/shaderlab/PragmaVocabulary.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 
 #include "keywords/DynamicKeywords.h"
 #include "keywords/KeywordSets.h"
