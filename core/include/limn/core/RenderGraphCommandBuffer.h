@@ -170,8 +170,11 @@ public:
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     void SetKeyword(const GlobalKeyword& keyword, bool value);
-    void EnableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), true); }
-    void DisableShaderKeyword(std::string_view name) { SetKeyword(GlobalKeyword(name), false); }
+    void EnableShaderKeyword(std::string_view keyword) { SetKeyword(GlobalKeyword(keyword), true); }
+    void DisableShaderKeyword(std::string_view keyword)
+    {
+        SetKeyword(GlobalKeyword(keyword), false);
+    }
 
 protected:
     BaseCommandBuffer(CommandBuffer&& empty, RenderGraphRun& run)
