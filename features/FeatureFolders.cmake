@@ -4,7 +4,7 @@
 #   feature_sources  their sources, and a generated one that defines limn::FUNCTION(FeatureRegistry&,
 #                    VolumeComponentRegistry&), which calls limn::<folder>::Register of each
 #   feature_shaders  the .shader files of all folders, relative to ROOT
-#   feature_header   a generated one, limn/features/AllFeatures.h, that includes the folders' public headers
+#   feature_header   the generated limn/features/AllFeatures.h, which includes their public headers
 function(limn_feature_folders root function)
     file(GLOB sources CONFIGURE_DEPENDS ${root}/*/src/*.cpp)
     file(GLOB shaders CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*/*.shader)

@@ -136,7 +136,8 @@ TEST(Techniques, HaveAProfileAndAFeatureInTheSamples)
         {
             for (const auto& component : assets.LoadProfile(file).profile->components())
             {
-                components.insert(assets.volumeComponents().Find(typeid(*component))->name);
+                const VolumeComponent& one = *component;
+                components.insert(assets.volumeComponents().Find(typeid(one))->name);
             }
         }
     }
