@@ -181,6 +181,7 @@ LIMN_PLUGIN(features, components)
 {
     probe::ThrowIf(probe::BuiltFault() == probe::Fault::Registration,
                    std::runtime_error("nothing to sell"));
-    features.Register<probe::ProbeFeature>("ProbeFeature");
+    features.Register<probe::ProbeFeature>(
+        "ProbeFeature", {{.name = "Red paint", .summary = "paints all of the picture"}});
     components.Register<probe::Probe>("Probe");
 }

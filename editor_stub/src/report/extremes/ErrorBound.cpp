@@ -116,7 +116,7 @@ std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& 
                                  const ShapeFacts& shape)
 {
     const auto pixels = static_cast<double>(std::max<std::size_t>(shape.comparedPixels, 1));
-    std::optional<double> bound = StatedBound(technique.info.name, extreme, shape);
+    std::optional<double> bound = StatedBound(technique.name, extreme, shape);
     if (bound)
     {
         const bool isSmall = shape.size < k_SmallestShape;

@@ -183,16 +183,16 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
     diagnostics.ThrowIfErrors();
 }
 
-TechniqueInfo TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
+Technique TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
 {
-    TechniqueInfo info;
+    Technique technique;
     Reader reader(node, "technique", diagnostics);
-    reader.Read("name", info.name);
-    reader.Read("feature", info.feature);
-    reader.Read("summary", info.summary);
-    reader.Read("isArticle", info.isArticle);
-    reader.Read("noWidth", info.noWidth);
-    return info;
+    reader.Read("name", technique.name);
+    reader.Read("feature", technique.feature);
+    reader.Read("summary", technique.summary);
+    reader.Read("isArticle", technique.isArticle);
+    reader.Read("noWidth", technique.noWidth);
+    return technique;
 }
 
 } // namespace
@@ -211,13 +211,13 @@ Json ToJson(const Study& study)
                  {"copyBandwidth", study.copyBandwidth},
                  {"techniques", Json::array()},
                  {"planned", Json::array()}};
-    for (const TechniqueInfo& info : study.techniques)
+    for (const Technique& technique : study.techniques)
     {
-        json["techniques"].push_back({{"name", info.name},
-                                      {"feature", info.feature},
-                                      {"summary", info.summary},
-                                      {"isArticle", info.isArticle},
-                                      {"noWidth", info.noWidth}});
+        json["techniques"].push_back({{"name", technique.name},
+                                      {"feature", technique.feature},
+                                      {"summary", technique.summary},
+                                      {"isArticle", technique.isArticle},
+                                      {"noWidth", technique.noWidth}});
     }
     for (const CellId& id : study.planned)
     {
