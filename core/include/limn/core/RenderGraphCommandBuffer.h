@@ -177,6 +177,22 @@ public:
     }
 
 protected:
+    // The graph's handles are RTHandles.
+    void SetComputeTextureParam(const std::shared_ptr<ComputeShader>& computeShader,
+                                int kernelIndex, ShaderPropertyId id, const RTHandle& rt)
+    {
+        CommandBuffer::SetComputeTextureParam(computeShader, kernelIndex, id,
+                                              RenderTargetIdentifier(rt));
+    }
+    void CopyTexture(const RTHandle& source, const RTHandle& dest)
+    {
+        CommandBuffer::CopyTexture(RenderTargetIdentifier(source), RenderTargetIdentifier(dest));
+    }
+    void GenerateMips(const RTHandle& rt)
+    {
+        CommandBuffer::GenerateMips(RenderTargetIdentifier(rt));
+    }
+
     BaseCommandBuffer(CommandBuffer&& empty, RenderGraphRun& run)
         : CommandBuffer(std::move(empty)), m_Run(run)
     {
@@ -207,6 +223,7 @@ public:
     using BaseCommandBuffer::DisableKeyword;
     using BaseCommandBuffer::EnableKeyword;
     using BaseCommandBuffer::EndSample;
+    using BaseCommandBuffer::SetComputeTextureParam;
     using BaseCommandBuffer::SetGlobalBuffer;
     using BaseCommandBuffer::SetGlobalColor;
     using BaseCommandBuffer::SetGlobalConstantBuffer;
@@ -233,7 +250,6 @@ public:
     using CommandBuffer::SetComputeMatrixArrayParam;
     using CommandBuffer::SetComputeMatrixParam;
     using CommandBuffer::SetComputeParamsFromMaterial;
-    using CommandBuffer::SetComputeTextureParam;
     using CommandBuffer::SetComputeVectorArrayParam;
     using CommandBuffer::SetComputeVectorParam;
 
@@ -246,11 +262,12 @@ private:
 class UnsafeCommandBuffer : public BaseCommandBuffer
 {
 public:
+    using BaseCommandBuffer::CopyTexture;
+    using BaseCommandBuffer::GenerateMips;
+    using BaseCommandBuffer::SetComputeTextureParam;
     using CommandBuffer::CopyBuffer;
     using CommandBuffer::CopyCounterValue;
-    using CommandBuffer::CopyTexture;
     using CommandBuffer::DispatchCompute;
-    using CommandBuffer::GenerateMips;
     using CommandBuffer::SetBufferCounterValue;
     using CommandBuffer::SetBufferData;
     using CommandBuffer::SetComputeBufferParam;
@@ -262,7 +279,6 @@ public:
     using CommandBuffer::SetComputeMatrixArrayParam;
     using CommandBuffer::SetComputeMatrixParam;
     using CommandBuffer::SetComputeParamsFromMaterial;
-    using CommandBuffer::SetComputeTextureParam;
     using CommandBuffer::SetComputeVectorArrayParam;
     using CommandBuffer::SetComputeVectorParam;
     using CommandBuffer::SetRenderTarget;
