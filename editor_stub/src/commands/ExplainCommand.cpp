@@ -267,7 +267,7 @@ int ExplainPixel(const ExplainOptions& options, Console& console)
 
 int RunExplain(const ExplainOptions& options, Console& console)
 {
-    RequireKind(options.scene, {FileKind::Scene}, "explain");
+    RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "explain");
     if (!options.pixel.empty())
     {
         return ExplainPixel(options, console);

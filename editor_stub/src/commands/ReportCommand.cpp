@@ -324,7 +324,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
         return Compare(options, console);
     }
     render.scene = options.paths.front();
-    RequireKind(render.scene, {FileKind::Scene}, "report");
+    RequireKind(render.scene, {FileKind::Scene, FileKind::UnityScene}, "report");
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(render, console);
     VulkanDevice device({render.device, options.hasStability, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();

@@ -77,9 +77,10 @@ public:
     /// @throws AssetError as Read does
     std::optional<UnityObject> FindWithField(std::string_view field) const;
 
-private:
+    /// Returns the text below the header. @param header  one of headers()
     std::string_view BodyOf(const UnityHeader& header) const;
 
+private:
     std::string m_Text;
     std::string m_File;
     std::vector<UnityHeader> m_Headers;
