@@ -347,6 +347,20 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     }
 }
 
+/// Lit of limn reads fewer maps than URP's; what materials keep of other shaders is nobody's loss.
+void UnityMaterials::NoteUnread(std::string_view name, const UnityNode& value,
+                                const Material& material)
+{
+    const bool isMap = name == "_BumpMap" || name == "_MetallicGlossMap" ||
+                       name == "_SpecGlossMap" || name == "_OcclusionMap" ||
+                       name == "_EmissionMap" || name == "_ParallaxMap";
+    if (isMap && material.shader()->name() == k_Lit &&
+        !ReadUnityReference(value["m_Texture"]).isNull())
+    {
+        m_Notes.Count("maps " + std::string(name) + " of materials");
+    }
+}
+
 void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file, Material& material)
 {
     ForEachProperty(
@@ -356,6 +370,7 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
             const ShaderPropertyId id{std::string(name)};
             if (!material.HasTexture(id))
             {
+                NoteUnread(name, value, material);
                 return;
             }
             const UnityNode scale = value["m_Scale"];

@@ -34,6 +34,7 @@ private:
     std::shared_ptr<const Shader> FindByName(std::string_view name, const std::string& material);
     void SetValues(const UnityNode& fields, const std::string& file, Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, Material& material);
+    void NoteUnread(std::string_view name, const UnityNode& value, const Material& material);
     std::shared_ptr<const Material> Magenta();
 
     UnityDatabase& m_Database;

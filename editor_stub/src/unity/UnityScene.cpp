@@ -69,6 +69,8 @@ public:
         AddObjects(hierarchy);
         ReadCamera(hierarchy);
         ReadPipeline();
+        ChooseLods(hierarchy);
+        AddRenderers(hierarchy);
         ReadSettings(expansion);
         ReadLights(hierarchy);
         ReadVolumes(hierarchy);
@@ -131,11 +133,83 @@ private:
             transform.Read("m_LocalScale", drawn.transform.localScale);
             drawn.transform.parent =
                 object->parent != nullptr ? &object->parent->drawn->transform : nullptr;
+        }
+    }
+
+    void AddRenderers(const UnityHierarchy& hierarchy)
+    {
+        for (const UnityGameObject* object : hierarchy.objects())
+        {
             AddRenderer(*object);
         }
     }
 
-    void AddRenderer(UnityGameObject& object)
+    /// Finds the renderers that a LOD group does not show at the camera's distance.
+    void ChooseLods(const UnityHierarchy& hierarchy)
+    {
+        for (const UnityGameObject* object : hierarchy.objects())
+        {
+            const UnityInstance* group = object->Find(UnityClass::LODGroup);
+            if (group == nullptr || !object->isActive)
+            {
+                continue;
+            }
+            const UnityReader reader = ReaderOf(*object, *group);
+            bool isEnabled = true;
+            reader.Read("m_Enabled", isEnabled);
+            const float height = HeightOnScreen(*object, reader);
+            const std::size_t count = isEnabled ? reader.Count("m_LODs") : 0;
+            bool isShown = false; // one of the LODs so far
+            std::set<const UnityInstance*> shown;
+            std::set<const UnityInstance*> hidden;
+            for (std::size_t i = 0; i < count; ++i)
+            {
+                const std::string lod = "m_LODs.Array.data[" + std::to_string(i) + "].";
+                float least = 0.0f;
+                reader.Read(lod + "screenRelativeHeight", least);
+                const bool isThis = !isShown && height >= least;
+                isShown = isShown || isThis;
+                const std::size_t renderers = reader.Count(lod + "renderers");
+                for (std::size_t r = 0; r < renderers; ++r)
+                {
+                    (isThis ? shown : hidden)
+                        .insert(reader
+                                    .Reference(lod + "renderers.Array.data[" + std::to_string(r) +
+                                               "].renderer")
+                                    .object);
+                }
+            }
+            std::ranges::set_difference(hidden, shown, std::inserter(m_Hidden, m_Hidden.end()));
+        }
+    }
+
+    /// The part of the picture's height that a LOD group takes, as Unity reckons it.
+    float HeightOnScreen(const UnityGameObject& object, const UnityReader& group)
+    {
+        glm::vec3 point(0.0f);
+        float size = 1.0f;
+        group.Read("m_LocalReferencePoint", point);
+        group.Read("m_Size", size);
+        const glm::dmat4 world = object.drawn->transform.worldMatrix();
+        double scale = 0.0;
+        for (int axis = 0; axis < 3; ++axis)
+        {
+            scale = std::max(scale, glm::length(glm::dvec3(world[axis])));
+        }
+        const Camera& camera = m_Asset.camera;
+        const double whole = static_cast<double>(size) * scale * static_cast<double>(m_LodBias);
+        if (camera.orthographic)
+        {
+            return static_cast<float>(whole / (2.0 * static_cast<double>(camera.orthographicSize)));
+        }
+        const glm::dvec3 place(world * glm::dvec4(glm::dvec3(point), 1.0));
+        const double distance = glm::length(place - glm::dvec3(camera.transform.position()));
+        const double tangent =
+            std::tan(glm::radians(static_cast<double>(camera.fieldOfView)) * 0.5);
+        return static_cast<float>(whole / std::max(2.0 * distance * tangent, 1e-9));
+    }
+
+    void AddRenderer(const UnityGameObject& object)
     {
         const UnityInstance* filter = object.Find(UnityClass::MeshFilter);
         const UnityInstance* renderer = object.Find(UnityClass::MeshRenderer);
@@ -151,6 +225,7 @@ private:
         const UnityReader reader = ReaderOf(object, *renderer);
         MeshRenderer made;
         reader.Read("m_Enabled", made.enabled);
+        made.enabled = made.enabled && m_Hidden.count(renderer) == 0;
         const UnityReader mesh = ReaderOf(object, *filter);
         const UnityTarget target = mesh.Reference("m_Mesh");
         if (target.asset.isNull())
@@ -271,6 +346,12 @@ private:
             own.Read("m_VolumeLayerMask", camera.volumeLayerMask);
             own.Read("m_ClearDepth", camera.clearDepth);
             own.Read("m_RendererIndex", m_RendererIndex);
+            int antialiasing = 0;
+            own.Read("m_Antialiasing", antialiasing);
+            if (antialiasing != 0)
+            {
+                m_Notes.Count("antialiasing of cameras in post-processing (FXAA, SMAA or TAA)");
+            }
         }
     }
 
@@ -307,6 +388,8 @@ private:
         {
             if (level++ == current)
             {
+                const std::string_view bias = entry["lodBias"].text();
+                std::from_chars(bias.data(), bias.data() + bias.size(), m_LodBias);
                 const UnityReference asset = ReadUnityReference(entry["customRenderPipeline"]);
                 if (const auto* path = asset.isNull() ? nullptr : m_Database.Find(asset.guid))
                 {
@@ -404,6 +487,12 @@ private:
                 m_Asset.scene.skybox = m_Materials.Load(skybox.asset, reader, "m_SkyboxMaterial");
             }
             m_Sun = reader.Reference("m_Sun").object;
+            bool hasFog = false;
+            reader.Read("m_Fog", hasFog);
+            if (hasFog)
+            {
+                reader.Note("m_Fog", "the fog is left out; limn does not draw it");
+            }
         }
     }
 
@@ -476,6 +565,10 @@ private:
         reader.Read("m_Shadows.m_Bias", light.shadowBias);
         reader.Read("m_Shadows.m_NormalBias", light.shadowNormalBias);
         reader.Read("m_Shadows.m_NearPlane", light.shadowNearPlane);
+        if (!reader.Reference("m_Cookie").isNull())
+        {
+            m_Notes.Count("cookies of lights");
+        }
         if (const UnityInstance* data = object.FindScript(k_LightData))
         {
             ReaderOf(object, *data).Read("m_UsePipelineSettings", light.usePipelineSettings);
@@ -622,6 +715,8 @@ private:
     const UnityHierarchy* m_Hierarchy = nullptr;
     SceneAsset m_Asset;
     int m_RendererIndex = -1;
+    float m_LodBias = 1.0f;
+    std::set<const UnityInstance*> m_Hidden; ///< renderers of LODs that are not shown
     const UnityInstance* m_Sun = nullptr;
     bool m_IsSun = false; ///< the main light is the sun
 };

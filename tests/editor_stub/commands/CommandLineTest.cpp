@@ -222,12 +222,23 @@ TEST_F(BadInput, ASceneIsNoProfile)
                   1);
 }
 
-TEST_F(BadInput, ASceneOfUnitysIsNotDrawn)
+TEST_F(BadInput, ASceneOfUnitysIsReadInItsProject)
 {
     const std::string scene = folder.Write("Main.unity", "%YAML 1.1\n").generic_string();
     ExpectRefusal(RunCommand({"render", scene, "-o", Path("out.png")}),
-                  scene + ": error: 'render' cannot take it: this is a scene or prefab of Unity's, "
-                          "which limn does not draw; write a *.scene.yaml\n",
+                  scene + ": error: a .unity file is read within its project; no folder above it "
+                          "has an Assets folder\n",
+                  1);
+    const std::string prefab = folder.Write("Box.prefab", "%YAML 1.1\n").generic_string();
+    ExpectRefusal(RunCommand({"render", prefab, "-o", Path("out.png")}),
+                  prefab +
+                      ": error: 'render' cannot take it: this is a prefab of Unity's, which is "
+                      "drawn where a .unity scene holds it\n",
+                  1);
+    ExpectRefusal(RunCommand({"render", folder.path().string(), "-o", Path("out.png")}),
+                  folder.path().string() +
+                      ": error: this folder is no Unity project, which has a folder Assets; name a "
+                      "scene file or the project's folder\n",
                   1);
 }
 
@@ -245,7 +256,7 @@ TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
                               sentence + " file is expected\n",
                           2);
         };
-        const std::string scene = "scene; a *.scene.yaml";
+        const std::string scene = "scene or scene of Unity's; a *.scene.yaml or *.unity";
         expectNo({"render", file, "-o", Path("out.png")}, scene);
         expectNo({"watch", file, "-o", Path("out.png")}, scene);
         expectNo({"explain", file}, scene);

@@ -1,0 +1,175 @@
+#include "unity/UnityScene.h"
+
+#include "TemporaryFolder.h"
+#include "volume/Problems.h"
+#include <gmock/gmock.h>
+#include <limn/core/Material.h>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* k_Cube = "{fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}";
+constexpr const char* k_Red = "{fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}";
+
+/// An object of that id, its Transform, MeshFilter and MeshRenderer.
+std::string CubeText(int id, const std::string& name, int father, const std::string& material)
+{
+    const std::string n = std::to_string(id);
+    return "--- !u!1 &" + n + "\nGameObject:\n  m_Layer: 6\n  m_Name: " + name +
+           "\n  m_IsActive: 1\n--- !u!4 &" + n + "4\nTransform:\n  m_GameObject: {fileID: " + n +
+           "}\n  m_LocalRotation: {x: 0, y: 0.70710677, z: 0, w: 0.70710677}\n"
+           "  m_LocalPosition: {x: 1, y: 2, z: 3}\n  m_LocalScale: {x: 2, y: 2, z: 2}\n"
+           "  m_Father: {fileID: " +
+           std::to_string(father) + "}\n--- !u!33 &" + n +
+           "3\nMeshFilter:\n  m_GameObject: {fileID: " + n + "}\n  m_Mesh: " + k_Cube +
+           "\n--- !u!23 &" + n + "2\nMeshRenderer:\n  m_GameObject: {fileID: " + n +
+           "}\n  m_Enabled: 1\n  m_RenderingLayerMask: 257\n  m_Materials:\n  - " + material + "\n";
+}
+
+constexpr const char* k_Camera =
+    "--- !u!1 &1\nGameObject:\n  m_Name: Main Camera\n"
+    "  m_TagString: MainCamera\n  m_IsActive: 1\n"
+    "--- !u!4 &14\nTransform:\n  m_GameObject: {fileID: 1}\n"
+    "  m_LocalPosition: {x: 0, y: 1, z: -10}\n"
+    "  m_Father: {fileID: 0}\n"
+    "--- !u!20 &12\nCamera:\n  m_GameObject: {fileID: 1}\n"
+    "  m_ClearFlags: 2\n  m_BackGroundColor: {r: 1, g: 0, b: 0, a: 0}\n"
+    "  near clip plane: 0.5\n  field of view: 45\n";
+
+/// A project of a few files.
+class ProjectOfAFewFiles : public testing::Test
+{
+protected:
+    ProjectOfAFewFiles()
+    {
+        Write("Assets/Red.mat",
+              "--- !u!21 &2100000\nMaterial:\n"
+              "  m_Shader: {fileID: 4800000, guid: 933532a4fcc9baf4fa0491de14d08ed7, type: 3}\n"
+              "  m_CustomRenderQueue: 2100\n  m_SavedProperties:\n    m_Floats:\n"
+              "    - _Smoothness: 0.25\n    - _NoSuchThing: 1\n    m_Colors:\n"
+              "    - _BaseColor: {r: 1, g: 0.25, b: 0, a: 1}\n",
+              "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa");
+        Write("ProjectSettings/TagManager.asset",
+              "--- !u!78 &1\nTagManager:\n  layers:\n  - Default\n  - \n  - \n  - \n  - \n  - UI\n"
+              "  - Selectable\n");
+    }
+
+    void Write(const std::string& name, const std::string& text, const std::string& guid = "")
+    {
+        m_Folder.Write(name, "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n" + text);
+        if (!guid.empty())
+        {
+            m_Folder.Write(name + ".meta", "fileFormatVersion: 2\nguid: " + guid + "\n");
+        }
+    }
+    SceneAsset Load(const std::string& text)
+    {
+        Write("Assets/Main.unity", text);
+        return LoadScene(m_Folder.path(), m_Assets);
+    }
+    static std::vector<std::string> NotesOf(const SceneAsset& asset)
+    {
+        std::vector<std::string> notes;
+        for (const Diagnostic& note : asset.notes)
+        {
+            notes.push_back(note.message);
+        }
+        return notes;
+    }
+
+    TemporaryFolder m_Folder;
+    AssetContext m_Assets;
+};
+
+TEST_F(ProjectOfAFewFiles, HasItsObjectsMaterialsAndCamera)
+{
+    const SceneAsset asset =
+        Load(k_Camera + CubeText(2, "Box", 0, k_Red) + CubeText(3, "Child", 24, k_Red));
+    ASSERT_EQ(asset.scene.objects().size(), 3u);
+    const GameObject& box = *asset.scene.objects()[1];
+    EXPECT_EQ(box.name, "Box");
+    EXPECT_EQ(box.layer, 6);
+    EXPECT_EQ(asset.layers.Name(6), "Selectable");
+    EXPECT_EQ(box.renderer->renderingLayerMask.bits, 257u);
+    ASSERT_EQ(box.renderer->sharedMaterials.size(), 1u);
+    const Material& red = *box.renderer->sharedMaterials.front();
+    EXPECT_EQ(red.GetColor(ShaderPropertyId("_BaseColor")), (Color{1, 0.25f, 0, 1}));
+    EXPECT_EQ(red.GetFloat(ShaderPropertyId("_Smoothness")), 0.25f);
+    EXPECT_EQ(red.renderQueue(), 2100);
+    EXPECT_EQ(asset.scene.objects()[2]->renderer->sharedMaterials.front().get(), &red);
+    // The child stands at (1, 2, 3) + a turn of 90 degrees about y of 2 * (1, 2, 3).
+    const glm::vec3 place = asset.scene.objects()[2]->transform.position();
+    EXPECT_NEAR(place.x, 1 + 2 * 3, 1e-5);
+    EXPECT_NEAR(place.y, 2 + 2 * 2, 1e-5);
+    EXPECT_NEAR(place.z, 3 - 2 * 1, 1e-5);
+    EXPECT_EQ(asset.camera.fieldOfView, 45.0f);
+    EXPECT_EQ(asset.camera.nearClipPlane, 0.5f);
+    EXPECT_EQ(asset.camera.clearFlags, CameraClearFlags::SolidColor);
+    EXPECT_FALSE(asset.camera.renderPostProcessing) << "Unity's cameras begin without";
+}
+
+TEST_F(ProjectOfAFewFiles, DrawsWhatIsMissingAsUnityDoesAndSaysSo)
+{
+    const SceneAsset asset =
+        Load(k_Camera +
+             CubeText(2, "Box", 0, "{fileID: 2100000, guid: bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb}") +
+             CubeText(3, "None", 0, "{fileID: 0}"));
+    EXPECT_EQ(asset.scene.objects()[1]->renderer->sharedMaterials.front(),
+              asset.scene.objects()[2]->renderer->sharedMaterials.front());
+    EXPECT_THAT(NotesOf(asset),
+                Contains(HasSubstr("Box/MeshRenderer.m_Materials.Array.data[0]: no file of the "
+                                   "project has the material's guid bbbb")));
+}
+
+TEST_F(ProjectOfAFewFiles, KeepsTheRestWhereAValueIsWrong)
+{
+    std::string text = k_Camera + CubeText(2, "Box", 0, k_Red);
+    text.replace(text.find("y: 2, z: 3"), 10, "y: up, z: 3");
+    const SceneAsset asset = Load(text);
+    EXPECT_EQ(asset.scene.objects()[1]->transform.localPosition, glm::vec3(1, 0, 3));
+    EXPECT_THAT(NotesOf(asset),
+                Contains(HasSubstr("Box/Transform.m_LocalPosition.y: 'up' is no number")));
+}
+
+TEST_F(ProjectOfAFewFiles, NeedsACamera)
+{
+    Write("Assets/Main.unity", CubeText(2, "Box", 0, k_Red));
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder.path(), m_Assets); }),
+                ElementsAre(HasSubstr("no camera draws a picture")));
+}
+
+TEST_F(ProjectOfAFewFiles, NamesItsScenesWhereItIsNotClearWhichIsDrawn)
+{
+    Write("Assets/A.unity", k_Camera);
+    Write("Assets/B.unity", k_Camera);
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder.path(), m_Assets); }),
+                ElementsAre(HasSubstr("Assets/A.unity")));
+    Write("ProjectSettings/EditorBuildSettings.asset",
+          "--- !u!1045 &1\nEditorBuildSettings:\n  m_Scenes:\n  - enabled: 0\n"
+          "    path: Assets/A.unity\n  - enabled: 1\n    path: Assets/B.unity\n");
+    EXPECT_EQ(FindFirstUnityScene(m_Folder.path()), m_Folder / "Assets/B.unity");
+    std::filesystem::remove_all(m_Folder / "Assets");
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder.path(), m_Assets); }),
+                ElementsAre(HasSubstr("this folder is no Unity project")));
+}
+
+TEST_F(ProjectOfAFewFiles, SaysWhatIsNoText)
+{
+    m_Folder.Write("Assets/Main.unity", std::string("\0\0\0\x16", 4));
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder / "Assets/Main.unity", m_Assets); }),
+                ElementsAre(HasSubstr("saved as binary")));
+    m_Folder.Write("Assets/Main.unity", "version https://git-lfs.github.com/spec/v1\n");
+    AssetContext others;
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder / "Assets/Main.unity", others); }),
+                ElementsAre(HasSubstr("git lfs pull")));
+}
+
+} // namespace
+} // namespace limn::test
