@@ -1,7 +1,7 @@
 #include "commands/PortCommand.h"
 
+#include "assets/FeatureFolder.h"
 #include "assets/FileKind.h"
-#include "commands/FeatureFolder.h"
 #include "port/PortFolder.h"
 #include "port/ReadCSharp.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "commands/RenderCommand.h"
+#include "commands/Commands.h"
 
 namespace limn
 {

@@ -1,6 +1,6 @@
 #include "report/measure/StudyScene.h"
 
-#include "plugins/DescribeFeature.h"
+#include "plugins/LoadPlugin.h"
 #include "report/measure/Techniques.h"
 
 #include <limn/core/Judge.h>
