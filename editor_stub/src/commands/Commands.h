@@ -113,6 +113,19 @@ struct NewOptions
 /// @throws AssetError if a file cannot be written, or the folder is not empty
 int RunNew(const NewOptions& options, Console& console);
 
+/// `limn port`, as the command line has it.
+struct PortOptions
+{
+    std::vector<std::string> files; ///< C#, not empty
+    std::string folder;             ///< made, if it is not there
+};
+
+/// Writes the folder of a plug-in in which a render feature of Unity's is begun in C++, and says
+/// what of the C# limn does not have or know.
+/// @return an ExitCode
+/// @throws AssetError if a file is no C#, none has a feature, or the folder cannot be written
+int RunPort(const PortOptions& options, Console& console);
+
 /// Says what limn finds on this machine.
 /// @param device  which device is asked for, as VulkanDeviceOptions::device
 /// @return an ExitCode: MachineLacksIt if no device can be used
