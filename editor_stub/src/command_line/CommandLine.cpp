@@ -3,7 +3,6 @@
 #include "command_line/FlagTable.h"
 #include "command_line/Values.h"
 #include "commands/Commands.h"
-#include "commands/ReportCommand.h"
 
 #include <cstdlib>
 #include <filesystem>

@@ -1,9 +1,9 @@
-#include "report/measure/StudyJson.h"
+#include "report/measure/StudyFiles.h"
 
+#include "console/Texts.h"
 #include "settings/Keys.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limn/volume/YamlMapReader.h>
@@ -84,13 +84,12 @@ public:
     /// The quotes around "nan" and "inf" are NumberToJson's.
     void ReadValue(const YamlNode& node, const std::string& subject, double& value)
     {
-        const std::string& text = node.scalar();
-        const char* end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, value);
-        if (error != std::errc() || rest != end)
+        const std::optional<double> number = ParseWhole<double>(node.scalar());
+        if (!number)
         {
             Refuse(node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
         }
+        value = number.value_or(value);
     }
     void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
     {
@@ -183,46 +182,46 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
     diagnostics.ThrowIfErrors();
 }
 
-TechniqueInfo TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
+/// Hands the members that JSON has as they are to `visit(key, member)`.
+template <typename Info, typename Visit>
+void VisitInfo(Info& info, const Visit& visit)
 {
-    TechniqueInfo info;
-    Reader reader(node, "technique", diagnostics);
-    reader.Read("name", info.name);
-    reader.Read("feature", info.feature);
-    reader.Read("summary", info.summary);
-    reader.Read("isArticle", info.isArticle);
-    reader.Read("noWidth", info.noWidth);
-    return info;
+    visit("name", info.name);
+    visit("feature", info.feature);
+    visit("summary", info.summary);
+    visit("isArticle", info.isArticle);
+    visit("noWidth", info.noWidth);
+}
+
+template <typename AnyStudy, typename Visit>
+void VisitStudy(AnyStudy& study, const Visit& visit)
+{
+    visit("scene", study.scene);
+    visit("sceneHash", study.sceneHash);
+    visit("device", study.device);
+    visit("machine", study.machine);
+    visit("limnVersion", study.limnVersion);
+    visit("options", study.options);
+    visit("started", study.started);
+    visit("loadAverage", study.loadAverage);
+    visit("copyBandwidth", study.copyBandwidth);
 }
 
 } // namespace
 
 Json ToJson(const Study& study)
 {
-    Json json = {{"format", k_Format},
-                 {"scene", study.scene},
-                 {"sceneHash", study.sceneHash},
-                 {"device", study.device},
-                 {"machine", study.machine},
-                 {"limnVersion", study.limnVersion},
-                 {"options", study.options},
-                 {"started", study.started},
-                 {"loadAverage", study.loadAverage},
-                 {"copyBandwidth", study.copyBandwidth},
-                 {"techniques", Json::array()},
-                 {"planned", Json::array()}};
-    for (const TechniqueInfo& info : study.techniques)
-    {
-        json["techniques"].push_back({{"name", info.name},
-                                      {"feature", info.feature},
-                                      {"summary", info.summary},
-                                      {"isArticle", info.isArticle},
-                                      {"noWidth", info.noWidth}});
-    }
-    for (const CellId& id : study.planned)
-    {
-        json["planned"].push_back(IdToJson(id));
-    }
+    Json json = {{"format", k_Format}};
+    VisitStudy(study, [&](const char* key, const auto& value) { json[key] = value; });
+    json["techniques"] = JsonList(study.techniques,
+                                  [](const TechniqueInfo& info)
+                                  {
+                                      Json technique;
+                                      VisitInfo(info, [&](const char* key, const auto& value)
+                                                { technique[key] = value; });
+                                      return technique;
+                                  });
+    json["planned"] = JsonList(study.planned, IdToJson);
     return json;
 }
 
@@ -249,18 +248,15 @@ Study StudyFromJson(std::string_view text, const std::string& file)
     RequireFormat(root, diagnostics);
     Reader reader(root, "study", diagnostics);
     Study study;
-    reader.Read("scene", study.scene);
-    reader.Read("sceneHash", study.sceneHash);
-    reader.Read("device", study.device);
-    reader.Read("machine", study.machine);
-    reader.Read("limnVersion", study.limnVersion);
-    reader.Read("options", study.options);
-    reader.Read("started", study.started);
-    reader.Read("loadAverage", study.loadAverage);
-    reader.Read("copyBandwidth", study.copyBandwidth);
+    VisitStudy(study, [&](const char* key, auto& value) { reader.Read(key, value); });
     reader.ReadItems("techniques", YamlKind::Sequence,
                      [&](const std::string&, const YamlNode& node)
-                     { study.techniques.push_back(TechniqueFrom(node, diagnostics)); });
+                     {
+                         Reader technique(node, "technique", diagnostics);
+                         VisitInfo(study.techniques.emplace_back(),
+                                   [&](const char* key, auto& value)
+                                   { technique.Read(key, value); });
+                     });
     reader.ReadItems("planned", YamlKind::Sequence,
                      [&](const std::string&, const YamlNode& node)
                      { reader.ReadValue(node, "planned", study.planned.emplace_back()); });
