@@ -4,9 +4,16 @@
 #   feature_sources  their sources, and a generated one that defines limn::FUNCTION(FeatureRegistry&,
 #                    VolumeComponentRegistry&), which calls limn::<folder>::Register of each
 #   feature_shaders  the .shader files of all folders, relative to ROOT
+#   feature_header   the generated limn/features/AllFeatures.h, which includes their public headers
 function(limn_feature_folders root function)
     file(GLOB sources CONFIGURE_DEPENDS ${root}/*/src/*.cpp)
     file(GLOB shaders CONFIGURE_DEPENDS RELATIVE ${root} ${root}/*/*.shader)
+    file(GLOB_RECURSE headers CONFIGURE_DEPENDS ${root}/*/include/*.h)
+    list(TRANSFORM headers REPLACE "^.*/include/(limn/.*)$" "#include <\\1>\n")
+    list(SORT headers)
+    list(JOIN headers "" headers)
+    set(header ${CMAKE_CURRENT_BINARY_DIR}/include/limn/features/AllFeatures.h)
+    file(CONFIGURE OUTPUT ${header} CONTENT "#pragma once\n\n@headers@" @ONLY)
     set(names ${sources})
     list(TRANSFORM names REPLACE "^.*/([^/]+)/src/[^/]+$" "\\1")
     list(REMOVE_DUPLICATES names)
@@ -38,4 +45,5 @@ void @function@(FeatureRegistry& features, VolumeComponentRegistry& components)
     set(feature_folders ${folders} PARENT_SCOPE)
     set(feature_sources ${sources} ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp PARENT_SCOPE)
     set(feature_shaders ${shaders} PARENT_SCOPE)
+    set(feature_header ${header} PARENT_SCOPE)
 endfunction()

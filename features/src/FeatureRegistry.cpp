@@ -1,11 +1,12 @@
 #include <limn/features/FeatureRegistry.h>
 
 #include <algorithm>
+#include <limn/base/Case.h>
 
 namespace limn
 {
 
-void FeatureRegistry::Add(Entry entry)
+void FeatureRegistry::Add(Entry entry, std::vector<Technique> techniques)
 {
     if (entry.name.empty())
     {
@@ -15,7 +16,19 @@ void FeatureRegistry::Add(Entry entry)
     {
         throw ContractError("a feature '" + entry.name + "' is registered already");
     }
+    std::vector<Technique> all = m_Techniques;
+    for (Technique& technique : techniques)
+    {
+        if (technique.name.empty() || FindTechnique(all, technique.name))
+        {
+            throw ContractError("a technique '" + technique.name + "' has no name or a taken one");
+        }
+        technique.feature = entry.name;
+        const auto behind = std::ranges::upper_bound(all, technique.place, {}, &Technique::place);
+        all.insert(behind, std::move(technique));
+    }
     m_Entries.push_back(std::make_unique<const Entry>(std::move(entry)));
+    m_Techniques = std::move(all);
 }
 
 std::unique_ptr<ScriptableRendererFeature> FeatureRegistry::Create(std::string_view name) const
@@ -26,7 +39,7 @@ std::unique_ptr<ScriptableRendererFeature> FeatureRegistry::Create(std::string_v
     {
         return nullptr;
     }
-    return RunFeatureCode(*(*found)->type, name, "its constructor", (*found)->create);
+    return RunPluginCode(*(*found)->type, name, "its constructor", (*found)->create);
 }
 
 std::vector<std::string_view> FeatureRegistry::names() const
@@ -37,6 +50,13 @@ std::vector<std::string_view> FeatureRegistry::names() const
         names.push_back(entry->name);
     }
     return names;
+}
+
+const Technique* FindTechnique(std::span<const Technique> techniques, std::string_view name)
+{
+    const auto found = std::ranges::find_if(techniques, [name](const Technique& technique)
+                                            { return EqualsIgnoringCase(technique.name, name); });
+    return found == techniques.end() ? nullptr : &*found;
 }
 
 } // namespace limn

@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderContext.h>
 #include <limn/vulkan/VulkanDevice.h>

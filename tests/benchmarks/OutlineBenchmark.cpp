@@ -10,21 +10,15 @@
 // `kinds` prints a table in Markdown: the mean error of every technique for every kind of mesh that
 // nobody tidied.
 
+#include "CachedCompiler.h"
 #include "Samples.h"
 #include "editor_stub/report/measure/UntidyScene.h"
-#include "features/outline/TechniquePicture.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/Techniques.h"
 
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
-#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
-#include <limn/features/ScreenSpaceOutline.h>
-#include <limn/features/ScreenSpaceOutlineRenderFeature.h>
-#include <limn/features/StrokeOutlineRendererFeature.h>
-#include <limn/features/WideOutlineRendererFeature.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
 
@@ -34,7 +28,8 @@ namespace limn::benchmarks
 namespace
 {
 
-using namespace limn::test;
+using namespace study;
+using namespace test;
 
 struct Options
 {
@@ -44,47 +39,16 @@ struct Options
     std::vector<std::string> tables;
 };
 
-struct Technique
+/// Keeps what is compiled for every picture of the run.
+AssetContext& Assets(const VulkanDevice& device)
 {
-    const char* name;
-    std::function<void(TechniquePicture&, float width)> add;
-};
-
-template <typename Feature, typename Component, typename Settings>
-Technique Make(const char* name, Settings settings)
-{
-    return {name, [settings](TechniquePicture& picture, float width)
-            {
-                picture.AddFeature<Feature>(settings);
-                picture.Enable<Component>(width);
-            }};
-}
-
-Technique Wide(const char* name, WideOutlineMethod method)
-{
-    WideOutlineSettings settings;
-    settings.m_Method = method;
-    return Make<WideOutlineRendererFeature, WideOutline>(name, settings);
-}
-
-/// The article's: as wide as it goes, 10 pixels.
-Technique ScreenSpace()
-{
-    ScreenSpaceOutlineSettings settings;
-    settings.m_ScreenSpaceOutlineShader =
-        FindShippedShader("Hidden/ScreenSpaceOutline", Compiler());
-    settings.m_LayerMask = LayerMask::Everything();
-    return Make<ScreenSpaceOutlineRenderFeature, ScreenSpaceOutline>("screen space", settings);
-}
-
-std::vector<Technique> Techniques()
-{
-    return {Make<StrokeOutlineRendererFeature, StrokeOutline>("strokes", StrokeOutlineSettings()),
-            Wide("separable", WideOutlineMethod::Separable),
-            Wide("jump flood", WideOutlineMethod::JumpFlood),
-            Make<MaskDifferenceOutlineRendererFeature, MaskDifferenceOutline>(
-                "mask differ.", MaskDifferenceOutlineSettings()),
-            ScreenSpace()};
+    static AssetContext assets = [&device]
+    {
+        ShaderCompilerOptions options = CachedCompiler();
+        options.missingFeatures = device.missingShaderFeatures();
+        return AssetContext(std::move(options));
+    }();
+    return assets;
 }
 
 struct Shape
@@ -120,38 +84,44 @@ glm::ivec2 PictureSize(const Options& options)
 
 void PrintErrors(VulkanDevice& device, const Options& options)
 {
-    const std::vector<float> widths =
-        options.quick ? std::vector<float>{2.0f} : std::vector<float>{1, 2, 4, 8, 16, 32, 64};
+    const std::vector<double> widths =
+        options.quick ? std::vector<double>{2} : std::vector<double>{1, 2, 4, 8, 16, 32, 64};
     const glm::ivec2 size = PictureSize(options);
     std::printf("\nError of the outline's coverage, %d x %d; over pixels that are in the outline, "
-                "the drawn or the exact one\n%-12s %-14s %5s %9s %9s %8s %8s %9s\n",
+                "the drawn or the exact one\n%-15s %-14s %5s %9s %9s %8s %8s %9s\n",
                 size.x, size.y, "technique", "shape", "width", "mean abs", "rms", "largest", "IoU",
                 "width off");
+    AssetContext& assets = Assets(device);
     std::vector<Shape> shapes = Shapes(Scale(options));
     shapes.resize(options.quick ? 1 : shapes.size());
     for (const Shape& shape : shapes)
     {
         const Silhouette silhouette(shape.triangles);
-        for (const float width : widths)
+        for (const double width : widths)
         {
             const Coverage exact = ExactOutlineCoverage(silhouette, {width}, size.x, size.y);
-            for (const Technique& technique : Techniques())
+            for (const Technique& technique : assets.features().techniques())
             {
-                TechniquePicture picture(device, size.x, size.y);
-                picture.Add("shape", shape.triangles);
-                technique.add(picture, width);
-                const OutlineScore score = ScoreOutline(picture.Alpha(), exact);
-                std::printf("%-12s %-14s %5g %9.5f %9.5f %8.3f %8.4f %+8.2f%%\n", technique.name,
-                            shape.name.c_str(), static_cast<double>(width), score.meanAbsoluteError,
-                            score.rootMeanSquare, score.largest, score.intersectionOverUnion,
-                            100.0 * score.widthBias);
+                if (!technique.noWidth.empty() || width > technique.widestOutline)
+                {
+                    continue;
+                }
+                SceneAsset asset = EmptyPicture(size.x, size.y);
+                AddShape(asset, "shape", shape.triangles, assets);
+                UseTechnique(asset, technique, width, assets);
+                const OutlineScore score =
+                    ScoreOutline(StudyPicture(std::move(asset), assets, device).Alpha(), exact);
+                std::printf("%-15s %-14s %5g %9.5f %9.5f %8.3f %8.4f %+8.2f%%\n",
+                            technique.name.c_str(), shape.name.c_str(), width,
+                            score.meanAbsoluteError, score.rootMeanSquare, score.largest,
+                            score.intersectionOverUnion, 100.0 * score.widthBias);
             }
         }
     }
 }
 
 /// @return the mean error of an outline of 8 pixels; NaN where the device draws no such outline
-double UntidyError(VulkanDevice& device, AssetContext& assets, const study::Technique& technique,
+double UntidyError(VulkanDevice& device, AssetContext& assets, const Technique& technique,
                    PrimitiveType type, Untidiness untidiness)
 {
     constexpr double k_PixelsWide = 8.0;
@@ -167,17 +137,14 @@ double UntidyError(VulkanDevice& device, AssetContext& assets, const study::Tech
     }
     catch (const ContractError& error)
     {
-        std::fprintf(stderr, "%s: %s\n", technique.info.name.c_str(), error.what());
+        std::fprintf(stderr, "%s: %s\n", technique.name.c_str(), error.what());
         return std::numeric_limits<double>::quiet_NaN();
     }
 }
 
 void PrintKinds(VulkanDevice& device, const Options& options)
 {
-    ShaderCompilerOptions compilerOptions = CachedCompiler();
-    compilerOptions.missingFeatures = device.missingShaderFeatures();
-    AssetContext assets{compilerOptions};
-    const std::vector<study::Technique>& techniques = study::Techniques();
+    AssetContext& assets = Assets(device);
     const std::vector<PrimitiveType> types =
         options.quick ? std::vector<PrimitiveType>{PrimitiveType::Cube}
                       : std::vector<PrimitiveType>{PrimitiveType::Cube, PrimitiveType::Torus,
@@ -193,10 +160,9 @@ void PrintKinds(VulkanDevice& device, const Options& options)
     {
         std::printf("---|");
     }
-    for (const study::Technique& technique : techniques)
+    for (const Technique& technique : assets.features().techniques())
     {
-        std::printf("\n| %s%s |", technique.info.name.c_str(),
-                    technique.info.noWidth.empty() ? "" : "*");
+        std::printf("\n| %s%s |", technique.name.c_str(), technique.noWidth.empty() ? "" : "*");
         for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
         {
             double sum = 0.0;
@@ -214,7 +180,7 @@ void PrintKinds(VulkanDevice& device, const Options& options)
 }
 
 /// Milliseconds of the device in all passes of a new frame.
-double DeviceMilliseconds(TechniquePicture& picture, VulkanDevice& device)
+double DeviceMilliseconds(StudyPicture& picture, VulkanDevice& device)
 {
     picture.Render();
     device.Wait();
@@ -227,25 +193,30 @@ double DeviceMilliseconds(TechniquePicture& picture, VulkanDevice& device)
 }
 
 /// @param isHdr  then whatever blends keeps the half-float target and its final copy alive
-void AddSphere(TechniquePicture& picture, double diameter, bool isHdr)
+SceneAsset SpherePicture(const glm::ivec2& size, double diameter, bool isHdr, AssetContext& assets)
 {
-    picture.camera.allowHDR = isHdr;
-    GameObject& sphere = picture.Add("sphere", CreatePrimitive(PrimitiveType::Sphere));
+    SceneAsset asset = EmptyPicture(size.x, size.y);
+    asset.camera.allowHDR = isHdr;
+    GameObject& sphere =
+        AddOutlined(asset, "sphere", assets.Primitive(PrimitiveType::Sphere), assets);
     // Flat enough to lie in front of the camera.
-    const auto size = static_cast<float>(diameter);
-    sphere.transform.localScale = {size, size, std::min(size, 100.0f)};
+    const auto across = static_cast<float>(diameter);
+    sphere.transform.localScale = {across, across, std::min(across, 100.0f)};
+    return asset;
 }
 
 void PrintTime(VulkanDevice& device, const Options& options, const Technique& technique,
-               float width, bool isHdr)
+               double width, bool isHdr)
 {
-    const glm::ivec2 size = PictureSize(options);
-    const double diameter = 400.0 * Scale(options);
-    TechniquePicture without(device, size.x, size.y);
-    TechniquePicture with(device, size.x, size.y);
-    AddSphere(without, diameter, isHdr);
-    AddSphere(with, diameter, isHdr);
-    technique.add(with, width);
+    AssetContext& assets = Assets(device);
+    const auto sphere = [&]
+    {
+        return SpherePicture(PictureSize(options), 400.0 * Scale(options), isHdr, assets);
+    };
+    SceneAsset outlined = sphere();
+    UseTechnique(outlined, technique, width, assets);
+    StudyPicture without(sphere(), assets, device);
+    StudyPicture with(std::move(outlined), assets, device);
     DeviceMilliseconds(without, device);
     DeviceMilliseconds(with, device);
     Samples plain;
@@ -256,9 +227,9 @@ void PrintTime(VulkanDevice& device, const Options& options, const Technique& te
         plain.Add(a);
         added.Add(DeviceMilliseconds(with, device) - a);
     }
-    std::printf("%-12s width %2g %s  + %7.2f [%.2f-%.2f]  without %.2f\n", technique.name,
-                static_cast<double>(width), isHdr ? "HDR" : "LDR", added.Median(), added.Part(0.1),
-                added.Part(0.9), plain.Median());
+    std::printf("%-27s width %2g %s  + %7.2f [%.2f-%.2f]  without %.2f\n", technique.name.c_str(),
+                width, isHdr ? "HDR" : "LDR", added.Median(), added.Part(0.1), added.Part(0.9),
+                plain.Median());
 }
 
 void PrintTimes(VulkanDevice& device, const Options& options)
@@ -269,12 +240,15 @@ void PrintTimes(VulkanDevice& device, const Options& options)
                 400.0 * Scale(options), size.x, size.y);
     for (const bool isHdr : {false, true})
     {
-        for (const float width :
-             options.quick ? std::vector<float>{8} : std::vector<float>{2, 8, 32})
+        for (const double width :
+             options.quick ? std::vector<double>{8} : std::vector<double>{2, 8, 32})
         {
-            for (const Technique& technique : Techniques())
+            for (const Technique& technique : Assets(device).features().techniques())
             {
-                PrintTime(device, options, technique, width, isHdr);
+                if (width <= technique.widestOutline)
+                {
+                    PrintTime(device, options, technique, width, isHdr);
+                }
             }
         }
     }

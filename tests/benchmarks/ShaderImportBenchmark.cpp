@@ -2,7 +2,7 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 
 #include "TemporaryFolder.h"
-#include "lowering/Rewriter.h"
+#include "lowering/StageLowering.h"
 #include "preprocess/GlslangSession.h"
 #include "preprocess/Preprocessor.h"
 #include "spirv/SpirvBuilder.h"
@@ -185,7 +185,7 @@ struct Steps
     {
         const ShaderCompilerOptions options;
         IncludeResolver resolver(options, program.file);
-        SourceLines lines(program, resolver);
+        ColumnFinder lines(program, resolver);
         ShaderProgram pass;
         times.Measure("ms_preprocess",
                       [&]

@@ -1,5 +1,5 @@
 #include <benchmark/benchmark.h>
-#include <limn/volume/FloatParameter.h>
+#include <limn/volume/NumberParameters.h>
 #include <limn/volume/VolumeManager.h>
 
 namespace limn

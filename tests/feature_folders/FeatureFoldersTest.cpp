@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
+#include <limn/features/AllFeatures.h> // of the folders of this test
 #include <limn/features/FeatureRegistry.h>
-#include <limn/features/Glow.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 
@@ -25,6 +25,8 @@ TEST(FeatureFolders, RegisterWhatTheyHoldWithoutAnEditElsewhere)
     EXPECT_EQ((std::vector<std::string_view>{"GlowFeature"}), features.names());
     EXPECT_NE(nullptr, dynamic_cast<GlowFeature*>(features.Create("GlowFeature").get()));
     EXPECT_NE(nullptr, dynamic_cast<Glow*>(components.Create("Glow").get()));
+    ASSERT_EQ(1u, features.techniques().size());
+    EXPECT_EQ("GlowFeature", features.techniques().front().feature);
 }
 
 TEST(FeatureFolders, BringTheirShadersUnderTheNamesInTheFiles)

@@ -15,11 +15,14 @@ file(WRITE \${CMAKE_CURRENT_BINARY_DIR}/found.txt "\${feature_folders} \${featur
 EOF
 cmake -S "$folder" -B "$folder/build" -G Ninja >/dev/null
 grep -q "render_objects::Register(features, components);" "$folder/build/RegisterFeatures.cpp"
-! grep -q glow "$folder/build/RegisterFeatures.cpp" "$folder/build/found.txt"
+header=$folder/build/include/limn/features/AllFeatures.h
+grep -qx "#include <limn/features/RenderObjects.h>" "$header"
+! grep -qi glow "$folder/build/RegisterFeatures.cpp" "$folder/build/found.txt" "$header"
 
 cp -r "$limn/tests/feature_folders/glow" "$folder/features"
 cmake --build "$folder/build" >/dev/null
 grep -q "    glow::Register(features, components);" "$folder/build/RegisterFeatures.cpp"
+grep -qx "#include <limn/features/Glow.h>" "$header"
 for found in "features/glow " features/glow/src/Register.cpp glow/AnyFileName.shader; do
     grep -q "$found" "$folder/build/found.txt" || grep -q "${found% };" "$folder/build/found.txt"
 done

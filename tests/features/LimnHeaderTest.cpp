@@ -32,6 +32,9 @@ std::map<std::string, std::filesystem::path> PublicHeaders()
     {
         headers["limn/volume/" + entry.path().filename().string()] = entry.path();
     }
+    const std::string generated = "limn/features/AllFeatures.h";
+    const auto build = std::filesystem::path(test::LimnExecutable()).parent_path().parent_path();
+    headers[generated] = build / "features/include" / generated;
     return headers;
 }
 

@@ -1,11 +1,11 @@
 #include <limn/shaderlab/InitialKeywords.h>
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/VariantCount.h>
 
 #include "desugar/Rewrites.h"
 #include "includes/IncludeResolver.h"
 #include "keywords/PragmaScanner.h"
-#include "lowering/Rewriter.h"
+#include "lowering/StageLowering.h"
 #include "preprocess/GlslangIncluder.h"
 
 #include <cstddef>
@@ -59,7 +59,7 @@ PassProgram ScanAll(const std::string& text)
 }
 
 /// Everything between the preprocessor and the compiler, with each function as the entry.
-void Rewrite(const std::string& text, SourceLines& lines, ShaderStage stage)
+void Rewrite(const std::string& text, ColumnFinder& lines, ShaderStage stage)
 {
     const HlslSource source(text, &lines);
     for (const std::size_t token : {source.tokens.size() / 2, source.tokens.size() - 1})
@@ -126,7 +126,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         program.chunks = {{"\n" + text, 0}};
         static const ShaderCompilerOptions options;
         IncludeResolver resolver(options, "fuzz.shader");
-        SourceLines lines(program, resolver);
+        ColumnFinder lines(program, resolver);
         const std::string spelt = RespellForGlslang(translated, program, lines, warnings);
         Rewrite(spelt, lines, ShaderStage::Vertex);
         Rewrite(spelt, lines, ShaderStage::Geometry);

@@ -7,7 +7,7 @@
 #include <limn/core/UniversalFrameData.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
-#include <limn/volume/FloatParameter.h>
+#include <limn/volume/NumberParameters.h>
 #include <limn/volume/VolumeStack.h>
 
 // A plug-in of the tests: it paints the picture red, or throws where its setting says.
@@ -181,6 +181,7 @@ LIMN_PLUGIN(features, components)
 {
     probe::ThrowIf(probe::BuiltFault() == probe::Fault::Registration,
                    std::runtime_error("nothing to sell"));
-    features.Register<probe::ProbeFeature>("ProbeFeature");
+    features.Register<probe::ProbeFeature>(
+        "ProbeFeature", {{.name = "Red paint", .summary = "paints all of the picture"}});
     components.Register<probe::Probe>("Probe");
 }

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
-#include <limn/vulkan/VulkanDeviceInfo.h>
+#include <limn/vulkan/VulkanDevice.h>
 #include <stdexcept>
 
 namespace limn::test

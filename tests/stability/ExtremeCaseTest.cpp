@@ -1,5 +1,7 @@
 #include "report/extremes/Stability.h"
 
+#include "ShippedTechniques.h"
+
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <iterator>
@@ -14,7 +16,7 @@ namespace
 
 TEST(ExtremeCase, IsReadBackFromTheCellThatItIs)
 {
-    for (const CellId& cell : PlanSweep(Techniques(), SweepSize::Pairwise))
+    for (const CellId& cell : PlanSweep(test::ShippedTechniques(), SweepSize::Pairwise))
     {
         const ExtremeCase extreme = ExtremeCase::OfCell(cell);
         EXPECT_EQ(extreme.Variant(), cell.variant);
@@ -27,13 +29,13 @@ TEST(PlanSweep, NamesEachCellOnce)
     const auto namesOf = [](SweepSize size)
     {
         std::set<std::string> names;
-        for (const CellId& cell : PlanSweep(Techniques(), size))
+        for (const CellId& cell : PlanSweep(test::ShippedTechniques(), size))
         {
             EXPECT_TRUE(names.insert(cell.Name()).second) << cell.Name();
         }
         return names.size();
     };
-    const std::size_t techniques = Techniques().size();
+    const std::size_t techniques = test::ShippedTechniques().size();
     EXPECT_GE(namesOf(SweepSize::Sampled), 8 * techniques); // a cell for each width at least
     EXPECT_LE(namesOf(SweepSize::Sampled), 12 * techniques);
     EXPECT_GE(namesOf(SweepSize::Pairwise), 64 * techniques);
@@ -42,13 +44,13 @@ TEST(PlanSweep, NamesEachCellOnce)
 
 TEST(PlanSweep, HasEveryLevelForEveryTechniqueHoweverFewCells)
 {
-    const std::vector<CellId> cells = PlanSweep(Techniques(), SweepSize::Sampled);
-    for (const Technique& technique : Techniques())
+    const std::vector<CellId> cells = PlanSweep(test::ShippedTechniques(), SweepSize::Sampled);
+    for (const Technique& technique : test::ShippedTechniques())
     {
         std::set<std::string> levels;
         for (const CellId& cell : cells)
         {
-            if (cell.technique == technique.info.name)
+            if (cell.technique == technique.name)
             {
                 std::istringstream variant(cell.variant);
                 levels.insert(std::istream_iterator<std::string>(variant), {});
@@ -58,7 +60,7 @@ TEST(PlanSweep, HasEveryLevelForEveryTechniqueHoweverFewCells)
         }
         // 8 ratios, 8 widths, 5 sizes, 3 angles, 7 scales, 2 sample counts, 3 views, 2 directions,
         // 8 kinds of mesh
-        EXPECT_EQ(levels.size(), 46u) << technique.info.name;
+        EXPECT_EQ(levels.size(), 46u) << technique.name;
     }
 }
 
@@ -68,7 +70,8 @@ TEST(PlanSweep, OfAllCombinationsKeepsFullScreensFew)
     levels.depthRatios = {1e2, 1e9};
     levels.widths = {8.0, 64.0};
     levels.meshes = {Untidiness::None};
-    const auto cells = PlanSweep(std::span(Techniques()).first(1), SweepSize::Full, levels);
+    const auto cells =
+        PlanSweep(std::span(test::ShippedTechniques()).first(1), SweepSize::Full, levels);
     EXPECT_EQ(
         std::ranges::count_if(cells, [](const CellId& cell) { return cell.pictureWidth <= 256; }),
         2 * 2 * 3 * 3 * 7 * 2 * 3 * 2);

@@ -43,7 +43,8 @@ TEST_F(FormulaTable, IsAPartOfTheStabilityCells)
 {
     const std::vector<CellId> cells = PlanStability({}, SweepSize::Pairwise);
     ASSERT_EQ(cells.size(), Formulas().size());
-    StabilityStudy study(test::CachedCompiler(), test::SharedDevice());
+    const AssetContext assets(test::CachedCompiler());
+    StabilityStudy study(assets, test::SharedDevice());
     const CellResult negative = study.Measure(cells[1]);
     EXPECT_EQ(negative.id.Name(), "stability/Formulas/pow(x, y), y = 2/0/1x1/x = -0.5");
     EXPECT_EQ(negative.Value("formulaMeant"), 0.25);

@@ -2,8 +2,8 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
-#include <limn/volume/AnimationCurveParameter.h>
-#include <limn/volume/KeyframeUtility.h>
+#include <limn/volume/AnimationCurve.h>
+#include <limn/volume/CurveParameters.h>
 #include <volume/blending/VolumeScene.h>
 
 namespace limn

@@ -30,7 +30,7 @@ protected:
         SceneAsset asset = EmptyPicture(48, 48);
         AddOutlined(asset, "ball", CreatePrimitive(PrimitiveType::Sphere), Assets())
             .transform.localScale = glm::vec3(20.0f);
-        UseTechnique(asset, *FindTechnique(technique), width, Assets());
+        UseTechnique(asset, RequireTechnique(Assets(), technique), width, Assets());
         return asset;
     }
 };
@@ -50,11 +50,11 @@ void Shift(StudyPicture& picture, double pixels)
 
 TEST_F(StiffPicture, OfAPartThinnerThanAPixelIsFiniteAndWholeForStrokesWhereverItLies)
 {
-    for (const Technique& technique : Techniques())
+    for (const Technique& technique : Assets().features().techniques())
     {
         for (const double thickness : {0.05, 0.7})
         {
-            SCOPED_TRACE(technique.info.name + ", " + std::to_string(thickness) + " pixels");
+            SCOPED_TRACE(technique.name + ", " + std::to_string(thickness) + " pixels");
             SceneAsset asset = EmptyPicture(40, 36);
             const ScreenTriangles needle = NeedleTriangles({8.3, 11.2}, {31.6, 25.7}, thickness);
             AddShape(asset, "needle", needle, Assets());
@@ -67,13 +67,13 @@ TEST_F(StiffPicture, OfAPartThinnerThanAPixelIsFiniteAndWholeForStrokesWhereverI
                 const Image colors = picture.Colors();
                 const BadValues bad = CountBadValues(colors);
                 EXPECT_EQ(bad.notFinite, 0);
-                if (technique.info.name != "Selection") // its strength is 3
+                if (technique.name != "Selection") // its strength is 3
                 {
                     EXPECT_EQ(bad.outOfRange, 0);
                 }
                 const double area = ChannelOf(colors, 0).Sum();
                 EXPECT_LE(area, 2.5 * exact);
-                if (technique.info.name == "Strokes" || technique.info.name == "Auto")
+                if (technique.name == "Strokes" || technique.name == "Auto")
                 {
                     EXPECT_NEAR(area, exact, 0.01 * exact) << "shifted by " << shift;
                 }

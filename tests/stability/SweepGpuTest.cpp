@@ -52,12 +52,18 @@ const KnownFailure k_Known[] = {
      "twice the width has 0 pixels", k_Cross},
 };
 
+const AssetContext& Assets()
+{
+    static const AssetContext assets(test::CachedCompiler());
+    return assets;
+}
+
 /// Small pictures; the sweep's sizes of full screens are the report's.
 std::vector<CellId> Plan()
 {
     ExtremeLevels levels;
     levels.sizes = {{96, 64}, {1, 1}, {3, 7}};
-    return PlanSweep(Techniques(), SweepSize::Sampled, levels);
+    return PlanSweep(Assets().features().techniques(), SweepSize::Sampled, levels);
 }
 
 class Sweep : public test::GpuTest
@@ -65,7 +71,7 @@ class Sweep : public test::GpuTest
 protected:
     static StabilityStudy& Study()
     {
-        static StabilityStudy study(test::CachedCompiler(), test::SharedDevice());
+        static StabilityStudy study(Assets(), test::SharedDevice());
         return study;
     }
 };
@@ -90,7 +96,7 @@ TEST_F(Sweep, IsSurvivedByOurTechniquesEverywhereAndByTheArticlesButForWhatIsKno
             EXPECT_EQ(result.Value("failures"), 0.0) << Text(result);
             continue;
         }
-        EXPECT_TRUE(FindTechnique(cell.technique)->info.isArticle) << Text(result);
+        EXPECT_TRUE(RequireTechnique(Assets(), cell.technique).isArticle) << Text(result);
         EXPECT_NE(Text(result).find(expected->second->sentence), std::string::npos)
             << Text(result) << "\nwas known to fail: " << expected->second->reason;
         known.erase(expected);
@@ -127,8 +133,7 @@ TEST_F(Sweep, MeasuresACellFromItsNameAlone)
                       64,
                       "ratio=1e+05 fov=60 scale=mirrored samples=4 view=oblique z=standard"};
     const CellResult here = Study().Measure(cell);
-    const CellResult there =
-        StabilityStudy(test::CachedCompiler(), test::SharedDevice()).Measure(cell);
+    const CellResult there = StabilityStudy(Assets(), test::SharedDevice()).Measure(cell);
     EXPECT_EQ(here.values, there.values);
     EXPECT_EQ(here.notes, there.notes);
     EXPECT_GT(here.Value("meanAbsoluteError"), 0.0);

@@ -1,6 +1,6 @@
 #include <limn/core/GraphicsDevice.h>
 
-#include <limn/core/PendingReadback.h>
+#include <limn/core/AsyncGPUReadback.h>
 
 namespace limn
 {

@@ -70,7 +70,7 @@ void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, 
     }
 }
 
-std::uint8_t KindOf(const RendererTable::RowClass& rowClass, const Camera& camera)
+std::uint8_t KindOf(const RendererTable::DrawKey& rowClass, const Camera& camera)
 {
     const bool inMask = LayerMask::FromIndex(rowClass.layer).Intersects(camera.cullingMask);
     const bool draws = inMask && rowClass.isActive && rowClass.material != nullptr &&
@@ -80,7 +80,7 @@ std::uint8_t KindOf(const RendererTable::RowClass& rowClass, const Camera& camer
                                      (counts ? k_Counts : 0));
 }
 
-std::uint8_t KindOfCaster(const RendererTable::RowClass& rowClass, const Camera& camera,
+std::uint8_t KindOfCaster(const RendererTable::DrawKey& rowClass, const Camera& camera,
                           bool twoSided)
 {
     static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
@@ -130,7 +130,7 @@ CullingResults CullTable(const std::shared_ptr<const RendererTable>& table,
 {
     static thread_local std::vector<std::uint8_t> kinds; // by class
     kinds.clear();
-    for (const RendererTable::RowClass& rowClass : table->classes())
+    for (const RendererTable::DrawKey& rowClass : table->classes())
     {
         kinds.push_back(kindOf(rowClass));
     }
@@ -184,7 +184,7 @@ RendererItem RendererItems::operator[](std::size_t index) const
 {
     const RendererTable& table = *m_Table;
     const std::uint32_t row = m_Rows[index];
-    const RendererTable::RowClass& kind = table.classes()[table.classOf()[row]];
+    const RendererTable::DrawKey& kind = table.classes()[table.classOf()[row]];
     RendererItem item;
     item.objectIndex = table.objectOf()[row];
     item.object = &table.object(item.objectIndex);
@@ -213,9 +213,9 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect, cons
                                                 RelativeTo(origin, camera.viewMatrix())),
                                       margin);
     const std::shared_ptr<const RendererTable> table = scene.UpdateRenderers(origin);
-    CullingResults results = CullTable(table, planes,
-                                       [&](const RendererTable::RowClass& rowClass)
-                                       { return KindOf(rowClass, camera); });
+    CullingResults results =
+        CullTable(table, planes,
+                  [&](const RendererTable::DrawKey& rowClass) { return KindOf(rowClass, camera); });
     for (const std::uint32_t index : table->beyondFloat())
     {
         const GameObject& object = table->object(index);
@@ -232,7 +232,7 @@ CullingResults CullShadowCasters(const CullingResults& seen, const Camera& camer
                                  const glm::dmat4& lightViewProjection, bool twoSided)
 {
     const std::shared_ptr<const RendererTable>& table = seen.items.table();
-    const auto kindOf = [&](const RendererTable::RowClass& rowClass)
+    const auto kindOf = [&](const RendererTable::DrawKey& rowClass)
     {
         return KindOfCaster(rowClass, camera, twoSided);
     };

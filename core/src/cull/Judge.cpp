@@ -67,12 +67,12 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
         return judged;
     }
     const RendererTable& table = *items.table();
-    const ClassOrder& order = table.order();
+    const BatchOrder& order = table.order();
     static thread_local std::vector<std::uint64_t> ofLooks;
     ofLooks.clear();
     for (const std::uint32_t index : order.classOfLook)
     {
-        const RendererTable::RowClass& kind = table.classes()[index];
+        const RendererTable::DrawKey& kind = table.classes()[index];
         const FilterVerdict verdict =
             kind.material ? Judge(kind.item(), filtering, drawing) : FilterVerdict::Drawn;
         ofLooks.push_back(std::uint64_t{1} << k_CountBits * static_cast<int>(verdict));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 #include <utility>
 
 namespace limn
@@ -70,6 +70,72 @@ bool AreSame(const TextureStates& now, const TextureStates& then)
            std::ranges::all_of(now.depthTwins, isSameTwin);
 }
 
+/// The part of a target by which moving draws may leave the regions that a frame was compiled for.
+constexpr double k_Margin = 1.0 / 32.0;
+
+/// Returns whether a frame compiled for `kept` draws all that is seen in `now`, and hardly more.
+bool Covers(const std::optional<TargetRegion>& kept, const std::optional<TargetRegion>& now)
+{
+    if (!kept || !now)
+    {
+        return kept == now;
+    }
+    // What lies beyond the target's borders is not drawn, however far it reaches.
+    const auto coversSide = [](double outer, double inner)
+    {
+        return outer <= std::max(inner, 0.0) && (inner <= 0.0 || outer >= inner - 2.0 * k_Margin);
+    };
+    return coversSide(kept->left, now->left) && coversSide(kept->top, now->top) &&
+           coversSide(1.0 - kept->right, 1.0 - now->right) &&
+           coversSide(1.0 - kept->bottom, 1.0 - now->bottom);
+}
+
+/// Returns whether both are equal but for the regions of draws, of which `fits(kept, now)` decides.
+template <typename Fits>
+bool AreSame(std::span<const FrameCommand> now, std::span<const FrameCommand> kept,
+             const Fits& fits)
+{
+    return std::ranges::equal(now, kept,
+                              [&](const FrameCommand& a, const FrameCommand& b)
+                              {
+                                  if (a == b)
+                                  {
+                                      return true;
+                                  }
+                                  const auto* draw = std::get_if<DrawCommand>(&a);
+                                  const auto* other = std::get_if<DrawCommand>(&b);
+                                  if (draw == nullptr || other == nullptr ||
+                                      !fits(other->bounds, draw->bounds))
+                                  {
+                                      return false;
+                                  }
+                                  DrawCommand same = *draw;
+                                  same.bounds = other->bounds;
+                                  return same == *other;
+                              });
+}
+
+template <typename Change>
+void ForEachRegion(std::span<FrameCommand> commands, const Change& change)
+{
+    for (FrameCommand& command : commands)
+    {
+        auto* draw = std::get_if<DrawCommand>(&command);
+        if (draw != nullptr && draw->bounds)
+        {
+            change(*draw->bounds);
+        }
+    }
+}
+
+void Widen(TargetRegion& region)
+{
+    region.left -= k_Margin;
+    region.top -= k_Margin;
+    region.right += k_Margin;
+    region.bottom += k_Margin;
+}
+
 /// Gives the frame the data that differ in frames of one structure, and the recorder the memory of
 /// those before.
 void SwapData(FrameCommands& commands, CompiledFrame& frame)
@@ -95,11 +161,16 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
                         std::span<const std::shared_ptr<const RenderTexture>> outputs,
                         const FrameCompilerOptions& options) const
 {
+    const auto fits = [&](const auto& kept, const auto& now)
+    {
+        return !options.limitsRegions || Covers(kept, now);
+    };
     return m_Frame && options.isLast == m_Options.isLast &&
            options.leavesOut == m_Options.leavesOut &&
            options.limitsRegions == m_Options.limitsRegions && options.held == m_Options.held &&
            commands.usesReversedZBuffer == m_Frame->usesReversedZBuffer &&
-           std::ranges::equal(outputs, m_Outputs) && commands.commands == m_Commands.commands &&
+           std::ranges::equal(outputs, m_Outputs) &&
+           AreSame(commands.commands, m_Commands.commands, fits) &&
            commands.meshes == m_Commands.meshes && commands.objects == m_Frame->objects &&
            commands.uniformData.size() == m_Frame->uniformData.size() &&
            commands.instances.size() == m_Frame->instances.size() &&
@@ -113,13 +184,30 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
            AreSame(states, m_States);
 }
 
+bool FrameCache::HasComeToRest(std::span<FrameCommand> commands)
+{
+    constexpr int k_FramesOfRest = 16;
+    bool isStill = true;
+    std::size_t count = 0;
+    ForEachRegion(commands,
+                  [&](const TargetRegion& region)
+                  {
+                      m_LastRegions.resize(std::max(m_LastRegions.size(), count + 1));
+                      isStill = isStill && m_LastRegions[count] == region;
+                      m_LastRegions[count++] = region;
+                  });
+    m_FramesAtRest = isStill ? m_FramesAtRest + 1 : 0;
+    return m_FramesAtRest >= k_FramesOfRest;
+}
+
 std::shared_ptr<const CompiledFrame>
 FrameCache::Compile(FrameCommands& commands, const TextureStates& states,
                     std::span<const std::shared_ptr<const RenderTexture>> outputs,
                     const FrameCompilerOptions& options)
 {
     static std::atomic<std::uint64_t> structures{0};
-    if (IsSame(commands, states, outputs, options))
+    const bool isSame = IsSame(commands, states, outputs, options);
+    if (isSame && !(m_IsWidened && HasComeToRest(commands.commands)))
     {
         if (m_Frame.use_count() > 1)
         {
@@ -133,6 +221,17 @@ FrameCache::Compile(FrameCommands& commands, const TextureStates& states,
     {
         frame = std::make_shared<CompiledFrame>();
     }
+    const auto any = [](const auto&, const auto&)
+    {
+        return true;
+    };
+    m_IsWidened = !isSame && frame && options.limitsRegions &&
+                  AreSame(commands.commands, m_Commands.commands, any);
+    if (m_IsWidened)
+    {
+        ForEachRegion(commands.commands, Widen);
+    }
+    m_FramesAtRest = 0;
     if (!m_Memory)
     {
         m_Memory = std::make_unique<std::pmr::unsynchronized_pool_resource>();

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <limn/core/ContextContainer.h>
-#include <limn/core/TypeName.h>
+#include <limn/core/PluginCallSite.h>
 #include <utility>
 
 namespace limn

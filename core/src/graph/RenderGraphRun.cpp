@@ -1,6 +1,7 @@
 #include "graph/RenderGraphRun.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace limn
 {
@@ -13,13 +14,13 @@ void BaseCommandBuffer::DrawRendererList(const RendererListHandle& rendererList)
 CommandBuffer& BaseCommandBuffer::Globals(ShaderPropertyId id)
 {
     m_Run.ExpectGlobalsAllowed("sets the global", id.name());
-    return m_Native;
+    return *this;
 }
 
-CommandBuffer& BaseCommandBuffer::Keywords(const GlobalKeyword& keyword)
+void BaseCommandBuffer::SetKeyword(const GlobalKeyword& keyword, bool value)
 {
     m_Run.ExpectGlobalsAllowed("switches the keyword", keyword.name());
-    return m_Native;
+    CommandBuffer::SetKeyword(keyword, value);
 }
 
 void BaseCommandBuffer::SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
@@ -33,29 +34,29 @@ void BaseCommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
                                                   bool setInverseMatrices)
 {
     m_Run.ExpectGlobalsAllowed("sets the view and projection matrices");
-    m_Native.SetViewProjectionMatrices(view, gpuProjection, setInverseMatrices);
+    CommandBuffer::SetViewProjectionMatrices(view, gpuProjection, setInverseMatrices);
 }
 
 void BaseCommandBuffer::SetViewMatrix(const glm::dmat4& view)
 {
     m_Run.ExpectGlobalsAllowed("sets the view matrix");
-    m_Native.SetViewMatrix(view);
+    CommandBuffer::SetViewMatrix(view);
 }
 
 void BaseCommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
 {
     m_Run.ExpectGlobalsAllowed("sets the projection matrix");
-    m_Native.SetProjectionMatrix(proj);
+    CommandBuffer::SetProjectionMatrix(proj);
 }
 
 CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd)
 {
-    return cmd.m_Native;
+    return cmd;
 }
 
 CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd)
 {
-    return cmd.native();
+    return detail::NativeOf(cmd);
 }
 
 RTHandle RenderGraphRun::GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id)
@@ -148,20 +149,28 @@ void RenderGraphRun::Record()
     m_Context.SetPassName(m_Pass->name);
     if (m_Pass->raster)
     {
-        RasterCommandBuffer raster(*m_Cmd, *this);
-        m_Pass->raster->Record(raster);
+        RecordWith<RasterCommandBuffer>(*m_Pass->raster);
     }
     else if (m_Pass->compute)
     {
-        ComputeCommandBuffer compute(*m_Cmd, *this);
-        m_Pass->compute->Record(compute);
+        RecordWith<ComputeCommandBuffer>(*m_Pass->compute);
     }
     else
     {
-        UnsafeCommandBuffer unsafe(*m_Cmd, *this);
-        m_Pass->unsafe->Record(unsafe);
+        RecordWith<UnsafeCommandBuffer>(*m_Pass->unsafe);
     }
+}
+
+template <typename Buffer, typename Pass>
+void RenderGraphRun::RecordWith(Pass& pass)
+{
+    Buffer buffer(std::move(*m_Cmd), *this); // with the memory of the pooled one
+    CommandBuffer& native = buffer;
+    CommandBuffer* const pooled = std::exchange(m_Cmd, &native);
+    pass.Record(buffer);
     Flush();
+    *pooled = std::move(native);
+    m_Cmd = pooled;
 }
 
 void RenderGraphRun::Flush()

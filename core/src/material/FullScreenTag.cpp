@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
-#include <limn/core/FullScreenTag.h>
+#include <limn/core/Shader.h>
 #include <sstream>
 
 namespace limn

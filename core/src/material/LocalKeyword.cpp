@@ -1,4 +1,4 @@
-#include <limn/core/LocalKeyword.h>
+#include <limn/core/ShaderKeyword.h>
 
 #include <limn/core/Shader.h>
 #include <set>

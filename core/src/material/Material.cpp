@@ -10,7 +10,7 @@
 
 #include "material/PropertyValues.h"
 #include <limn/base/Case.h>
-#include <limn/core/RenderQueueRange.h>
+#include <limn/core/FilteringSettings.h>
 
 namespace limn
 {

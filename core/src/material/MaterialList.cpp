@@ -1,4 +1,4 @@
-#include <limn/core/MaterialList.h>
+#include <limn/core/Scene.h>
 
 #include <algorithm>
 #include <limn/core/Material.h>

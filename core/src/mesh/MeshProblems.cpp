@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limn/core/VertexAttribute.h>
+#include <limn/core/Mesh.h>
 
 namespace limn
 {

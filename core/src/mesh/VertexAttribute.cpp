@@ -1,4 +1,4 @@
-#include <limn/core/VertexAttribute.h>
+#include <limn/core/Mesh.h>
 
 namespace limn
 {

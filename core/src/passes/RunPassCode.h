@@ -1,12 +1,12 @@
 #pragma once
 
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRenderer.h>
 
 namespace limn
 {
 
-/// Calls `work`, which is code of a pass, as RunFeatureCode does.
+/// Calls `work`, which is code of a pass, as RunPluginCode does.
 /// @param name  what failed: the pass's own name, or that of a pass of its render graph
 template <typename Work>
 decltype(auto) RunPassCode(const ScriptableRenderer& renderer, const ScriptableRenderPass& pass,
@@ -18,13 +18,13 @@ decltype(auto) RunPassCode(const ScriptableRenderer& renderer, const ScriptableR
     }
     catch (...)
     {
-        FeatureCode code{typeid(pass), name, member};
+        PluginCallSite code{typeid(pass), name, member};
         if (const ScriptableRendererFeature* feature = renderer.FeatureOf(pass))
         {
             code.featureOfPass = feature->name;
             code.typeOfFeature = &typeid(*feature);
         }
-        detail::TellOfFeatureCode(code);
+        detail::TellOfPluginCode(code);
         throw;
     }
 }

@@ -6,9 +6,9 @@
 #include <exception>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/CurrentCamera.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/ShaderSource.h>
-#include <limn/core/TypeName.h>
 
 namespace limn
 {
@@ -128,7 +128,7 @@ void NameFilters(RenderReport& report, std::size_t first, SampleName feature)
 template <typename Work>
 decltype(auto) RunFeature(const ScriptableRendererFeature& feature, const char* member, Work&& work)
 {
-    return RunFeatureCode(typeid(feature), feature.name, member, std::forward<Work>(work));
+    return RunPluginCode(typeid(feature), feature.name, member, std::forward<Work>(work));
 }
 
 /// In the order of their events, otherwise as they are.

@@ -37,7 +37,7 @@ public:
     /// Rows of one class that follow upon each other, for one pass.
     void Add(std::uint32_t pass, std::uint32_t classIndex, std::uint32_t first, std::uint32_t count)
     {
-        const RendererTable::RowClass& rowClass = m_Table.classes()[classIndex];
+        const RendererTable::DrawKey& rowClass = m_Table.classes()[classIndex];
         const std::size_t kind =
             (pass * m_Parts + rowClass.meshPart) * 2 + (rowClass.isMirrored ? 1 : 0);
         if (m_Runs.empty() || kind != m_LastKind)
@@ -101,7 +101,7 @@ private:
     static constexpr std::size_t k_MostKinds = 1 << 22;
 
     std::uint32_t BatchOf(std::size_t kind, std::uint32_t pass,
-                          const RendererTable::RowClass& rowClass)
+                          const RendererTable::DrawKey& rowClass)
     {
         const std::uint32_t number = rowClass.isAgain ? 0 : m_Commutes[pass];
         m_Memory.stretch += number == 0 || number != m_Number || !m_Remembers ? 1 : 0;

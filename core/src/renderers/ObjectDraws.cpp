@@ -380,7 +380,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
         if (std::exchange(isKnown[run.rowClass], std::uint8_t{1}) == 0)
         {
             passesOf[run.rowClass].clear();
-            const RendererTable::RowClass& rowClass = table.classes()[run.rowClass];
+            const RendererTable::DrawKey& rowClass = table.classes()[run.rowClass];
             passes.AddOf(rowClass.material, rowClass.properties.get(), passesOf[run.rowClass]);
         }
     }

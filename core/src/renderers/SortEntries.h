@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <limn/core/SortingSettings.h>
+#include <limn/core/DrawingSettings.h>
 #include <vector>
 
 namespace limn

@@ -57,7 +57,7 @@ private:
         int leastQueue = std::numeric_limits<int>::max();
         int mostQueue = 0;
         unsigned mostIndex = 0;
-        for (const RendererTable::RowClass& own : m_Table.classes())
+        for (const RendererTable::DrawKey& own : m_Table.classes())
         {
             leastQueue = std::min(leastQueue, QueueOf(own));
             mostQueue = std::max(mostQueue, QueueOf(own));
@@ -80,7 +80,7 @@ private:
         words.clear();
         for (std::size_t i = 0; i < m_Table.classes().size(); ++i)
         {
-            const RendererTable::RowClass& own = m_Table.classes()[i];
+            const RendererTable::DrawKey& own = m_Table.classes()[i];
             const auto queue = static_cast<std::uint64_t>(QueueOf(own) - leastQueue);
             words.push_back((byQueue ? queue << queueShift : 0) |
                             (byIndex ? std::uint64_t{own.materialIndex} << indexShift : 0) |
@@ -120,7 +120,7 @@ private:
              [&](std::uint32_t row, float distance)
              {
                  const std::uint32_t index = m_Table.classOf()[row];
-                 const RendererTable::RowClass& own = m_Table.classes()[index];
+                 const RendererTable::DrawKey& own = m_Table.classes()[index];
                  const std::uint64_t key =
                      SortKey(m_Sorting.criteria, QueueOf(own), distance, own.materialIndex);
                  return SortEntry{key, m_Order.ranks[index], row};
@@ -163,13 +163,13 @@ private:
         ++m_Runs.back().count;
     }
 
-    static int QueueOf(const RendererTable::RowClass& rowClass)
+    static int QueueOf(const RendererTable::DrawKey& rowClass)
     {
         return rowClass.material ? rowClass.material->renderQueue() : 0;
     }
 
     const RendererTable& m_Table;
-    const ClassOrder& m_Order;
+    const BatchOrder& m_Order;
     const SortingSettings& m_Sorting;
     const glm::dvec3 m_Camera; ///< relative to the table's origin
     const bool m_IsByState;

@@ -6,7 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
 #include <limn/core/DrawError.h>
-#include <limn/core/GlobalKeyword.h>
+#include <limn/core/ShaderKeyword.h>
 
 namespace limn
 {

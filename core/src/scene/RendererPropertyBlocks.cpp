@@ -1,5 +1,5 @@
 #include <algorithm>
-#include <limn/core/RendererPropertyBlocks.h>
+#include <limn/core/Scene.h>
 #include <utility>
 
 namespace limn

@@ -81,7 +81,7 @@ std::uint32_t Put(std::vector<Value>& values, std::vector<std::uint32_t>& free, 
 
 } // namespace
 
-RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
+RendererTable::ClassKey RendererTable::KeyOf(const DrawKey& rowClass)
 {
     const std::uint32_t bits = (rowClass.isMirrored ? 1u : 0u) | (rowClass.isAgain ? 2u : 0u) |
                                (rowClass.isActive ? 4u : 0u) | (rowClass.isFirst ? 8u : 0u) |
@@ -91,7 +91,7 @@ RendererTable::ClassKey RendererTable::KeyOf(const RowClass& rowClass)
             rowClass.renderingLayerMask.bits, rowClass.meshPart,         bits};
 }
 
-FilterItem RendererTable::RowClass::item() const
+FilterItem RendererTable::DrawKey::item() const
 {
     return {material->renderQueue(), layer, renderingLayerMask, material->shader().get(),
             material.get()};
@@ -338,7 +338,7 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     const GameObject& source = object(index);
     const MeshRenderer& renderer = *source.renderer;
     m_ObjectOf[row] = index;
-    RowClass rowClass;
+    DrawKey rowClass;
     rowClass.material =
         slot < renderer.sharedMaterials.size() ? renderer.sharedMaterials[slot] : nullptr;
     rowClass.properties = renderer.PropertiesOf(slot);
@@ -360,27 +360,27 @@ void RendererTable::SetRow(std::uint32_t row, std::uint32_t index, std::size_t s
     SetBox(row, world);
 }
 
-bool RendererTable::HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const
+bool RendererTable::HasClass(std::uint32_t row, DrawKey rowClass, const MeshPart& part) const
 {
     if (m_ClassOf[row] == k_Free)
     {
         return false;
     }
-    const RowClass& own = m_Classes[m_ClassOf[row]];
+    const DrawKey& own = m_Classes[m_ClassOf[row]];
     rowClass.meshPart = own.meshPart;
     return KeyOf(own) == KeyOf(rowClass) && m_MeshParts[own.meshPart].mesh == part.mesh &&
            m_MeshParts[own.meshPart].subMesh == part.subMesh;
 }
 
 /// @param part  the class's
-void RendererTable::SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part)
+void RendererTable::SetClass(std::uint32_t row, const DrawKey& rowClass, const MeshPart& part)
 {
     const auto [knownPart, isNewPart] = m_PartIndex.try_emplace({part.mesh.get(), part.subMesh}, 0);
     if (isNewPart)
     {
         knownPart->second = Put(m_MeshParts, m_FreeParts, part);
     }
-    RowClass own = rowClass;
+    DrawKey own = rowClass;
     own.meshPart = knownPart->second;
     const auto [known, isNew] = m_ClassIndex.try_emplace(KeyOf(own), 0);
     if (isNew)
@@ -426,7 +426,7 @@ void RendererTable::Release(std::uint32_t row)
     {
         return;
     }
-    RowClass& old = m_Classes[m_ClassOf[row]];
+    DrawKey& old = m_Classes[m_ClassOf[row]];
     if (--old.uses == 0)
     {
         MeshPart& part = m_MeshParts[old.meshPart];

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "scene/ClassOrder.h"
+#include "scene/BatchOrder.h"
 #include "scene/ObjectHash.h"
 #include "scene/WorldMatrices.h"
 
-#include <limn/core/InstanceData.h>
+#include <limn/core/FrameCommands.h>
 #include <limn/core/Judge.h>
 #include <limn/core/Scene.h>
 #include <map>
@@ -47,7 +47,7 @@ public:
     };
     /// What filtering and drawing look at besides the place; few combinations are shared by many
     /// rows.
-    struct RowClass
+    struct DrawKey
     {
         std::shared_ptr<const Material> material;                ///< null: it draws nothing
         std::shared_ptr<const MaterialPropertyBlock> properties; ///< of the renderer; null = none
@@ -92,8 +92,8 @@ public:
 
     SpareRows& spareRows() const { return m_SpareRows; }
 
-    const std::vector<RowClass>& classes() const { return m_Classes; }
-    const ClassOrder& order() const { return m_Order; }
+    const std::vector<DrawKey>& classes() const { return m_Classes; }
+    const BatchOrder& order() const { return m_Order; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
     const GameObject& object(std::size_t index) const { return *(*m_Objects)[index]; }
     /// Objects with a renderer whose world matrix is beyond a float.
@@ -137,8 +137,8 @@ private:
                 const World& world);
     void SetBox(std::uint32_t row, const World& world);
     void ResizeRows(std::size_t count);
-    bool HasClass(std::uint32_t row, RowClass rowClass, const MeshPart& part) const;
-    void SetClass(std::uint32_t row, const RowClass& rowClass, const MeshPart& part);
+    bool HasClass(std::uint32_t row, DrawKey rowClass, const MeshPart& part) const;
+    void SetClass(std::uint32_t row, const DrawKey& rowClass, const MeshPart& part);
     void Release(std::uint32_t row);
 
     static constexpr std::uint32_t k_Free = ~std::uint32_t{0}; ///< a row without class
@@ -162,17 +162,17 @@ private:
     std::vector<std::uint32_t> m_ClassOf;
     std::vector<std::uint32_t> m_ObjectOf;
 
-    std::vector<RowClass> m_Classes;
+    std::vector<DrawKey> m_Classes;
     std::vector<MeshPart> m_MeshParts;
     using PartKey = std::tuple<const Mesh*, int>;
     using ClassKey = std::tuple<const Material*, const MaterialPropertyBlock*, int, std::uint32_t,
                                 std::uint32_t, std::uint32_t>;
-    static ClassKey KeyOf(const RowClass& rowClass);
+    static ClassKey KeyOf(const DrawKey& rowClass);
     std::map<ClassKey, std::uint32_t> m_ClassIndex;
     std::map<PartKey, std::uint32_t> m_PartIndex;
     std::vector<std::uint32_t> m_FreeClasses;
     std::vector<std::uint32_t> m_FreeParts;
-    ClassOrder m_Order; ///< of the classes, unless they have changed
+    BatchOrder m_Order; ///< of the classes, unless they have changed
     bool m_ClassesChanged = false;
     mutable SpareRows m_SpareRows;
 };

@@ -54,7 +54,7 @@ const std::vector<std::uint8_t>& Receivers(const RendererTable& table)
 {
     static thread_local std::vector<std::uint8_t> receives;
     receives.clear();
-    for (const RendererTable::RowClass& rowClass : table.classes())
+    for (const RendererTable::DrawKey& rowClass : table.classes())
     {
         receives.push_back(rowClass.material && rowClass.material->shader()->HasKeyword(
                                                     _ADDITIONAL_LIGHT_SHADOWS.name()));

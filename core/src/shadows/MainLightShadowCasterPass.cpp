@@ -64,7 +64,7 @@ bool HasReceiver(const RendererItems& items, const glm::dvec3& camera, double di
     const RendererTable& table = *items.table();
     static thread_local std::vector<std::uint8_t> receives; // by class
     receives.clear();
-    for (const RendererTable::RowClass& rowClass : table.classes())
+    for (const RendererTable::DrawKey& rowClass : table.classes())
     {
         receives.push_back(rowClass.material && ReceivesShadows(*rowClass.material->shader()));
     }

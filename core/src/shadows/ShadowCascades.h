@@ -3,8 +3,8 @@
 #include <array>
 #include <limn/core/FixedList.h>
 #include <limn/core/FrameCommands.h>
+#include <limn/core/Light.h>
 #include <limn/core/Scene.h>
-#include <limn/core/ShadowSettings.h>
 
 namespace limn
 {

@@ -2,7 +2,6 @@
 
 #include <limn/core/Light.h>
 #include <limn/core/ScriptableRenderContext.h>
-#include <limn/core/ShadowSettings.h>
 
 namespace limn
 {

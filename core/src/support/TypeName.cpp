@@ -1,4 +1,4 @@
-#include <limn/core/TypeName.h>
+#include <limn/core/PluginCallSite.h>
 
 #include <cstdlib>
 #include <cxxabi.h>

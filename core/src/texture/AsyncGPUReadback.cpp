@@ -3,7 +3,6 @@
 #include <limn/core/Debug.h>
 #include <limn/core/GraphicsBuffer.h>
 #include <limn/core/GraphicsDevice.h>
-#include <limn/core/PendingReadback.h>
 #include <limn/core/RenderTexture.h>
 #include <utility>
 

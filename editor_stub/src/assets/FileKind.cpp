@@ -23,7 +23,7 @@ constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
                                       {".shader", FileKind::Shader, "shader"},
                                       {".asset", FileKind::UnityAsset, "asset of Unity's"},
                                       {".unity", FileKind::UnityScene, "scene of Unity's"},
-                                      {".prefab", FileKind::UnityScene, "prefab of Unity's"},
+                                      {".prefab", FileKind::UnityPrefab, "prefab of Unity's"},
                                       {".mat", FileKind::UnityMaterial, "material of Unity's"},
                                       {".gltf", FileKind::Mesh, "mesh"},
                                       {".glb", FileKind::Mesh, "mesh"},
@@ -83,7 +83,9 @@ std::string UseOf(FileKind kind, const std::string& file)
     case FileKind::UnityAsset:
         return "an asset of Unity's; 'limn inspect " + file + "' shows it";
     case FileKind::UnityScene:
-        return "a scene or prefab of Unity's, which limn does not draw; write a *.scene.yaml";
+        return "a scene of Unity's; 'limn render " + file + " -o out.png' draws it";
+    case FileKind::UnityPrefab:
+        return "a prefab of Unity's, which is drawn where a .unity scene holds it";
     case FileKind::UnityMaterial:
         return "a material of Unity's, which limn does not draw with; 'limn inspect " + file +
                "' shows it for a *.material.yaml of yours";

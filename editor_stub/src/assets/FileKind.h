@@ -16,7 +16,8 @@ enum class FileKind
     Material,
     Shader,
     UnityAsset, ///< profile or renderer: only its content tells
-    UnityScene, ///< or prefab
+    UnityScene,
+    UnityPrefab,
     UnityMaterial,
     Mesh,
     Picture,

@@ -216,7 +216,7 @@ int ExplainPixel(const ExplainOptions& options, Console& console)
 
 int RunExplain(const ExplainOptions& options, Console& console)
 {
-    RequireKind(options.rendering.scene, {FileKind::Scene}, "explain");
+    RequireKind(options.rendering.scene, {FileKind::Scene, FileKind::UnityScene}, "explain");
     if (!options.pixel.empty())
     {
         return ExplainPixel(options, console);

@@ -88,7 +88,7 @@ int RunRender(const RenderOptions& options, Console& console)
                       "'limn render SCENE -o - > out.png'");
         return static_cast<int>(ExitCode::WrongUsage);
     }
-    RequireKind(options.scene, {FileKind::Scene}, "render");
+    RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "render");
     Allocations::isAsked = !options.statsFile.empty();
     RenderMeasurements measurements;
     measurements.frames = options.frames;

@@ -12,6 +12,7 @@
 #include "report/pages/WriteReport.h"
 #include "view/SceneView.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -77,22 +78,20 @@ std::string HashOf(const AssetContext& assets)
     return text.str();
 }
 
-std::vector<std::string> TechniqueNames(const std::vector<std::string>& wanted)
+std::vector<std::string> TechniqueNames(const std::vector<std::string>& wanted,
+                                        std::span<const Technique> techniques)
 {
     std::vector<std::string> names;
     for (const std::string& name : wanted)
     {
-        const Technique* technique = FindTechnique(name);
+        const Technique* technique = FindTechnique(techniques, name);
         if (technique == nullptr)
         {
-            throw AssetError(
-                "--technique", {},
-                "unknown technique " +
-                    UnknownName(name, NamesOf(Techniques(),
-                                              [](const Technique& one) -> const std::string&
-                                              { return one.info.name; })));
+            std::vector<std::string_view> known;
+            std::ranges::transform(techniques, std::back_inserter(known), &Technique::name);
+            throw AssetError("--technique", {}, "unknown technique " + UnknownName(name, known));
         }
-        names.push_back(technique->info.name);
+        names.push_back(technique->name);
     }
     return names;
 }
@@ -109,11 +108,8 @@ Study Describe(const std::string& scene, const StudyOptions& options, const Asse
     study.limnVersion = LIMN_VERSION_TEXT;
     study.options = options.Text();
     study.started = Now();
-    study.planned = PlanStudy(options);
-    for (const Technique& technique : Techniques())
-    {
-        study.techniques.push_back(technique.info);
-    }
+    study.techniques = assets.features().techniques();
+    study.planned = PlanStudy(options, study.techniques);
     return study;
 }
 
@@ -316,7 +312,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
         return Compare(options, console);
     }
     render.scene = options.paths.front();
-    RequireKind(render.scene, {FileKind::Scene}, "report");
+    RequireKind(render.scene, {FileKind::Scene, FileKind::UnityScene}, "report");
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(render, console);
     VulkanDevice device({render.device, options.hasStability, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();
@@ -331,13 +327,13 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     studyOptions.isQuick = options.isQuick;
     studyOptions.isFull = options.isFull;
     studyOptions.hasStability = options.hasStability;
-    studyOptions.techniques = TechniqueNames(options.techniques);
+    studyOptions.techniques = TechniqueNames(options.techniques, assets.features().techniques());
     studyOptions.sceneSize = {scene.width, scene.height};
     studyOptions.isPartlyHidden = IsPartlyHidden(scene);
     Study study = Describe(render.scene, studyOptions, assets, device);
     StudyFolder folder(options.output, study);
     StudyBench bench(render.scene, options.output, assets, device);
-    StabilityStudy stability(compilerOptions, device);
+    StabilityStudy stability(assets, device);
     StudyRun{folder, study, bench, stability, studyOptions}.Run(options.shard, options.shards,
                                                                 console);
     if (options.shards > 1)

@@ -53,7 +53,7 @@ void RequireStart(const RenderOptions& options)
 int RunWatch(const RenderOptions& options, Console& console)
 {
     RequireStart(options);
-    RequireKind(options.scene, {FileKind::Scene}, "watch");
+    RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "watch");
     const StopSignals signals;
     Redrawer redrawer(options, console);
     redrawer.Redraw({});

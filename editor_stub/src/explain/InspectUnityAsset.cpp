@@ -4,7 +4,7 @@
 #include "unity/UnityProject.h"
 
 #include <algorithm>
-#include <limn/volume/UnityHeaderField.h>
+#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {

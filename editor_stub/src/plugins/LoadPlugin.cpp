@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ModuleFile.h>
-#include <limn/core/FeatureCode.h>
-#include <limn/core/TypeName.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
 #include <limn/vulkan/VulkanError.h>
@@ -40,7 +39,7 @@ std::string PluginOf(const std::type_info& type)
 }
 
 /// "'Red' threw in Execute of pass 'Paint'".
-std::string SubjectOf(const FeatureCode& code)
+std::string SubjectOf(const PluginCallSite& code)
 {
     const std::string name = code.name.empty() ? TypeName(code.type) : std::string(code.name);
     return code.typeOfFeature ? "'" + std::string(code.featureOfPass) + "' threw in " +
@@ -61,7 +60,7 @@ std::string SubjectOf(const FeatureCode& code)
     throw AssetError(std::move(all));
 }
 
-void NamePluginOf(const FeatureCode& code)
+void NamePluginOf(const PluginCallSite& code)
 {
     std::string plugin = PluginOf(code.type);
     if (plugin.empty() && code.typeOfFeature)
@@ -105,7 +104,7 @@ void NamePlugin(const void* symbol, const std::string& name)
 {
     const std::lock_guard lock(NamedModules().mutex);
     NamedModules().byModule[ModuleOf(symbol)] = name;
-    SetFeatureCodeListener(&NamePluginOf);
+    SetPluginCodeListener(&NamePluginOf);
 }
 
 /// Of the process.

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <filesystem>
-#include <limn/core/FeatureCode.h>
 #include <limn/core/Inspector.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRendererFeature.h>
 #include <limn/editor_stub/AssetContext.h>
 #include <map>
@@ -33,7 +33,7 @@ std::map<std::filesystem::path, std::string> EmbeddedShaderFiles();
 /// The feature's Describe, which may be a plug-in's.
 inline void DescribeFeature(ScriptableRendererFeature& feature, Inspector& inspector)
 {
-    RunFeatureCode(typeid(feature), feature.name, "Describe", [&] { feature.Describe(inspector); });
+    RunPluginCode(typeid(feature), feature.name, "Describe", [&] { feature.Describe(inspector); });
 }
 
 } // namespace limn

@@ -3,7 +3,6 @@
 #include "report/extremes/Stability.h"
 #include "report/measure/StudyBench.h"
 #include "report/measure/StudyScene.h"
-#include "report/measure/Techniques.h"
 
 #include <algorithm>
 #include <sstream>
@@ -19,19 +18,13 @@ constexpr glm::ivec2 k_QuickShapeSize{240, 135};
 constexpr glm::ivec2 k_MotionSize{160, 90};
 constexpr double k_UsualWidth = 4.0; ///< pixels
 
-std::vector<Technique> WantedTechniques(const StudyOptions& options)
-{
-    std::vector<Technique> techniques = Techniques();
-    std::erase_if(
-        techniques, [&wanted = options.techniques](const Technique& technique)
-        { return !wanted.empty() && std::ranges::count(wanted, technique.info.name) == 0; });
-    return techniques;
-}
-
 class Planner
 {
 public:
-    explicit Planner(const StudyOptions& options) : m_Options(options) {}
+    Planner(const StudyOptions& options, std::vector<Technique> techniques)
+        : m_Options(options), m_Techniques(std::move(techniques))
+    {
+    }
 
     std::vector<CellId> Plan()
     {
@@ -77,8 +70,8 @@ private:
             {
                 if (m_Options.isPartlyHidden && !technique.occlusion.empty())
                 {
-                    m_Cells.push_back({CellKind::Geometry, technique.info.name, k_SceneSubject,
-                                       width, m_Options.sceneSize.x, m_Options.sceneSize.y, part});
+                    m_Cells.push_back({CellKind::Geometry, technique.name, k_SceneSubject, width,
+                                       m_Options.sceneSize.x, m_Options.sceneSize.y, part});
                 }
             }
         }
@@ -115,12 +108,12 @@ private:
     {
         for (const Technique& technique : m_Techniques)
         {
-            m_Cells.push_back({kind, technique.info.name, subject, width, size.x, size.y, variant});
+            m_Cells.push_back({kind, technique.name, subject, width, size.x, size.y, variant});
         }
     }
 
     const StudyOptions& m_Options;
-    std::vector<Technique> m_Techniques = WantedTechniques(m_Options);
+    std::vector<Technique> m_Techniques;
     std::vector<CellId> m_Cells;
 };
 
@@ -148,15 +141,18 @@ std::string StudyOptions::Text() const
     return text.str();
 }
 
-std::vector<CellId> PlanStudy(const StudyOptions& options)
+std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Technique> techniques)
 {
+    std::vector<Technique> wanted(techniques.begin(), techniques.end());
+    std::erase_if(wanted, [&names = options.techniques](const Technique& technique)
+                  { return !names.empty() && std::ranges::count(names, technique.name) == 0; });
     if (options.hasStability)
     {
-        return PlanStability(WantedTechniques(options), options.isQuick  ? SweepSize::Sampled
-                                                        : options.isFull ? SweepSize::Full
-                                                                         : SweepSize::Pairwise);
+        return PlanStability(wanted, options.isQuick  ? SweepSize::Sampled
+                                     : options.isFull ? SweepSize::Full
+                                                      : SweepSize::Pairwise);
     }
-    return Planner(options).Plan();
+    return Planner(options, std::move(wanted)).Plan();
 }
 
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)

@@ -25,7 +25,8 @@ struct StudyOptions
 };
 
 /// All cells, those of one reference side by side, their techniques one after the other.
-std::vector<CellId> PlanStudy(const StudyOptions& options);
+/// @param techniques  of which StudyOptions::techniques takes some
+std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Technique> techniques);
 
 /// Cells that are measured together: those of cost that differ in their technique only, so that the
 /// techniques' frames take turns; any other one is alone.

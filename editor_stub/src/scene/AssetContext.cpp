@@ -112,6 +112,14 @@ void AssetContext::LoadPlugin(const std::filesystem::path& path)
     }
 }
 
+void AssetContext::LoadPluginsOf(const AssetContext& other)
+{
+    for (const std::filesystem::path& path : other.m_PluginFiles)
+    {
+        LoadPlugin(path);
+    }
+}
+
 bool AssetContext::ReloadPlugin(const std::filesystem::path& path)
 {
     const bool isPlugin = m_PluginFiles.count(path.lexically_normal()) > 0;

@@ -4,7 +4,7 @@
 #include "settings/ReadValues.h"
 
 #include <algorithm>
-#include <limn/volume/UnityHeaderField.h>
+#include <limn/volume/UnityAsset.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -221,7 +221,7 @@ void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderS
     const ShaderSourceScope scope(shaders);
     try
     {
-        RunFeatureCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });
+        RunPluginCode(typeid(feature), feature.name, "Create", [&] { feature.Create(); });
     }
     catch (const AssetError& error)
     {

@@ -2,7 +2,7 @@
 
 #include "settings/Keys.h"
 
-#include <limn/core/ShadowSettings.h>
+#include <limn/core/Light.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn

@@ -39,13 +39,6 @@ constexpr std::string_view k_Text = R"(Shader "Hidden/Core/FallbackError"
 }
 )";
 
-/// Draws any mesh in plain magenta, lit by nothing: what stands in for a shader that does not
-/// compile. Unity: Hidden/Core/FallbackError (URP 14).
-std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler)
-{
-    return Shader::FromText(k_Text, "FallbackError.shader", compiler);
-}
-
 using ShaderPasses = std::map<std::shared_ptr<const Shader>, std::set<int>>;
 
 void AddAllPasses(const std::shared_ptr<const Shader>& shader, ShaderPasses& passes)
@@ -204,6 +197,11 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
 }
 
 } // namespace
+
+std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    return Shader::FromText(k_Text, "FallbackError.shader", compiler);
+}
 
 void CompileUsedShaders(const SceneAsset& asset)
 {

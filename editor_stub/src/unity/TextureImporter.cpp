@@ -1,5 +1,7 @@
 #include "unity/TextureImporter.h"
 
+#include "assets/PictureFile.h"
+
 #include <algorithm>
 #include <limn/core/Image.h>
 #include <limn/volume/YamlMapReader.h>
@@ -90,7 +92,7 @@ std::filesystem::path MetaFileOf(const std::filesystem::path& texture)
 std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path)
 {
     const TextureImport import = ReadTextureImport(MetaFileOf(path));
-    const Image image = ReadPng(path);
+    const Image image = ReadPicture(path);
     const GraphicsFormat format = import.sRGB ? image.format : GraphicsFormat::R8G8B8A8_UNorm;
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
                                              format, FlipRows(image.texels, image.height),

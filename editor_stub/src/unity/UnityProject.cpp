@@ -39,6 +39,12 @@ constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
     {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
     {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
 
+/// Unity passes over these files and folders.
+bool IsPassedOver(const std::string& name)
+{
+    return name.starts_with('.') || name.ends_with('~') || name.ends_with(".tmp") || name == "cvs";
+}
+
 } // namespace
 
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
@@ -67,21 +73,35 @@ UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files)
 
 void UnityProject::Scan(MetaFiles files)
 {
+    // The rest of Library is Unity's own, and may be larger than all assets.
+    for (const char* folder : {"Assets", "Packages", "Library/PackageCache"})
+    {
+        ScanFolder(m_Root / folder, files);
+    }
+}
+
+void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles files)
+{
     std::error_code ignored;
     const auto options = std::filesystem::directory_options::skip_permission_denied;
-    // Not only Assets: packages kept in the project are beside it.
-    std::filesystem::recursive_directory_iterator entry(m_Root, options, ignored);
+    std::filesystem::recursive_directory_iterator entry(folder, options, ignored);
     for (; entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored))
     {
         const std::filesystem::path& path = entry->path();
-        if (path.filename() == ".git")
+        if (IsPassedOver(path.filename().string()))
         {
             entry.disable_recursion_pending();
+            continue;
         }
         const std::filesystem::path described = path.parent_path() / path.stem();
         if (path.extension() == ".meta" && (files == MetaFiles::All || IsLoaded(described)))
         {
-            m_Files.emplace(ReadGuid(path), described);
+            const std::string guid = ReadGuid(path);
+            const auto [known, isNew] = m_Files.emplace(guid, described);
+            if (!isNew && described < known->second)
+            {
+                known->second = described; // of two Unity keeps one
+            }
         }
     }
 }

@@ -35,6 +35,7 @@ public:
 
 private:
     void Scan(MetaFiles files);
+    void ScanFolder(const std::filesystem::path& folder, MetaFiles files);
 
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;

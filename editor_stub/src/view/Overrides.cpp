@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 #include <limn/editor_stub/Overrides.h>
-#include <limn/volume/ValuePath.h>
+#include <limn/volume/ProfileEdit.h>
 #include <set>
 
 namespace limn

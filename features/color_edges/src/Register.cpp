@@ -8,7 +8,12 @@ namespace limn::color_edges
 
 void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    features.Register<ColorEdgesRendererFeature>("ColorEdgesRendererFeature");
+    features.Register<ColorEdgesRendererFeature>(
+        "ColorEdgesRendererFeature", {{.name = "Color edges",
+                                       .summary = "steps of the picture's brightness",
+                                       .noWidth = "its lines lie on both sides of what it finds",
+                                       .place = 110,
+                                       .component = "ColorEdges"}});
     components.Register<ColorEdges>("ColorEdges");
 }
 

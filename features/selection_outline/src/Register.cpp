@@ -7,7 +7,14 @@ namespace limn::selection_outline
 
 void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    features.Register<SelectionOutlineRendererFeature>("SelectionOutlineRendererFeature");
+    features.Register<SelectionOutlineRendererFeature>(
+        "SelectionOutlineRendererFeature",
+        {{.name = "Selection",
+          .summary = "the article on selection: blurred mask, composite",
+          .isArticle = true,
+          .place = 70,
+          .component = "SelectionOutline",
+          .settings = {"SelectionOutline.m_VaryingColor=false"}}});
     components.Register<SelectionOutline>("SelectionOutline");
 }
 

@@ -7,7 +7,13 @@ namespace limn::stroke_outline
 
 void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    features.Register<StrokeOutlineRendererFeature>("StrokeOutlineRendererFeature");
+    features.Register<StrokeOutlineRendererFeature>(
+        "StrokeOutlineRendererFeature", {{.name = "Strokes",
+                                          .summary = "silhouette edges drawn as geometry",
+                                          .place = 10,
+                                          .component = "StrokeOutline",
+                                          .settings = {"Outline.m_Grouping=Together"},
+                                          .occlusion = "Outline.m_Occlusion"}});
     components.Register<StrokeOutline>("StrokeOutline");
 }
 

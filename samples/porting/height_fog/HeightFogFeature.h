@@ -5,9 +5,8 @@
 #include <limn/core/ProfilingScope.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/ScriptableRendererFeature.h>
-#include <limn/volume/ColorParameter.h>
-#include <limn/volume/FloatParameter.h>
-#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/NumberParameters.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 #include <limn/volume/VolumeManager.h>
 

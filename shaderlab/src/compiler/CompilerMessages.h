@@ -2,7 +2,7 @@
 
 #include <limn/base/Diagnostic.h>
 
-#include "lowering/Rewriter.h"
+#include "lowering/StageLowering.h"
 
 #include <vector>
 

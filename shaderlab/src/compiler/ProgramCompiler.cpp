@@ -1,16 +1,16 @@
 #include "compiler/ProgramCompiler.h"
 
 #include <limn/shaderlab/MissingIncludeError.h>
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerMessages.h"
-#include "lowering/Checks.h"
-#include "lowering/Rewriter.h"
+#include "lowering/GlslangGuards.h"
+#include "lowering/StageLowering.h"
 #include "preprocess/Preprocessor.h"
 #include "spirv/SpirvBuilder.h"
 #include "spirv/SpirvReflection.h"
-#include "tokens/SourceLines.h"
+#include "tokens/ColumnFinder.h"
 
 #include <algorithm>
 #include <future>
@@ -143,7 +143,7 @@ struct Sources
     const PassProgram& program;
     std::span<const std::string> keywords;
     IncludeResolver& resolver;
-    SourceLines& lines;
+    ColumnFinder& lines;
 
     bool halfIs16Bit() const { return std::ranges::count(keywords, k_RealHalfMacro) > 0; }
 };
@@ -458,7 +458,7 @@ ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::st
                              IncludeResolver& resolver)
 {
     RequireEntryPoints(program, resolver);
-    SourceLines lines(program, resolver);
+    ColumnFinder lines(program, resolver);
     const Sources sources{program, keywords, resolver, lines};
     try
     {

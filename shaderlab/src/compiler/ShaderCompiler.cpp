@@ -1,6 +1,6 @@
 #include <limn/shaderlab/ShaderCompiler.h>
 
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerProcess.h"

@@ -4,7 +4,7 @@
 #include <limn/shaderlab/PassProgram.h>
 
 #include "hlsl/TokenEdits.h"
-#include "tokens/SourceLines.h"
+#include "tokens/ColumnFinder.h"
 
 #include <set>
 #include <string>
@@ -22,7 +22,7 @@ namespace limn
 /// stay where they are.
 ///
 /// @throws AssetError  where the text is nested too deeply, or lacks a bracket
-std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
+std::string RespellForGlslang(std::string text, const PassProgram& program, ColumnFinder& lines,
                               std::vector<Diagnostic>& warnings);
 
 /// Makes integer constants of enumerators and int of the types of `enum`s, which is all that they

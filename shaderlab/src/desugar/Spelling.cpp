@@ -2,7 +2,7 @@
 
 #include "hlsl/TokenEdits.h"
 #include "hlsl/Types.h"
-#include "lowering/Checks.h"
+#include "lowering/GlslangGuards.h"
 #include <limn/base/WordList.h>
 
 #include <algorithm>
@@ -274,7 +274,7 @@ private:
 
 } // namespace
 
-std::string RespellForGlslang(std::string text, const PassProgram& program, SourceLines& lines,
+std::string RespellForGlslang(std::string text, const PassProgram& program, ColumnFinder& lines,
                               std::vector<Diagnostic>& warnings)
 {
     std::optional<HlslTokens> tokens(std::in_place, text, &lines);

@@ -1,7 +1,7 @@
 #include <limn/shaderlab/ResolveShader.h>
 
 #include <limn/shaderlab/PackageRange.h>
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 
 #include <limn/base/Text.h>
 

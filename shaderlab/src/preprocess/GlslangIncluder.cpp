@@ -1,6 +1,6 @@
 #include "preprocess/GlslangIncluder.h"
 
-#include "lowering/Checks.h"
+#include "lowering/GlslangGuards.h"
 #include "tokens/Lines.h"
 #include <limn/base/Text.h>
 

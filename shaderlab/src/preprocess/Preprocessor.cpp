@@ -8,7 +8,7 @@
 #include "keywords/DirectiveConditions.h"
 #include "keywords/DynamicKeywords.h"
 #include "keywords/PassMacro.h"
-#include "lowering/Checks.h"
+#include "lowering/GlslangGuards.h"
 #include "preprocess/GlslangIncluder.h"
 #include "preprocess/GlslangLog.h"
 #include "preprocess/GlslangSession.h"
@@ -199,7 +199,7 @@ void Judge(bool good, std::vector<Diagnostic> diagnostics, const PassProgram& pr
 
 PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
                                 std::span<const std::string> keywords, IncludeResolver& resolver,
-                                SourceLines& lines, std::vector<Diagnostic>& warnings)
+                                ColumnFinder& lines, std::vector<Diagnostic>& warnings)
 {
     StartGlslang();
     const std::string source = AssembleSource(program, stage, keywords);

@@ -3,7 +3,7 @@
 #include <limn/shaderlab/PassProgram.h>
 
 #include "includes/IncludeResolver.h"
-#include "tokens/SourceLines.h"
+#include "tokens/ColumnFinder.h"
 
 #include <span>
 #include <string>
@@ -28,6 +28,6 @@ struct PreprocessedHlsl
 /// @throws UnsupportedProgramError where a file of another render pipeline is missing
 PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
                                 std::span<const std::string> keywords, IncludeResolver& resolver,
-                                SourceLines& lines, std::vector<Diagnostic>& warnings);
+                                ColumnFinder& lines, std::vector<Diagnostic>& warnings);
 
 } // namespace limn

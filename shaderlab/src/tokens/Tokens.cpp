@@ -1,7 +1,7 @@
 #include "tokens/Tokens.h"
 
+#include "tokens/ColumnFinder.h"
 #include "tokens/Lines.h"
-#include "tokens/SourceLines.h"
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -128,7 +128,7 @@ HlslPlace PlaceOf(std::string_view source, std::size_t offset)
     return place;
 }
 
-HlslTokens::HlslTokens(std::string_view source, SourceLines* lines)
+HlslTokens::HlslTokens(std::string_view source, ColumnFinder* lines)
     : m_Source(source),
       m_Lines(lines),
       m_Tokens(TokenizeHlsl(source)),

@@ -11,7 +11,7 @@
 namespace limn
 {
 
-class SourceLines;
+class ColumnFinder;
 
 /// A token of preprocessed HLSL. Directives and blanks lie between tokens.
 struct HlslToken
@@ -56,7 +56,7 @@ class HlslTokens
 public:
     /// @param source  must outlive this
     /// @param lines   for the columns of places, which are 0 without; outlives this
-    explicit HlslTokens(std::string_view source, SourceLines* lines = nullptr);
+    explicit HlslTokens(std::string_view source, ColumnFinder* lines = nullptr);
 
     std::size_t size() const { return m_Tokens.size(); }
     /// "" behind the end.
@@ -91,7 +91,7 @@ public:
 
 private:
     std::string_view m_Source;
-    SourceLines* m_Lines;
+    ColumnFinder* m_Lines;
     std::vector<HlslToken> m_Tokens;
     std::vector<std::uint32_t> m_Partner; ///< of brackets; of others, and without one: size()
 };

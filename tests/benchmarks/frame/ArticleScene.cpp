@@ -13,14 +13,11 @@ namespace limn::benchmarks
 namespace
 {
 
-constexpr int k_OutlinedLayer = 8; ///< rendering layer
-constexpr float k_Distance = 10.0f;
-constexpr float k_FieldOfView = 60.0f;
-
 /// The side of the square that holds an object: all of them fill the picture.
 float CellSize(const ArticleSettings& settings)
 {
-    const float height = 2.0f * k_Distance * std::tan(k_FieldOfView * 0.5f * 3.14159265f / 180.0f);
+    const float height =
+        2.0f * k_CameraDistance * std::tan(k_CameraFieldOfView * 0.5f * 3.14159265f / 180.0f);
     if (settings.size > 0.0f)
     {
         return height * settings.size;
@@ -28,11 +25,6 @@ float CellSize(const ArticleSettings& settings)
     const float aspect = static_cast<float>(settings.width) / static_cast<float>(settings.height);
     const float area = height * height * aspect;
     return std::min(0.5f * height, std::sqrt(area / static_cast<float>(settings.objects)) * 0.85f);
-}
-
-bool isOutlined(const PerDrawData& object)
-{
-    return (object.renderingLayer[0] & RenderingLayerMask::FromIndex(k_OutlinedLayer).bits) != 0;
 }
 
 } // namespace
@@ -43,8 +35,8 @@ ArticleScene::ArticleScene(const ArticleSettings& settings, GraphicsDevice& devi
     RegisterVolumeComponents(m_Components);
     m_Volumes = std::make_unique<VolumeManager>(m_Components);
     m_Stack = std::make_unique<VolumeStack>(m_Volumes->CreateStack());
-    m_Camera.transform.localPosition = {0.0f, 0.0f, -k_Distance};
-    m_Camera.fieldOfView = k_FieldOfView;
+    m_Camera.transform.localPosition = {0.0f, 0.0f, -k_CameraDistance};
+    m_Camera.fieldOfView = k_CameraFieldOfView;
     AddObjects(settings);
     if (settings.hasOutline)
     {
@@ -99,26 +91,22 @@ void ArticleScene::AddObjects(const ArticleSettings& settings)
         renderer.mesh = meshes[static_cast<std::size_t>(i % settings.meshes)];
         renderer.sharedMaterials = {
             materials[static_cast<std::size_t>(i / settings.meshes % settings.materials)]};
-        renderer.renderingLayerMask =
-            i % 10 == 0
-                ? RenderingLayerMask::FromIndex(0) | RenderingLayerMask::FromIndex(k_OutlinedLayer)
-                : RenderingLayerMask::FromIndex(0);
+        renderer.renderingLayerMask = i % 10 == 0
+                                          ? RenderingLayerMask::FromIndex(0) | k_OutlinedLayers
+                                          : RenderingLayerMask::FromIndex(0);
         object.renderer = std::move(renderer);
     }
 }
 
 void ArticleScene::Move(Movement what, int step)
 {
-    const float x = step % 2 != 0 ? 0.01f : 0.0f;
+    const float x = step % 2 != 0 ? k_Step : 0.0f;
     if (what == Movement::Camera)
     {
         m_Camera.transform.localPosition.x = x;
     }
     const auto& objects = m_Scene.objects();
-    const std::size_t count = what == Movement::All    ? objects.size()
-                              : what == Movement::Some ? objects.size() / 100 + 1
-                                                       : 0;
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < MovedCount(what, objects.size()); ++i)
     {
         objects[i]->transform.localPosition.z = x;
     }
@@ -151,7 +139,16 @@ namespace
 class NumberTaker
 {
 public:
-    explicit NumberTaker(const CompiledFrame& frame) : m_Frame(frame) {}
+    NumberTaker(const Scene& scene, const CompiledFrame& frame) : m_Frame(frame)
+    {
+        for (const auto& object : scene.objects())
+        {
+            const glm::vec3& place = object->transform.localPosition;
+            m_ObjectAt[{place.x, place.y}] = m_Result.objects.size();
+            m_Result.objects.push_back(
+                {object->transform, object->renderer->renderingLayerMask, 0});
+        }
+    }
 
     ArticleNumbers Take()
     {
@@ -165,7 +162,6 @@ public:
                 }
             }
         }
-        MakeGroups();
         m_Result.uniforms = m_Frame.uniformData;
         return std::move(m_Result);
     }
@@ -208,37 +204,35 @@ private:
         {
             materials.push_back(setup.bindings);
         }
-        auto& objects = m_Objects[{material, m_Frame.MeshOf(draw)}];
+        const ArticleGroup group{m_Frame.MeshOf(draw), material, 0, 0, 0};
+        const auto known = std::ranges::find(m_Result.groups, group);
+        const std::size_t number = static_cast<std::size_t>(known - m_Result.groups.begin());
+        if (known == m_Result.groups.end())
+        {
+            m_Result.groups.push_back(group);
+        }
         for (std::uint32_t i = 0; i < draw.instanceCount; ++i)
         {
-            objects.push_back(m_Frame.PerDraw(draw, i));
-        }
-    }
-
-    void MakeGroups()
-    {
-        for (auto& [key, objects] : m_Objects)
-        {
-            const auto outlined = std::stable_partition(objects.begin(), objects.end(), isOutlined);
-            m_Result.groups.push_back({key.second, key.first,
-                                       static_cast<std::uint32_t>(m_Result.objects.size()),
-                                       static_cast<std::uint32_t>(objects.size()),
-                                       static_cast<std::uint32_t>(outlined - objects.begin())});
-            m_Result.objects.insert(m_Result.objects.end(), objects.begin(), objects.end());
+            const PerDrawData object = m_Frame.PerDraw(draw, i);
+            const float* place = object.objectToWorld + 12;
+            m_Result.objects[m_ObjectAt.at({place[0], place[1]})].group = number;
         }
     }
 
     const CompiledFrame& m_Frame;
     ArticleNumbers m_Result;
-    std::map<std::pair<std::size_t, std::shared_ptr<const Mesh>>, std::vector<PerDrawData>>
-        m_Objects;
+    std::map<std::pair<float, float>, std::size_t> m_ObjectAt; ///< each is at another place
 };
 
 } // namespace
 
-ArticleNumbers NumbersOf(const CompiledFrame& frame)
+ArticleNumbers NumbersOf(ArticleScene& scene)
 {
-    return NumberTaker(frame).Take();
+    ArticleNumbers numbers = NumberTaker(scene.scene(), *scene.Render().frame).Take();
+    scene.Move(Movement::Camera, 1);
+    numbers.uniformsOfMovedCamera = scene.Render().frame->uniformData;
+    scene.Move(Movement::Camera, 0);
+    return numbers;
 }
 
 } // namespace limn::benchmarks

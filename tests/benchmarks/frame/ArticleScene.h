@@ -34,6 +34,19 @@ enum class Movement
     All
 };
 
+inline constexpr float k_CameraDistance = 10.0f;    ///< metres, along z
+inline constexpr float k_CameraFieldOfView = 60.0f; ///< degrees, vertical
+inline constexpr float k_Step = 0.01f;              ///< metres
+inline constexpr int k_OutlinedLayer = 8;           ///< rendering layer
+inline constexpr RenderingLayerMask k_OutlinedLayers =
+    RenderingLayerMask::FromIndex(k_OutlinedLayer);
+
+/// Returns how many of the first objects move.
+inline std::size_t MovedCount(Movement what, std::size_t objects)
+{
+    return what == Movement::All ? objects : what == Movement::Some ? objects / 100 + 1 : 0;
+}
+
 /// The article's frame: lit objects of which every tenth is outlined, all of them in the picture.
 class ArticleScene
 {
@@ -44,6 +57,8 @@ public:
 
     /// Moves to one side in odd steps and back in even ones.
     void Move(Movement what, int step);
+
+    const Scene& scene() const { return m_Scene; }
 
     /// Until the next call.
     const RenderResult& Render()
@@ -74,9 +89,18 @@ struct ArticleGroup
 {
     std::shared_ptr<const Mesh> mesh;
     std::size_t material = 0; ///< of ArticleNumbers::materials
-    std::uint32_t first = 0;  ///< of ArticleNumbers::objects
+    std::uint32_t first = 0;  ///< of those in sight
     std::uint32_t count = 0;
     std::uint32_t outlined = 0;
+
+    bool operator==(const ArticleGroup&) const = default;
+};
+
+struct ArticleObject
+{
+    Transform transform;
+    RenderingLayerMask renderingLayers;
+    std::size_t group = 0; ///< of ArticleNumbers::groups
 };
 
 /// A full-screen draw of the frame.
@@ -100,12 +124,13 @@ struct ArticleNumbers
     ArticleBlit edge;
     ArticleBlit composite;
     ArticleBlit final;
-    std::vector<ArticleGroup> groups;
-    std::vector<PerDrawData> objects;
-    std::vector<std::byte> uniforms; ///< DrawBindings point into these
+    std::vector<ArticleGroup> groups;   ///< all of them, without numbers of objects
+    std::vector<ArticleObject> objects; ///< in the scene's order
+    std::vector<std::byte> uniforms;    ///< DrawBindings point into these
+    std::vector<std::byte> uniformsOfMovedCamera;
 };
 
-/// @param frame  of an ArticleScene with the outline and without regions
-ArticleNumbers NumbersOf(const CompiledFrame& frame);
+/// @param scene  with the outline and without regions
+ArticleNumbers NumbersOf(ArticleScene& scene);
 
 } // namespace limn::benchmarks

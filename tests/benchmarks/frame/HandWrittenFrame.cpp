@@ -127,10 +127,13 @@ void HandWrittenFrame::Draw()
 {
     Slot& slot = m_Slots[m_Submitted % m_Slots.size()];
     WaitFor(slot.number);
-    std::byte* data = slot.data.memory.mapped();
-    std::memcpy(data, m_Numbers.uniforms.data(), m_Numbers.uniforms.size());
-    Record(slot);
-
+    m_Scene.Update();
+    WriteData(slot);
+    if (slot.groups != m_Scene.groups())
+    {
+        slot.groups = m_Scene.groups();
+        Record(slot);
+    }
     VkCommandBufferSubmitInfo buffer{};
     buffer.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_SUBMIT_INFO;
     buffer.commandBuffer = slot.commands;
@@ -149,13 +152,27 @@ void HandWrittenFrame::Draw()
     slot.number = ++m_Submitted;
 }
 
+void HandWrittenFrame::WriteData(Slot& slot)
+{
+    std::byte* data = slot.data.memory.mapped();
+    const std::vector<std::byte>& uniforms =
+        m_Scene.isCameraMoved() ? m_Numbers.uniformsOfMovedCamera : m_Numbers.uniforms;
+    std::memcpy(data, uniforms.data(), uniforms.size());
+    m_Scene.WriteObjects(
+        {reinterpret_cast<PerDrawData*>(data + ObjectsOffset(m_Numbers)), m_Numbers.objects.size()},
+        slot.version);
+    slot.version = m_Scene.version();
+    const std::vector<std::uint32_t>& instances = m_Scene.instances();
+    std::memcpy(data + InstancesOffset(m_Numbers), instances.data(),
+                instances.size() * sizeof(std::uint32_t));
+}
+
 void HandWrittenFrame::Record(const Slot& slot)
 {
     VkCommandBuffer commands = slot.commands;
     vulkan::Check(vkResetCommandPool(m_Context.device(), slot.pool.get(), 0), "vkResetCommandPool");
     VkCommandBufferBeginInfo begin{};
     begin.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
-    begin.flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT;
     vulkan::Check(vkBeginCommandBuffer(commands, &begin), "vkBeginCommandBuffer");
     vkCmdResetQueryPool(commands, slot.queries.get(), 0, 2 * k_Passes);
     RecordMask(slot);
@@ -176,7 +193,7 @@ void HandWrittenFrame::RecordMask(const Slot& slot) const
                    nullptr);
     BindMeshes(slot.commands, m_MaskStage);
     BindSet(slot.commands, m_MaskStage.layout.get(), slot.mask);
-    for (const ArticleGroup& group : m_Numbers.groups)
+    for (const ArticleGroup& group : m_Scene.groups())
     {
         if (group.outlined > 0)
         {
@@ -226,7 +243,7 @@ void HandWrittenFrame::RecordObjects(const Slot& slot) const
     BeginRendering(slot.commands, m_Color.extent, color, &depth);
     BindMeshes(slot.commands, m_LitStage);
     std::size_t bound = std::numeric_limits<std::size_t>::max();
-    for (const ArticleGroup& group : m_Numbers.groups)
+    for (const ArticleGroup& group : m_Scene.groups())
     {
         if (group.material != bound)
         {
@@ -276,8 +293,7 @@ void HandWrittenFrame::BindMeshes(VkCommandBuffer commands, const Stage& stage) 
 void HandWrittenFrame::DrawMesh(VkCommandBuffer commands, const ArticleGroup& group,
                                 std::uint32_t count) const
 {
-    const auto index = static_cast<std::size_t>(&group - m_Numbers.groups.data());
-    const PlacedMesh& mesh = m_GroupMeshes[index];
+    const PlacedMesh& mesh = m_PlacedMeshes.at(group.mesh->id());
     vkCmdDrawIndexed(commands, mesh.indexCount, count, mesh.index, mesh.vertex, group.first);
 }
 
@@ -318,8 +334,8 @@ double HandWrittenFrame::DeviceMilliseconds() const
 
 std::size_t HandWrittenFrame::drawCount() const
 {
-    std::size_t count = m_Numbers.groups.size() + 3;
-    for (const ArticleGroup& group : m_Numbers.groups)
+    std::size_t count = m_Scene.groups().size() + 3;
+    for (const ArticleGroup& group : m_Scene.groups())
     {
         count += group.outlined > 0 ? 1 : 0;
     }

@@ -2,7 +2,7 @@
 
 #include "descriptors/DescriptorAllocator.h"
 #include "device/VulkanContext.h"
-#include "frame/ArticleScene.h"
+#include "frame/HandWrittenScene.h"
 #include "memory/MemoryAllocator.h"
 #include "resources/SamplerCache.h"
 #include <functional>
@@ -15,8 +15,8 @@ namespace limn::benchmarks
 /// The article's frame as somebody writes it who wants nothing but this frame, in plain Vulkan:
 /// pipelines without dynamic state, descriptor sets written once, all meshes in one buffer, the
 /// exact barriers, the outline's mask and edges before the lit objects so that the composite is in
-/// their pass. Two frames in flight. Only what is not the frame itself (device, memory, samplers)
-/// is limn's.
+/// their pass. Two frames in flight, each with commands that are kept as long as the same objects
+/// are in sight. Only what is not the frame itself (device, memory, samplers) is limn's.
 class HandWrittenFrame
 {
 public:
@@ -25,7 +25,8 @@ public:
     HandWrittenFrame(const HandWrittenFrame&) = delete;
     HandWrittenFrame& operator=(const HandWrittenFrame&) = delete;
 
-    void Draw();                       ///< writes what a frame may change, records and submits
+    void Move(Movement what, int step) { m_Scene.Move(what, step); }
+    void Draw();                       ///< decides on all objects, writes what changed and submits
     void Wait();                       ///< until all frames are done
     double DeviceMilliseconds() const; ///< the passes of the last frame. @pre it is done
     Image ReadBack();                  ///< the output of the last frame
@@ -62,7 +63,9 @@ private:
         VkDescriptorSet edge = VK_NULL_HANDLE;
         VkDescriptorSet composite = VK_NULL_HANDLE;
         VkDescriptorSet final = VK_NULL_HANDLE;
-        std::uint64_t number = 0; ///< of its last frame
+        std::uint64_t number = 0;         ///< of its last frame
+        std::uint64_t version = 0;        ///< of the scene then
+        std::vector<ArticleGroup> groups; ///< that its commands draw
 
         explicit Slot(VkDevice device) : descriptors(device) {}
     };
@@ -88,6 +91,7 @@ private:
     /// Records, submits and waits.
     void RunNow(const std::function<void(VkCommandBuffer)>& record) const;
 
+    void WriteData(Slot& slot);
     void Record(const Slot& slot);
     void RecordMask(const Slot& slot) const;
     void RecordEdge(const Slot& slot) const;
@@ -98,6 +102,7 @@ private:
     void WaitFor(std::uint64_t number) const;
 
     ArticleNumbers m_Numbers;
+    HandWrittenScene m_Scene;
     vulkan::VulkanContext m_Context;
     vulkan::MemoryAllocator m_Allocator;
     vulkan::SamplerCache m_Samplers;
@@ -108,7 +113,6 @@ private:
     std::vector<VkDeviceSize> m_Arrays; ///< of m_Meshes, by VertexAttributes()
     VkDeviceSize m_Indices = 0;
     std::map<std::uint64_t, PlacedMesh> m_PlacedMeshes; ///< by Mesh::id
-    std::vector<PlacedMesh> m_GroupMeshes;              ///< by group
     std::vector<Slot> m_Slots;
     vulkan::UniqueSemaphore m_Timeline;
     std::uint64_t m_Submitted = 0;

@@ -4,8 +4,7 @@
 #include "device/Translate.h"
 #include <algorithm>
 #include <cstring>
-#include <limn/core/VertexAttribute.h>
-#include <numeric>
+#include <limn/core/Mesh.h>
 
 namespace limn::benchmarks
 {
@@ -68,6 +67,7 @@ std::size_t InstancesOffset(const ArticleNumbers& numbers)
 
 HandWrittenFrame::HandWrittenFrame(const ArticleNumbers& numbers, const std::string& device)
     : m_Numbers(numbers),
+      m_Scene(numbers),
       m_Context(OptionsFor(device)),
       m_Allocator(m_Context.device(), m_Context.physicalDevice()),
       m_Samplers(m_Context)
@@ -183,10 +183,6 @@ void HandWrittenFrame::CreateMeshes()
         next.index += next.indexCount;
         next.vertex += static_cast<std::int32_t>(mesh->data().vertices.size());
     }
-    for (const ArticleGroup& group : m_Numbers.groups)
-    {
-        m_GroupMeshes.push_back(m_PlacedMeshes.at(group.mesh->id()));
-    }
     m_Meshes = vulkan::Buffer{m_Context.device(),
                               m_Allocator,
                               bytes.size(),
@@ -265,12 +261,6 @@ void HandWrittenFrame::CreateSlot(Slot& slot)
         VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT,
         vulkan::MemoryUse::Upload,
         "frame data"};
-    auto* const instances =
-        reinterpret_cast<std::uint32_t*>(slot.data.memory.mapped() + InstancesOffset(m_Numbers));
-    std::iota(instances, instances + m_Numbers.objects.size(), 0u);
-    // They stand still.
-    std::memcpy(slot.data.memory.mapped() + ObjectsOffset(m_Numbers), m_Numbers.objects.data(),
-                m_Numbers.objects.size() * sizeof(PerDrawData));
     for (const auto& bindings : m_Numbers.materials)
     {
         slot.materials.push_back(CreateSet(slot, m_LitStage, *bindings));

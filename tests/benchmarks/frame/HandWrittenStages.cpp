@@ -4,7 +4,7 @@
 #include "device/Translate.h"
 #include <algorithm>
 #include <array>
-#include <limn/core/VertexAttribute.h>
+#include <limn/core/Mesh.h>
 
 namespace limn::benchmarks
 {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limn/core/DrawError.h>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 
 #include "ThrownMessage.h"
 #include "frame/FrameBuilder.h"

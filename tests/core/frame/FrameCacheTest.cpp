@@ -1,7 +1,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 
 #include "frame/FrameBuilder.h"
 #include "scene/TestScene.h"

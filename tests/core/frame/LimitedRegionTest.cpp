@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>
 #include <limits>
+#include <limn/core/FrameCompiler.h>
 #include <random>
 
 namespace limn
@@ -21,17 +22,25 @@ class LimitedRegion : public testing::Test
 protected:
     /// mask (100x50) → edges (100x50) → camera (200x100)
     /// @param reach  of the edges, in texels of the mask
-    CompiledFrame Outline(std::vector<std::optional<TargetRegion>> objects, float reach = 3.0f)
+    CompiledFrame Outline(const std::vector<std::optional<TargetRegion>>& objects,
+                          float reach = 3.0f)
     {
-        m_Frame.Bind(m_Camera).Draw(0).Bind(m_Mask).Clear(ClearFlag::Color);
+        return CompileFrame(Record(objects, reach), {}, std::vector{m_Camera}, m_Options);
+    }
+
+    FrameCommands Record(const std::vector<std::optional<TargetRegion>>& objects,
+                         float reach = 3.0f) const
+    {
+        FrameBuilder frame;
+        frame.Bind(m_Camera).Draw(0).Bind(m_Mask).Clear(ClearFlag::Color);
         for (const auto& bounds : objects)
         {
-            m_Frame.Draw(1);
-            m_Frame.lastDraw().bounds = bounds;
+            frame.Draw(1);
+            frame.lastDraw().bounds = bounds;
         }
-        m_Frame.Bind(m_Edges).Blit(2, {m_Mask}, "0 0 0 1 where", {}, reach);
-        m_Frame.Bind(m_Camera).Blit(3, {m_Edges}, "0 0 0 1 where", FrameBuilder::Additive(), 0.0f);
-        return CompileFrame(m_Frame.Take(), {}, std::vector{m_Camera}, m_Options);
+        frame.Bind(m_Edges).Blit(2, {m_Mask}, "0 0 0 1 where", {}, reach);
+        frame.Bind(m_Camera).Blit(3, {m_Edges}, "0 0 0 1 where", FrameBuilder::Additive(), 0.0f);
+        return frame.Take();
     }
 
     static std::optional<ViewportRect> ScissorOf(const CompiledRenderPass& pass)
@@ -46,7 +55,6 @@ protected:
     }
 
     FrameCompilerOptions m_Options;
-    FrameBuilder m_Frame;
     const RenderTexturePtr m_Camera = test::Target("Camera", 200, 100);
     const RenderTexturePtr m_Mask = test::Target("Mask", 100, 50, false, GraphicsFormat::R8_UNorm);
     const RenderTexturePtr m_Edges =
@@ -118,6 +126,93 @@ TEST_F(LimitedRegion, StaysWithinTheTarget)
     EXPECT_EQ(0, edges.x);
     EXPECT_GE(edges.width, 10);
     EXPECT_EQ(50, edges.y + edges.height);
+}
+
+/// Frames in which nothing changes but where the objects are seen.
+class RegionThatMoves : public LimitedRegion
+{
+protected:
+    std::shared_ptr<const CompiledFrame> Compile(const std::optional<TargetRegion>& object)
+    {
+        FrameCommands commands = Record({object});
+        auto frame = m_Cache.Compile(commands, m_States, std::vector{m_Camera}, m_Options);
+        m_States = frame->states;
+        return frame;
+    }
+    ViewportRect Drawn(const TargetRegion& object)
+    {
+        return ScissorOf(PassInto(*Compile(object), m_Edges)).value();
+    }
+    static TargetRegion At(double left) { return {left, 0.4, left + 0.2, 0.6}; }
+
+    FrameCache m_Cache;
+    TextureStates m_States;
+};
+
+TEST_F(RegionThatMoves, IsWorkedOutOnceForASmallWay)
+{
+    Compile(At(0.3));
+    Compile(At(0.3));
+    const std::uint64_t moved = Compile(At(0.31))->structure;
+    for (const double left : {0.3, 0.32, 0.315, 0.29})
+    {
+        EXPECT_EQ(moved, Compile(At(left))->structure) << left;
+    }
+    EXPECT_NE(moved, Compile(At(0.36))->structure);
+}
+
+// One that has moved is drawn with a border of 1/32 of the target, which is 3.125 of 100 texels.
+TEST_F(RegionThatMoves, IsTheExactOneAgainOnceItRests)
+{
+    const ViewportRect exact = Drawn(At(0.3));
+    Drawn(At(0.3));
+    const ViewportRect moved = Drawn(At(0.31));
+    EXPECT_LT(moved.x, exact.x + 1);
+    EXPECT_GE(moved.x, exact.x + 1 - 4);
+    for (int i = 0; i < 20; ++i)
+    {
+        Drawn(At(0.3));
+    }
+    EXPECT_EQ(exact, Drawn(At(0.3)));
+}
+
+TEST_F(RegionThatMoves, IsNoReasonToCompileWhereNothingIsLimited)
+{
+    m_Options.limitsRegions = false;
+    Compile(At(0.3));
+    const std::uint64_t structure = Compile(At(0.3))->structure;
+    EXPECT_EQ(structure, Compile(At(0.6))->structure);
+    EXPECT_EQ(structure, Compile(std::nullopt)->structure);
+}
+
+TEST_F(RegionThatMoves, HoldsTheExactOneAndLittleMore)
+{
+    std::mt19937 random(20261127);
+    std::uniform_real_distribution<double> step(-0.02, 0.02);
+    double left = 0.4;
+    int kept = 0;
+    std::uint64_t last = 0;
+    for (int i = 0; i < 2000; ++i)
+    {
+        left = std::clamp(left + step(random), -0.5, 1.3);
+        const auto frame = Compile(At(left));
+        kept += frame->structure == last ? 1 : 0;
+        last = frame->structure;
+        const ViewportRect drawn = ScissorOf(PassInto(*frame, m_Edges)).value();
+        const ViewportRect exact = ScissorOf(PassInto(Outline({At(left)}), m_Edges)).value();
+        if (exact.width == 0)
+        {
+            continue;
+        }
+        // Two borders of 3.125 texels, and one for rounding.
+        EXPECT_LE(drawn.x, exact.x) << left;
+        EXPECT_GE(drawn.x, exact.x - 8) << left;
+        EXPECT_GE(drawn.x + drawn.width, exact.x + exact.width) << left;
+        EXPECT_LE(drawn.x + drawn.width, exact.x + exact.width + 8) << left;
+        EXPECT_LE(drawn.y, exact.y) << left;
+        EXPECT_GE(drawn.y + drawn.height, exact.y + exact.height) << left;
+    }
+    EXPECT_GT(kept, 1000) << "hardly any frame was kept";
 }
 
 // A camera at the origin looking along -z in view space: x and y of a point at distance d are

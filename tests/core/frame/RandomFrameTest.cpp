@@ -5,7 +5,7 @@
 #include "scene/TestScene.h"
 
 #include <gtest/gtest.h>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 
 #include <algorithm>
 #include <cmath>

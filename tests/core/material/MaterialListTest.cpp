@@ -1,7 +1,7 @@
 #include "scene/TestScene.h"
 
 #include <gtest/gtest.h>
-#include <limn/core/MaterialList.h>
+#include <limn/core/Scene.h>
 #include <random>
 
 namespace limn

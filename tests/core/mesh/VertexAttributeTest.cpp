@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <limn/core/VertexAttribute.h>
+#include <limn/core/Mesh.h>
 
 namespace limn::test
 {

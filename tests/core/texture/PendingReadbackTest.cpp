@@ -1,7 +1,7 @@
 #include "core/ThrownMessage.h"
 #include <gtest/gtest.h>
+#include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/Debug.h>
-#include <limn/core/PendingReadback.h>
 #include <new>
 
 namespace limn

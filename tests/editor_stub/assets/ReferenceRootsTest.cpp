@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/editor_stub/Overrides.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
 #include <sys/stat.h>
 
 namespace limn::test

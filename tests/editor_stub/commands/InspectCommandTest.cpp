@@ -2,7 +2,7 @@
 #include "explain/InspectReport.h"
 
 #include <gmock/gmock.h>
-#include <limn/volume/LayerMaskParameter.h>
+#include <limn/volume/ValueParameters.h>
 #include <nlohmann/json.hpp>
 
 namespace limn::test

@@ -47,7 +47,7 @@ int CountDifferent(const Image& a, const Image& b)
 
 TEST(StandardZGpu, GivesThePictureOfReversedZWithEachTechnique)
 {
-    for (const Technique& technique : Techniques())
+    for (const Technique& technique : AssetsWithDepth(true).features().techniques())
     {
         std::vector<std::vector<std::string>> variants = {{}};
         if (technique.component == "StrokeOutline" || technique.component == "WideOutline")
@@ -56,7 +56,7 @@ TEST(StandardZGpu, GivesThePictureOfReversedZWithEachTechnique)
         }
         for (const auto& changes : variants)
         {
-            SCOPED_TRACE(technique.info.name + (changes.empty() ? "" : ", " + changes.front()));
+            SCOPED_TRACE(technique.name + (changes.empty() ? "" : ", " + changes.front()));
             EXPECT_LE(CountDifferent(DrawSelection(technique, changes, true),
                                      DrawSelection(technique, changes, false)),
                       96 * 60 / 1000);

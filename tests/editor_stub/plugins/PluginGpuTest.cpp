@@ -31,4 +31,16 @@ TEST(PluginGpu, IsInTheSceneThatReportMeasures)
                 testing::HasSubstr("no active feature outlines anything"));
 }
 
+TEST(PluginGpu, HasTechniquesThatReportKnows)
+{
+    const PluginFolder folder;
+    folder.Write("o.scene.yaml", "size: [16, 16]\ncamera: {position: [0, 0, -3]}\n"
+                                 "renderer: {features: [{type: StrokeOutlineRendererFeature}]}\n"
+                                 "objects: [{name: ball, mesh: sphere}]\n");
+    const std::string arguments = "report o.scene.yaml -o report --technique Redpaint";
+    EXPECT_THAT(folder.Run(arguments), testing::HasSubstr("unknown technique 'Redpaint' (known: "));
+    EXPECT_THAT(folder.Run(arguments + " --plugin probe.so"),
+                testing::HasSubstr("did you mean 'Red paint'?"));
+}
+
 } // namespace limn::test

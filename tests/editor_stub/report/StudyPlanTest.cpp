@@ -1,6 +1,6 @@
 #include "report/StudyPlan.h"
 
-#include "report/measure/Techniques.h"
+#include "ShippedTechniques.h"
 
 #include <gmock/gmock.h>
 #include <set>
@@ -28,11 +28,16 @@ StudyOptions Options(bool isQuick)
     return options;
 }
 
+std::vector<CellId> Plan(const StudyOptions& options)
+{
+    return PlanStudy(options, test::ShippedTechniques());
+}
+
 TEST(StudyPlan, NamesEachCellOnce)
 {
     for (const bool isQuick : {true, false})
     {
-        const std::vector<CellId> cells = PlanStudy(Options(isQuick));
+        const std::vector<CellId> cells = Plan(Options(isQuick));
         EXPECT_EQ(NamesOf(cells).size(), cells.size());
     }
 }
@@ -41,10 +46,10 @@ TEST(StudyPlan, ComparesEachTechniqueInTheSceneAndTakesItsTime)
 {
     for (const bool isQuick : {true, false})
     {
-        const std::set<std::string> names = NamesOf(PlanStudy(Options(isQuick)));
-        for (const Technique& technique : Techniques())
+        const std::set<std::string> names = NamesOf(Plan(Options(isQuick)));
+        for (const Technique& technique : test::ShippedTechniques())
         {
-            const std::string behind = "/" + technique.info.name + "/scene/4/1280x720";
+            const std::string behind = "/" + technique.name + "/scene/4/1280x720";
             EXPECT_TRUE(names.contains("geometry" + behind)) << behind;
             EXPECT_TRUE(names.contains("cost" + behind)) << behind;
         }
@@ -56,7 +61,7 @@ TEST(StudyPlan, TakesTheTechniquesThatAreAskedFor)
     StudyOptions options = Options(true);
     options.techniques = {"Strokes", "Rim"};
     std::set<std::string> techniques;
-    for (const CellId& cell : PlanStudy(options))
+    for (const CellId& cell : Plan(options))
     {
         techniques.insert(cell.technique);
     }
@@ -69,9 +74,9 @@ TEST(StudyPlan, HoldsStrokesToBothPartsOfAnOutlineThatIsPartlyHidden)
     StudyOptions options = Options(true);
     const std::string both[] = {"geometry/Strokes/scene/4/1280x720/seen part",
                                 "geometry/Strokes/scene/4/1280x720/hidden part"};
-    const std::set<std::string> without = NamesOf(PlanStudy(options));
+    const std::set<std::string> without = NamesOf(Plan(options));
     options.isPartlyHidden = true;
-    std::set<std::string> names = NamesOf(PlanStudy(options));
+    std::set<std::string> names = NamesOf(Plan(options));
     EXPECT_NE(options.Text(), Options(true).Text()) << "another study";
     for (const std::string& name : both)
     {
@@ -80,12 +85,12 @@ TEST(StudyPlan, HoldsStrokesToBothPartsOfAnOutlineThatIsPartlyHidden)
     }
     EXPECT_EQ(names, without);
     options.techniques = {"Rim"};
-    EXPECT_FALSE(NamesOf(PlanStudy(options)).contains(both[0]));
+    EXPECT_FALSE(NamesOf(Plan(options)).contains(both[0]));
 }
 
 TEST(StudyPlan, MeasuresCostsOfAllTechniquesTogetherAndAllElseAlone)
 {
-    const std::vector<CellId> cells = PlanStudy(Options(true));
+    const std::vector<CellId> cells = Plan(Options(true));
     std::vector<CellId> again;
     std::size_t costs = 0;
     for (const std::vector<CellId>& unit : UnitsOf(cells))
@@ -94,7 +99,7 @@ TEST(StudyPlan, MeasuresCostsOfAllTechniquesTogetherAndAllElseAlone)
         if (unit.front().kind == CellKind::Cost)
         {
             ++costs;
-            EXPECT_EQ(unit.size(), Techniques().size());
+            EXPECT_EQ(unit.size(), test::ShippedTechniques().size());
         }
         else
         {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 #include <limn/core/Image.h>
 #include <limn/editor_stub/SceneFile.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
 
 namespace limn::test
 {

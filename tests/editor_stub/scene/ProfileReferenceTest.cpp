@@ -4,9 +4,8 @@
 #include <gmock/gmock.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
-#include <limn/volume/LayerMaskParameter.h>
-#include <limn/volume/MaterialParameter.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
+#include <limn/volume/ValueParameters.h>
 
 namespace limn::test
 {

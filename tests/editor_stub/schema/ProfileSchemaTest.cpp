@@ -1,14 +1,10 @@
 #include "schema/Schemas.h"
 
 #include <gtest/gtest.h>
-#include <limn/volume/AnimationCurveParameter.h>
-#include <limn/volume/EnumParameter.h>
-#include <limn/volume/FloatParameter.h>
-#include <limn/volume/IntParameter.h>
-#include <limn/volume/LayerMaskParameter.h>
-#include <limn/volume/TextureCurveParameter.h>
-#include <limn/volume/TextureParameter.h>
-#include <limn/volume/VectorParameter.h>
+#include <limn/volume/AssetParameters.h>
+#include <limn/volume/CurveParameters.h>
+#include <limn/volume/NumberParameters.h>
+#include <limn/volume/ValueParameters.h>
 
 namespace limn::test
 {

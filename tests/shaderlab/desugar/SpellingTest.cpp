@@ -15,7 +15,7 @@ TEST(RespellForGlslang, StopsAtABracketThatBeginsTheText)
     const PassProgram program;
     const ShaderCompilerOptions options;
     IncludeResolver resolver(options, "s.shader");
-    SourceLines lines(program, resolver);
+    ColumnFinder lines(program, resolver);
     std::vector<Diagnostic> warnings;
     EXPECT_THAT(RespellForGlslang("{ float a; } float static const f(const float s) { return s; }",
                                   program, lines, warnings),

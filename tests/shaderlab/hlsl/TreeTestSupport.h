@@ -3,7 +3,7 @@
 #include <hlsl/Resolver.h>
 #include <hlsl/TreeParser.h>
 #include <lowering/Lowering.h>
-#include <lowering/Rewriter.h>
+#include <lowering/StageLowering.h>
 
 #include <string>
 

@@ -1,4 +1,4 @@
-#include <limn/shaderlab/ProgramSupport.h>
+#include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "ShaderTestSupport.h"

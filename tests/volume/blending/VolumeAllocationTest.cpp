@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <gtest/gtest.h>
 #include <limn/core/PrimitiveMesh.h>
-#include <limn/volume/AnimationCurveParameter.h>
+#include <limn/volume/CurveParameters.h>
 #include <new>
 
 namespace

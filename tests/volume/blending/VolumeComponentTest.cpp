@@ -2,7 +2,7 @@
 
 #include <core/ThrownMessage.h>
 #include <gtest/gtest.h>
-#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/VolumeComponent.h>
 #include <string>
 #include <vector>
 

@@ -2,7 +2,7 @@
 
 #include <cstring>
 #include <gtest/gtest.h>
-#include <limn/volume/ObjectParameter.h>
+#include <limn/volume/AssetParameters.h>
 #include <random>
 
 namespace limn

@@ -5,8 +5,8 @@
 #include <glm/vec2.hpp>
 #include <gtest/gtest.h>
 #include <limits>
-#include <limn/volume/AnimationCurveParameter.h>
-#include <limn/volume/KeyframeUtility.h>
+#include <limn/volume/AnimationCurve.h>
+#include <limn/volume/CurveParameters.h>
 
 namespace limn
 {

@@ -2,7 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <iostream>
-#include <limn/volume/KeyframeUtility.h>
+#include <limn/volume/AnimationCurve.h>
 #include <precision/RandomFloats.h>
 
 namespace limn

@@ -3,14 +3,11 @@
 #include <core/ThrownMessage.h>
 #include <fstream>
 #include <gmock/gmock.h>
-#include <limn/volume/AnimationCurveParameter.h>
-#include <limn/volume/EnumParameter.h>
-#include <limn/volume/LayerMaskParameter.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
+#include <limn/volume/CurveParameters.h>
 #include <limn/volume/UnityAsset.h>
-#include <limn/volume/VectorParameter.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeProfileLoader.h>
-#include <limn/volume/VolumeProfileWriter.h>
 
 namespace limn::test
 {

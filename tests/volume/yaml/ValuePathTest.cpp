@@ -1,7 +1,7 @@
 #include "Problems.h"
 
 #include <gmock/gmock.h>
-#include <limn/volume/ValuePath.h>
+#include <limn/volume/ProfileEdit.h>
 
 namespace limn::test
 {

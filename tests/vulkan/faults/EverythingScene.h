@@ -6,8 +6,8 @@
 #include "features/RecordingFeature.h"
 #include "view/SceneView.h"
 
+#include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/PendingReadback.h>
 
 namespace limn::test
 {

@@ -3,7 +3,7 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
 
-#include <limn/core/InstanceData.h>
+#include <limn/core/FrameCommands.h>
 #include <optional>
 
 namespace limn::test

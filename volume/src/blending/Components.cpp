@@ -15,8 +15,8 @@ std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component
 
 void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor)
 {
-    RunFeatureCode(typeid(component), component.displayName, "Override",
-                   [&] { component.Override(state, interpFactor); });
+    RunPluginCode(typeid(component), component.displayName, "Override",
+                  [&] { component.Override(state, interpFactor); });
 }
 
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to)

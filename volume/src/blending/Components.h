@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/core/TypeName.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <string>
 #include <typeindex>

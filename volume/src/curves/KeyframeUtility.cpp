@@ -1,4 +1,4 @@
-#include <limn/volume/KeyframeUtility.h>
+#include <limn/volume/AnimationCurve.h>
 
 #include "blending/Lerp.h"
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limn/volume/AnimationCurveParameter.h>
-#include <limn/volume/EnumParameter.h>
-#include <limn/volume/KeyframeUtility.h>
+#include <limn/volume/AnimationCurve.h>
+#include <limn/volume/CurveParameters.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail

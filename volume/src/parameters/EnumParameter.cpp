@@ -1,4 +1,4 @@
-#include <limn/volume/EnumParameter.h>
+#include <limn/volume/ValueParameters.h>
 
 #include <algorithm>
 

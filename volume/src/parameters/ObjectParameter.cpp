@@ -1,4 +1,4 @@
-#include <limn/volume/ObjectParameter.h>
+#include <limn/volume/AssetParameters.h>
 
 #include <limn/volume/YamlMapReader.h>
 

@@ -1,5 +1,4 @@
-#include <limn/volume/MaterialParameter.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
 
 namespace limn
 {

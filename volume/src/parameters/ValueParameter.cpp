@@ -1,4 +1,4 @@
-#include <limn/volume/ValueParameter.h>
+#include <limn/volume/ValueParameters.h>
 
 #include "blending/Lerp.h"
 #include "parameters/ParameterValues.h"

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <limn/base/WriteFile.h>
-#include <limn/volume/BoolParameter.h>
 #include <limn/volume/UnityAsset.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeProfileLoader.h>
 #include <limn/volume/YamlMapReader.h>
 #include <optional>

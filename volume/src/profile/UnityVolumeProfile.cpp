@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <limn/base/WordList.h>
-#include <limn/volume/UnityHeaderField.h>
+#include <limn/volume/UnityAsset.h>
 #include <set>
 #include <unordered_map>
 

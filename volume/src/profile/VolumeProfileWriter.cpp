@@ -1,4 +1,4 @@
-#include <limn/volume/VolumeProfileWriter.h>
+#include <limn/volume/VolumeProfileLoader.h>
 
 #include <algorithm>
 #include <cstdint>

@@ -3,9 +3,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limn/base/Diagnostic.h>
-#include <limn/volume/BoxCollider.h>
-#include <limn/volume/CapsuleCollider.h>
-#include <limn/volume/SphereCollider.h>
+#include <limn/volume/Collider.h>
 #include <string>
 
 namespace limn

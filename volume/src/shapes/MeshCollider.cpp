@@ -1,4 +1,4 @@
-#include <limn/volume/MeshCollider.h>
+#include <limn/volume/Collider.h>
 
 #include <algorithm>
 #include <array>

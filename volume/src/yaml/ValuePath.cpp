@@ -1,4 +1,4 @@
-#include <limn/volume/ValuePath.h>
+#include <limn/volume/ProfileEdit.h>
 
 #include <algorithm>
 

@@ -4,11 +4,22 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <limits>
-#include <limn/core/Vector.h>
 
 namespace limn
 {
+
+// GLM's vectors by the names that a line of C# has, so that `Vector4(1, 1, 0, 0)` goes over as it
+// is; their members are GLM's. Unity: UnityEngine.Vector2 ... (2022.3).
+
+using Vector2 = glm::vec2;
+using Vector3 = glm::vec3;
+using Vector4 = glm::vec4;
+using Vector2Int = glm::ivec2;
+using Vector3Int = glm::ivec3;
 
 /// Red, green, blue, alpha, each nominally 0...1 (HDR: above). What a person writes is sRGB; what a
 /// shader computes with is linear; which of the two a Color is, its owner says.

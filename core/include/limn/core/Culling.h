@@ -1,7 +1,7 @@
 #pragma once
 
 #include <iterator>
-#include <limn/core/InstanceData.h>
+#include <limn/core/FrameCommands.h>
 #include <limn/core/Judge.h>
 #include <limn/core/Scene.h>
 #include <vector>

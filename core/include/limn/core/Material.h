@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limn/core/LocalKeyword.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/PipelineState.h>
 #include <limn/core/RTHandle.h>
 #include <limn/core/Shader.h>
+#include <limn/core/ShaderKeyword.h>
 #include <map>
 #include <memory>
 #include <span>

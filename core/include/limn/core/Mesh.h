@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec2.hpp>
@@ -10,6 +11,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn
@@ -118,5 +120,20 @@ private:
     Bounds m_Bounds;
     float m_BoundingRadius = 0.0f;
 };
+
+/// An array of MeshData, as a vertex function reads it.
+struct VertexAttribute
+{
+    std::string_view semantic;    ///< "TEXCOORD0"
+    std::string_view array;       ///< MeshData's name of it: "uv"
+    std::size_t components;       ///< floats a vertex
+    std::array<float, 4> missing; ///< what a mesh that lacks the array gives
+    std::span<const float> (*values)(const MeshData& data);
+};
+
+inline constexpr std::size_t k_VertexAttributeCount = 12;
+
+/// All arrays of MeshData but the indices.
+const std::array<VertexAttribute, k_VertexAttributeCount>& VertexAttributes();
 
 } // namespace limn

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <functional>
-#include <limn/core/FrameCache.h>
+#include <limn/core/FrameCompiler.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/RenderTexturePool.h>
 #include <limn/core/Timeline.h>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <limn/vulkan/VulkanDeviceInfo.h>
+#include <limn/vulkan/VulkanDevice.h>
 #include <optional>
 #include <string_view>
 #include <vulkan/vulkan.h>

@@ -2,7 +2,7 @@
 
 #include "memory/MemoryAllocator.h"
 #include <bitset>
-#include <limn/core/VertexAttribute.h>
+#include <limn/core/Mesh.h>
 #include <optional>
 
 namespace limn::vulkan

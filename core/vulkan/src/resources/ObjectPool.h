@@ -1,7 +1,7 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
-#include <limn/core/InstanceData.h>
+#include <limn/core/FrameCommands.h>
 #include <unordered_map>
 
 namespace limn::vulkan

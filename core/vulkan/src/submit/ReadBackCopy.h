@@ -3,7 +3,7 @@
 #include "resources/BufferPool.h"
 #include "resources/ImagePool.h"
 #include "submit/FrameSlot.h"
-#include <limn/core/PendingReadback.h>
+#include <limn/core/AsyncGPUReadback.h>
 
 namespace limn::vulkan
 {

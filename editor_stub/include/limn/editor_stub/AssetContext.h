@@ -43,6 +43,8 @@ public:
     /// <limn/features/Plugin.h>. Before scenes and profiles that name them are loaded.
     /// @throws AssetError if it is no plug-in for this limn, or a name of it is taken
     void LoadPlugin(const std::filesystem::path& path);
+    /// Loads the plug-ins that another context has, as LoadPlugin does.
+    void LoadPluginsOf(const AssetContext& other);
     /// Reads a plug-in's file again, for contexts that load it from now on; this one keeps what it
     /// has, and the older code stays loaded for it.
     /// @return whether the file is a plug-in of this context; nothing is done if not

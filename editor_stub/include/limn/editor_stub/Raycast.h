@@ -4,8 +4,8 @@
 #include <glm/vec3.hpp>
 #include <limits>
 #include <limn/core/Camera.h>
+#include <limn/core/FilteringSettings.h>
 #include <limn/core/LayerMask.h>
-#include <limn/core/RenderQueueRange.h>
 #include <limn/core/Scene.h>
 #include <memory>
 #include <optional>

@@ -75,7 +75,8 @@ enum class InactiveObjects
     Check ///< they are looked for, and not decoded; such an object has no mesh and no material
 };
 
-/// A scene from a *.scene.yaml file. Paths in it start from its folder and lead into that folder,
+/// A scene from a *.scene.yaml file, from a .unity file, or of the Unity project that a folder is.
+/// Paths in a *.scene.yaml file start from its folder and lead into that folder,
 /// the Unity project around it or another root of the assets.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
 ///     of the wrong type or outside their range, and files it refers to that are missing or wrong,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "report/extremes/Pairwise.h"
+#include "report/measure/Study.h"
 #include "report/measure/StudyScene.h"
 #include "report/measure/Techniques.h"
 #include "report/measure/UntidyMesh.h"

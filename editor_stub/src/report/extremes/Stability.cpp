@@ -26,7 +26,7 @@ struct DrawnCase
 DrawnCase DrawCase(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
                    VulkanDevice& device)
 {
-    SceneAsset asset = extreme.Scene(assets, !technique.info.noWidth.empty());
+    SceneAsset asset = extreme.Scene(assets, !technique.noWidth.empty());
     UseTechnique(asset, technique, extreme.width, assets);
     StudyPicture picture(std::move(asset), assets, device);
     const Image colors = picture.Colors();
@@ -130,7 +130,7 @@ void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Dr
 {
     if (extreme.width == 0.0)
     {
-        const double object = technique.info.noWidth.empty() ? drawn.area : 0.0;
+        const double object = technique.noWidth.empty() ? drawn.area : 0.0;
         checks.Expect(object == 0.0, "a width of 0 draws " + ShortNumber(object) + " pixels");
         return;
     }
@@ -145,11 +145,10 @@ void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Dr
     const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
     const ShapeFacts shape = FactsOf(silhouette, window, score);
     // What covers no pixel's middle has no surface to draw lines on.
-    const bool isSeen =
-        technique.info.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
+    const bool isSeen = technique.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
     checks.Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
                   "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels");
-    if (!technique.info.noWidth.empty())
+    if (!technique.noWidth.empty())
     {
         return;
     }
@@ -180,7 +179,7 @@ void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const D
         checks.Set("areaGrowth", area / drawn.area);
     }
     // Lines on a surface of a few pixels come and go with the pixels' middles that it covers.
-    const bool isTooSmall = !technique.info.noWidth.empty() && drawn.area < 8.0;
+    const bool isTooSmall = !technique.noWidth.empty() && drawn.area < 8.0;
     checks.Expect(isTooSmall || area >= k_LeastGrowth * drawn.area,
                   "twice the width has " + ShortNumber(area) + " pixels, less than " +
                       ShortNumber(drawn.area));
@@ -340,7 +339,7 @@ std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize s
     std::vector<CellId> cells;
     const auto add = [&](const Technique& technique, const ExtremeCase& extreme)
     {
-        cells.push_back({CellKind::Stability, technique.info.name, "torus", extreme.width,
+        cells.push_back({CellKind::Stability, technique.name, "torus", extreme.width,
                          extreme.size.x, extreme.size.y, extreme.Variant()});
     };
     const std::vector<int> counts = levels.Counts();
@@ -370,19 +369,15 @@ std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize s
     return cells;
 }
 
-StabilityStudy::StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device)
-    : m_Options(std::move(options)), m_Device(device)
-{
-}
-
 AssetContext& StabilityStudy::AssetsFor(bool isStandardZ)
 {
     std::unique_ptr<AssetContext>& assets = isStandardZ ? m_Standard : m_Reversed;
     if (!assets)
     {
-        ShaderCompilerOptions options = m_Options;
+        ShaderCompilerOptions options = m_Assets.compiler()->options();
         options.usesReversedZBuffer = !isStandardZ;
         assets = std::make_unique<AssetContext>(std::move(options));
+        assets->LoadPluginsOf(m_Assets);
     }
     return *assets;
 }
@@ -419,7 +414,7 @@ CellResult StabilityStudy::Measure(const CellId& cell)
     {
         return MeasureFormula(cell);
     }
-    const Technique* technique = FindTechnique(cell.technique);
+    const Technique* technique = FindTechnique(m_Assets.features().techniques(), cell.technique);
     if (cell.kind != CellKind::Stability || technique == nullptr || cell.pictureWidth < 1 ||
         cell.pictureHeight < 1)
     {
@@ -460,7 +455,7 @@ std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& 
                                  const ShapeFacts& shape)
 {
     const auto pixels = static_cast<double>(std::max<std::size_t>(shape.comparedPixels, 1));
-    std::optional<double> bound = StatedBound(technique.info.name, extreme, shape);
+    std::optional<double> bound = StatedBound(technique.name, extreme, shape);
     if (bound)
     {
         const bool isSmall = shape.size < k_SmallestShape;

@@ -90,11 +90,15 @@ std::vector<FormulaCell> EvaluateFormulas(AssetContext& assets, GraphicsDevice& 
 class StabilityStudy
 {
 public:
-    /// @param options  its cacheFolder makes the difference between seconds and minutes; the
-    ///     direction of Z is each case's
-    /// @param device   made with VulkanDeviceOptions::validation, or no messages are counted; must
-    ///     outlive this
-    StabilityStudy(ShaderCompilerOptions options, VulkanDevice& device);
+    /// @param assets  cases take its plug-ins and its compiler's options, whose cacheFolder makes
+    /// the
+    ///     difference between seconds and minutes; the direction of Z is each case's
+    /// @param device  made with VulkanDeviceOptions::validation, or no messages are counted; must
+    ///     outlive this, as must the assets
+    StabilityStudy(const AssetContext& assets, VulkanDevice& device)
+        : m_Assets(assets), m_Device(device)
+    {
+    }
 
     /// Draws the case that the cell's id says, with its width and with twice that.
     ///
@@ -116,7 +120,7 @@ private:
     AssetContext& AssetsFor(bool isStandardZ);
     CellResult MeasureFormula(const CellId& cell);
 
-    ShaderCompilerOptions m_Options;
+    const AssetContext& m_Assets;
     VulkanDevice& m_Device;
     std::unique_ptr<AssetContext> m_Reversed;
     std::unique_ptr<AssetContext> m_Standard;

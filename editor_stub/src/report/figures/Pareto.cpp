@@ -293,7 +293,7 @@ Comparison Compare(const Study& study, double width)
                             });
     comparison.subject = hasScene ? k_Scene : "";
     std::vector<TimeAndError> points;
-    for (const TechniqueInfo& technique : study.techniques)
+    for (const Technique& technique : study.techniques)
     {
         Standing standing{&technique, {k_NaN, k_NaN}, {k_NaN, k_NaN}, {k_NaN, k_NaN}};
         AddError(standing, study, comparison);

@@ -25,7 +25,7 @@ std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points);
 /// One technique in a comparison.
 struct Standing
 {
-    const TechniqueInfo* technique = nullptr; ///< in the study
+    const Technique* technique = nullptr; ///< in the study
     /// NaN where there is no such figure.
     TimeAndError at;
     std::pair<double, double> timeQuartiles;  ///< NaN if it has none

@@ -188,7 +188,7 @@ std::vector<CellResult> StudyBench::MeasureCosts(std::span<const CellId> ids, in
     std::vector<CellResult> results;
     for (const CellId& id : ids)
     {
-        if (const std::string why = WhyNotDrawn(id); !why.empty())
+        if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
         {
             results.push_back({id, {}, {}, {why}, {}});
             continue;

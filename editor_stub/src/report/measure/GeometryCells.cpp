@@ -113,20 +113,10 @@ std::string NameOfReference(CellId id)
     return id.Name();
 }
 
-const Technique& TechniqueOf(const CellId& id)
-{
-    const Technique* technique = FindTechnique(id.technique);
-    if (technique == nullptr)
-    {
-        throw ContractError("there is no technique '" + id.technique + "'");
-    }
-    return *technique;
-}
-
 /// Why it is drawn, but not compared; "" if it is.
-std::string WhyNotCompared(const CellId& id)
+std::string WhyNotCompared(const CellId& id, const AssetContext& assets)
 {
-    const std::string& why = TechniqueOf(id).info.noWidth;
+    const std::string& why = RequireTechnique(assets, id.technique).noWidth;
     return why.empty() ? why : "not compared: " + why;
 }
 
@@ -196,9 +186,9 @@ StudyBench::StudyBench(std::filesystem::path scene, std::filesystem::path folder
 
 StudyBench::~StudyBench() = default;
 
-std::string WhyNotDrawn(const CellId& id)
+std::string WhyNotDrawn(const CellId& id, const AssetContext& assets)
 {
-    const double widest = TechniqueOf(id).widestOutline;
+    const double widest = RequireTechnique(assets, id.technique).widestOutline;
     return id.width > widest ? "not drawn: it is " + std::to_string(static_cast<int>(widest)) +
                                    " pixels wide at most"
                              : std::string();
@@ -207,11 +197,11 @@ std::string WhyNotDrawn(const CellId& id)
 std::unique_ptr<StudyPicture> StudyBench::Picture(const CellId& id, bool isBlack)
 {
     SceneAsset asset = MakeSubject(id, isBlack, m_Scene, m_Assets);
-    Technique technique = TechniqueOf(id);
+    Technique technique = RequireTechnique(m_Assets, id.technique);
     if (id.variant == k_SeenPart || id.variant == k_HiddenPart)
     {
-        technique.changes.push_back(technique.occlusion +
-                                    (id.variant == k_SeenPart ? "=Visible" : "=Hidden"));
+        technique.settings.push_back(technique.occlusion +
+                                     (id.variant == k_SeenPart ? "=Visible" : "=Hidden"));
     }
     UseTechnique(asset, technique, id.width, m_Assets);
     return std::make_unique<StudyPicture>(std::move(asset), m_Assets, m_Device);
@@ -259,7 +249,7 @@ CellResult StudyBench::Measure(const CellId& id)
 CellResult StudyBench::MeasureGeometry(const CellId& id)
 {
     CellResult result{id, {}, {}, {}, {}};
-    if (const std::string why = WhyNotDrawn(id); !why.empty())
+    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
     {
         result.notes.push_back(why);
         return result;
@@ -267,8 +257,8 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     const Coverage alpha = picture->Alpha();
     Reference& reference = ReferenceOf(id);
-    const HeldTo exact = reference.Of(id, TechniqueOf(id));
-    if (const std::string why = WhyNotCompared(id); why.empty())
+    const HeldTo exact = reference.Of(id, RequireTechnique(m_Assets, id.technique));
+    if (const std::string why = WhyNotCompared(id, m_Assets); why.empty())
     {
         AddScores(alpha, exact.coverage, id.width, result);
         if (exact.isWhole)
@@ -327,7 +317,7 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
 CellResult StudyBench::MeasureTemporal(const CellId& id)
 {
     CellResult result{id, {}, {}, {}, {}};
-    for (const std::string& why : {WhyNotDrawn(id), WhyNotCompared(id)})
+    for (const std::string& why : {WhyNotDrawn(id, m_Assets), WhyNotCompared(id, m_Assets)})
     {
         if (!why.empty())
         {

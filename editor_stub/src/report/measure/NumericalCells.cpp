@@ -90,6 +90,7 @@ AssetContext& NumericalBench::AssetsFor(const std::string& variant)
         options.usesReversedZBuffer = variant != k_StandardZ;
         options.missingFeatures = m_Device.missingShaderFeatures();
         assets = std::make_unique<AssetContext>(std::move(options));
+        assets->LoadPluginsOf(m_Assets);
     }
     return *assets;
 }
@@ -97,7 +98,7 @@ AssetContext& NumericalBench::AssetsFor(const std::string& variant)
 Coverage NumericalBench::Draw(const CellId& id, AssetContext& assets, bool allowHDR)
 {
     SceneAsset asset = MakeSubject(id, true, {}, assets);
-    UseTechnique(asset, *FindTechnique(id.technique), id.width, assets);
+    UseTechnique(asset, RequireTechnique(assets, id.technique), id.width, assets);
     asset.camera.allowHDR = allowHDR;
     return StudyPicture(std::move(asset), assets, m_Device).Alpha();
 }
@@ -109,7 +110,7 @@ CellResult NumericalBench::Measure(const CellId& id)
         throw ContractError(id.Name() + ": its subject or its variant is not known");
     }
     CellResult result{id, {}, {}, {}, {}};
-    if (const std::string why = WhyNotDrawn(id); !why.empty())
+    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
     {
         result.notes.push_back(why);
         return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limn/features/Technique.h>
 #include <map>
 #include <span>
 #include <string>
@@ -78,17 +79,6 @@ struct CellResult
     double Value(const std::string& key) const; ///< NaN if it has none
 };
 
-/// One technique, as results speak of it.
-struct TechniqueInfo
-{
-    std::string name;
-    std::string feature;    ///< the feature's type
-    std::string summary;    ///< one line for people
-    bool isArticle = false; ///< an article's own formula, kept with its flaws
-    /// Why there is no width in pixels to hold it to; "" if there is.
-    std::string noWidth;
-};
-
 /// Everything that was measured on one device.
 struct Study
 {
@@ -101,9 +91,9 @@ struct Study
     std::string started;        ///< UTC, ISO 8601, the earliest of all parts
     double loadAverage = 0.0;   ///< one minute's, the largest while cost was measured
     double copyBandwidth = 0.0; ///< bytes read and written a second by a copy of a large texture
-    std::vector<TechniqueInfo> techniques;
-    std::vector<CellId> planned;   ///< all cells of all shards
-    std::vector<CellResult> cells; ///< those that are there, in the order of `planned`
+    std::vector<Technique> techniques; ///< files keep what comes before Technique::place
+    std::vector<CellId> planned;       ///< all cells of all shards
+    std::vector<CellResult> cells;     ///< those that are there, in the order of `planned`
 };
 
 } // namespace limn::study

@@ -87,7 +87,7 @@ private:
 };
 
 /// Why a cell's technique is not drawn at its width; "" if it is.
-std::string WhyNotDrawn(const CellId& id);
+std::string WhyNotDrawn(const CellId& id, const AssetContext& assets);
 
 /// Bytes that the frame's passes load, store and read, each texture whole; and those it draws into.
 struct FrameBytes

@@ -183,14 +183,14 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
 }
 
 /// Hands the members that JSON has as they are to `visit(key, member)`.
-template <typename Info, typename Visit>
-void VisitInfo(Info& info, const Visit& visit)
+template <typename AnyTechnique, typename Visit>
+void VisitTechnique(AnyTechnique& technique, const Visit& visit)
 {
-    visit("name", info.name);
-    visit("feature", info.feature);
-    visit("summary", info.summary);
-    visit("isArticle", info.isArticle);
-    visit("noWidth", info.noWidth);
+    visit("name", technique.name);
+    visit("feature", technique.feature);
+    visit("summary", technique.summary);
+    visit("isArticle", technique.isArticle);
+    visit("noWidth", technique.noWidth);
 }
 
 template <typename AnyStudy, typename Visit>
@@ -214,11 +214,11 @@ Json ToJson(const Study& study)
     Json json = {{"format", k_Format}};
     VisitStudy(study, [&](const char* key, const auto& value) { json[key] = value; });
     json["techniques"] = JsonList(study.techniques,
-                                  [](const TechniqueInfo& info)
+                                  [](const Technique& info)
                                   {
                                       Json technique;
-                                      VisitInfo(info, [&](const char* key, const auto& value)
-                                                { technique[key] = value; });
+                                      VisitTechnique(info, [&](const char* key, const auto& value)
+                                                     { technique[key] = value; });
                                       return technique;
                                   });
     json["planned"] = JsonList(study.planned, IdToJson);
@@ -253,9 +253,9 @@ Study StudyFromJson(std::string_view text, const std::string& file)
                      [&](const std::string&, const YamlNode& node)
                      {
                          Reader technique(node, "technique", diagnostics);
-                         VisitInfo(study.techniques.emplace_back(),
-                                   [&](const char* key, auto& value)
-                                   { technique.Read(key, value); });
+                         VisitTechnique(study.techniques.emplace_back(),
+                                        [&](const char* key, auto& value)
+                                        { technique.Read(key, value); });
                      });
     reader.ReadItems("planned", YamlKind::Sequence,
                      [&](const std::string&, const YamlNode& node)

@@ -145,7 +145,7 @@ Table TechniquesTable(const Comparison& comparison)
     for (std::size_t i = 0; i < comparison.standings.size(); ++i)
     {
         const Standing& standing = comparison.standings[i];
-        const TechniqueInfo& technique = *standing.technique;
+        const Technique& technique = *standing.technique;
         table.rows.push_back(
             {technique.name, Figure(standing.at.error), FromTo(standing.errorQuartiles),
              Figure(standing.at.milliseconds),
@@ -268,7 +268,7 @@ Table WidthsTable(const Study& study, const std::string& subject)
     {
         table.columns.push_back({Readable(width), "px", true});
     }
-    for (const TechniqueInfo& technique : study.techniques)
+    for (const Technique& technique : study.techniques)
     {
         std::vector<std::string> row = {technique.name};
         bool hasAny = false;
@@ -369,7 +369,7 @@ Table NoWidthTable(const Study& study)
                 {{"technique", "", false}, {"why", "", false}},
                 {},
                 {}};
-    for (const TechniqueInfo& technique : study.techniques)
+    for (const Technique& technique : study.techniques)
     {
         if (!technique.noWidth.empty())
         {

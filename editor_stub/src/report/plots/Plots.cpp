@@ -53,7 +53,7 @@ std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
                                       {"an article's own formula", 1, true, false, {}}};
     for (const Standing& standing : standings)
     {
-        const TechniqueInfo& technique = *standing.technique;
+        const Technique& technique = *standing.technique;
         TimeAndError at = standing.at;
         if (std::isnan(standing.timeUncertainty)) // a point would look as if it were known
         {
@@ -126,7 +126,7 @@ std::vector<PlotSeries> Lines(const Study& study, const char* metric,
     std::vector<PlotSeries> result;
     for (std::size_t i = 0; i < study.techniques.size(); ++i)
     {
-        const TechniqueInfo& technique = study.techniques[i];
+        const Technique& technique = study.techniques[i];
         PlotSeries series{technique.name, i, technique.isArticle, true, {}};
         for (const CellResult& cell : study.cells)
         {

@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 #include <limn/core/PipelineState.h>
+#include <limn/features/Technique.h>
 
 namespace limn::study
 {
@@ -39,14 +40,6 @@ private:
     std::vector<DepthTriangle> m_Triangles;
     std::vector<std::size_t> m_Owners;
     BoxTree m_Tree;
-};
-
-/// The place at which an outline technique asks whether something stands in front of the object.
-/// How near the object is there is always its own nearness at the nearest point of its border.
-enum class HiddenAt
-{
-    Border, ///< at that point of the border: the outline ends where the border's visible part ends
-    Point   ///< at the outline's own point, as the depth test of a hull does
 };
 
 /// The part of an outline that nothing hides.

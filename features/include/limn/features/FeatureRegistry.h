@@ -2,9 +2,11 @@
 
 #include <concepts>
 #include <functional>
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRendererFeature.h>
+#include <limn/features/Technique.h>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,11 +24,13 @@ public:
     FeatureRegistry& operator=(const FeatureRegistry&) = delete;
 
     /// @param name  as files call it: "ScreenSpaceOutlineRenderFeature"
-    /// @throws ContractError if the name is empty or registered already
+    /// @param techniques  the ways in which it draws outlines
+    /// @throws ContractError if a name is empty or registered already
     template <std::derived_from<ScriptableRendererFeature> T>
-    void Register(std::string_view name)
+    void Register(std::string_view name, std::vector<Technique> techniques = {})
     {
-        Add({std::string(name), [] { return std::make_unique<T>(); }, &typeid(T)});
+        Add({std::string(name), [] { return std::make_unique<T>(); }, &typeid(T)},
+            std::move(techniques));
     }
 
     /// A new feature with default settings, before its Create; null for a name that is not
@@ -36,6 +40,9 @@ public:
     /// In the order of registration.
     std::vector<std::string_view> names() const;
 
+    /// By their places, those of one place in the order of registration.
+    const std::vector<Technique>& techniques() const { return m_Techniques; }
+
 private:
     struct Entry
     {
@@ -44,9 +51,13 @@ private:
         const std::type_info* type; ///< that it creates
     };
 
-    void Add(Entry entry);
+    void Add(Entry entry, std::vector<Technique> techniques);
 
     std::vector<std::unique_ptr<const Entry>> m_Entries; ///< their names stay where they are
+    std::vector<Technique> m_Techniques;
 };
+
+/// Null for an unknown name; lower and upper case are the same.
+const Technique* FindTechnique(std::span<const Technique> techniques, std::string_view name);
 
 } // namespace limn

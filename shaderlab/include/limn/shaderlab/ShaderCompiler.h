@@ -40,7 +40,7 @@ struct ShaderCompilerOptions
     /// Unity project around it (the folder that holds `Assets`), in the package that it is part of
     /// (with a package.json), and in these; nowhere else, not even by way of a symbolic link.
     std::vector<std::filesystem::path> includeFolders = {};
-    /// What the device lacks of RequiredFeatures (ProgramSupport.h).
+    /// What the device lacks of RequiredFeatures (ProgramRequirements.h).
     std::vector<std::string> missingFeatures = {};
     /// Bytes that the entries of the cache folder may take; those not used for longest are removed
     /// when there are more. 0 = no limit.

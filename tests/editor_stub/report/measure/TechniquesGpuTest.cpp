@@ -1,10 +1,10 @@
 #include "CachedCompiler.h"
 #include "editor_stub/report/measure/UntidyScene.h"
-#include "report/measure/StudyPicture.h"
-#include "report/measure/Techniques.h"
+#include "report/measure/StudyBench.h"
 
 #include <cctype>
 #include <gtest/gtest.h>
+#include <limn/features/StrokeOutlineRendererFeature.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <numbers>
 #include <optional>
@@ -29,7 +29,7 @@ AssetContext& Assets()
 std::string NameOf(const testing::TestParamInfo<const Technique*>& info)
 {
     std::string name;
-    for (const char letter : info.param->info.name)
+    for (const char letter : info.param->name)
     {
         name += std::isalnum(static_cast<unsigned char>(letter)) != 0 ? std::string(1, letter) : "";
     }
@@ -39,7 +39,7 @@ std::string NameOf(const testing::TestParamInfo<const Technique*>& info)
 std::vector<const Technique*> AllTechniques()
 {
     std::vector<const Technique*> all;
-    for (const Technique& technique : Techniques())
+    for (const Technique& technique : Assets().features().techniques())
     {
         all.push_back(&technique);
     }
@@ -68,7 +68,7 @@ TEST_P(EachTechniqueGpu, DrawsWhiteOnBlackAroundWhatIsOutlined)
     const double perimeter = 2.0 * std::numbers::pi * 18.0;
     EXPECT_EQ(alpha.At(2, 2), 0.0);
     EXPECT_LT(alpha.Sum(), 12.0 * perimeter);
-    if (GetParam()->info.name == "Color edges")
+    if (GetParam()->name == "Color edges")
     {
         EXPECT_EQ(alpha.Sum(), 0.0) << "nothing differs from anything in a black picture";
     }
@@ -130,7 +130,7 @@ double ErrorOf(const Technique& technique, PrimitiveType type, Untidiness untidi
 TEST(TechniquesGpu, HoldTheirStatedErrorsForEveryKindOfMesh)
 {
     std::size_t checked = 0;
-    for (const Technique& technique : Techniques())
+    for (const Technique& technique : Assets().features().techniques())
     {
         for (const PrimitiveType type :
              {PrimitiveType::Cube, PrimitiveType::Torus, PrimitiveType::Sphere})
@@ -138,11 +138,11 @@ TEST(TechniquesGpu, HoldTheirStatedErrorsForEveryKindOfMesh)
             for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
             {
                 const auto untidiness = static_cast<Untidiness>(i);
-                const auto stated = StatedError(technique.info.name, type, untidiness);
+                const auto stated = StatedError(technique.name, type, untidiness);
                 if (stated)
                 {
                     EXPECT_LE(ErrorOf(technique, type, untidiness), *stated)
-                        << technique.info.name << ", " << UntidinessNames()[i] << ", "
+                        << technique.name << ", " << UntidinessNames()[i] << ", "
                         << static_cast<int>(type);
                     ++checked;
                 }
@@ -151,6 +151,24 @@ TEST(TechniquesGpu, HoldTheirStatedErrorsForEveryKindOfMesh)
     }
     // Strokes: all 12 kinds; three techniques: all but fins; the hull: 6 kinds of a ball.
     EXPECT_EQ(checked, 3u * 12 + 3 * 3 * 11 + 6);
+}
+
+TEST(TechniquesGpu, OfAFeatureThatIsNotLimnsAreMeasuredByWhatItRegisters)
+{
+    AssetContext assets(test::CachedCompiler());
+    Technique own;
+    own.name = "Own";
+    own.component = "StrokeOutline";
+    own.settings = {"Outline.m_Grouping=Together"};
+    assets.features().Register<StrokeOutlineRendererFeature>("OwnFeature", {own});
+    StudyBench bench("", "", assets, Device());
+    const CellId cell{CellKind::Geometry, "own", "disc", 4.0, 64, 48, ""};
+    CellId strokes = cell;
+    strokes.technique = "Strokes";
+    EXPECT_EQ(bench.Measure(cell).values, bench.Measure(strokes).values);
+    CellId unknown = cell;
+    unknown.technique = "Crayon";
+    EXPECT_THROW(bench.Measure(unknown), ContractError);
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalog, EachTechniqueGpu, testing::ValuesIn(AllTechniques()), NameOf);

@@ -7,7 +7,7 @@ namespace limn::glow
 
 void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    features.Register<GlowFeature>("GlowFeature");
+    features.Register<GlowFeature>("GlowFeature", {{.name = "Glow", .component = "Glow"}});
     components.Register<Glow>("Glow");
 }
 

@@ -1,11 +1,21 @@
 #pragma once
 
-#include <limn/volume/WrapMode.h>
 #include <span>
 #include <vector>
 
 namespace limn
 {
+
+/// What a curve does outside its keys. Unity: UnityEngine.WrapMode (2022.3).
+enum class WrapMode
+{
+    Default = 0, ///< of a curve: as ClampForever
+    Once = 1,    ///< of a curve: as ClampForever
+    Clamp = 1,
+    Loop = 2,        ///< begins again
+    PingPong = 4,    ///< runs back and forth
+    ClampForever = 8 ///< stays at the value of the key at the end
+};
 
 /// Which tangents of a key have a weight. Unity: UnityEngine.WeightedMode (2022.3).
 enum class WeightedMode
@@ -92,6 +102,18 @@ private:
     std::vector<Keyframe> m_Keys;
     WrapMode m_PreWrapMode = WrapMode::ClampForever;
     WrapMode m_PostWrapMode = WrapMode::ClampForever;
+};
+
+/// Blending of curves. Unity: UnityEngine.Rendering.KeyframeUtility (URP 14).
+struct KeyframeUtility
+{
+    /// Makes the first curve the blend of both, with a key at every time that either has one.
+    /// t <= 0, NaN, or a second curve without keys: unchanged. t >= 1, or a first curve without
+    /// keys: the keys of the second. The wrap modes of the first stay and play no part. A tangent
+    /// that is not finite in one of the two stays so; the first curve's wins. Allocates only where
+    /// the curve grows.
+    static void InterpAnimationCurve(AnimationCurve& lhsAndResult, const AnimationCurve& rhs,
+                                     float t);
 };
 
 } // namespace limn

@@ -1,13 +1,79 @@
 #pragma once
 
-#include <limn/volume/BoxCollider.h>
-#include <limn/volume/CapsuleCollider.h>
-#include <limn/volume/MeshCollider.h>
-#include <limn/volume/SphereCollider.h>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <limn/core/Mesh.h>
+#include <memory>
 #include <variant>
 
 namespace limn
 {
+
+/// A box fixed to an object, for the space a local volume fills. Unity: UnityEngine.BoxCollider
+/// (2022.3), of which only ClosestPoint is here.
+struct BoxCollider
+{
+    bool enabled = true;
+    glm::vec3 center{0.0f}; ///< in the object's space
+    glm::vec3 size{1.0f};   ///< full lengths of the edges in the object's space
+
+    /// The point of the box, inside or on its surface, that is closest to `point`, all in world
+    /// space, not yet rounded to floats. Negative sizes and scales count as positive.
+    /// @param rotation  of unit length but for rounding
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
+};
+
+/// A sphere fixed to an object. Unity: UnityEngine.SphereCollider (2022.3), of which only
+/// ClosestPoint is here.
+struct SphereCollider
+{
+    bool enabled = true;
+    glm::vec3 center{0.0f}; ///< in the object's space
+    float radius = 0.5f;    ///< in the object's space; the longest axis of its scale multiplies it
+
+    /// As BoxCollider::ClosestPoint.
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
+};
+
+/// A cylinder with a half sphere at each end, fixed to an object.
+/// Unity: UnityEngine.CapsuleCollider (2022.3), of which only ClosestPoint is here.
+struct CapsuleCollider
+{
+    bool enabled = true;
+    glm::vec3 center{0.0f}; ///< in the object's space
+    float radius = 0.5f;    ///< the larger scale of the two other axes multiplies it
+    float height = 1.0f;    ///< from tip to tip, times the scale of its axis; at least a sphere
+    int direction = 1;      ///< the axis it stands along: 0 = x, 1 = y, 2 = z
+
+    /// As BoxCollider::ClosestPoint.
+    /// @throws ContractError if direction is none of the three
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
+};
+
+/// The solid that a convex mesh encloses, fixed to an object; a flat mesh is a solid without
+/// thickness. Unity: UnityEngine.MeshCollider with `convex` (2022.3), of which only ClosestPoint is
+/// here. Unity takes the hull of a mesh that is not convex; here it is refused.
+class MeshCollider
+{
+public:
+    bool enabled = true;
+
+    /// @throws ContractError, naming the mesh, if there is none, if it has no triangle, is open
+    ///     without being flat, or has vertices on both sides of one of its triangles
+    explicit MeshCollider(std::shared_ptr<const Mesh> mesh);
+
+    const Mesh& mesh() const { return *m_Mesh; }
+
+    /// As BoxCollider::ClosestPoint. Looks at every triangle.
+    glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
+                            const glm::quat& rotation, const glm::vec3& scale) const;
+
+private:
+    std::shared_ptr<const Mesh> m_Mesh;
+};
 
 /// A shape of a local volume: those that Unity's Collider.ClosestPoint knows.
 /// Unity: UnityEngine.Collider (2022.3).

@@ -1,15 +1,27 @@
 #pragma once
 
 #include <cstdint>
+#include <limn/base/WordList.h>
 #include <limn/volume/YamlNode.h>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn
 {
+
+/// Whether every MonoBehaviour of a Unity asset has this field; what is left are the fields of its
+/// class. (2022.3)
+inline bool isUnityHeaderField(std::string_view name)
+{
+    static const WordList s_Fields(
+        "m_ObjectHideFlags m_CorrespondingSourceObject m_PrefabInstance m_PrefabAsset "
+        "m_GameObject m_Enabled m_EditorHideFlags m_Script m_Name m_EditorClassIdentifier");
+    return s_Fields.Has(name);
+}
 
 /// The line `--- !u!114 &11400000` that an object of a Unity text asset begins with.
 struct UnityHeader
@@ -65,9 +77,10 @@ public:
     /// @throws AssetError as Read does
     std::optional<UnityObject> FindWithField(std::string_view field) const;
 
-private:
+    /// Returns the text below the header. @param header  one of headers()
     std::string_view BodyOf(const UnityHeader& header) const;
 
+private:
     std::string m_Text;
     std::string m_File;
     std::vector<UnityHeader> m_Headers;

@@ -2,7 +2,7 @@
 
 #include <concepts>
 #include <functional>
-#include <limn/core/FeatureCode.h>
+#include <limn/core/PluginCallSite.h>
 #include <limn/volume/VolumeComponent.h>
 #include <memory>
 #include <span>
@@ -39,8 +39,8 @@ public:
     {
         const auto create = [name = std::string(name)]
         {
-            return RunFeatureCode(typeid(T), name, "its constructor",
-                                  [] { return std::make_unique<T>(); });
+            return RunPluginCode(typeid(T), name, "its constructor",
+                                 [] { return std::make_unique<T>(); });
         };
         Add({std::string(name), typeid(T), create, nullptr});
     }

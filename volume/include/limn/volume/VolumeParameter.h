@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limn/volume/ParameterInfo.h>
 #include <limn/volume/ProfileContext.h>
 #include <limn/volume/YamlRead.h>
 #include <memory>
@@ -13,6 +12,13 @@
 
 namespace limn
 {
+
+/// What a person is told about a parameter, beside its name, default and range.
+struct ParameterInfo
+{
+    std::string tooltip = {}; ///< one sentence; Unity's [Tooltip]
+    std::string unit = {};    ///< of the number: "pixels", "metres", "degrees"; "" for none
+};
 
 class VolumeComponent;
 

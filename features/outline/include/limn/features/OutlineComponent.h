@@ -1,10 +1,8 @@
 #pragma once
 
 #include <glm/vec2.hpp>
-#include <limn/volume/BoolParameter.h>
-#include <limn/volume/ColorParameter.h>
-#include <limn/volume/FloatParameter.h>
-#include <limn/volume/IPostProcessComponent.h>
+#include <limn/volume/NumberParameters.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn

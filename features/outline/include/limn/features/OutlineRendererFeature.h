@@ -1,7 +1,7 @@
 #pragma once
 
+#include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRenderer.h>
-#include <limn/core/TypeName.h>
 #include <limn/features/Features.h>
 #include <limn/features/OutlineComponent.h>
 #include <limn/features/OutlineSettings.h>

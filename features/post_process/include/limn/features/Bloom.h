@@ -1,12 +1,8 @@
 #pragma once
 
-#include <limn/volume/BoolParameter.h>
-#include <limn/volume/ColorParameter.h>
-#include <limn/volume/EnumParameter.h>
-#include <limn/volume/FloatParameter.h>
-#include <limn/volume/IPostProcessComponent.h>
-#include <limn/volume/IntParameter.h>
-#include <limn/volume/TextureParameter.h>
+#include <limn/volume/AssetParameters.h>
+#include <limn/volume/NumberParameters.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <limn/volume/BoolParameter.h>
-#include <limn/volume/ColorParameter.h>
-#include <limn/volume/FloatParameter.h>
-#include <limn/volume/IPostProcessComponent.h>
-#include <limn/volume/VectorParameter.h>
+#include <limn/volume/NumberParameters.h>
+#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn

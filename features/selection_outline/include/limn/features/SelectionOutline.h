@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/features/OutlineComponent.h>
-#include <limn/volume/IntParameter.h>
+#include <limn/volume/NumberParameters.h>
 
 namespace limn
 {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/features/OutlineComponent.h>
-#include <limn/volume/EnumParameter.h>
+#include <limn/volume/ValueParameters.h>
 
 namespace limn
 {

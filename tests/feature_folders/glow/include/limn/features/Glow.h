@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/core/ScriptableRendererFeature.h>
-#include <limn/volume/FloatParameter.h>
+#include <limn/volume/NumberParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn

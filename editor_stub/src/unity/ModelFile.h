@@ -1,0 +1,77 @@
+#pragma once
+
+#include "unity/UnityObjects.h"
+
+#include <filesystem>
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec3.hpp>
+#include <limn/core/Color.h>
+#include <limn/core/Mesh.h>
+
+namespace limn
+{
+
+/// How Unity imports a model, as its .meta file says. Unity: UnityEditor.ModelImporter (2022.3).
+struct ModelImport
+{
+    float globalScale = 1.0f;
+    bool useFileScale = true;       ///< lengths are multiplied by the file's unit
+    bool preserveHierarchy = false; ///< a single top node stays below the root
+    bool calculatesNormals = false;
+    float normalSmoothAngle = 60.0f; ///< degrees
+    int fileIdsGeneration = 1;
+    /// Names of the model's objects by id, of files of the first generation.
+    std::map<std::int64_t, std::string> names = {};
+    /// Materials of the project in place of the model's own, by these ones' names.
+    std::map<std::string, UnityReference> materials = {};
+};
+
+/// Reads the ModelImporter of a .meta file; what it does not say is as Unity has it.
+/// @param meta  the root of the file
+ModelImport ReadModelImport(const UnityNode& meta);
+
+/// A node of a model: Unity's axes, metres.
+struct ModelNode
+{
+    std::string name;
+    std::size_t parent = 0; ///< of Model::nodes; the root is its own
+    glm::vec3 position{0.0f};
+    glm::quat rotation{1, 0, 0, 0};
+    glm::vec3 scale{1.0f};
+    std::optional<std::size_t> mesh;    ///< of Model::meshes
+    std::vector<std::string> materials; ///< by sub-mesh
+};
+
+struct ModelMaterial
+{
+    std::string name;
+    Color color = Color::white; ///< sRGB
+};
+
+/// A model file as Unity imports it.
+struct Model
+{
+    std::vector<ModelNode> nodes; ///< the first is the root
+    std::vector<std::shared_ptr<const Mesh>> meshes;
+    std::vector<ModelMaterial> materials;
+    ModelImport import;
+
+    /// The mesh that Unity has under an id; null if there is none.
+    std::shared_ptr<const Mesh> FindMesh(std::int64_t fileID) const;
+    /// The material that Unity has under an id; null if there is none.
+    const ModelMaterial* FindMaterial(std::int64_t fileID) const;
+};
+
+/// Reads .fbx, .obj and whatever else assimp reads.
+/// @throws AssetError  with one sentence, if it cannot be read
+Model LoadModel(const std::filesystem::path& path, const ModelImport& import);
+
+/// The prefab that Unity makes of a model: what an instance of it in a scene stands for.
+/// @param guid  of the model
+std::string PrefabTextOf(const Model& model, const std::string& guid);
+
+/// The id that Unity gives to an object of a model since 2019.3.
+/// @param text  "Type:Mesh->Sphere0"
+std::int64_t HashedFileID(std::string_view text);
+
+} // namespace limn

@@ -1,0 +1,181 @@
+#include "unity/UnityHierarchy.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Deeper ones cost more time than they are worth: a chain's matrices are multiplied for each
+/// object.
+constexpr std::size_t k_DeepestObject = 1000;
+
+constexpr std::pair<UnityClass, const char*> k_ClassNames[] = {
+    {UnityClass::GameObject, "GameObject"},
+    {UnityClass::Transform, "Transform"},
+    {UnityClass::Camera, "Camera"},
+    {UnityClass::MeshRenderer, "MeshRenderer"},
+    {UnityClass::MeshFilter, "MeshFilter"},
+    {UnityClass::Light, "Light"},
+    {UnityClass::MonoBehaviour, "MonoBehaviour"},
+    {UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer"},
+    {UnityClass::LODGroup, "LODGroup"},
+    {UnityClass::BoxCollider, "BoxCollider"},
+    {UnityClass::SphereCollider, "SphereCollider"},
+    {UnityClass::CapsuleCollider, "CapsuleCollider"},
+    {UnityClass::MeshCollider, "MeshCollider"},
+    {UnityClass::RenderSettings, "RenderSettings"}};
+
+} // namespace
+
+std::string NameOf(UnityClass classID)
+{
+    const auto found =
+        std::ranges::find(k_ClassNames, classID, &std::pair<UnityClass, const char*>::first);
+    return found != std::end(k_ClassNames)
+               ? found->second
+               : "component " + std::to_string(static_cast<int>(classID));
+}
+
+const UnityInstance* UnityGameObject::Find(UnityClass classID) const
+{
+    const auto found = std::ranges::find(components, classID, &UnityInstance::classID);
+    return found == components.end() ? nullptr : *found;
+}
+
+const UnityInstance* UnityGameObject::FindScript(std::string_view guid) const
+{
+    const auto found =
+        std::ranges::find_if(components,
+                             [guid](const UnityInstance* component)
+                             {
+                                 return component->classID == UnityClass::MonoBehaviour &&
+                                        component->fields["m_Script"]["guid"].text() == guid;
+                             });
+    return found == components.end() ? nullptr : *found;
+}
+
+UnityHierarchy::UnityHierarchy(const UnityExpansion& expansion, UnityNotes& notes)
+{
+    Collect(expansion, notes);
+    Connect(notes);
+    Sort(notes);
+}
+
+void UnityHierarchy::Collect(const UnityExpansion& expansion, UnityNotes& notes)
+{
+    for (const UnityInstance* object : expansion.objects())
+    {
+        if (object->classID == UnityClass::GameObject)
+        {
+            UnityGameObject& added = m_Objects.emplace_back();
+            added.object = object;
+            m_ByInstance[object] = &added;
+        }
+    }
+    for (const UnityInstance* object : expansion.objects())
+    {
+        if (object->classID == UnityClass::GameObject || !object->fields["m_GameObject"])
+        {
+            continue;
+        }
+        const UnityReader reader(*object, NameOf(object->classID), notes);
+        const auto owner = m_ByInstance.find(reader.Reference("m_GameObject").object);
+        if (owner == m_ByInstance.end() || owner->first == nullptr)
+        {
+            continue;
+        }
+        owner->second->components.push_back(object);
+        owner->second->transform = IsTransform(*object) ? object : owner->second->transform;
+        m_ByInstance[object] = owner->second;
+    }
+}
+
+void UnityHierarchy::Connect(UnityNotes& notes)
+{
+    for (UnityGameObject& object : m_Objects)
+    {
+        if (object.transform == nullptr)
+        {
+            continue;
+        }
+        const UnityReader reader(*object.transform, "Transform", notes);
+        const auto parent = m_ByInstance.find(reader.Reference("m_Father").object);
+        if (parent != m_ByInstance.end() && parent->first != nullptr)
+        {
+            object.parent = parent->second;
+            parent->second->children.push_back(&object);
+        }
+        else
+        {
+            m_Roots.push_back(&object);
+        }
+    }
+}
+
+/// Puts children in the order that their parent's list has, then by m_RootOrder.
+void UnityHierarchy::Sort(UnityNotes& notes)
+{
+    const auto sort = [&](std::vector<UnityGameObject*>& objects, const UnityInstance* parent)
+    {
+        std::unordered_map<const UnityInstance*, int> places;
+        if (parent != nullptr)
+        {
+            const UnityReader reader(*parent, "Transform", notes);
+            int place = 0;
+            for (const UnityNode child : parent->fields["m_Children"])
+            {
+                places[parent->scope->Find(ReadUnityReference(child).fileID)] = place++;
+            }
+        }
+        const auto placeOf = [&](const UnityGameObject* object)
+        {
+            const auto listed = places.find(object->transform);
+            int order = 1'000'000;
+            UnityReader(*object->transform, "Transform", notes).Read("m_RootOrder", order);
+            return listed != places.end() ? listed->second : order;
+        };
+        std::ranges::stable_sort(objects, {}, placeOf);
+    };
+    sort(m_Roots, nullptr);
+    std::vector<std::pair<UnityGameObject*, std::size_t>> open;
+    for (auto root = m_Roots.rbegin(); root != m_Roots.rend(); ++root)
+    {
+        open.emplace_back(*root, 0);
+    }
+    while (!open.empty())
+    {
+        const auto [object, depth] = open.back();
+        open.pop_back();
+        std::string name;
+        bool isActive = true;
+        const UnityReader reader(*object->object, "GameObject", notes);
+        reader.Read("m_Name", name);
+        reader.Read("m_IsActive", isActive);
+        object->path = object->parent != nullptr ? object->parent->path + "/" + name : name;
+        object->isActive = isActive && (object->parent == nullptr || object->parent->isActive);
+        m_Order.push_back(object);
+        if (depth == k_DeepestObject)
+        {
+            notes.Add(object->object->scope->file->name(), object->object->line,
+                      object->path.substr(0, 80) + "…: its children are left out; objects lie at "
+                                                   "most 1000 levels deep");
+            continue;
+        }
+        sort(object->children, object->transform);
+        for (auto child = object->children.rbegin(); child != object->children.rend(); ++child)
+        {
+            open.emplace_back(*child, depth + 1);
+        }
+    }
+}
+
+const UnityGameObject* UnityHierarchy::Find(const UnityInstance* object) const
+{
+    const auto found = m_ByInstance.find(object);
+    return found == m_ByInstance.end() || object == nullptr ? nullptr : found->second;
+}
+
+} // namespace limn

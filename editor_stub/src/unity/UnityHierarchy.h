@@ -1,0 +1,58 @@
+#pragma once
+
+#include "unity/UnityReader.h"
+
+#include <limn/core/Scene.h>
+#include <unordered_map>
+
+namespace limn
+{
+
+/// A GameObject of an expanded scene with what hangs at it.
+struct UnityGameObject
+{
+    const UnityInstance* object = nullptr;
+    const UnityInstance* transform = nullptr;
+    std::vector<const UnityInstance*> components; ///< in the order of the files
+    std::vector<UnityGameObject*> children;       ///< in the order of the hierarchy
+    UnityGameObject* parent = nullptr;
+    std::string path;            ///< "Props/Workbench/Jigsaw"
+    bool isActive = true;        ///< it and all of its ancestors
+    GameObject* drawn = nullptr; ///< of the scene, once it is made
+
+    const UnityInstance* Find(UnityClass classID) const;
+    /// The component of a script, by the guid of that.
+    const UnityInstance* FindScript(std::string_view guid) const;
+};
+
+/// The GameObjects of a scene, parents before their children.
+class UnityHierarchy
+{
+public:
+    UnityHierarchy(const UnityExpansion& expansion, UnityNotes& notes);
+
+    const std::vector<UnityGameObject*>& objects() const { return m_Order; }
+    /// Of a component or the GameObject itself; null if it hangs at none.
+    const UnityGameObject* Find(const UnityInstance* object) const;
+
+private:
+    void Collect(const UnityExpansion& expansion, UnityNotes& notes);
+    void Connect(UnityNotes& notes);
+    void Sort(UnityNotes& notes);
+
+    std::deque<UnityGameObject> m_Objects;
+    std::unordered_map<const UnityInstance*, UnityGameObject*> m_ByInstance;
+    std::vector<UnityGameObject*> m_Roots;
+    std::vector<UnityGameObject*> m_Order;
+};
+
+/// Returns whether an instance is a Transform, be it one of the user interface.
+inline bool IsTransform(const UnityInstance& object)
+{
+    return object.classID == UnityClass::Transform || object.classID == UnityClass::RectTransform;
+}
+
+/// Unity's name of a class, "MeshRenderer"; "component 198" where limn knows none.
+std::string NameOf(UnityClass classID);
+
+} // namespace limn

@@ -1,0 +1,394 @@
+#include "unity/UnityMaterials.h"
+
+#include "assets/PictureFile.h"
+#include "shaders/UsedShaders.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limn/base/ReadFile.h>
+#include <limn/features/Features.h>
+
+namespace limn
+{
+
+namespace
+{
+
+std::string EndingOf(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
+bool IsModelFile(const std::filesystem::path& path)
+{
+    const std::string ending = EndingOf(path);
+    return ending == ".fbx" || ending == ".obj" || ending == ".dae" || ending == ".3ds" ||
+           ending == ".ply" || ending == ".stl";
+}
+
+float NumberIn(const UnityNode& node)
+{
+    float value = 0.0f;
+    const std::string_view text = node.text();
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+glm::vec4 VectorIn(const UnityNode& node)
+{
+    return {NumberIn(node["r"]), NumberIn(node["g"]), NumberIn(node["b"]), NumberIn(node["a"])};
+}
+
+/// Calls `work` with the name and the value of each element of a list of m_SavedProperties: a map
+/// of one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
+template <typename Work>
+void ForEachProperty(const UnityNode& list, const Work& work)
+{
+    for (const UnityNode item : list)
+    {
+        if (item["first"])
+        {
+            work(item["first"]["name"].text(), item["second"]);
+            continue;
+        }
+        for (const UnityNode property : item)
+        {
+            work(property.key(), property);
+        }
+    }
+}
+
+} // namespace
+
+const Model* UnityMaterials::LoadModelOf(const std::string& guid)
+{
+    const auto known = m_Models.find(guid);
+    if (known != m_Models.end())
+    {
+        return known->second ? &*known->second : nullptr;
+    }
+    std::optional<Model>& model = m_Models[guid];
+    const std::filesystem::path* path = m_Database.Find(guid);
+    if (path == nullptr || !IsModelFile(*path))
+    {
+        return nullptr;
+    }
+    try
+    {
+        const std::string meta = path->string() + ".meta";
+        const std::string text = ::limn::ReadFile(meta);
+        const UnityTree tree(text, meta, 1);
+        model = LoadModel(*path, ReadModelImport(tree.root()));
+    }
+    catch (const AssetError& error)
+    {
+        for (const Diagnostic& problem : error.diagnostics())
+        {
+            m_Notes.Add(problem.file, problem.location.line, problem.message);
+        }
+    }
+    return model ? &*model : nullptr;
+}
+
+std::shared_ptr<const UnityFile> UnityMaterials::LoadPrefab(const std::string& guid)
+{
+    const std::filesystem::path* path = m_Database.Find(guid);
+    if (path == nullptr)
+    {
+        return nullptr;
+    }
+    if (!IsModelFile(*path))
+    {
+        return m_Database.LoadFile(*path);
+    }
+    const auto known = m_Prefabs.find(guid);
+    if (known != m_Prefabs.end())
+    {
+        return known->second;
+    }
+    const Model* model = LoadModelOf(guid);
+    return m_Prefabs[guid] = model != nullptr
+                                 ? std::make_shared<const UnityFile>(PrefabTextOf(*model, guid),
+                                                                     path->generic_string())
+                                 : nullptr;
+}
+
+std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
+                                                     const UnityReader& user)
+{
+    const UnityKnownAsset known = FindKnownAsset(mesh);
+    if (known.kind == UnityPackageAsset::Mesh)
+    {
+        return m_Assets.Primitive(PrimitiveTypeFromName(known.name).value());
+    }
+    const std::filesystem::path* path = m_Database.Find(mesh.guid);
+    const Model* model = path != nullptr ? LoadModelOf(mesh.guid) : nullptr;
+    if (path == nullptr)
+    {
+        user.Note("m_Mesh",
+                  "no file of the project has its guid " + mesh.guid + ", so nothing is drawn");
+        return nullptr;
+    }
+    if (!IsModelFile(*path))
+    {
+        user.Note("m_Mesh",
+                  path->filename().string() + " is no model that limn reads, so nothing is drawn");
+        return nullptr;
+    }
+    if (model == nullptr)
+    {
+        return nullptr; // what is wrong with the file has been said
+    }
+    std::shared_ptr<const Mesh> found = model->FindMesh(mesh.fileID);
+    if (!found)
+    {
+        user.Note("m_Mesh", path->filename().string() + " has no mesh with the id " +
+                                std::to_string(mesh.fileID) + ", so nothing is drawn");
+    }
+    return found;
+}
+
+std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& material,
+                                                     const UnityReader& user,
+                                                     const std::string& path)
+{
+    if (material.isNull())
+    {
+        return Magenta();
+    }
+    std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
+    if (!known)
+    {
+        known = Read(material, user, path);
+    }
+    return known;
+}
+
+std::shared_ptr<const Material> UnityMaterials::Magenta()
+{
+    if (!m_Magenta)
+    {
+        m_Magenta = std::make_shared<const Material>(MakeErrorShader(m_Assets.compiler()));
+    }
+    return m_Magenta;
+}
+
+std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& reference,
+                                                     const UnityReader& user,
+                                                     const std::string& path)
+{
+    const UnityKnownAsset known = FindKnownAsset(reference);
+    if (known.kind == UnityPackageAsset::Material)
+    {
+        auto material = std::make_shared<Material>(FindByName(known.name, "a material of Unity's"));
+        if (material->HasColor(ShaderPropertyId("_BaseColor")))
+        {
+            material->SetColor(ShaderPropertyId("_BaseColor"), {0.5f, 0.5f, 0.5f, 1.0f});
+        }
+        return material;
+    }
+    const std::filesystem::path* file = m_Database.Find(reference.guid);
+    if (file == nullptr)
+    {
+        user.Note(path, "no file of the project has the material's guid " + reference.guid +
+                            ", so it is magenta");
+        return Magenta();
+    }
+    if (IsModelFile(*file))
+    {
+        const Model* model = LoadModelOf(reference.guid);
+        const ModelMaterial* own =
+            model != nullptr ? model->FindMaterial(reference.fileID) : nullptr;
+        auto material = std::make_shared<Material>(m_Assets.FindShader(k_Lit));
+        material->SetColor(ShaderPropertyId("_BaseColor"),
+                           own != nullptr ? own->color : Color::white);
+        return material;
+    }
+    return ReadFile(*file);
+}
+
+std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::path& path)
+{
+    const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
+    const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
+    if (header == nullptr)
+    {
+        if (file)
+        {
+            m_Notes.Add(file->name(), 0, "it holds no material, so what it is on is magenta");
+        }
+        return Magenta();
+    }
+    try
+    {
+        const UnityNode fields = file->Fields(*header);
+        const std::shared_ptr<const Shader> shader =
+            FindShader(ReadUnityReference(fields["m_Shader"]), file->name());
+        if (!shader)
+        {
+            return Magenta();
+        }
+        auto material = std::make_shared<Material>(shader);
+        SetValues(fields, file->name(), *material);
+        return material;
+    }
+    catch (const AssetError& error)
+    {
+        for (const Diagnostic& problem : error.diagnostics())
+        {
+            m_Notes.Add(problem.file, problem.location.line, problem.message);
+        }
+        return Magenta();
+    }
+}
+
+std::shared_ptr<const Shader> UnityMaterials::FindByName(std::string_view name,
+                                                         const std::string& material)
+{
+    if (auto shader = m_Assets.FindShader(name))
+    {
+        return shader;
+    }
+    m_Notes.Add(material, 0,
+                "limn has no shader '" + std::string(name) + "'; " + k_Lit + " is used");
+    return m_Assets.FindShader(k_Lit);
+}
+
+std::shared_ptr<const Shader> UnityMaterials::FindShader(const UnityReference& reference,
+                                                         const std::string& material)
+{
+    const UnityKnownAsset known = FindKnownAsset(reference);
+    if (known.kind == UnityPackageAsset::Shader)
+    {
+        return FindByName(known.name, material);
+    }
+    const std::filesystem::path* path = m_Database.Find(reference.guid);
+    if (path != nullptr && EndingOf(*path) == ".shader")
+    {
+        return m_Assets.LoadShader(*path);
+    }
+    if (path != nullptr && EndingOf(*path) == ".shadergraph")
+    {
+        m_Notes.Add(material, 0,
+                    "its shader is the graph " + path->filename().string() +
+                        ", which limn does not read; " + k_Lit + " in grey is used");
+        return m_Assets.FindShader(k_Lit);
+    }
+    const std::filesystem::path* missing = m_Database.project().Find(reference.guid);
+    const ShaderLabDocument* shipped =
+        missing != nullptr ? ShippedShaders().FindFile(missing->filename().string()) : nullptr;
+    if (shipped != nullptr)
+    {
+        return m_Assets.FindShader(shipped->name);
+    }
+    m_Notes.Add(material, 0,
+                "no file of the project has its shader's guid " + reference.guid +
+                    ", so what it is on is magenta");
+    return nullptr;
+}
+
+void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file, Material& material)
+{
+    const UnityNode saved = fields["m_SavedProperties"];
+    for (const char* list : {"m_Floats", "m_Ints"})
+    {
+        ForEachProperty(saved[list],
+                        [&](std::string_view name, const UnityNode& value)
+                        {
+                            const ShaderPropertyId id{std::string(name)};
+                            if (material.HasFloat(id))
+                            {
+                                material.SetFloat(id, NumberIn(value));
+                            }
+                        });
+    }
+    ForEachProperty(saved["m_Colors"],
+                    [&](std::string_view name, const UnityNode& value)
+                    {
+                        const ShaderPropertyId id{std::string(name)};
+                        const glm::vec4 numbers = VectorIn(value);
+                        if (material.HasColor(id))
+                        {
+                            material.SetColor(id, {numbers.r, numbers.g, numbers.b, numbers.a});
+                        }
+                        else if (material.HasVector(id))
+                        {
+                            material.SetVector(id, numbers);
+                        }
+                    });
+    SetTextures(saved["m_TexEnvs"], file, material);
+    for (const UnityNode keyword : fields["m_ValidKeywords"])
+    {
+        material.EnableKeyword(std::string(keyword.text()));
+    }
+    std::string_view words = fields["m_ShaderKeywords"].text();
+    while (!words.empty())
+    {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (end > 0)
+        {
+            material.EnableKeyword(std::string(words.substr(0, end)));
+        }
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+    for (const UnityNode pass : fields["disabledShaderPasses"])
+    {
+        material.SetShaderPassEnabled(pass.text(), false);
+    }
+    const auto queue = static_cast<int>(NumberIn(fields["m_CustomRenderQueue"]));
+    if (fields["m_CustomRenderQueue"] && queue >= 0)
+    {
+        material.SetRenderQueue(queue);
+    }
+}
+
+void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file, Material& material)
+{
+    ForEachProperty(
+        list,
+        [&](std::string_view name, const UnityNode& value)
+        {
+            const ShaderPropertyId id{std::string(name)};
+            if (!material.HasTexture(id))
+            {
+                return;
+            }
+            const UnityNode scale = value["m_Scale"];
+            const UnityNode offset = value["m_Offset"];
+            material.SetTextureScale(id, {NumberIn(scale["x"]), NumberIn(scale["y"])});
+            material.SetTextureOffset(id, {NumberIn(offset["x"]), NumberIn(offset["y"])});
+            const UnityReference texture = ReadUnityReference(value["m_Texture"]);
+            if (texture.isNull())
+            {
+                return;
+            }
+            const std::filesystem::path* path = m_Database.Find(texture.guid);
+            if (path == nullptr || !IsPictureFile(*path))
+            {
+                m_Notes.Add(
+                    file, value.line(),
+                    std::string(name) + ": " +
+                        (path == nullptr
+                             ? "no file of the project has the texture's guid " + texture.guid
+                             : path->filename().string() + " is no picture that limn reads") +
+                        ", so the shader's own is used");
+                return;
+            }
+            try
+            {
+                material.SetTexture(id, m_Assets.LoadTexture(*path));
+            }
+            catch (const AssetError& error)
+            {
+                for (const Diagnostic& problem : error.diagnostics())
+                {
+                    m_Notes.Add(problem.file, problem.location.line, problem.message);
+                }
+            }
+        });
+}
+
+} // namespace limn

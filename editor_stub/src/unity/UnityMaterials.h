@@ -1,0 +1,48 @@
+#pragma once
+
+#include "unity/ModelFile.h"
+#include "unity/UnityDatabase.h"
+
+namespace limn
+{
+
+/// The meshes, materials, textures and prefabs of a project's scene, each loaded once. What is
+/// missing is drawn as Unity draws it, magenta or not at all, and becomes a note.
+class UnityMaterials
+{
+public:
+    UnityMaterials(UnityDatabase& database, AssetContext& assets, UnityNotes& notes)
+        : m_Database(database), m_Assets(assets), m_Notes(notes)
+    {
+    }
+
+    /// The prefab of a guid, which may be a model's; null where the project has none.
+    std::shared_ptr<const UnityFile> LoadPrefab(const std::string& guid);
+    /// Null, with a note at `user`, where there is none.
+    std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);
+    /// Never null. @param path  of the reference in `user`
+    std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
+                                         const std::string& path);
+
+private:
+    const Model* LoadModelOf(const std::string& guid);
+    std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
+                                         const std::string& path);
+    std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path);
+    std::shared_ptr<const Shader> FindShader(const UnityReference& shader,
+                                             const std::string& material);
+    std::shared_ptr<const Shader> FindByName(std::string_view name, const std::string& material);
+    void SetValues(const UnityNode& fields, const std::string& file, Material& material);
+    void SetTextures(const UnityNode& list, const std::string& file, Material& material);
+    std::shared_ptr<const Material> Magenta();
+
+    UnityDatabase& m_Database;
+    AssetContext& m_Assets;
+    UnityNotes& m_Notes;
+    std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs; ///< of models, by guid
+    std::map<std::string, std::optional<Model>> m_Models;
+    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_Materials;
+    std::shared_ptr<const Material> m_Magenta;
+};
+
+} // namespace limn

@@ -1,0 +1,157 @@
+#pragma once
+
+#include "unity/UnityTree.h"
+
+#include <cstdint>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <limn/volume/UnityAsset.h>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <vector>
+
+namespace limn
+{
+
+/// The class ids of Unity that limn reads, of which `--- !u!4 &123` tells one.
+enum class UnityClass : int
+{
+    GameObject = 1,
+    Transform = 4,
+    Camera = 20,
+    Material = 21,
+    MeshRenderer = 23,
+    MeshFilter = 33,
+    Mesh = 43,
+    BoxCollider = 65,
+    MeshCollider = 64,
+    RenderSettings = 104,
+    Light = 108,
+    MonoBehaviour = 114,
+    SphereCollider = 135,
+    CapsuleCollider = 136,
+    SkinnedMeshRenderer = 137,
+    LODGroup = 205,
+    RectTransform = 224,
+    PrefabInstance = 1001,
+    SceneRoots = 1660057539
+};
+
+/// `{fileID: 11400000, guid: 185ced…, type: 2}`: an object of the file itself where the guid is
+/// empty; nothing where both are.
+struct UnityReference
+{
+    std::int64_t fileID = 0;
+    std::string guid;
+
+    bool isNull() const { return fileID == 0; }
+    bool operator==(const UnityReference&) const = default;
+};
+
+UnityReference ReadUnityReference(const UnityNode& node);
+
+/// A text asset of Unity, whose objects are parsed when they are asked for, each once.
+class UnityFile
+{
+public:
+    /// @throws AssetError as UnityAsset
+    UnityFile(std::string text, std::string name);
+    UnityFile(const UnityFile&) = delete;
+    UnityFile& operator=(const UnityFile&) = delete;
+
+    const std::string& name() const { return m_Asset.file(); }
+    std::span<const UnityHeader> headers() const { return m_Asset.headers(); }
+    /// The map below the class's name. @throws AssetError as UnityTree
+    UnityNode Fields(const UnityHeader& header) const;
+
+private:
+    UnityAsset m_Asset;
+    mutable std::unordered_map<std::int64_t, std::unique_ptr<const UnityTree>> m_Trees;
+};
+
+struct UnityScope;
+
+/// What a prefab instance sets of an object.
+struct UnityOverride
+{
+    std::string path; ///< "m_Materials.Array.data[0]"
+    std::string value;
+    UnityReference reference;
+    const UnityScope* scope = nullptr; ///< that a reference without a guid is about
+    int line = 0;                      ///< in the scope's file
+};
+
+/// An object of a scene once all prefabs are expanded.
+struct UnityInstance
+{
+    UnityClass classID{};
+    std::int64_t fileID = 0; ///< in the space of its scope
+    int line = 0;
+    const UnityScope* scope = nullptr; ///< where it stands
+    UnityNode fields;
+    std::vector<UnityOverride> overrides; ///< later ones win
+    bool isRemoved = false;
+};
+
+/// One use of a file: its objects by the ids that its text has for them, those of prefabs in it
+/// included.
+struct UnityScope
+{
+    std::shared_ptr<const UnityFile> file;
+    std::unordered_map<std::int64_t, UnityInstance*> objects;
+
+    /// Null where no object has the id.
+    UnityInstance* Find(std::int64_t fileID) const;
+};
+
+/// Something that an expansion did without, once for each cause.
+struct UnityNote
+{
+    std::string file;
+    int line = 0;
+    std::string message;
+};
+
+/// A scene or prefab with everything that its prefab instances stand for.
+/// Unity: PrefabInstance, by the rules of 2018.3 and later.
+class UnityExpansion
+{
+public:
+    /// Returns the text asset behind a guid, a model as the prefab that Unity makes of it; null
+    /// where the project has none.
+    using FindPrefab = std::function<std::shared_ptr<const UnityFile>(const std::string& guid)>;
+
+    /// @throws AssetError  where a file is broken, a prefab holds itself, or there are more objects
+    ///     than limn takes
+    UnityExpansion(std::shared_ptr<const UnityFile> file, FindPrefab find);
+    UnityExpansion(const UnityExpansion&) = delete;
+    UnityExpansion& operator=(const UnityExpansion&) = delete;
+
+    const UnityScope& root() const { return *m_Root; }
+    /// All but those that were removed, in the order of the files.
+    const std::vector<const UnityInstance*>& objects() const { return m_Objects; }
+    const std::vector<UnityNote>& notes() const { return m_Notes; }
+
+private:
+    UnityScope& Expand(const std::shared_ptr<const UnityFile>& file);
+    void AddInstance(UnityScope& scope, const UnityHeader& header,
+                     const std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t>& stripped);
+    void Modify(const UnityNode& modification, UnityScope& scope, const UnityScope& source);
+    void Remove(const UnityNode& list, const UnityScope& source);
+    void Note(const UnityScope& scope, int line, std::string message);
+
+    FindPrefab m_Find;
+    std::deque<UnityScope> m_Scopes;
+    std::deque<UnityInstance> m_Instances;
+    std::vector<const UnityFile*> m_Stack; ///< files that are being expanded
+    std::vector<const UnityInstance*> m_Objects;
+    std::set<std::string> m_Missing; ///< guids that were spoken of
+    std::vector<UnityNote> m_Notes;
+    UnityScope* m_Root = nullptr;
+};
+
+} // namespace limn

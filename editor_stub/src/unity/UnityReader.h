@@ -1,0 +1,98 @@
+#pragma once
+
+#include "unity/UnityObjects.h"
+
+#include <glm/gtc/quaternion.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <limn/core/Color.h>
+#include <limn/core/LayerMask.h>
+
+namespace limn
+{
+
+/// Collects what there is to say about a project's files while its scene is read: nothing of it
+/// keeps the scene from being drawn.
+class UnityNotes
+{
+public:
+    /// Adds a sentence, once.
+    void Add(const std::string& file, int line, const std::string& message);
+    void Add(const std::vector<UnityNote>& notes);
+    /// Counts things of a kind that limn does not draw; Finish() makes one sentence a kind.
+    void Count(const std::string& kind) { ++m_Counts[kind]; }
+    /// @param file  that the counted things are in
+    std::vector<Diagnostic> Finish(const std::string& file);
+
+private:
+    std::vector<Diagnostic> m_Notes;
+    std::set<std::pair<std::string, std::string>> m_Known; ///< file and message
+    std::map<std::string, int> m_Counts;
+};
+
+/// What a reference of an object leads to: another object of the expansion, an asset by its guid,
+/// or nothing.
+struct UnityTarget
+{
+    const UnityInstance* object = nullptr;
+    UnityReference asset; ///< null where it is no asset
+
+    bool isNull() const { return object == nullptr && asset.isNull(); }
+};
+
+/// Reads the fields of one object, with what prefab instances set of it: numbers by the type of
+/// what they go into. A field that is missing leaves the value as it was; one that is wrong does
+/// so, too, and becomes a note.
+///
+/// Paths are Unity's property paths: "m_LocalPosition.x", "m_Materials.Array.data[0]".
+class UnityReader
+{
+public:
+    /// @param subject  what notes call the object: "Sphere/MeshRenderer"
+    UnityReader(const UnityInstance& object, std::string subject, UnityNotes& notes)
+        : m_Object(object), m_Subject(std::move(subject)), m_Notes(notes)
+    {
+    }
+
+    const std::string& subject() const { return m_Subject; }
+
+    void Read(const std::string& path, float& value) const;
+    void Read(const std::string& path, int& value) const;
+    void Read(const std::string& path, bool& value) const;
+    void Read(const std::string& path, std::string& value) const;
+    void Read(const std::string& path, glm::vec2& value) const;
+    void Read(const std::string& path, glm::vec3& value) const;
+    void Read(const std::string& path, glm::quat& value) const;
+    void Read(const std::string& path, Color& value) const;     ///< sRGB
+    void Read(const std::string& path, LayerMask& value) const; ///< of {m_Bits: 5}
+    /// Bits that stand as one number.
+    void Read(const std::string& path, RenderingLayerMask& value) const;
+    template <typename Enum>
+    requires std::is_enum_v<Enum>
+    void Read(const std::string& path, Enum& value) const
+    {
+        int number = static_cast<int>(value);
+        Read(path, number);
+        value = static_cast<Enum>(number);
+    }
+
+    UnityTarget Reference(const std::string& path) const;
+    /// The elements of a list, as the prefab instances have made it.
+    std::size_t Count(const std::string& path) const;
+    bool Has(const std::string& path) const { return Find(path) || FindOverride(path) != nullptr; }
+    UnityNode Find(const std::string& path) const; ///< in the object's own text
+
+    void Note(const std::string& path, const std::string& message) const;
+
+private:
+    const UnityOverride* FindOverride(std::string_view path) const;
+    /// The text of a scalar; nothing if there is none.
+    std::optional<std::string_view> Text(const std::string& path) const;
+    void ReadParts(const std::string& path, const char* names, float* values) const;
+
+    const UnityInstance& m_Object;
+    std::string m_Subject;
+    UnityNotes& m_Notes;
+};
+
+} // namespace limn

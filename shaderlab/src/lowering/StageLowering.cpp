@@ -1,0 +1,497 @@
+#include "lowering/StageLowering.h"
+
+#include <limn/shaderlab/UnsupportedProgramError.h>
+
+#include "hlsl/DuplicateDeclarations.h"
+#include "hlsl/ReachableFunctions.h"
+#include "hlsl/TokenEdits.h"
+#include "hlsl/TreeParser.h"
+#include "lowering/GlslangGuards.h"
+#include "lowering/Lowering.h"
+#include "stages/GeometryEntryWriter.h"
+#include "stages/KernelEntryWriter.h"
+#include <limn/base/Text.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
+
+/// What stands in quotes.
+std::string Unquoted(std::string_view text)
+{
+    return std::string(text.size() > 1 ? text.substr(1, text.size() - 2) : text);
+}
+
+/// `1.5h`
+bool isHalfNumber(std::string_view text)
+{
+    return text.size() > 1 && (isDigit(text[0]) || text[0] == '.') && ToLower(text.back()) == 'h' &&
+           !text.starts_with("0x") && !text.starts_with("0X");
+}
+
+class StageLowering
+{
+public:
+    StageLowering(const HlslSource& source, std::string_view entry)
+        : m_Source(source),
+          m_Tokens(source.tokens),
+          m_Code(source.tokens),
+          m_Lowering(m_Code, source.globals),
+          m_Resolver(source.tokens, source.globals),
+          m_Reach(source.tokens, source.globals, entry)
+    {
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            const std::string_view text = m_Tokens.Text(i);
+            if (text == k_TakenName && !m_Reach.isLeftOut()[i])
+            {
+                m_Code.Spelling(i) = AuthorFunctionName(k_TakenName);
+            }
+            else if (isHalfNumber(text))
+            {
+                // glslang cannot multiply it by an integer; without the letter it becomes what it
+                // meets.
+                m_Code.Spelling(i) = text.substr(0, text.size() - 1);
+            }
+        }
+        ReadTrees();
+    }
+
+    const ReachableFunctions& reach() const { return m_Reach; }
+
+    /// What only compute shaders do in limn.
+    void RefuseWritable() const
+    {
+        for (const HlslVariable& object : m_Source.declarations.objects)
+        {
+            if (isWritable(object.type) && m_Reach.Names(object.name))
+            {
+                throw UnsupportedProgramError(m_Tokens.Error(
+                    object.token, "a " + std::string(object.type) +
+                                      " can be written to, which limn does in compute shaders "
+                                      "only; its passes read textures and buffers"));
+            }
+        }
+    }
+
+    /// All that every stage needs.
+    void Rewrite()
+    {
+        TakeStandIns();
+        RefuseMatrices();
+        RemoveEmptyMembers();
+        RemoveDuplicates(m_Code, m_Source.declarations);
+        MoveObjectsOutOfBuffers();
+        CopyAssignedUniforms();
+        FindDelayedStatics();
+        Lower();
+        DelayStatics();
+        ClearStatics();
+    }
+
+    RewrittenHlsl Finish(const std::string& entry)
+    {
+        std::map<std::size_t, std::string> unknownNames;
+        for (const HlslProblem& name : m_Resolver.unknown())
+        {
+            unknownNames[name.token] = name.text;
+        }
+        return {m_Lowering.functions() + m_Code.AssembleByToken(m_Reach.isLeftOut()) + entry,
+                m_StandIns, m_UnknownTypes, unknownNames, std::move(m_Nodes)};
+    }
+
+    /// glslang crashes on those of bool, and has none of one row or column.
+    void RefuseMatrices() const
+    {
+        std::vector<HlslProblem> problems;
+        for (std::size_t i = 0; i < m_Tokens.size(); ++i)
+        {
+            const std::string_view word = m_Tokens.Text(i);
+            const bool isTemplate = word == "matrix" && m_Tokens.Text(i + 1) == "<";
+            const bool isMatrix = isTemplate || (word.size() > 5 && word[word.size() - 2] == 'x');
+            if (!isMatrix || m_Reach.isLeftOut()[i])
+            {
+                continue;
+            }
+            const std::string_view argument =
+                isTemplate ? m_Tokens.Span(i + 2, m_Tokens.FindOutside(i, ">"))
+                           : std::string_view();
+            const HlslType type = TypeOf(m_Source.declarations, word, argument);
+            const bool isFlat = type.isMatrix() && (type.rows == 1 || type.columns == 1);
+            if (type.isMatrix() && (isFlat || type.scalar == HlslScalar::Bool))
+            {
+                const std::string other = isFlat ? type.As(type.components()).Spelling()
+                                                 : type.Of(HlslScalar::Float).Spelling();
+                problems.push_back({i, std::string("limn has no matrices of ") +
+                                           (isFlat ? "one row or column" : "bool") + "; use '" +
+                                           other + "'"});
+            }
+        }
+        m_Tokens.Refuse(problems);
+    }
+
+    /// Everything that glslang takes for something else.
+    void Lower()
+    {
+        m_Lowering.Rename(m_Resolver, m_Nodes);
+        for (const Tree& tree : m_Trees)
+        {
+            m_Lowering.Lower(*tree.root, tree.variable && !m_Delayed.contains(tree.variable));
+            if (tree.variable)
+            {
+                m_Lowering.LowerInitializer(*tree.root,
+                                            TypeOf(m_Source.declarations, *tree.variable),
+                                            tree.variable->dimensions);
+            }
+        }
+        for (const HlslFunction& function : m_Source.declarations.functions)
+        {
+            if (const std::string* spelling = m_Source.globals.FindSpelling(function))
+            {
+                m_Code.Spelling(function.token) = *spelling;
+            }
+        }
+    }
+
+    /// What the code assigns to is a writable copy; a uniform cannot be.
+    void CopyAssignedUniforms()
+    {
+        std::set<const HlslVariable*> written;
+        for (const HlslNode& node : m_Nodes)
+        {
+            FindWrittenUniforms(node, m_Tokens, m_Source.globals, written);
+        }
+        for (const HlslVariable* uniform : written)
+        {
+            Copy(*uniform);
+        }
+    }
+
+    /// What is static and begins with what a function gives is set by the entry function: to
+    /// glslang such a function calls itself. What limn needs a function for is as well.
+    void FindDelayedStatics()
+    {
+        for (const Tree& tree : m_Trees)
+        {
+            const bool isList = tree.root->kind == HlslNodeKind::List;
+            if (tree.variable && !(isList && HasOpenSize(*tree.variable)) &&
+                (CallsOrNames(*tree.root, m_Delayed) || m_Lowering.NeedsFunction(*tree.root)))
+            {
+                m_Delayed.insert(tree.variable);
+            }
+        }
+    }
+
+    /// @pre Lower(): the values move as they are spelled by then.
+    void DelayStatics()
+    {
+        for (const Tree& tree : m_Trees)
+        {
+            if (!m_Delayed.contains(tree.variable))
+            {
+                continue;
+            }
+            const HlslVariable& variable = *tree.variable;
+            const std::string value = m_Code.Spelled(tree.root->first, tree.root->end);
+            const std::string name(variable.name);
+            m_Prologue += tree.root->kind == HlslNodeKind::List
+                              ? "{ " + LocalCopy(variable) + " = " + value + "; " + name +
+                                    " = limn_value; }\n"
+                              : name + " = " + value + ";\n";
+            m_Code.Erase(tree.root->first - 1, tree.root->end);
+            for (std::size_t i = variable.firstToken; i < variable.token; ++i)
+            {
+                if (m_Tokens.Text(i) == "const")
+                {
+                    m_Code.Spelling(i).clear();
+                }
+            }
+        }
+    }
+
+    /// Statics begin with zeros in HLSL; glslang leaves their values undefined.
+    void ClearStatics()
+    {
+        for (const HlslVariable& variable : m_Source.declarations.statics)
+        {
+            const HlslType type = TypeOf(m_Source.declarations, variable);
+            const bool isStruct = type.kind == HlslType::Kind::Struct;
+            if (variable.Has("static") && variable.valueToken == 0 && type.dimensions == 0 &&
+                (type.isNumber() || isStruct))
+            {
+                m_Code.Spelling(variable.token) +=
+                    " = (" + (isStruct ? std::string(type.name) : type.Spelling()) + ")" +
+                    (type.isMatrix() ? "0.0" : "0");
+            }
+        }
+    }
+
+    /// As macros leave them that end in a `;` or are empty.
+    void RemoveEmptyMembers()
+    {
+        for (const std::size_t token : m_Source.declarations.emptyMembers)
+        {
+            m_Code.Spelling(token).clear();
+        }
+    }
+
+    /// Textures and the like are no members of a buffer to glslang, though HLSL lets them stand
+    /// there.
+    void MoveObjectsOutOfBuffers()
+    {
+        std::size_t last = 0; // declaration: several names may have one
+        for (const HlslVariable& object : m_Source.declarations.objects)
+        {
+            if (!object.isInBuffer || object.semicolon == 0 || object.semicolon == last)
+            {
+                continue;
+            }
+            last = object.semicolon;
+            const std::string moved = " " + m_Code.Spelled(object.firstToken, object.semicolon + 1);
+            m_Code.Erase(object.firstToken, object.semicolon + 1);
+            const std::size_t end = object.endToken;
+            m_Code.Insert(m_Tokens.Text(end + 1) == ";" ? end + 1 : end, moved);
+        }
+    }
+
+    /// Makes an ordinary function of the author's geometry function; see GeometryEntryWriter.h.
+    void TakeGeometryApart(const StageInterface& interface, const StageLinkage& linkage)
+    {
+        std::size_t first = interface.function->begin;
+        for (const HlslFunction* function : m_Reach.functions())
+        {
+            for (std::size_t i = function->begin; i < function->end; ++i)
+            {
+                const std::string_view text = m_Tokens.Text(i);
+                const bool isAppend = text == "Append" && m_Tokens.Text(i - 1) == ".";
+                if (isAppend)
+                {
+                    m_Code.Spelling(i + 1) += std::string(k_PackFunction) + "(";
+                    m_Code.Spelling(m_Tokens.AfterBracket(i + 1) - 1) += ")";
+                }
+                else if (isStream(text) && m_Tokens.Text(i + 1) == "<")
+                {
+                    m_Code.Spelling(i + 2) = k_GeometryOutput;
+                }
+                else if (text == interface.geometry->primitive)
+                {
+                    m_Code.Spelling(i).clear();
+                }
+                first = isAppend || isStream(text) ? std::min(first, function->begin) : first;
+            }
+        }
+        if (first > 0)
+        {
+            m_Code.Insert(first - 1, " " + WriteGeometryTypes(interface, linkage));
+        }
+    }
+
+    /// Takes the marks off, which are no HLSL, and tells what those of reached functions say.
+    void TakeStandIns()
+    {
+        for (const HlslFunction* function : m_Reach.functions())
+        {
+            for (std::size_t i = function->begin; m_Tokens.Text(i) == "[";)
+            {
+                const std::size_t end = m_Tokens.AfterBracket(i);
+                if (m_Tokens.Text(i + 1) == "limn_Lacks") // ("X", "Y")
+                {
+                    m_StandIns.push_back(
+                        "uses " + Unquoted(m_Tokens.Text(i + 3)) +
+                        ", which limn does not have: " + Unquoted(m_Tokens.Text(i + 5)));
+                    m_Code.Erase(i, end);
+                }
+                i = end;
+            }
+        }
+    }
+
+    /// Those of an entry function stand before the generated one.
+    void TakeAttributes(const HlslFunction& function)
+    {
+        for (std::size_t i = function.begin, end = i; m_Tokens.Text(i) == "["; i = end)
+        {
+            end = m_Tokens.AfterBracket(i);
+            m_Code.Erase(i, end);
+        }
+    }
+
+    const std::string& prologue() const { return m_Prologue; }
+
+private:
+    /// A function's body or a static variable's value.
+    struct Tree
+    {
+        HlslNode* root = nullptr;
+        const HlslVariable* variable = nullptr; ///< null of a body
+    };
+
+    static bool isWritable(std::string_view type)
+    {
+        return type.starts_with("RW") || type.starts_with("RasterizerOrdered") ||
+               type == "AppendStructuredBuffer" || type == "ConsumeStructuredBuffer";
+    }
+
+    void ReadTrees()
+    {
+        HlslTreeParser parser(m_Tokens, m_Source.declarations, m_Nodes);
+        const auto add = [&](const HlslFunction& function, const HlslStruct* owner)
+        {
+            if (function.hasBody)
+            {
+                m_Trees.push_back({parser.ParseBlock(function.body), nullptr});
+                m_Resolver.ResolveBody(*m_Trees.back().root, function, owner);
+            }
+        };
+        for (const HlslVariable& variable : m_Source.declarations.statics)
+        {
+            if (variable.valueToken > 0)
+            {
+                m_Trees.push_back(
+                    {parser.ParseValue(variable.valueToken, variable.valueEnd), &variable});
+                m_Resolver.Resolve(*m_Trees.back().root);
+            }
+        }
+        for (const HlslFunction& function : m_Source.declarations.functions)
+        {
+            if (m_Reach.functions().contains(&function))
+            {
+                add(function, nullptr);
+            }
+        }
+        for (const HlslStruct& owner : m_Source.declarations.structs)
+        {
+            for (const HlslFunction& method : owner.methods)
+            {
+                add(method, &owner);
+            }
+        }
+        m_Tokens.Refuse(parser.unended());
+        RequireSoundNodes(m_Nodes, m_Tokens, m_Source.globals);
+        m_UnknownTypes = parser.unknownTypes();
+    }
+
+    static bool HasOpenSize(const HlslVariable& variable)
+    {
+        return std::find(variable.dimensions.begin(), variable.dimensions.end(), "") !=
+               variable.dimensions.end();
+    }
+
+    /// The declaration of a local variable of the same type.
+    static std::string LocalCopy(const HlslVariable& variable)
+    {
+        const std::string argument(variable.templateArgument);
+        std::string text = std::string(variable.type) +
+                           (argument.empty() ? "" : "<" + argument + ">") + " limn_value";
+        for (const std::string_view size : variable.dimensions)
+        {
+            text.append("[").append(size).append("]");
+        }
+        return text;
+    }
+
+    /// Whether the value calls a function of the author or names one of the variables.
+    bool CallsOrNames(const HlslNode& value, const std::set<const HlslVariable*>& variables) const
+    {
+        const auto isOne = [&](const HlslNode& node)
+        {
+            return node.kind == HlslNodeKind::Call
+                       ? !m_Source.globals.FindFunctions(m_Tokens.Text(node.token)).empty()
+                       : node.kind == HlslNodeKind::Name && variables.contains(node.variable);
+        };
+        return FindNode(value, isOne) != nullptr;
+    }
+
+    void Copy(const HlslVariable& uniform)
+    {
+        const std::string copy = "limn_copy" + std::string(uniform.name);
+        std::string declaration = " static " + std::string(uniform.type) + " " + copy;
+        for (const std::string_view size : uniform.dimensions)
+        {
+            declaration += "[" + std::string(size) + "]";
+        }
+        m_Code.Insert(uniform.endToken, declaration + ";");
+        m_Prologue += copy + " = " + std::string(uniform.name) + ";\n";
+        for (const HlslNode& node : m_Nodes)
+        {
+            if (node.kind == HlslNodeKind::Name && !node.local && node.variable == &uniform)
+            {
+                m_Code.Spelling(node.token) = copy;
+            }
+        }
+    }
+
+    const HlslSource& m_Source;
+    const HlslTokens& m_Tokens;
+    TokenEdits m_Code;
+    HlslLowering m_Lowering;
+    HlslResolver m_Resolver;
+    const ReachableFunctions m_Reach;
+    HlslNodes m_Nodes;
+    std::vector<Tree> m_Trees;
+    std::vector<std::size_t> m_UnknownTypes;
+    std::set<const HlslVariable*> m_Delayed; ///< statics that the entry function sets
+    std::string m_Prologue;
+    std::vector<std::string> m_StandIns;
+};
+
+} // namespace
+
+HlslSource::HlslSource(std::string preprocessed, ColumnFinder* lines)
+    : text(std::move(preprocessed)),
+      tokens(text, lines),
+      declarations(ReadDeclarations(tokens)),
+      globals(declarations)
+{
+}
+
+RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
+                           const StageInterface& interface, const StageLinkage& linkage)
+{
+    StageLowering lowering(source, interface.function->name);
+    lowering.RefuseWritable();
+    lowering.Rewrite();
+    if (interface.geometry)
+    {
+        lowering.TakeGeometryApart(interface, linkage);
+    }
+    return lowering.Finish(WriteEntryPoint(interface, linkage, stage, lowering.prologue(),
+                                           lowering.reach().Names(k_DrawIndex)));
+}
+
+RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel)
+{
+    const auto fail = [&](const std::string& message)
+    {
+        throw AssetError({source.tokens.Error(kernel.token, message)});
+    };
+    if (ThreadsOf(kernel).empty())
+    {
+        fail("a kernel says how many threads a group has; write '[numthreads(8, 8, 1)]' before it");
+    }
+    if (!HasValidThreads(ThreadsOf(kernel), source.declarations.constants))
+    {
+        fail("a group cannot have " + std::string(ThreadsOf(kernel)) +
+             "; write three constants, 1 to 1024 along x and y and 1 to 64 along z, which make at "
+             "most 1024 threads");
+    }
+    StageLowering lowering(source, kernel.name);
+    if (lowering.reach().Names(k_DrawIndex))
+    {
+        fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
+             "nothing, so give it the value as a parameter");
+    }
+    lowering.Rewrite();
+    lowering.TakeAttributes(kernel);
+    return lowering.Finish(WriteKernelEntry(kernel, lowering.prologue()));
+}
+
+} // namespace limn

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "hlsl/Declarations.h"
+#include "hlsl/Resolver.h"
+#include "stages/EntryPointWriter.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace limn
+{
+
+/// Preprocessed HLSL, taken apart as far as rewriting needs it.
+struct HlslSource
+{
+    /// @param lines  see HlslTokens
+    explicit HlslSource(std::string preprocessed, ColumnFinder* lines = nullptr);
+    HlslSource(const HlslSource&) = delete;
+    HlslSource& operator=(const HlslSource&) = delete;
+
+    const std::string text;
+    const HlslTokens tokens;             ///< into text
+    const HlslDeclarations declarations; ///< into text
+    const HlslGlobals globals;           ///< into declarations
+};
+
+struct RewrittenHlsl
+{
+    /// It is what TokenEdits::AssembleByToken() writes, and the entry function.
+    std::string text;
+    /// "uses X, which limn does not have: Y" for each function that the entry function reaches and
+    /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
+    /// that name.
+    std::vector<std::string> standIns;
+    /// Tokens of types and names that nobody declares, and what is said of the names. Mistakes if
+    /// the compiler finds any, which stops at the first name that it does not know.
+    std::vector<std::size_t> unknownTypes;
+    std::map<std::size_t, std::string> unknownNames;
+    /// The expressions and statements of the source that were rewritten.
+    HlslNodes nodes;
+};
+
+/// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
+/// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
+///
+/// Functions out of reach have to go because they may use what only the other stage has (ddx,
+/// clip).
+///
+/// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
+RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
+                           const StageInterface& interface, const StageLinkage& linkage);
+
+/// The same for a kernel, with everything that it may write to.
+///
+/// @throws AssetError  where it reads what only draws have, or lacks its [numthreads(x, y, z)]
+RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel);
+
+} // namespace limn

@@ -1,0 +1,191 @@
+#pragma once
+
+#include <concepts>
+#include <limn/core/Texture.h>
+#include <limn/shaderlab/ShaderProgram.h>
+#include <limn/volume/ProfileContext.h>
+#include <limn/volume/ValueParameters.h>
+#include <limn/volume/VolumeComponent.h>
+
+namespace limn
+{
+
+using TextureReference = AssetReference<Texture>;
+
+/// A texture of any or of one dimension; blending switches as soon as t > 0. In YAML: a path,
+/// relative to the file, "" or nothing for none, or Unity's {fileID: 2800000, guid: ..., type: 3}.
+/// Unity's form cannot name a path: UnityText of a reference that has only that is none.
+///
+/// Reading loads the texture if the ProfileContext does that and the parameter is overridden. Only
+/// flat textures can be: a cube, a volume or a render texture keeps its location, which is noted.
+/// Unity: TextureParameter (URP 14).
+class TextureParameter : public detail::ValueParameter<TextureReference>
+{
+public:
+    using ValueParameter::ValueParameter;
+
+    TextureParameter(VolumeComponent* owner, std::string_view name, TextureReference value,
+                     std::optional<TextureDimension> textureDimension, bool overrideState = false,
+                     ParameterInfo info = {})
+        : ValueParameter(owner, name, std::move(value), overrideState, std::move(info)),
+          m_Dimension(textureDimension)
+    {
+    }
+
+    /// What an editor offers, nothing for any; blending does not look at it.
+    virtual std::optional<TextureDimension> dimension() const { return m_Dimension; }
+    /// Whether a file can hold such a texture.
+    virtual bool isLoadable() const
+    {
+        return dimension().value_or(TextureDimension::Tex2D) == TextureDimension::Tex2D;
+    }
+    std::string_view typeName() const override { return "Texture"; }
+
+private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
+
+    std::optional<TextureDimension> m_Dimension;
+};
+
+/// As TextureParameter, whose blending switches as well. Unity: NoInterpTextureParameter (URP 14).
+class NoInterpTextureParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::string_view typeName() const override { return "NoInterpTexture"; }
+};
+
+/// A flat texture. Unity: Texture2DParameter (URP 14).
+class Texture2DParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
+    std::string_view typeName() const override { return "Texture2D"; }
+};
+
+/// A volume texture. Unity: Texture3DParameter (URP 14).
+class Texture3DParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex3D; }
+    std::string_view typeName() const override { return "Texture3D"; }
+};
+
+/// A texture that is drawn into. Unity: RenderTextureParameter (URP 14).
+class RenderTextureParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
+    bool isLoadable() const override { return false; }
+    std::string_view typeName() const override { return "RenderTexture"; }
+};
+
+/// As RenderTextureParameter. Unity: NoInterpRenderTextureParameter (URP 14).
+class NoInterpRenderTextureParameter : public RenderTextureParameter
+{
+public:
+    using RenderTextureParameter::RenderTextureParameter;
+    std::string_view typeName() const override { return "NoInterpRenderTexture"; }
+};
+
+/// Six faces of a cube. Unity: CubemapParameter (URP 14).
+class CubemapParameter : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return TextureDimension::Cube; }
+    std::string_view typeName() const override { return "Cubemap"; }
+};
+
+/// As CubemapParameter. Unity: NoInterpCubemapParameter (URP 14).
+class NoInterpCubemapParameter : public CubemapParameter
+{
+public:
+    using CubemapParameter::CubemapParameter;
+    std::string_view typeName() const override { return "NoInterpCubemap"; }
+};
+
+class Material;
+
+using MaterialReference = AssetReference<Material>;
+
+/// A material; blending switches as soon as t > 0. In YAML, and loaded, as a TextureParameter.
+/// Unity: MaterialParameter (URP 14.0.12).
+class MaterialParameter : public detail::ValueParameter<MaterialReference>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "Material"; }
+
+private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
+};
+
+namespace detail
+{
+
+/// What all ObjectParameters do, whatever the type of their object.
+class ObjectParameterBase : public VolumeParameter
+{
+public:
+    /// Does nothing: always overridden, as in Unity. The object's parameters are or are not.
+    void SetOverrideState(bool) override {}
+    std::span<VolumeParameter* const> parameters() const override;
+
+    std::string ValueText() const override; ///< the overridden parameters
+    std::string UnityText() const override;
+    std::string_view typeName() const override { return "Object"; }
+
+protected:
+    ObjectParameterBase(VolumeComponent* owner, std::string_view name,
+                        std::unique_ptr<VolumeComponent> value, ParameterInfo info);
+
+    std::unique_ptr<VolumeComponent> m_Value;
+
+private:
+    virtual std::unique_ptr<VolumeComponent> Create() const = 0;
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) final;
+    void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) final;
+    void CopyValue(const VolumeParameter& other) final;
+    const ObjectParameterBase& Cast(const VolumeParameter& other) const;
+    void CopyParameters(const VolumeComponent& from);
+};
+
+} // namespace detail
+
+/// A group of parameters within a parameter. Blending copies the override states of `to` and blends
+/// the parameters overridden there; without an object in any of the three it does nothing. In YAML
+/// a map of the object's parameters; the ones named are overridden, no object is {}.
+///
+/// The object is a VolumeComponent, as that is what parameters register with, and it belongs to
+/// this parameter alone: copying a value copies the parameters, where Unity shares the object.
+/// Unity: ObjectParameter<T> (URP 14).
+template <std::derived_from<VolumeComponent> T>
+class ObjectParameter final : public detail::ObjectParameterBase
+{
+public:
+    using VolumeParameter::SetValue;
+
+    /// @param value  may be null
+    ObjectParameter(VolumeComponent* owner, std::string_view name, std::unique_ptr<T> value,
+                    ParameterInfo info = {})
+        : ObjectParameterBase(owner, name, std::move(value), std::move(info))
+    {
+    }
+
+    void SetValue(std::unique_ptr<T> value) { m_Value = std::move(value); }
+
+    T* value() { return static_cast<T*>(m_Value.get()); } ///< null if there is none
+    const T* value() const { return static_cast<const T*>(m_Value.get()); }
+
+private:
+    std::unique_ptr<VolumeComponent> Create() const override { return std::make_unique<T>(); }
+};
+
+} // namespace limn

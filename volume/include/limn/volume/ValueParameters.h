@@ -1,0 +1,273 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+#include <initializer_list>
+#include <limn/core/Color.h>
+#include <limn/core/LayerMask.h>
+#include <limn/volume/VolumeParameter.h>
+#include <type_traits>
+
+namespace limn::detail
+{
+
+/// What the parameters of one type of value share: how it is read and written. Blends as the base
+/// does: any t > 0 switches.
+template <typename T>
+class ValueParameter : public VolumeParameterT<T>
+{
+public:
+    ValueParameter(VolumeComponent* owner, std::string_view name, T value, ParameterInfo info = {})
+        : ValueParameter(owner, name, std::move(value), false, std::move(info))
+    {
+    }
+    ValueParameter(VolumeComponent* owner, std::string_view name, T value, bool overrideState,
+                   ParameterInfo info = {})
+        : VolumeParameterT<T>(owner, name, std::move(value), overrideState, std::move(info))
+    {
+    }
+
+    std::string ValueText() const override;
+    std::string UnityText() const override;
+
+protected:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext& context) override;
+};
+
+/// from (1 - t) + to t, per component; t is not clamped. Floats are blended in double: t = 1 gives
+/// exactly `to`, and no t between 0 and 1 anything beyond the two. Sealed, as Unity's are.
+template <typename T>
+class LerpParameter : public ValueParameter<T>
+{
+public:
+    using ValueParameter<T>::ValueParameter;
+    using ValueParameter<T>::Interp;
+
+    void Interp(const T& from, const T& to, float t) final;
+};
+
+/// @throws ContractError about the parameter `name` unless min <= max
+void CheckLimits(const std::string& name, double min, double max);
+
+} // namespace limn::detail
+
+namespace limn
+{
+
+/// On or off; blending switches as soon as t > 0. Unity: BoolParameter (URP 14).
+class BoolParameter : public detail::ValueParameter<bool>
+{
+public:
+    /// What an editor shows; blending and files do not look at it.
+    /// Unity: BoolParameter.DisplayType (URP 14).
+    enum class DisplayType
+    {
+        Checkbox = 0,
+        EnumPopup = 1
+    };
+
+    using ValueParameter::ValueParameter;
+
+    BoolParameter(VolumeComponent* owner, std::string_view name, bool value, DisplayType type,
+                  bool overrideState = false, ParameterInfo info = {})
+        : ValueParameter(owner, name, value, overrideState, std::move(info)), displayType(type)
+    {
+    }
+
+    const DisplayType displayType = DisplayType::Checkbox;
+
+    std::string_view typeName() const override { return "Bool"; }
+};
+
+namespace detail
+{
+
+/// What an editor offers for a colour; blending and files do not look at it.
+template <typename Base>
+class ColorHints : public Base
+{
+public:
+    using Base::Base;
+
+    ColorHints(VolumeComponent* owner, std::string_view name, const Color& value, bool hdrColor,
+               bool showAlphaChannel, bool showPicker, bool overrideState = false,
+               ParameterInfo info = {})
+        : Base(owner, name, value, overrideState, std::move(info)),
+          hdr(hdrColor),
+          showAlpha(showAlphaChannel),
+          showEyeDropper(showPicker)
+    {
+    }
+
+    const bool hdr = false;           ///< channels above 1 make sense
+    const bool showAlpha = true;      ///< alpha makes sense
+    const bool showEyeDropper = true; ///< may be picked from the screen
+};
+
+} // namespace detail
+
+/// A colour, blended linearly per channel, alpha too, in whatever space its values are in.
+/// Unity: ColorParameter (URP 14).
+class ColorParameter : public detail::ColorHints<detail::LerpParameter<Color>>
+{
+public:
+    using ColorHints::ColorHints;
+    std::string_view typeName() const override { return "Color"; }
+};
+
+/// A colour; blending switches as soon as t > 0. Unity: NoInterpColorParameter (URP 14).
+class NoInterpColorParameter : public detail::ColorHints<detail::ValueParameter<Color>>
+{
+public:
+    using ColorHints::ColorHints;
+    std::string_view typeName() const override { return "NoInterpColor"; }
+};
+
+/// Two numbers, each blended linearly. Unity: Vector2Parameter (URP 14).
+class Vector2Parameter : public detail::LerpParameter<glm::vec2>
+{
+public:
+    using LerpParameter::LerpParameter;
+    std::string_view typeName() const override { return "Vector2"; }
+};
+
+/// Switches as soon as t > 0. Unity: NoInterpVector2Parameter (URP 14).
+class NoInterpVector2Parameter : public detail::ValueParameter<glm::vec2>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "NoInterpVector2"; }
+};
+
+/// Three numbers, each blended linearly. Unity: Vector3Parameter (URP 14).
+class Vector3Parameter : public detail::LerpParameter<glm::vec3>
+{
+public:
+    using LerpParameter::LerpParameter;
+    std::string_view typeName() const override { return "Vector3"; }
+};
+
+/// Switches as soon as t > 0. Unity: NoInterpVector3Parameter (URP 14).
+class NoInterpVector3Parameter : public detail::ValueParameter<glm::vec3>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "NoInterpVector3"; }
+};
+
+/// Four numbers, each blended linearly. Unity: Vector4Parameter (URP 14).
+class Vector4Parameter : public detail::LerpParameter<glm::vec4>
+{
+public:
+    using LerpParameter::LerpParameter;
+    std::string_view typeName() const override { return "Vector4"; }
+};
+
+/// Switches as soon as t > 0. Unity: NoInterpVector4Parameter (URP 14).
+class NoInterpVector4Parameter : public detail::ValueParameter<glm::vec4>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "NoInterpVector4"; }
+};
+
+/// A set of layers; blending switches as soon as t > 0. In YAML: the bits as one number, "Nothing",
+/// "Everything", a list of indices or of Unity's built-in layers' names ("Default", "UI"), or
+/// {m_Bits: 5}. A profile does not know the names that a scene gives its layers.
+/// Unity: LayerMaskParameter (URP 14).
+class LayerMaskParameter : public detail::ValueParameter<LayerMask>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "LayerMask"; }
+};
+
+/// A set of rendering layers; blending switches as soon as t > 0. In YAML as a LayerMask, without
+/// names in the list. Unity: RenderingLayerMaskParameter (URP 17).
+class RenderingLayerMaskParameter : public detail::ValueParameter<RenderingLayerMask>
+{
+public:
+    using ValueParameter::ValueParameter;
+    std::string_view typeName() const override { return "RenderingLayerMask"; }
+};
+
+/// A value of an enum and what files call it.
+template <typename T>
+struct EnumName
+{
+    std::string name;
+    T value;
+};
+
+namespace detail
+{
+
+using EnumNames = std::vector<EnumName<std::int64_t>>;
+
+/// By name or by number; an error that lists the names for anything that is not among them.
+std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subject,
+                                     AssetDiagnostics& diagnostics, const EnumNames& names);
+/// The name of the value; the number itself if it has none.
+std::string EnumText(std::int64_t value, const EnumNames& names);
+
+} // namespace detail
+
+/// One of a list; blending switches as soon as t > 0. In YAML by name or by number; Unity writes
+/// the number.
+///
+///     EnumParameter<Mode> m_Mode{this, "m_Mode", Mode::Off, {{"Off", Mode::Off}, {"On",
+///     Mode::On}}};
+///
+/// Unity: EnumParameter<T> (URP 17).
+template <typename T>
+class EnumParameter : public VolumeParameterT<T>
+{
+    static_assert(std::is_enum_v<T>);
+
+public:
+    EnumParameter(VolumeComponent* owner, std::string_view name, T value,
+                  std::initializer_list<EnumName<T>> names, ParameterInfo info = {})
+        : EnumParameter(owner, name, value, names, false, std::move(info))
+    {
+    }
+    EnumParameter(VolumeComponent* owner, std::string_view name, T value,
+                  std::initializer_list<EnumName<T>> names, bool overrideState,
+                  ParameterInfo info = {})
+        : VolumeParameterT<T>(owner, name, value, overrideState, std::move(info))
+    {
+        for (const EnumName<T>& entry : names)
+        {
+            m_Names.push_back({entry.name, static_cast<std::int64_t>(entry.value)});
+        }
+    }
+
+    std::string ValueText() const override { return detail::EnumText(number(), m_Names); }
+    std::string UnityText() const override { return std::to_string(number()); }
+    std::string_view typeName() const override { return "Enum"; }
+    std::vector<std::string> valueNames() const override
+    {
+        std::vector<std::string> names;
+        for (const auto& entry : m_Names)
+        {
+            names.push_back(entry.name);
+        }
+        return names;
+    }
+
+private:
+    bool ReadNode(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+                  const ProfileContext&) override
+    {
+        const auto read = detail::ReadEnum(node, subject, diagnostics, m_Names);
+        this->m_Value = read ? static_cast<T>(*read) : this->m_Value;
+        return read.has_value();
+    }
+    std::int64_t number() const { return static_cast<std::int64_t>(this->m_Value); }
+
+    detail::EnumNames m_Names;
+};
+
+} // namespace limn
