@@ -38,12 +38,14 @@ protected:
 /// Shifts the picture by parts of a pixel.
 void Shift(StudyPicture& picture, double pixels)
 {
-    Camera& camera = picture.camera();
+    Camera& camera = picture.asset().camera;
     camera.projectionMatrix.reset();
-    const glm::dvec3 inClip(2.0 * pixels / picture.width(), 2.0 * pixels / picture.height(), 0.0);
-    camera.projectionMatrix = glm::translate(glm::dmat4(1.0), inClip) *
-                              camera.projectionMatrixFor(static_cast<float>(picture.width()) /
-                                                         static_cast<float>(picture.height()));
+    const glm::dvec3 inClip(2.0 * pixels / picture.asset().width,
+                            2.0 * pixels / picture.asset().height, 0.0);
+    camera.projectionMatrix =
+        glm::translate(glm::dmat4(1.0), inClip) *
+        camera.projectionMatrixFor(static_cast<float>(picture.asset().width) /
+                                   static_cast<float>(picture.asset().height));
 }
 
 TEST_F(StiffPicture, OfAPartThinnerThanAPixelIsFiniteAndWholeForStrokesWhereverItLies)
@@ -150,7 +152,7 @@ TEST_F(StiffPicture, OfACameraThatCrossesABlendInOneFrameIsThatOfOneSideOrTheOth
     StudyPicture picture(std::move(asset), Assets(), test::SharedDevice());
     const auto areaAt = [&](float x)
     {
-        picture.camera().volumeTrigger = glm::vec3(x, 0.0f, 0.0f);
+        picture.asset().camera.volumeTrigger = glm::vec3(x, 0.0f, 0.0f);
         const Image colors = picture.Colors();
         const BadValues bad = CountBadValues(colors);
         EXPECT_EQ(bad.notFinite + bad.outOfRange, 0);

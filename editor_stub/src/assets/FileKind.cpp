@@ -136,7 +136,7 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
 {
     const auto isWanted = [&kinds](FileKind kind)
     {
-        return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
+        return std::ranges::find(kinds, kind) != kinds.end();
     };
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored))

@@ -43,7 +43,7 @@ void RequireOwnFiles(std::span<const std::string> outputs,
         {
             return !other.empty() && isSameFile(output, other);
         };
-        const auto input = std::find_if(inputs.begin(), inputs.end(), isIt);
+        const auto input = std::ranges::find_if(inputs, isIt);
         if (input != inputs.end())
         {
             throw AssetError(outputs[i], {},
@@ -51,7 +51,7 @@ void RequireOwnFiles(std::span<const std::string> outputs,
                                  ", which is this file; give another name");
         }
         const auto rest = outputs.subspan(i + 1);
-        if (std::any_of(rest.begin(), rest.end(), isIt))
+        if (std::ranges::any_of(rest, isIt))
         {
             throw AssetError(outputs[i], {},
                              "is to be written twice; give each output a name of its own");

@@ -88,8 +88,8 @@ void References::ThrowIfErrors() const
             {
                 const bool isHere = failure.location == diagnostic.location;
                 // A file that is referred to twice has its errors listed once.
-                const bool isNew = isHere && std::find(all.begin(), all.end(),
-                                                       failure.errors.front()) == all.end();
+                const bool isNew =
+                    isHere && std::ranges::find(all, failure.errors.front()) == all.end();
                 if (isNew)
                 {
                     all.insert(all.end(), failure.errors.begin(), failure.errors.end());

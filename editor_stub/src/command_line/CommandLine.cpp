@@ -2,17 +2,7 @@
 
 #include "command_line/FlagTable.h"
 #include "command_line/Values.h"
-#include "commands/DoctorCommand.h"
-#include "commands/ExplainCommand.h"
-#include "commands/InspectCommand.h"
-#include "commands/NewCommand.h"
-#include "commands/PortCommand.h"
-#include "commands/RenderCommand.h"
-#include "commands/ReportCommand.h"
-#include "commands/SchemaCommand.h"
-#include "commands/SetCommand.h"
-#include "commands/ShaderCommand.h"
-#include "commands/WatchCommand.h"
+#include "commands/Commands.h"
 
 #include <cstdlib>
 #include <filesystem>
@@ -195,7 +185,7 @@ Verb ExplainVerb(ExplainOptions& options)
     return {"explain",
             "Say what a scene draws and why: counts and what is odd; -v says all",
             [&options](Console& console) { return RunExplain(options, console); },
-            {Argument("SCENE", "A scene file, *.scene.yaml", Into(options.scene)),
+            {Argument("SCENE", "A scene file, *.scene.yaml", Into(options.rendering.scene)),
              {"object", "NAME", "Only objects of this name and what hangs below them",
               Into(options.object)},
              {"pixel", "X,Y",
@@ -207,12 +197,12 @@ Verb ExplainVerb(ExplainOptions& options)
               "Write the frame as a picture: its passes, the textures between them, what is left "
               "out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot",
               Into(options.graph, CheckGraph)},
-             ProfileFlag(options.profile),
-             SetFlag(options.overrides),
-             DeviceFlag(options.device),
-             PluginFlag(options.plugins),
-             PackageFlag(options.packages),
-             RootFlag(options.roots)},
+             ProfileFlag(options.rendering.profile),
+             SetFlag(options.rendering.overrides),
+             DeviceFlag(options.rendering.device),
+             PluginFlag(options.rendering.plugins),
+             PackageFlag(options.rendering.packages),
+             RootFlag(options.rendering.roots)},
             {{"object", "pixel"}, {"pixel", "graph"}}};
 }
 

@@ -1,10 +1,51 @@
 #include "command_line/FlagTable.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 
 namespace limn
 {
+
+namespace
+{
+
+using Rows = std::vector<std::pair<std::string, std::string>>;
+
+constexpr const char* k_ExitCodes =
+    "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
+    "wrong usage, 3 the machine lacks something, 70 a bug in limn.";
+
+/// Two columns. What is too long for the left one has a line of its own.
+std::string TableText(const std::string& title, const Rows& rows, std::size_t width)
+{
+    const std::size_t indent = width < 70 ? 8 : 28;
+    std::string text = rows.empty() ? "" : "\n" + title + ":\n";
+    for (const auto& [left, right] : rows)
+    {
+        const std::size_t end = 2 + left.size();
+        const bool fits = width >= 70 && end + 2 <= indent;
+        text += "  " + left + (fits ? "" : "\n") + std::string(fits ? indent - end : indent, ' ') +
+                Wrapped(right, indent, indent, width);
+    }
+    return text;
+}
+
+Rows RowsOf(const Verb& verb, bool areArguments)
+{
+    Rows rows;
+    for (const Flag& flag : verb.flags)
+    {
+        if (flag.isArgument() == areArguments)
+        {
+            rows.emplace_back(flag.FullText(), flag.help);
+        }
+    }
+    return rows;
+}
+
+} // namespace
 
 std::string Flag::Words() const
 {
@@ -44,12 +85,7 @@ const Verb* FlagTable::Find(const std::string& verb) const
 
 std::string FlagTable::VerbNames() const
 {
-    std::string names;
-    for (const Verb& verb : verbs)
-    {
-        names += (names.empty() ? "" : " ") + verb.name;
-    }
-    return names;
+    return Joined(verbs, " ", &Verb::name);
 }
 
 std::vector<const Flag*> FlagTable::FlagsOf(const Verb& verb) const
@@ -68,23 +104,43 @@ std::vector<const Flag*> FlagTable::FlagsOf(const Verb& verb) const
     return flags;
 }
 
-std::vector<std::string> SplitText(const std::string& text, char separator)
-{
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
-    {
-        end = text.find(separator, begin);
-        parts.push_back(text.substr(begin, end - begin));
-    }
-    return parts;
-}
-
 std::string CheckWord(const std::string& kind, const std::string& word, const std::string& known)
 {
     const std::vector<std::string> words = SplitText(known, ' ');
     return std::ranges::count(words, word) > 0
                ? ""
                : "unknown " + kind + " " + UnknownName(word, {words.begin(), words.end()});
+}
+
+std::string UsageText(const FlagTable& table, const Verb& verb)
+{
+    std::string text = &verb == &table.limn ? "limn VERB" : "limn " + verb.name;
+    for (const Flag& flag : verb.flags)
+    {
+        const std::string place = flag.isArgument() ? flag.FullText() : flag.ShortText();
+        text += flag.isRequired() ? " " + place : flag.isArgument() ? " [" + place + "]" : "";
+    }
+    return text + " [OPTIONS]";
+}
+
+std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width)
+{
+    const std::string text = Wrapped(verb.help, 0, 0, width) + "\n" +
+                             Wrapped("usage: " + UsageText(table, verb), 0, 8, width) +
+                             TableText("arguments", RowsOf(verb, true), width);
+    const std::string options = TableText("options", RowsOf(verb, false), width);
+    if (&verb != &table.limn)
+    {
+        return text + options +
+               TableText("options of every verb", RowsOf(table.limn, false), width);
+    }
+    Rows verbs;
+    for (const Verb& each : table.verbs)
+    {
+        verbs.emplace_back(each.name, each.help);
+    }
+    return text + TableText("verbs", verbs, width) + options + "\n" +
+           Wrapped(k_ExitCodes, 0, 0, width);
 }
 
 } // namespace limn

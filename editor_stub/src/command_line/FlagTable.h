@@ -93,9 +93,6 @@ std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width
 /// @param shell  "bash", "zsh" or "fish"
 std::string CompletionScript(const FlagTable& table, const std::string& shell);
 
-/// The texts between the separators, as many as there are of these and one more.
-std::vector<std::string> SplitText(const std::string& text, char separator);
-
 /// "unknown verb 'rendr'; did you mean 'render'?"; "" if the word is one of the known ones.
 /// @param known  "render watch"
 std::string CheckWord(const std::string& kind, const std::string& word, const std::string& known);

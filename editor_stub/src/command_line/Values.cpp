@@ -1,16 +1,15 @@
 #include "command_line/Values.h"
 
 #include "command_line/FlagTable.h"
-#include "explain/FrameGraph.h"
+#include "console/Texts.h"
+#include "explain/ExplainedFrame.h"
 #include "settings/Keys.h"
 
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limn/base/Case.h>
 #include <limn/shaderlab/FindPackages.h>
 #include <limn/volume/ProfileEdit.h>
-#include <optional>
 
 namespace limn
 {
@@ -23,22 +22,12 @@ std::string Unless(bool isGood, const std::string& text, const std::string& prob
     return isGood ? "" : "'" + text + "' " + problem;
 }
 
-/// Returns the number that is all of the text, or else `otherwise`.
-template <typename Number>
-Number ParseNumber(std::string_view text, Number otherwise)
-{
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && rest == end ? number : otherwise;
-}
-
 /// Reads the numbers on both sides of a separator; 0 for one that is none.
 void ParsePair(const std::string& text, char separator, int& first, int& second)
 {
     const std::vector<std::string> parts = SplitText(text, separator);
-    first = parts.size() == 2 ? ParseNumber(parts[0], 0) : 0;
-    second = parts.size() == 2 ? ParseNumber(parts[1], 0) : 0;
+    first = parts.size() == 2 ? ParseWhole<int>(parts[0]).value_or(0) : 0;
+    second = parts.size() == 2 ? ParseWhole<int>(parts[1]).value_or(0) : 0;
 }
 
 } // namespace
@@ -47,7 +36,7 @@ StoreValue IntoNumber(int& number, int most)
 {
     return [&number, most](const std::string& text)
     {
-        number = ParseNumber(text, 0);
+        number = ParseWhole<int>(text).value_or(0);
         return Unless(number >= 1 && number <= most, text,
                       "is no number from 1 to " + std::to_string(most));
     };
@@ -69,7 +58,7 @@ StoreValue IntoTime(double& seconds)
 {
     return [&seconds](const std::string& text)
     {
-        seconds = ParseNumber(text, std::nan(""));
+        seconds = ParseWhole<double>(text).value_or(std::nan(""));
         const bool isShort = std::abs(seconds) <= 1e38; // shaders get up to three times the time
         return std::isnan(seconds)
                    ? Unless(false, text, "is no time; seconds are expected: 1.5")
@@ -82,7 +71,7 @@ StoreValue IntoBudget(double& milliseconds)
 {
     return [&milliseconds](const std::string& text)
     {
-        milliseconds = ParseNumber(text, 0.0);
+        milliseconds = ParseWhole<double>(text).value_or(0.0);
         return Unless(milliseconds > 0.0 && std::isfinite(milliseconds), text,
                       "is no time; milliseconds above 0 are expected: 2.5");
     };

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace limn
@@ -16,25 +17,24 @@ using StoreValue = std::function<std::string(const std::string&)>;
 /// Returns what is wrong with a text, or "" if nothing is.
 using CheckText = std::string (*)(const std::string& text);
 
-inline void Keep(bool& isGiven, const std::string&)
-{
-    isGiven = true;
-}
-inline void Keep(std::string& kept, const std::string& text)
-{
-    kept = text;
-}
-inline void Keep(std::vector<std::string>& kept, const std::string& text)
-{
-    kept.push_back(text);
-}
-
+/// Keeps the text, or that there is one, or all of several.
 template <typename Kept>
 StoreValue Into(Kept& kept, CheckText check = nullptr)
 {
     return [&kept, check](const std::string& text)
     {
-        Keep(kept, text);
+        if constexpr (std::is_same_v<Kept, std::vector<std::string>>)
+        {
+            kept.push_back(text);
+        }
+        else if constexpr (std::is_same_v<Kept, bool>)
+        {
+            kept = true;
+        }
+        else
+        {
+            kept = text;
+        }
         return check ? check(text) : std::string();
     };
 }

@@ -1,4 +1,4 @@
-#include "commands/DoctorCommand.h"
+#include "commands/Commands.h"
 
 #include "console/CacheFolder.h"
 

@@ -1,11 +1,11 @@
-#include "commands/ExplainCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
 #include "console/Json.h"
-#include "explain/ExplanationText.h"
-#include "explain/FrameGraph.h"
-#include "explain/pixel/PixelReport.h"
+#include "explain/ExplainedFrame.h"
+#include "explain/Explanation.h"
+#include "explain/pixel/PixelHistory.h"
 #include "selection/SceneSelection.h"
 #include "view/SceneView.h"
 
@@ -21,85 +21,70 @@ namespace limn
 namespace
 {
 
-Json ToJson(const VolumeTrace& trace)
+Json TraceStepJson(const VolumeTraceStep& step)
 {
-    Json all = Json::array();
-    for (const VolumeParameterTrace& parameter : trace.parameters)
-    {
-        Json steps = Json::array();
-        for (const VolumeTraceStep& step : parameter.steps)
-        {
-            steps.push_back({{"volume", step.volume},
-                             {"factor", step.factor},
-                             {"weight", step.weight},
-                             {"distance", step.distance ? Json(*step.distance) : Json()},
-                             {"target", step.targetText},
-                             {"value", step.valueText}});
-        }
-        all.push_back({{"component", parameter.component},
-                       {"parameter", parameter.parameter},
-                       {"default", parameter.startText},
-                       {"value", parameter.valueText()},
-                       {"steps", steps}});
-    }
-    return all;
+    return {
+        {"volume", step.volume},     {"factor", step.factor},
+        {"weight", step.weight},     {"distance", step.distance ? Json(*step.distance) : Json()},
+        {"target", step.targetText}, {"value", step.valueText}};
 }
 
-Json ToJson(const std::vector<ExplainedObject>& objects)
+Json TracedValueJson(const VolumeParameterTrace& parameter)
 {
-    Json all = Json::array();
-    for (const ExplainedObject& object : objects)
-    {
-        Json draws = Json::array();
-        for (const ExplainedDraw& draw : object.draws)
-        {
-            const bool isTaken = draw.verdict == FilterVerdict::Drawn;
-            draws.push_back({{"pass", draw.pass},
-                             {"material", draw.material},
-                             {"drawn", draw.isDrawn()},
-                             {"rule", draw.isDrawn() ? Json()
-                                      : isTaken      ? Json(draw.obstacle)
-                                                     : Json(ToString(draw.verdict))}});
-        }
-        all.push_back({{"name", object.name},
-                       {"absence", object.absence.empty() ? Json() : Json(object.absence)},
-                       {"draws", draws}});
-    }
-    return all;
+    return {{"component", parameter.component},
+            {"parameter", parameter.parameter},
+            {"default", parameter.startText},
+            {"value", parameter.valueText()},
+            {"steps", JsonList(parameter.steps, TraceStepJson)}};
 }
 
-Json ToJson(const ExplainedFrame& frame, const std::vector<ExplainedBarrier>& barriers)
+Json ObjectDrawJson(const ExplainedDraw& draw)
 {
-    Json all = Json::array();
-    for (const ExplainedBarrier& barrier : barriers)
-    {
-        all.push_back({{"texture", frame.textures[barrier.texture].name},
-                       {"before", barrier.before},
-                       {"after", barrier.after}});
-    }
-    return all;
+    const bool isTaken = draw.verdict == FilterVerdict::Drawn;
+    return {{"pass", draw.pass},
+            {"material", draw.material},
+            {"drawn", draw.isDrawn()},
+            {"rule", draw.isDrawn() ? Json()
+                     : isTaken      ? Json(draw.obstacle)
+                                    : Json(ToString(draw.verdict))}};
 }
 
-Json ToJson(const ExplainedFrame& frame, const ExplainedPass& pass)
+Json ObjectJson(const ExplainedObject& object)
 {
-    Json targets = Json::array();
-    for (const ExplainedAttachment& target : pass.targets)
+    return {{"name", object.name},
+            {"absence", object.absence.empty() ? Json() : Json(object.absence)},
+            {"draws", JsonList(object.draws, ObjectDrawJson)}};
+}
+
+Json BarriersJson(const ExplainedFrame& frame, const std::vector<ExplainedBarrier>& barriers)
+{
+    return JsonList(barriers,
+                    [&](const ExplainedBarrier& barrier) -> Json
+                    {
+                        return {{"texture", frame.textures[barrier.texture].name},
+                                {"before", barrier.before},
+                                {"after", barrier.after}};
+                    });
+}
+
+Json DevicePassJson(const ExplainedFrame& frame, const ExplainedPass& pass)
+{
+    const auto target = [&](const ExplainedAttachment& attachment) -> Json
     {
-        targets.push_back({{"texture", frame.textures[target.texture].name},
-                           {"load", target.load},
-                           {"store", target.store}});
-    }
-    Json reads = Json::array();
-    for (const std::size_t texture : pass.reads)
+        return {{"texture", frame.textures[attachment.texture].name},
+                {"load", attachment.load},
+                {"store", attachment.store}};
+    };
+    const auto nameOf = [&](std::size_t texture)
     {
-        reads.push_back(frame.textures[texture].name);
-    }
+        return frame.textures[texture].name;
+    };
     Json json = {{"name", pass.name},
                  {"width", pass.width},
                  {"height", pass.height},
-                 {"targets", targets},
-                 {"samples", reads},
-                 {"barriers", ToJson(frame, pass.barriers)},
+                 {"targets", JsonList(pass.targets, target)},
+                 {"samples", JsonList(pass.reads, nameOf)},
+                 {"barriers", BarriersJson(frame, pass.barriers)},
                  {"drawsBeforeInstancing", pass.instances},
                  {"draws", pass.draws},
                  {"drawsInAPart", pass.limited}};
@@ -114,82 +99,60 @@ Json ToJson(const ExplainedFrame& frame, const ExplainedPass& pass)
     return json;
 }
 
-Json ToJson(const ExplainedFrame& frame)
+Json TextureJson(const ExplainedTexture& texture)
 {
-    Json passes = Json::array();
-    for (const ExplainedPass& pass : frame.passes)
-    {
-        passes.push_back(ToJson(frame, pass));
-    }
-    return {{"passes", passes}, {"finalBarriers", ToJson(frame, frame.finalBarriers)}};
+    return {{"name", texture.name},       {"size", texture.size},
+            {"format", texture.format},   {"samples", texture.samples},
+            {"bytes", texture.bytes},     {"firstPass", texture.first},
+            {"lastPass", texture.last},   {"drawnInto", texture.isDrawn},
+            {"output", texture.isOutput}, {"sharesMemoryWith", texture.sharedWith}};
 }
 
-Json ToJson(const std::vector<ExplainedTexture>& textures)
+Json VariantJson(const ExplainedVariant& variant)
 {
-    Json all = Json::array();
-    for (const ExplainedTexture& texture : textures)
-    {
-        all.push_back({{"name", texture.name},
-                       {"size", texture.size},
-                       {"format", texture.format},
-                       {"samples", texture.samples},
-                       {"bytes", texture.bytes},
-                       {"firstPass", texture.first},
-                       {"lastPass", texture.last},
-                       {"drawnInto", texture.isDrawn},
-                       {"output", texture.isOutput},
-                       {"sharesMemoryWith", texture.sharedWith}});
-    }
-    return all;
+    return {{"shader", variant.shader},
+            {"pass", variant.passIndex},
+            {"name", variant.passName},
+            {"keywords", variant.keywords},
+            {"fullScreen", variant.isFullScreen}};
+}
+
+Json IdleJson(const ExplainedIdle& idle)
+{
+    return {{"name", idle.name}, {"why", idle.why}};
 }
 
 Json ToJson(const Explanation& explanation)
 {
-    Json passes = Json::array();
-    for (const ExecutedPassReport& pass : explanation.report.passes)
-    {
-        passes.push_back(
-            {{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name.name()}});
-    }
-    Json variants = Json::array();
-    for (const ExplainedVariant& variant : explanation.variants)
-    {
-        variants.push_back({{"shader", variant.shader},
-                            {"pass", variant.passIndex},
-                            {"name", variant.passName},
-                            {"keywords", variant.keywords},
-                            {"fullScreen", variant.isFullScreen}});
-    }
-    Json leftOut = Json::array();
-    for (const LeftOut& item : explanation.frame.leftOut)
-    {
-        leftOut.push_back(
-            {{"pass", item.pass}, {"reason", item.reason}, {"targets", item.targets}});
-    }
-    Json idleVolumes = Json::array();
-    for (const ExplainedIdleVolume& volume : explanation.idleVolumes)
-    {
-        idleVolumes.push_back({{"name", volume.name}, {"why", volume.why}});
-    }
-    Json idleFeatures = Json::array();
-    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
-    {
-        idleFeatures.push_back({{"name", feature.name}, {"why", feature.why}});
-    }
     const ExplainedTrigger& trigger = explanation.trigger;
+    const ExplainedFrame& frame = explanation.frame;
+    const auto executed = [](const ExecutedPassReport& pass) -> Json
+    {
+        return {{"event", static_cast<int>(pass.renderPassEvent)}, {"name", pass.name.name()}};
+    };
+    const auto leftOut = [](const LeftOut& item) -> Json
+    {
+        return {{"pass", item.pass}, {"reason", item.reason}, {"targets", item.targets}};
+    };
+    const auto pass = [&](const ExplainedPass& one)
+    {
+        return DevicePassJson(frame, one);
+    };
     return {{"trigger",
              {{"position", {trigger.position.x, trigger.position.y, trigger.position.z}},
               {"volumeLayerMask", trigger.volumeLayerMask.bits}}},
-            {"volumes", ToJson(explanation.volumes)},
-            {"idleVolumes", idleVolumes},
-            {"passes", passes},
-            {"idleFeatures", idleFeatures},
-            {"leftOut", leftOut},
-            {"frame", ToJson(explanation.frame)},
-            {"textures", ToJson(explanation.frame.textures)},
-            {"variants", variants},
+            {"volumes", JsonList(explanation.volumes.parameters, TracedValueJson)},
+            {"idleVolumes", JsonList(explanation.idleVolumes, IdleJson)},
+            {"passes", JsonList(explanation.report.passes, executed)},
+            {"idleFeatures", JsonList(explanation.idleFeatures, IdleJson)},
+            {"leftOut", JsonList(frame.leftOut, leftOut)},
+            {"frame",
+             {{"passes", JsonList(frame.passes, pass)},
+              {"finalBarriers", BarriersJson(frame, frame.finalBarriers)}}},
+            {"textures", JsonList(frame.textures, TextureJson)},
+            {"variants", JsonList(explanation.variants, VariantJson)},
             {"variantsBuilt", explanation.builtVariants},
-            {"objects", ToJson(explanation.objects)},
+            {"objects", JsonList(explanation.objects, ObjectJson)},
             {"choices", explanation.report.choices},
             {"notes", explanation.report.notes}};
 }
@@ -206,36 +169,22 @@ void Select(Explanation& explanation, const ExplainOptions& options)
     const auto isOther = [&options](const ExplainedObject& object)
     {
         return object.name != options.object &&
-               std::find(object.parents.begin(), object.parents.end(), options.object) ==
-                   object.parents.end();
+               std::ranges::find(object.parents, options.object) == object.parents.end();
     };
     objects.erase(std::remove_if(objects.begin(), objects.end(), isOther), objects.end());
     if (objects.empty())
     {
-        throw AssetError(options.scene, {},
+        throw AssetError(options.rendering.scene, {},
                          "unknown object with a mesh " +
                              UnknownName(options.object, {roots.begin(), roots.end()}));
     }
 }
 
-RenderOptions RenderingOf(const ExplainOptions& options)
-{
-    RenderOptions rendering;
-    rendering.scene = options.scene;
-    rendering.profile = options.profile;
-    rendering.overrides = options.overrides;
-    rendering.packages = options.packages;
-    rendering.plugins = options.plugins;
-    rendering.roots = options.roots;
-    rendering.device = options.device;
-    return rendering;
-}
-
 int ExplainPixel(const ExplainOptions& options, Console& console)
 {
-    const RenderOptions rendering = RenderingOf(options);
+    const RenderOptions& rendering = options.rendering;
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(rendering, console);
-    VulkanDevice device({options.device, false, compilerOptions.cacheFolder});
+    VulkanDevice device({rendering.device, false, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();
     AssetContext assets(compilerOptions);
     SceneAsset asset = LoadForRendering(rendering, assets);
@@ -267,12 +216,12 @@ int ExplainPixel(const ExplainOptions& options, Console& console)
 
 int RunExplain(const ExplainOptions& options, Console& console)
 {
-    RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "explain");
+    RequireKind(options.rendering.scene, {FileKind::Scene, FileKind::UnityScene}, "explain");
     if (!options.pixel.empty())
     {
         return ExplainPixel(options, console);
     }
-    const RenderOptions rendering = RenderingOf(options);
+    const RenderOptions& rendering = options.rendering;
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);

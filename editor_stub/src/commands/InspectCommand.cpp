@@ -1,10 +1,8 @@
-#include "commands/InspectCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
-#include "explain/InspectProfileFile.h"
-#include "explain/InspectUnityAsset.h"
+#include "explain/InspectReport.h"
 
-#include <algorithm>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/editor_stub/UnityRendererData.h>
 

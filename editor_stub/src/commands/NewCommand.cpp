@@ -1,6 +1,7 @@
-#include "commands/NewCommand.h"
+#include "commands/Commands.h"
 
-#include "commands/FeatureFolder.h"
+#include "assets/FeatureFolder.h"
+#include "console/Texts.h"
 
 #include <algorithm>
 #include <limn/base/EmbeddedFile.h>
@@ -50,16 +51,6 @@ std::string NameProblem(const std::string& name)
     return isTaken ? "limn has a feature of the name '" + name + "'; take another" : "";
 }
 
-std::string Named(std::string text, std::string_view placeholder, const std::string& name)
-{
-    for (std::size_t at = text.find(placeholder); at != std::string::npos;
-         at = text.find(placeholder, at + name.size()))
-    {
-        text.replace(at, placeholder.size(), name);
-    }
-    return text;
-}
-
 /// The template's files by their names: those of the style, and those that all styles have.
 std::map<std::string_view, std::string_view> FilesOf(const std::string& style)
 {
@@ -100,7 +91,7 @@ int RunNew(const NewOptions& options, Console& console)
     for (const auto& [file, text] : FilesOf(options.style))
     {
         files.push_back(
-            {FileName(file, options.name), Named(std::string(text), "@NAME@", options.name)});
+            {FileName(file, options.name), Replaced(std::string(text), "@NAME@", options.name)});
     }
     WriteFeatureFolder(options.folder, files, console);
     return static_cast<int>(ExitCode::Done);

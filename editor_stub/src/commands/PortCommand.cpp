@@ -1,20 +1,83 @@
-#include "commands/PortCommand.h"
+#include "commands/Commands.h"
 
+#include "assets/FeatureFolder.h"
 #include "assets/FileKind.h"
-#include "commands/FeatureFolder.h"
 #include "port/PortFolder.h"
-#include "port/ReadCSharp.h"
 
+#include <algorithm>
 #include <array>
 #include <limn/base/ReadFile.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <set>
+#include <utility>
 
 namespace limn
 {
 
 namespace
 {
+
+/// The classes of C# and the Unity that its conditions were answered for.
+struct ReadCSharpFiles
+{
+    CSharpFiles files;
+    CSharpTarget target;
+};
+
+CSharpFiles ReadFor(const std::vector<std::pair<std::string, std::string>>& texts,
+                    const CSharpTarget& target)
+{
+    CSharpFiles files;
+    for (const auto& [path, text] : texts)
+    {
+        auto file = std::make_unique<CSharpFile>();
+        file->path = path;
+        file->text = text;
+        ParseCSharp(*file, target);
+        files.push_back(std::move(file));
+    }
+    return files;
+}
+
+bool HasFeature(const CSharpFiles& files)
+{
+    return std::ranges::any_of(files,
+                               [](const std::unique_ptr<CSharpFile>& file)
+                               {
+                                   return std::ranges::any_of(
+                                       file->classes, [](const CSharpClass& one)
+                                       { return one.Derives("ScriptableRendererFeature"); });
+                               });
+}
+
+bool HasConditions(const CSharpFiles& files)
+{
+    return std::ranges::any_of(files,
+                               [](const auto& file) { return !file->tokens.conditions.empty(); });
+}
+
+/// Reads C# for Unity 2022.3, whose URP 14 limn mirrors. Where no render feature is left by the
+/// conditions of that version, for Unity 6, and then with all symbols of a project defined.
+/// @param texts  path and text of each file
+/// @throws AssetError if one is no C#
+ReadCSharpFiles ReadCSharp(const std::vector<std::pair<std::string, std::string>>& texts)
+{
+    ReadCSharpFiles first{ReadFor(texts, {}), {}};
+    if (HasFeature(first.files) || !HasConditions(first.files))
+    {
+        return first;
+    }
+    for (const CSharpTarget& target :
+         {CSharpTarget{6000, 0, false}, CSharpTarget{2022, 3, true}, CSharpTarget{6000, 0, true}})
+    {
+        ReadCSharpFiles read{ReadFor(texts, target), target};
+        if (HasFeature(read.files))
+        {
+            return read;
+        }
+    }
+    return first;
+}
 
 /// "12 the same, 3 differ, 1 unknown"
 std::string Counts(const std::vector<UsedMember>& uses)
@@ -80,12 +143,7 @@ int RunPort(const PortOptions& options, Console& console)
     }
     const ReadCSharpFiles read = ReadCSharp(texts);
     const PortFolder port = PortFeature(read.files, UnityPortingTable());
-    std::vector<NewFile> files;
-    for (const PortedFile& file : port.files)
-    {
-        files.push_back({file.name, file.text});
-    }
-    WriteFeatureFolder(options.folder, files, console);
+    WriteFeatureFolder(options.folder, port.files, console);
     for (const UsedMember& use : port.uses)
     {
         if (!use.entry)

@@ -1,4 +1,4 @@
-#include "commands/RenderCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"

@@ -1,6 +1,7 @@
-#include "commands/ReportCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
+#include "console/Texts.h"
 #include "report/StudyPlan.h"
 #include "report/extremes/Stability.h"
 #include "report/figures/Numbers.h"
@@ -12,7 +13,6 @@
 #include "view/SceneView.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <fstream>
 #include <iomanip>
@@ -132,19 +132,15 @@ std::string WhatIsMeasured(const std::vector<CellId>& unit)
 class StudyRun
 {
 public:
-    StudyRun(StudyFolder& folder, Study& study, StudyBench& bench, StabilityStudy& stability,
-             const StudyOptions& options)
-        : m_Folder(folder),
-          m_Study(study),
-          m_Bench(bench),
-          m_Stability(stability),
-          m_Options(options)
-    {
-    }
+    StudyFolder& folder;
+    Study& study;
+    StudyBench& bench;
+    StabilityStudy& stability;
+    const StudyOptions& options;
 
     void Run(int shard, int shards, Console& console)
     {
-        const std::vector<std::vector<CellId>> units = UnitsOf(m_Study.planned);
+        const std::vector<std::vector<CellId>> units = UnitsOf(study.planned);
         std::vector<std::vector<CellId>> mine;
         for (std::size_t i = 0; i < units.size(); ++i)
         {
@@ -164,7 +160,7 @@ public:
             Measure(unit, left, console);
         }
         console.Progress("");
-        m_Folder.Update();
+        folder.Update();
     }
 
 private:
@@ -173,7 +169,7 @@ private:
     {
         const CellId& id = unit.front();
         const double pixels = static_cast<double>(id.pictureWidth) * id.pictureHeight;
-        const double frames = id.kind == CellKind::Cost       ? m_Options.RoundsOf(id) + 4.0
+        const double frames = id.kind == CellKind::Cost       ? options.RoundsOf(id) + 4.0
                               : id.kind == CellKind::Temporal ? 40.0
                                                               : 6.0;
         return (pixels + 50000.0) * frames * static_cast<double>(unit.size());
@@ -184,7 +180,7 @@ private:
         std::vector<CellId> missing;
         for (const CellId& id : unit)
         {
-            if (!m_Folder.Has(id))
+            if (!folder.Has(id))
             {
                 missing.push_back(id);
             }
@@ -197,28 +193,20 @@ private:
         console.Progress(left.Line(WhatIsMeasured(missing)));
         if (missing.front().kind == CellKind::Cost)
         {
-            m_Study.copyBandwidth = m_Bench.copyBandwidth();
-            for (CellResult& cell :
-                 m_Bench.MeasureCosts(missing, m_Options.RoundsOf(missing.front())))
+            study.copyBandwidth = bench.copyBandwidth();
+            for (CellResult& cell : bench.MeasureCosts(missing, options.RoundsOf(missing.front())))
             {
-                m_Folder.Add(std::move(cell));
+                folder.Add(std::move(cell));
             }
-            m_Study.loadAverage = std::max(m_Study.loadAverage, LoadAverage());
+            study.loadAverage = std::max(study.loadAverage, LoadAverage());
         }
         else
         {
             const CellId& id = missing.front();
-            m_Folder.Add(id.kind == CellKind::Stability ? m_Stability.Measure(id)
-                                                        : m_Bench.Measure(id));
+            folder.Add(id.kind == CellKind::Stability ? stability.Measure(id) : bench.Measure(id));
         }
         left.Add(WorkOf(unit));
     }
-
-    StudyFolder& m_Folder;
-    Study& m_Study;
-    StudyBench& m_Bench;
-    StabilityStudy& m_Stability;
-    const StudyOptions& m_Options;
 };
 
 void PrintReport(const ReportFiles& report, Console& console)
@@ -346,8 +334,8 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     StudyFolder folder(options.output, study);
     StudyBench bench(render.scene, options.output, assets, device);
     StabilityStudy stability(assets, device);
-    StudyRun(folder, study, bench, stability, studyOptions)
-        .Run(options.shard, options.shards, console);
+    StudyRun{folder, study, bench, stability, studyOptions}.Run(options.shard, options.shards,
+                                                                console);
     if (options.shards > 1)
     {
         console.Result(options.output);

@@ -1,4 +1,4 @@
-#include "commands/SchemaCommand.h"
+#include "commands/Commands.h"
 
 #include "plugins/LoadPlugin.h"
 #include "schema/Schemas.h"

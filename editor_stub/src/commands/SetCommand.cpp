@@ -1,4 +1,4 @@
-#include "commands/SetCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
 #include "scene/SettingsEdit.h"

@@ -1,12 +1,10 @@
-#include "commands/ShaderCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
 #include "console/CacheFolder.h"
 #include "shaders/ShaderDescription.h"
 #include "shaders/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
-#include "shaders/ShaderSummary.h"
-#include "shaders/UnknownKeywords.h"
 
 #include <algorithm>
 #include <atomic>
@@ -20,6 +18,7 @@
 #include <limn/shaderlab/ShaderLabParser.h>
 #include <map>
 #include <mutex>
+#include <set>
 #include <thread>
 
 namespace limn
@@ -27,6 +26,46 @@ namespace limn
 
 namespace
 {
+
+/// Without those that hide behind an #include_with_pragmas.
+std::set<std::string> DeclaredKeywords(const std::vector<ShaderCheck>& checks)
+{
+    std::set<std::string> declared;
+    for (const ShaderCheck& check : checks)
+    {
+        for (const CheckedSubShader& subShader : check.subShaders)
+        {
+            for (const CheckedPass& pass : subShader.passes)
+            {
+                const std::vector<KeywordSet> none;
+                for (const KeywordSet& set :
+                     pass.pass->program ? pass.pass->program->keywordSets : none)
+                {
+                    declared.insert(set.keywords.begin(), set.keywords.end());
+                }
+                declared.insert(pass.keywords.begin(), pass.keywords.end());
+            }
+        }
+    }
+    declared.erase("");
+    return declared;
+}
+
+/// Warns of keywords that no pass of the shaders declares, with those that there are.
+void PrintUnknownKeywords(const std::vector<ShaderCheck>& checks,
+                          const std::vector<std::string>& keywords, Console& console)
+{
+    const std::set<std::string> declared =
+        keywords.empty() ? std::set<std::string>() : DeclaredKeywords(checks);
+    for (const std::string& keyword : keywords)
+    {
+        if (declared.count(keyword) == 0)
+        {
+            console.Warning("--keywords: no pass declares the keyword " +
+                            UnknownName(keyword, {declared.begin(), declared.end()}));
+        }
+    }
+}
 
 /// False for what cannot be looked at as well: who reads it says why.
 bool isFolder(const std::filesystem::path& path)
@@ -63,7 +102,7 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
     {
         std::filesystem::path folder(path);
         folder = isFolder(folder) ? folder : FolderOfShaders(folder);
-        if (isFolder(folder) && std::find(folders.begin(), folders.end(), folder) == folders.end())
+        if (isFolder(folder) && std::ranges::find(folders, folder) == folders.end())
         {
             folders.push_back(std::move(folder));
         }

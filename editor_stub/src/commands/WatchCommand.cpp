@@ -1,4 +1,4 @@
-#include "commands/WatchCommand.h"
+#include "commands/Commands.h"
 
 #include "assets/FileKind.h"
 #include "view/ChangeBatch.h"

@@ -1,7 +1,6 @@
 #include "console/Console.h"
 
-#include <fstream>
-#include <iostream>
+#include <array>
 #include <iterator>
 #include <limn/base/ReadFile.h>
 #include <limn/base/TerminalText.h>
@@ -15,35 +14,19 @@ namespace
 
 constexpr std::string_view k_ClearLine = "\r\033[K";
 
-const char* Name(Severity severity)
-{
-    switch (severity)
-    {
-    case Severity::Error:
-        return "error";
-    case Severity::Warning:
-        return "warning";
-    case Severity::Note:
-        break;
-    }
-    return "note";
-}
-
 const char* ColorCode(Severity severity)
 {
-    switch (severity)
-    {
-    case Severity::Error:
-        return "\033[31m";
-    case Severity::Warning:
-        return "\033[33m";
-    case Severity::Note:
-        break;
-    }
-    return "\033[36m";
+    constexpr std::array k_Codes{"\033[31m", "\033[33m", "\033[36m"};
+    return k_Codes.at(static_cast<std::size_t>(severity));
 }
 
 } // namespace
+
+const char* SeverityName(Severity severity)
+{
+    constexpr std::array k_Names{"error", "warning", "note"};
+    return k_Names.at(static_cast<std::size_t>(severity));
+}
 
 Console::Console(std::ostream& out, std::ostream& err) : m_Out(out), m_Err(err)
 {
@@ -89,12 +72,12 @@ void Console::Print(const Diagnostic& diagnostic, std::string text)
     {
         return;
     }
-    const std::string word = std::string(": ") + Name(diagnostic.severity) + ": ";
+    const std::string word = std::string(": ") + SeverityName(diagnostic.severity) + ": ";
     const std::size_t at = text.find(word);
     if (at != std::string::npos)
     {
         text.replace(at + 2, word.size() - 4,
-                     Colored(diagnostic.severity, Name(diagnostic.severity)));
+                     Colored(diagnostic.severity, SeverityName(diagnostic.severity)));
     }
     Write(text);
 }
@@ -159,7 +142,7 @@ void Console::Say(Severity severity, std::string_view text)
 {
     if (isShown(severity))
     {
-        Write(Colored(severity, Name(severity)) + ": " + std::string(text));
+        Write(Colored(severity, SeverityName(severity)) + ": " + std::string(text));
     }
 }
 

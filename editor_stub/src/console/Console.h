@@ -19,6 +19,9 @@ struct ConsoleOptions
     bool isVerbose = false;
 };
 
+/// Returns "error", "warning" or "note".
+const char* SeverityName(Severity severity);
+
 /// Where a verb prints: results to `out`, all else to `err`. The members write nothing that would
 /// command a terminal but their own colours.
 class Console

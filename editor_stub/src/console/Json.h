@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limn/base/TerminalText.h>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,18 @@ using Json = nlohmann::ordered_json;
 inline std::string JsonText(const Json& json)
 {
     return SeveralLines(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
+}
+
+/// The list of what `toJson` makes of each item.
+template <typename Items, typename Make>
+Json JsonList(const Items& items, const Make& toJson)
+{
+    Json list = Json::array();
+    for (const auto& item : items)
+    {
+        list.push_back(std::invoke(toJson, item));
+    }
+    return list;
 }
 
 } // namespace limn

@@ -63,8 +63,8 @@ public:
         }
         ExplainShared(frame.placed);
         m_Result.leftOut = frame.leftOut;
-        std::stable_sort(m_Result.leftOut.begin(), m_Result.leftOut.end(),
-                         [](const LeftOut& a, const LeftOut& b) { return a.place < b.place; });
+        std::ranges::stable_sort(m_Result.leftOut, [](const LeftOut& a, const LeftOut& b)
+                                 { return a.place < b.place; });
         return std::move(m_Result);
     }
 
@@ -159,7 +159,7 @@ private:
         for (const TextureSlot& slot : bindings.textures)
         {
             const std::size_t texture = Use(*slot.texture, m_Result.passes.size());
-            if (std::find(result.reads.begin(), result.reads.end(), texture) == result.reads.end())
+            if (std::ranges::find(result.reads, texture) == result.reads.end())
             {
                 result.reads.push_back(texture);
             }
@@ -186,7 +186,7 @@ private:
 
     std::size_t IndexOf(const Texture& texture)
     {
-        const auto found = std::find(m_Ids.begin(), m_Ids.end(), texture.id());
+        const auto found = std::ranges::find(m_Ids, texture.id());
         if (found != m_Ids.end())
         {
             return static_cast<std::size_t>(found - m_Ids.begin());

@@ -33,9 +33,9 @@ VolumeTrace TraceVolumes(const SceneAsset& asset, const AssetContext& assets)
     return manager.Trace(TriggerOf(asset.camera).position, asset.camera.volumeLayerMask);
 }
 
-std::vector<ExplainedIdleVolume> FindIdleVolumes(const SceneAsset& asset)
+std::vector<ExplainedIdle> FindIdleVolumes(const SceneAsset& asset)
 {
-    std::vector<ExplainedIdleVolume> idle;
+    std::vector<ExplainedIdle> idle;
     for (const Volume& volume : asset.volumes)
     {
         const std::string why =
@@ -55,9 +55,8 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
     {
         return object.activeSelf ? "its renderer is disabled" : "inactive";
     }
-    const bool hasMaterial = std::any_of(object.renderer->sharedMaterials.begin(),
-                                         object.renderer->sharedMaterials.end(),
-                                         [](const auto& material) { return material != nullptr; });
+    const bool hasMaterial = std::ranges::any_of(
+        object.renderer->sharedMaterials, [](const auto& material) { return material != nullptr; });
     if (!object.renderer->mesh || !hasMaterial)
     {
         return object.renderer->mesh ? "no material" : "no mesh";
@@ -125,9 +124,9 @@ std::string WhyIdle(const RenderReport& report, const FeatureReport& feature)
     return why;
 }
 
-std::vector<ExplainedIdleFeature> FindIdleFeatures(const RenderReport& report)
+std::vector<ExplainedIdle> FindIdleFeatures(const RenderReport& report)
 {
-    std::vector<ExplainedIdleFeature> idle;
+    std::vector<ExplainedIdle> idle;
     for (const FeatureReport& feature : report.features)
     {
         if (feature.passes == 0)
@@ -195,6 +194,14 @@ std::vector<ExplainedVariant> VariantsOf(const CompiledFrame& frame)
 
 } // namespace
 
+std::vector<const GameObject*> ObjectsOf(const Scene& scene)
+{
+    std::vector<const GameObject*> objects;
+    std::ranges::transform(scene.objects(), std::back_inserter(objects),
+                           [](const auto& object) { return object.get(); });
+    return objects;
+}
+
 std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
                                             const CullingResults& culled,
                                             const RenderReport& report, const Camera& camera)
@@ -232,11 +239,7 @@ Explanation Explain(SceneAsset asset, const AssetContext& assets)
     const Camera camera = asset.camera;
     const float aspect = static_cast<float>(asset.width) / static_cast<float>(asset.height);
     const CullingResults culled = Cull(asset.scene, camera, aspect);
-    std::vector<const GameObject*> objects; // stay where they are when the scene is moved
-    for (const auto& object : asset.scene.objects())
-    {
-        objects.push_back(object.get());
-    }
+    const std::vector<const GameObject*> objects = ObjectsOf(asset.scene);
 
     RecordingDevice device;
     UniversalRenderPipeline pipeline(device);

@@ -20,13 +20,6 @@ struct ExplainedDraw
     bool isDrawn() const { return verdict == FilterVerdict::Drawn && obstacle.empty(); }
 };
 
-/// A renderer feature that draws nothing, and what it says of that.
-struct ExplainedIdleFeature
-{
-    std::string name;
-    std::string why; ///< "" where it says nothing
-};
-
 /// What became of an object with a renderer.
 struct ExplainedObject
 {
@@ -36,11 +29,11 @@ struct ExplainedObject
     std::vector<ExplainedDraw> draws;
 };
 
-/// A volume that changes nothing for the camera.
-struct ExplainedIdleVolume
+/// A volume that changes nothing for the camera, or a renderer feature that draws nothing.
+struct ExplainedIdle
 {
     std::string name;
-    std::string why; ///< see WhyIdle
+    std::string why; ///< see WhyIdle; of a feature what it says of that, "" where it says nothing
 };
 
 /// Where the camera asks for volumes.
@@ -67,15 +60,18 @@ struct ExplainedVariant
 struct Explanation
 {
     VolumeTrace volumes;
-    std::vector<ExplainedIdleVolume> idleVolumes; ///< scene order
+    std::vector<ExplainedIdle> idleVolumes; ///< scene order
     RenderReport report;
     ExplainedTrigger trigger;
-    ExplainedFrame frame;                   ///< as the device runs it
-    std::vector<ExplainedVariant> variants; ///< drawn with, once each, in the order of first use
-    int builtVariants = 0;                  ///< those that had to be compiled or fetched
-    std::vector<ExplainedObject> objects;   ///< scene order
-    std::vector<ExplainedIdleFeature> idleFeatures; ///< the renderer's order
+    ExplainedFrame frame;                    ///< as the device runs it
+    std::vector<ExplainedVariant> variants;  ///< drawn with, once each, in the order of first use
+    int builtVariants = 0;                   ///< those that had to be compiled or fetched
+    std::vector<ExplainedObject> objects;    ///< scene order
+    std::vector<ExplainedIdle> idleFeatures; ///< the renderer's order
 };
+
+/// The objects of a scene, which stay where they are when the scene is moved.
+std::vector<const GameObject*> ObjectsOf(const Scene& scene);
 
 /// What became of each of the objects that has a renderer.
 /// @param culled  by this camera
@@ -85,5 +81,17 @@ std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>
 
 /// @throws AssetError for a shader with errors
 Explanation Explain(SceneAsset asset, const AssetContext& assets);
+
+/// What a frame draws and why on about a screen: what is odd, volume values, passes with counts by
+/// verdict, what the device runs, what is left out, the textures that are drawn into.
+std::string ShortText(const Explanation& explanation);
+
+/// All that is known: besides ShortText each volume's part in each value, textures, variants, and
+/// of each object what each pass does with it.
+std::string LongText(const Explanation& explanation);
+
+/// Only what became of the explanation's objects, which are `name` and what hangs below it.
+/// @param isLong  of each of them; else one by one only if they are few
+std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong);
 
 } // namespace limn

@@ -1,4 +1,6 @@
-#include "explain/ExplanationText.h"
+#include "explain/Explanation.h"
+
+#include "console/Texts.h"
 
 #include <algorithm>
 #include <limn/base/TerminalText.h>
@@ -17,11 +19,6 @@ constexpr std::size_t k_ListedNames = 4;
 constexpr std::size_t k_ListedObjects = 4; ///< that are explained one by one without being asked
 
 using ReportLines = std::vector<std::string>;
-
-std::string Several(std::size_t number, const std::string& noun)
-{
-    return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
-}
 
 /// "title:" and the lines below it; "" without lines.
 std::string Section(const std::string& title, const ReportLines& lines,
@@ -61,8 +58,7 @@ std::string CountsText(const FilterCounts& counts)
             rules.emplace_back(counts[i], ToString(static_cast<FilterVerdict>(i)));
         }
     }
-    std::stable_sort(rules.begin(), rules.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::ranges::stable_sort(rules, [](const auto& a, const auto& b) { return a.first > b.first; });
     std::string text = std::to_string(counts[0]) + " of " + std::to_string(all) + " drawn";
     for (std::size_t i = 0; i < rules.size(); ++i)
     {
@@ -88,7 +84,7 @@ ReportLines OddObjects(const Explanation& explanation)
     ReportLines lines;
     for (const auto& [reason, objects] : names)
     {
-        lines.push_back(Several(objects.size(), "object") + " of " +
+        lines.push_back(Count(objects.size(), "object") + " of " +
                         std::to_string(explanation.objects.size()) + " not drawn, " + reason +
                         ": " + NameSome(objects));
     }
@@ -100,7 +96,7 @@ ReportLines OddThings(const Explanation& explanation)
     ReportLines lines;
     for (const std::string& note : explanation.report.notes)
     {
-        if (std::find(lines.begin(), lines.end(), note) == lines.end())
+        if (std::ranges::find(lines, note) == lines.end())
         {
             lines.push_back(note);
         }
@@ -175,7 +171,7 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
         }
     }
     ReportLines idle;
-    for (const ExplainedIdleVolume& volume : explanation.idleVolumes)
+    for (const ExplainedIdle& volume : explanation.idleVolumes)
     {
         idle.push_back(OneLine(volume.name) + ": " + volume.why);
     }
@@ -270,7 +266,7 @@ ReportLines IdleFeatures(const Explanation& explanation)
         }
     }
     ReportLines lines;
-    for (const ExplainedIdleFeature& feature : explanation.idleFeatures)
+    for (const ExplainedIdle& feature : explanation.idleFeatures)
     {
         if (!told.contains(feature.name))
         {
@@ -314,7 +310,7 @@ std::string RunText(const ExplainedFrame& frame, std::size_t index)
     }
     const std::size_t barriers =
         pass.barriers.size() + static_cast<std::size_t>(pass.bufferBarriers);
-    return text + sampled + "; " + Several(barriers, "barrier");
+    return text + sampled + "; " + Count(barriers, "barrier");
 }
 
 ReportLines RunLines(const ExplainedFrame& frame)
@@ -365,7 +361,7 @@ std::string TexturesText(const ExplainedFrame& frame)
     {
         bytes += texture.bytes;
     }
-    return Several(frame.textures.size(), "texture") + " of " + BytesText(bytes);
+    return Count(frame.textures.size(), "texture") + " of " + BytesText(bytes);
 }
 
 ReportLines LeftOutLines(const Explanation& explanation)
@@ -378,18 +374,26 @@ ReportLines LeftOutLines(const Explanation& explanation)
     return lines;
 }
 
+/// The parts that both texts have.
+std::string FrameText(const Explanation& explanation, bool isLong)
+{
+    const std::size_t most = isLong ? static_cast<std::size_t>(-1) : k_ListedLines;
+    return Section("odd", OddThings(explanation), most) + VolumesText(explanation, isLong) +
+           Section("chosen", explanation.report.choices, most) +
+           Section("passes", PassLines(explanation.report), most) +
+           Section("the device runs", RunLines(explanation.frame), most) +
+           Section("left out", LeftOutLines(explanation), most) +
+           Section(isLong ? "textures" : "textures drawn into",
+                   TextureLines(explanation.frame, isLong), most);
+}
+
 } // namespace
 
 std::string ShortText(const Explanation& explanation)
 {
-    return Section("odd", OddThings(explanation), k_ListedLines) + VolumesText(explanation, false) +
-           Section("chosen", explanation.report.choices, k_ListedLines) +
-           Section("passes", PassLines(explanation.report), k_ListedLines) +
-           Section("the device runs", RunLines(explanation.frame), k_ListedLines) +
-           Section("left out", LeftOutLines(explanation), k_ListedLines) +
-           Section("textures drawn into", TextureLines(explanation.frame, false), k_ListedLines) +
-           Several(explanation.objects.size(), "object") + ", " + TexturesText(explanation.frame) +
-           ", " + Several(explanation.variants.size(), "shader variant") + " of " +
+    return FrameText(explanation, false) + Count(explanation.objects.size(), "object") + ", " +
+           TexturesText(explanation.frame) + ", " +
+           Count(explanation.variants.size(), "shader variant") + " of " +
            std::to_string(explanation.builtVariants) +
            " built: -v lists them, --object NAME and --pixel X,Y explain one\n";
 }
@@ -397,18 +401,10 @@ std::string ShortText(const Explanation& explanation)
 std::string LongText(const Explanation& explanation)
 {
     ReportLines variants;
-    for (const ExplainedVariant& variant : explanation.variants)
-    {
-        variants.push_back(VariantText(variant));
-    }
+    std::ranges::transform(explanation.variants, std::back_inserter(variants), VariantText);
     const std::string objects = Objects(explanation.objects, "  ");
-    return Section("odd", OddThings(explanation)) + VolumesText(explanation, true) +
-           Section("chosen", explanation.report.choices) +
-           Section("passes", PassLines(explanation.report)) +
-           Section("the device runs", RunLines(explanation.frame)) +
-           Section("left out", LeftOutLines(explanation)) +
-           Section("textures", TextureLines(explanation.frame, true)) +
-           Section("variants", variants) + (objects.empty() ? "" : "objects:\n" + objects);
+    return FrameText(explanation, true) + Section("variants", variants) +
+           (objects.empty() ? "" : "objects:\n" + objects);
 }
 
 std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong)
@@ -437,7 +433,7 @@ std::string ObjectText(const Explanation& explanation, const std::string& name, 
     {
         lines.push_back(pass + ": " + CountsText(counts[pass]));
     }
-    return Section(OneLine(name) + ", " + Several(objects.size(), "object"), lines) + idle +
+    return Section(OneLine(name) + ", " + Count(objects.size(), "object"), lines) + idle +
            (isLong ? Objects(objects, "  ") : "-v lists the objects\n");
 }
 

@@ -1,4 +1,4 @@
-#include "explain/FrameGraph.h"
+#include "explain/ExplainedFrame.h"
 
 #include <limn/base/RunProgram.h>
 
@@ -149,10 +149,9 @@ private:
     {
         const bool isLast = std::none_of(
             m_Frame.passes.begin() + static_cast<std::ptrdiff_t>(pass) + 1, m_Frame.passes.end(),
-            [&](const ExplainedPass& p)
-            {
-                return std::any_of(p.targets.begin(), p.targets.end(),
-                                   [&](const auto& t) { return t.texture == texture; });
+            [&](const ExplainedPass& p) {
+                return std::ranges::any_of(p.targets,
+                                           [&](const auto& t) { return t.texture == texture; });
             });
         return m_Frame.textures[texture].isOutput && isLast;
     }
@@ -190,9 +189,8 @@ private:
 
     std::string FilesText(const ExplainedPass& pass) const
     {
-        const auto count =
-            std::count_if(pass.reads.begin(), pass.reads.end(),
-                          [this](std::size_t t) { return !m_Frame.textures[t].isDrawn; });
+        const auto count = std::ranges::count_if(pass.reads, [this](std::size_t t)
+                                                 { return !m_Frame.textures[t].isDrawn; });
         return count == 0   ? ""
                : count == 1 ? ", 1 texture given"
                             : ", " + std::to_string(count) + " textures given";
@@ -273,7 +271,7 @@ std::string FrameGraph(const ExplainedFrame& frame)
 bool IsGraphFile(const std::filesystem::path& path)
 {
     constexpr std::array k_Endings{".dot", ".svg", ".png", ".pdf"};
-    return std::find(k_Endings.begin(), k_Endings.end(), path.extension()) != k_Endings.end();
+    return std::ranges::find(k_Endings, path.extension()) != k_Endings.end();
 }
 
 void WriteGraph(const std::filesystem::path& path, const std::string& graph)

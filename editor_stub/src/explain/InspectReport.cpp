@@ -1,8 +1,11 @@
 #include "explain/InspectReport.h"
 #include "console/Json.h"
+#include "console/Texts.h"
+#include "scene/ProfileContext.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limn/volume/YamlMapReader.h>
 
 namespace limn
 {
@@ -98,7 +101,7 @@ Json Bound(double number)
     return std::isinf(number) ? Json(nullptr) : Json(number);
 }
 
-Json AsJson(const InspectedValue& value)
+Json InspectedValueJson(const InspectedValue& value)
 {
     Json json;
     json["name"] = value.name;
@@ -132,36 +135,72 @@ Json AsJson(const InspectedGroup& group, const char* valuesKey)
         json["name"] = group.name;
     }
     json["active"] = group.active;
-    json[valuesKey] = Json::array();
-    for (const InspectedValue& value : group.values)
-    {
-        json[valuesKey].push_back(AsJson(value));
-    }
+    json[valuesKey] = JsonList(group.values, InspectedValueJson);
     return json;
 }
 
-Json ComponentsAsJson(const InspectedVolume& volume)
+Json ComponentJson(const InspectedGroup& component)
 {
-    Json components = Json::array();
-    for (const InspectedGroup& component : volume.components)
-    {
-        components.push_back(AsJson(component, "parameters"));
-    }
-    return components;
+    return AsJson(component, "parameters");
 }
 
-Json AsJson(const InspectedVolume& volume)
+Json SettingsJson(const InspectedGroup& feature)
 {
-    Json json;
-    json["name"] = volume.name;
-    json["enabled"] = volume.enabled;
-    json["isGlobal"] = volume.isGlobal;
-    json["priority"] = volume.priority;
-    json["weight"] = volume.weight;
-    json["blendDistance"] = volume.blendDistance;
-    json["profile"] = volume.profile;
-    json["components"] = ComponentsAsJson(volume);
-    return json;
+    return AsJson(feature, "settings");
+}
+
+Json InspectedVolumeJson(const InspectedVolume& volume)
+{
+    return {
+        {"name", volume.name},         {"enabled", volume.enabled},
+        {"isGlobal", volume.isGlobal}, {"priority", volume.priority},
+        {"weight", volume.weight},     {"blendDistance", volume.blendDistance},
+        {"profile", volume.profile},   {"components", JsonList(volume.components, ComponentJson)}};
+}
+
+using Names = std::set<std::string, std::less<>>;
+
+/// Takes every name for a layer's and keeps those that are no layers of every project.
+class AnySceneContext final : public SceneProfileContext
+{
+public:
+    using SceneProfileContext::SceneProfileContext;
+
+    std::optional<int> FindLayer(std::string_view name) const override
+    {
+        const std::optional<int> known = SceneProfileContext::FindLayer(name);
+        if (!known)
+        {
+            m_SceneLayers.emplace(name);
+        }
+        return known.value_or(31);
+    }
+
+    const Names& sceneLayers() const { return m_SceneLayers; }
+
+private:
+    mutable Names m_SceneLayers;
+};
+
+/// One of the names that stands somewhere in the value; "" if none does.
+std::string NameIn(const YamlNode& node, const Names& names)
+{
+    std::string found = node.isScalar() && names.count(node.scalar()) > 0 ? node.scalar() : "";
+    for (const YamlNode& item : node.items())
+    {
+        found = found.empty() ? NameIn(item, names) : found;
+    }
+    for (const YamlEntry& entry : node.entries())
+    {
+        found = found.empty() ? NameIn(entry.value, names) : found;
+    }
+    return found;
+}
+
+const YamlNode* FindParameter(const YamlNode& component, const std::string& name)
+{
+    const YamlNode* node = component.Find(name);
+    return node ? node : component.Find(PlainSpelling(name));
 }
 
 } // namespace
@@ -237,16 +276,12 @@ std::string ToJson(const InspectReport& report)
     json["kind"] = report.kind;
     if (report.kind == "profile")
     {
-        json["components"] = ComponentsAsJson(report.volumes.at(0));
+        json["components"] = JsonList(report.volumes.at(0).components, ComponentJson);
         return JsonText(json);
     }
     if (report.kind == "scene")
     {
-        json["volumes"] = Json::array();
-        for (const InspectedVolume& volume : report.volumes)
-        {
-            json["volumes"].push_back(AsJson(volume));
-        }
+        json["volumes"] = JsonList(report.volumes, InspectedVolumeJson);
     }
     if (report.asset)
     {
@@ -256,12 +291,50 @@ std::string ToJson(const InspectReport& report)
             return JsonText(json);
         }
     }
-    json["features"] = Json::array();
-    for (const InspectedGroup& feature : report.features)
-    {
-        json["features"].push_back(AsJson(feature, "settings"));
-    }
+    json["features"] = JsonList(report.features, SettingsJson);
     return JsonText(json);
+}
+
+std::string OnOneLine(const YamlNode& node)
+{
+    const std::string items = Joined(node.items(), ", ", OnOneLine);
+    const std::string entries =
+        Joined(node.entries(), ", ",
+               [](const YamlEntry& entry) { return entry.key + ": " + OnOneLine(entry.value); });
+    return node.isSequence() ? "[" + items + "]"
+           : node.isMap()    ? "{" + entries + "}"
+                             : node.scalar();
+}
+
+std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path,
+                                               const std::vector<YamlNode>& documents,
+                                               AssetContext& assets, Console& console)
+{
+    const LayerNames usual;
+    const AnySceneContext context(assets, path, usual);
+    const VolumeProfileLoadResult result =
+        LoadVolumeProfile(path, assets.volumeComponents(), context);
+    console.Print(result.notes);
+    std::vector<InspectedGroup> groups = InspectProfile(*result.profile, assets.volumeComponents());
+    for (InspectedGroup& group : groups)
+    {
+        const YamlNode* component = documents.front().Find(group.type);
+        for (InspectedValue& value : group.values)
+        {
+            const YamlNode* node = component ? FindParameter(*component, value.name) : nullptr;
+            const std::string layer = node ? NameIn(*node, context.sceneLayers()) : "";
+            if (!layer.empty())
+            {
+                value.value = OnOneLine(*node);
+                console.Print(Diagnostic{Severity::Note, path.generic_string(), node->location(),
+                                         group.type + "." + value.name +
+                                             ": shown as written; only a scene can know the layer "
+                                             "'" +
+                                             layer + "'"});
+            }
+        }
+    }
+    return groups;
 }
 
 } // namespace limn

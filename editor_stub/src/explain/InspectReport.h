@@ -1,8 +1,11 @@
 #pragma once
 
+#include "console/Console.h"
 #include "settings/SettingsCollector.h"
 
+#include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/SceneFile.h>
+#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {
@@ -45,7 +48,29 @@ std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,
                                             const LayerNames& layers,
                                             const LayerNames& renderingLayers);
 
+std::string OnOneLine(const YamlNode& node);     ///< a value as a file could have it
 std::string ToText(const InspectReport& report); ///< lines for people
 std::string ToJson(const InspectReport& report);
+
+/// A profile's file without a scene, so that any name may be a layer's: a value with a name that
+/// only a scene can know is shown as the file has it, with a note.
+/// @param documents  the file's; one Null for a Unity asset
+/// @throws AssetError as LoadVolumeProfile
+std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path,
+                                               const std::vector<YamlNode>& documents,
+                                               AssetContext& assets, Console& console);
+
+/// What a Unity asset is, by its content: "profile", "renderer", "pipeline" or "material".
+/// @throws AssetError that names what is in the file, if it is none of these
+std::string KindOfUnityAsset(const UnityAsset& asset);
+
+/// A UniversalRenderPipelineAsset: what limn draws with, its renderers, and what limn leaves out.
+InspectedGroup InspectPipeline(const UnityAsset& asset);
+
+/// The values of a UniversalRendererData besides its features.
+InspectedGroup InspectRenderer(const UnityAsset& asset);
+
+/// A .mat file: its shader, queue, keywords and properties; which of them the shader has.
+InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets);
 
 } // namespace limn

@@ -1,4 +1,4 @@
-#include "explain/InspectUnityAsset.h"
+#include "explain/InspectReport.h"
 
 #include "settings/ShadowKeys.h"
 #include "unity/UnityProject.h"
@@ -50,21 +50,6 @@ bool IsDrawnWith(std::string_view key)
     VisitShadowSettings(settings, [&isFound, key](std::string_view name, const auto&...)
                         { isFound = isFound || name == key; });
     return isFound;
-}
-
-/// The value on one line.
-std::string AsText(const YamlNode& node)
-{
-    std::string list;
-    for (const YamlNode& item : node.items())
-    {
-        list += (list.empty() ? "" : ", ") + AsText(item);
-    }
-    for (const YamlEntry& entry : node.entries())
-    {
-        list += (list.empty() ? "" : ", ") + entry.key + ": " + AsText(entry.value);
-    }
-    return node.isSequence() ? "[" + list + "]" : node.isMap() ? "{" + list + "}" : node.scalar();
 }
 
 /// The file that a reference leads to, from the project's folder; what is known of it if that
@@ -167,7 +152,7 @@ std::string KeywordsOf(const UnityObject& material)
 {
     const YamlNode* valid = material.fields.Find("m_ValidKeywords");
     const YamlNode* old = material.fields.Find("m_ShaderKeywords");
-    return valid ? AsText(*valid) : old ? "[" + old->scalar() + "]" : "[]";
+    return valid ? OnOneLine(*valid) : old ? "[" + old->scalar() + "]" : "[]";
 }
 
 /// Each property of one of the lists of m_SavedProperties, each a map of one key.
@@ -180,12 +165,12 @@ void AddProperties(const YamlNode& properties, const char* list, const char* hea
         for (const YamlEntry& entry : item.entries())
         {
             const YamlNode* texture = entry.value.Find("m_Texture");
-            std::string text = texture ? FileOf(*texture, project) : AsText(entry.value);
+            std::string text = texture ? FileOf(*texture, project) : OnOneLine(entry.value);
             if (texture && text != "none" && entry.value.Find("m_Scale") &&
                 entry.value.Find("m_Offset"))
             {
-                text += ", scale " + AsText(*entry.value.Find("m_Scale")) + ", offset " +
-                        AsText(*entry.value.Find("m_Offset"));
+                text += ", scale " + OnOneLine(*entry.value.Find("m_Scale")) + ", offset " +
+                        OnOneLine(*entry.value.Find("m_Offset"));
             }
             const bool isLeftOver = shader && shader->FindPropertyIndex(entry.key) < 0;
             group.values.push_back(
@@ -231,7 +216,7 @@ InspectedGroup InspectPipeline(const UnityAsset& asset)
     InspectedGroup group{"UniversalRenderPipelineAsset", pipeline.name, true, {}};
     if (const YamlNode* version = pipeline.fields.Find("k_AssetVersion"))
     {
-        group.values.push_back(Value("", "k_AssetVersion", AsText(*version), ""));
+        group.values.push_back(Value("", "k_AssetVersion", OnOneLine(*version), ""));
     }
     AddRenderers(pipeline, project, group);
     for (const bool isDrawn : {true, false})
@@ -243,7 +228,7 @@ InspectedGroup InspectPipeline(const UnityAsset& asset)
                 group.values.push_back(Value(isDrawn
                                                  ? "Drawn with, by a scene's renderPipelineAsset"
                                                  : "Left out, limn does not draw by these",
-                                             entry.key, AsText(entry.value), ""));
+                                             entry.key, OnOneLine(entry.value), ""));
             }
         }
     }
@@ -261,9 +246,9 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
             const YamlNode* bits = node->Find("m_Bits");
             const YamlNode* stencil = node->Find("overrideStencilState");
             group.values.push_back(Value("", key,
-                                         AsText(bits      ? *bits
-                                                : stencil ? *stencil
-                                                          : *node),
+                                         OnOneLine(bits      ? *bits
+                                                   : stencil ? *stencil
+                                                             : *node),
                                          tooltip));
         }
     };
@@ -298,7 +283,7 @@ InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets)
         const YamlNode* node = material.fields.Find(key);
         if (node && (node->isScalar() || node->items().size() + node->entries().size() > 0))
         {
-            group.values.push_back(Value("", key, AsText(*node), tooltip));
+            group.values.push_back(Value("", key, OnOneLine(*node), tooltip));
         }
     }
     if (const YamlNode* properties = material.fields.Find("m_SavedProperties"))

@@ -117,31 +117,14 @@ void AddGpuTime(const std::string& pass, const RenderMeasurements& measurements,
     result["partOf"] = std::move(shared);
 }
 
-Json Passes(const RenderMeasurements& measurements)
+Json FilterCountsJson(const DrawRenderersReport& draw)
 {
-    Json passes = Json::array();
-    for (const ExecutedPassReport& pass : measurements.lastFrame.report.passes)
+    Json counts = Json::object();
+    for (std::size_t i = 0; i < draw.counts.size(); ++i)
     {
-        Json result{{"name", pass.name.name()}, {"event", static_cast<int>(pass.renderPassEvent)}};
-        AddGpuTime(pass.name.name(), measurements, result);
-        passes.push_back(std::move(result));
+        counts[ToString(static_cast<FilterVerdict>(i))] = draw.counts[i];
     }
-    return passes;
-}
-
-Json Draws(const RenderReport& report)
-{
-    Json draws = Json::array();
-    for (const DrawRenderersReport& draw : report.draws)
-    {
-        Json counts = Json::object();
-        for (std::size_t i = 0; i < draw.counts.size(); ++i)
-        {
-            counts[ToString(static_cast<FilterVerdict>(i))] = draw.counts[i];
-        }
-        draws.push_back({{"pass", draw.pass.name()}, {"counts", std::move(counts)}});
-    }
-    return draws;
+    return {{"pass", draw.pass.name()}, {"counts", std::move(counts)}};
 }
 
 void AddAttachment(const RenderTexture& texture, Json& attachments)
@@ -150,7 +133,7 @@ void AddAttachment(const RenderTexture& texture, Json& attachments)
                      {"width", texture.width()},
                      {"height", texture.height()},
                      {"format", ToString(texture.graphicsFormat())}};
-    if (std::find(attachments.begin(), attachments.end(), entry) == attachments.end())
+    if (std::ranges::find(attachments, entry) == attachments.end())
     {
         attachments.push_back(entry);
     }
@@ -195,11 +178,16 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
 {
     const RenderResult& frame = measurements.lastFrame;
     const RenderTexture& output = *frame.output.rt();
-    Json gpuPasses = Json::array();
-    for (const PassTiming& timing : measurements.gpuPasses)
+    const auto passJson = [&](const ExecutedPassReport& pass)
     {
-        gpuPasses.push_back({{"name", timing.name}, {"milliseconds", timing.milliseconds}});
-    }
+        Json json{{"name", pass.name.name()}, {"event", static_cast<int>(pass.renderPassEvent)}};
+        AddGpuTime(pass.name.name(), measurements, json);
+        return json;
+    };
+    const auto timingJson = [](const PassTiming& timing) -> Json
+    {
+        return {{"name", timing.name}, {"milliseconds", timing.milliseconds}};
+    };
     const Json stats{{"device", measurements.device},
                      {"width", output.width()},
                      {"height", output.height()},
@@ -210,9 +198,9 @@ void WriteStats(const std::filesystem::path& path, const RenderMeasurements& mea
                      {"shaderPasses",
                       {{"compiled", measurements.shaders.compiled},
                        {"loadedFromCache", measurements.shaders.loadedFromCache}}},
-                     {"passes", Passes(measurements)},
-                     {"gpuPasses", std::move(gpuPasses)},
-                     {"drawRenderers", Draws(frame.report)},
+                     {"passes", JsonList(frame.report.passes, passJson)},
+                     {"gpuPasses", JsonList(measurements.gpuPasses, timingJson)},
+                     {"drawRenderers", JsonList(frame.report.draws, FilterCountsJson)},
                      {"attachments", Attachments(*frame.frame)},
                      {"notes", frame.report.notes}};
     WriteFile(path, JsonText(stats));

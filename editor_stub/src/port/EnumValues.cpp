@@ -1,4 +1,4 @@
-#include "port/EnumValues.h"
+#include "port/PortExpression.h"
 
 #include <charconv>
 #include <map>

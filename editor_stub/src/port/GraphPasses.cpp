@@ -1,5 +1,5 @@
 #include "port/GraphPasses.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
 namespace limn
 {

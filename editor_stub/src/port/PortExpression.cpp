@@ -1,10 +1,8 @@
 #include "port/PortExpression.h"
 
-#include "port/PlainText.h"
-#include "port/PropertyIds.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/PortModel.h"
+#include "port/csharp/CSharpTokens.h"
 
-#include <algorithm>
 #include <array>
 #include <limn/core/Inspector.h>
 

@@ -1,10 +1,13 @@
 #pragma once
 
 #include "port/PortModel.h"
+#include "port/csharp/CSharpFile.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace limn
 {
@@ -29,5 +32,15 @@ std::optional<PortValue> Translate(const PortModel& model, const PortScope& scop
 
 /// The number of an attribute's argument; nothing for anything else.
 std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words);
+
+/// The number of each member of an enum, in their order; nothing from the first one on whose value
+/// is not made of numbers and members of the enum.
+std::vector<std::optional<std::int64_t>> EnumValues(const CSharpClass& one);
+
+/// The text of a plain string word, or of such ones with + between them; nothing for any other.
+std::optional<std::string> PlainText(CSharpWords words);
+
+/// The arguments of `new T(...)` or `new(...)`, whatever stands behind it; nothing for others.
+std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
 
 } // namespace limn

@@ -1,15 +1,107 @@
 #include "port/PortFolder.h"
 
-#include "port/FilterLines.h"
+#include "console/Texts.h"
+#include "port/PortExpression.h"
+#include "port/PortModel.h"
 #include "port/PortedCode.h"
-#include "port/PropertyIds.h"
 
-#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <limn/base/EmbeddedFile.h>
 
 namespace limn
 {
+
+namespace
+{
+
+/// One line of the three.
+struct FilterLine
+{
+    const char* member;
+    const char* type;
+    std::string value;
+};
+
+/// What the C# hands over, in the order of the constructor of Unity's FilteringSettings.
+struct FoundFilter
+{
+    const CSharpClass* owner = nullptr;
+    CSharpWords words; ///< FilteringSettings(...)
+    std::vector<CSharpWords> arguments;
+};
+
+void FindIn(CSharpWords words, const CSharpClass& owner, FoundFilter& found)
+{
+    for (std::size_t i = 0; i + 1 < words.size() && !found.owner; ++i)
+    {
+        if (words[i].Is("FilteringSettings") && words[i + 1].Is("(") && words[i + 1].match > 1)
+        {
+            const auto length = static_cast<std::size_t>(words[i + 1].match);
+            found = {&owner, words.subspan(i, length + 2),
+                     SplitArguments(words.subspan(i + 2, length - 1))};
+        }
+    }
+}
+
+FoundFilter FindFilter(const PortModel& model)
+{
+    FoundFilter found;
+    for (const CSharpClass* one : model.classes())
+    {
+        for (const CSharpField& field : one->fields)
+        {
+            FindIn(field.value, *one, found);
+        }
+        for (const CSharpMethod& method : one->methods)
+        {
+            FindIn(method.body, *one, found);
+        }
+    }
+    return found;
+}
+
+/// On one line of a comment.
+std::string Flat(std::string_view text)
+{
+    std::string flat;
+    for (const char c : text)
+    {
+        const bool isSpace = static_cast<unsigned char>(c) <= ' ';
+        flat += !isSpace                              ? std::string(1, c == '\\' ? '/' : c)
+                : !flat.empty() && flat.back() != ' ' ? " "
+                                                      : "";
+    }
+    return flat;
+}
+
+/// The lines of a generated test that say which objects the feature's filter takes: what the first
+/// `new FilteringSettings(...)` of the C# says where that is known, everything elsewhere.
+std::string FilterLines(const PortModel& model)
+{
+    std::array<FilterLine, 3> lines = {
+        {{"renderQueueRange", "RenderQueueRange", "RenderQueueRange::all"},
+         {"layerMask", "LayerMask", "LayerMask::Everything()"},
+         {"renderingLayerMask", "RenderingLayerMask", "RenderingLayerMask::Everything()"}}};
+    const FoundFilter found = FindFilter(model);
+    std::string text;
+    if (found.owner)
+    {
+        text = "    // C#: " + model.Place(*found.owner, found.words.front().location) + ": " +
+               Flat(TextOf(model.FileOf(*found.owner), found.words)) + "\n";
+    }
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+        const auto value = i < found.arguments.size()
+                               ? Translate(model, {}, found.arguments[i], lines[i].type)
+                               : std::nullopt;
+        text += "    filtering." + std::string(lines[i].member) + " = " +
+                (value ? value->cpp : lines[i].value) + ";\n";
+    }
+    return text;
+}
+
+} // namespace
 
 namespace embedded
 {
@@ -18,16 +110,6 @@ std::span<const EmbeddedFile> PortTemplate();
 
 namespace
 {
-
-std::string Replaced(std::string text, std::string_view placeholder, const std::string& value)
-{
-    for (std::size_t at = text.find(placeholder); at != std::string::npos;
-         at = text.find(placeholder, at + value.size()))
-    {
-        text.replace(at, placeholder.size(), value);
-    }
-    return text;
-}
 
 /// How many things the porter has left to do.
 int CountTodos(const std::string& text)
@@ -42,7 +124,7 @@ int CountTodos(const std::string& text)
 }
 
 /// The files of the template that every ported feature has.
-void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector<PortedFile>& files)
+void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector<NewFile>& files)
 {
     const auto components = model.Of(PortRole::Component);
     const std::string volumes = components.empty() ? ""

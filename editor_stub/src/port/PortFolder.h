@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assets/FeatureFolder.h"
 #include "port/PortModel.h"
 
 #include <string>
@@ -8,16 +9,10 @@
 namespace limn
 {
 
-struct PortedFile
-{
-    std::string name;
-    std::string text;
-};
-
 /// The folder of a plug-in that is begun.
 struct PortFolder
 {
-    std::vector<PortedFile> files;
+    std::vector<NewFile> files;
     std::vector<UsedMember> uses; ///< what PORTING.md has in its table
     int left = 0;                 ///< TODOs in the C++: bodies, members, settings and the like
     int done = 0;                 ///< settings, parameters, passes and the like that are C++

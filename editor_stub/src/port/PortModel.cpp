@@ -1,9 +1,11 @@
 #include "port/PortModel.h"
 
-#include "port/csharp/CSharpWords.h"
+#include "console/Texts.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 #include <filesystem>
+#include <limn/base/WordList.h>
 
 namespace limn
 {
@@ -11,103 +13,51 @@ namespace limn
 namespace
 {
 
-/// Of types that are no classes of the files: C#'s and C++'s name.
-const std::map<std::string, std::string, std::less<>>& KnownTypes()
-{
-    static const std::map<std::string, std::string, std::less<>> types = {
-        {"int", "int"},
-        {"uint", "std::uint32_t"},
-        {"float", "float"},
-        {"double", "double"},
-        {"bool", "bool"},
-        {"string", "std::string"},
-        {"Color", "Color"},
-        {"Matrix4x4", "glm::mat4"},
-        {"LayerMask", "LayerMask"},
-        {"Material", "std::shared_ptr<Material>"},
-        {"Shader", "std::shared_ptr<const Shader>"},
-        {"Texture", "std::shared_ptr<const Texture>"},
-        {"Texture2D", "std::shared_ptr<const Texture>"},
-        {"Texture3D", "std::shared_ptr<const Texture>"},
-        {"Cubemap", "std::shared_ptr<const Texture>"},
-        {"RenderTexture", "std::shared_ptr<const RenderTexture>"},
-        {"Mesh", "std::shared_ptr<const Mesh>"},
-        {"ComputeShader", "std::shared_ptr<ComputeShader>"},
-        {"GraphicsBuffer", "std::shared_ptr<GraphicsBuffer>"},
-        {"ComputeBuffer", "std::shared_ptr<ComputeBuffer>"},
-        {"ProfilingSampler", "ProfilingSampler"}};
-    return types;
-}
-
 /// Types that are called the same.
 bool IsSameType(std::string_view type)
 {
-    static const std::set<std::string_view> types = {"RenderPassEvent",
-                                                     "Vector2",
-                                                     "Vector3",
-                                                     "Vector4",
-                                                     "Vector2Int",
-                                                     "Vector3Int",
-                                                     "RendererList",
-                                                     "BufferHandle",
-                                                     "TextureDesc",
-                                                     "SortingSettings",
-                                                     "DepthState",
-                                                     "BlendState",
-                                                     "RasterState",
-                                                     "BlendMode",
-                                                     "CullMode",
-                                                     "RTHandle",
-                                                     "RenderTargetIdentifier",
-                                                     "RenderTargetHandle",
-                                                     "FilteringSettings",
-                                                     "RenderTextureDescriptor",
-                                                     "DrawingSettings",
-                                                     "SortingCriteria",
-                                                     "RenderStateBlock",
-                                                     "StencilState",
-                                                     "ShaderTagId",
-                                                     "FilterMode",
-                                                     "TextureWrapMode",
-                                                     "GraphicsFormat",
-                                                     "RenderTextureFormat",
-                                                     "CompareFunction",
-                                                     "ColorWriteMask",
-                                                     "RenderStateMask",
-                                                     "AccessFlags",
-                                                     "StencilOp",
-                                                     "ClearFlag",
-                                                     "MaterialPropertyBlock",
-                                                     "TextureHandle",
-                                                     "RendererListHandle",
-                                                     "ScriptableRenderPassInput",
-                                                     "RenderQueueRange",
-                                                     "CameraType",
-                                                     "RenderingLayerMask",
-                                                     "ShaderPropertyId"};
-    return types.contains(type);
+    static const WordList types(
+        "AccessFlags BlendMode BlendState BufferHandle CameraType ClearFlag ColorWriteMask "
+        "CompareFunction CullMode DepthState DrawingSettings FilterMode FilteringSettings "
+        "GraphicsFormat MaterialPropertyBlock RTHandle RasterState RenderPassEvent "
+        "RenderQueueRange RenderStateBlock RenderStateMask RenderTargetHandle "
+        "RenderTargetIdentifier RenderTextureDescriptor RenderTextureFormat RendererList "
+        "RendererListHandle RenderingLayerMask ScriptableRenderPassInput ShaderPropertyId "
+        "ShaderTagId SortingCriteria SortingSettings StencilOp StencilState TextureDesc "
+        "TextureHandle TextureWrapMode Vector2 Vector2Int Vector3 Vector3Int Vector4 "
+        "int float double bool Color LayerMask ProfilingSampler");
+    return types.Has(type);
+}
+
+/// C++'s name of a type that is no class of the files; "" of one that is not known.
+std::string KnownType(const std::string& type)
+{
+    static const WordList made("Material ComputeShader GraphicsBuffer ComputeBuffer");
+    static const WordList loaded("Shader Texture RenderTexture Mesh");
+    return IsSameType(type)      ? type
+           : type == "uint"      ? "std::uint32_t"
+           : type == "string"    ? "std::string"
+           : type == "Matrix4x4" ? "glm::mat4"
+           : made.Has(type)      ? "std::shared_ptr<" + type + ">"
+           : loaded.Has(type)    ? "std::shared_ptr<const " + type + ">"
+           : IsIn(type, {"Texture2D", "Texture3D", "Cubemap"}) ? "std::shared_ptr<const Texture>"
+                                                               : "";
 }
 
 bool IsCppWord(std::string_view word)
 {
-    // clang-format off
-    static const std::set<std::string_view> words = {
-        "alignas", "alignof", "and", "and_eq", "asm", "auto", "bitand", "bitor", "bool", "catch",
-        "char", "char8_t", "char16_t", "char32_t", "class", "compl", "concept", "consteval",
-        "constexpr", "constinit", "const_cast", "co_await", "co_return", "co_yield", "decltype",
-        "default", "delete", "double", "dynamic_cast", "enum", "explicit", "export", "extern",
-        "float", "friend", "inline", "int", "long", "mutable", "namespace", "new", "noexcept",
-        "not", "not_eq", "nullptr", "operator", "or", "or_eq", "private", "protected", "public",
-        "register", "reinterpret_cast", "requires", "short", "signed", "sizeof", "static",
-        "static_assert", "static_cast", "struct", "switch", "template", "this", "thread_local",
-        "throw", "try", "typedef", "typeid", "typename", "union", "unsigned", "using", "virtual",
-        "void", "volatile", "wchar_t", "while", "xor", "xor_eq", "linux", "unix", "NULL", "EOF",
-        "errno", "assert", "stdin", "stdout", "stderr", "major", "minor", "std", "glm", "limn",
-        "Header", "Describe", "const", "break", "case", "continue", "do", "else", "false", "for",
-        "goto", "if", "return", "true", "INFINITY", "NAN", "HUGE_VAL", "OVERFLOW", "UNDERFLOW",
-        "DOMAIN", "BUFSIZ", "RAND_MAX", "TRUE", "FALSE"};
-    // clang-format on
-    return words.contains(word);
+    static const WordList words(
+        "alignas alignof and and_eq asm auto bitand bitor bool catch char char8_t char16_t "
+        "char32_t class compl concept consteval constexpr constinit const_cast co_await co_return "
+        "co_yield decltype default delete double dynamic_cast enum explicit export extern float "
+        "friend inline int long mutable namespace new noexcept not not_eq nullptr operator or "
+        "or_eq private protected public register reinterpret_cast requires short signed sizeof "
+        "static static_assert static_cast struct switch template this thread_local throw try "
+        "typedef typeid typename union unsigned using virtual void volatile wchar_t while xor "
+        "xor_eq linux unix NULL EOF errno assert stdin stdout stderr major minor std glm limn "
+        "Header Describe const break case continue do else false for goto if return true INFINITY "
+        "NAN HUGE_VAL OVERFLOW UNDERFLOW DOMAIN BUFSIZ RAND_MAX TRUE FALSE");
+    return words.Has(word);
 }
 
 /// A name that CMake takes for a target: of letters, digits and _, and none of its own.
@@ -150,11 +100,7 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
     std::erase_if(features, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
     if (features.empty())
     {
-        std::string found;
-        for (const CSharpClass* one : m_Index.all())
-        {
-            found += (found.empty() ? "" : ", ") + one->name;
-        }
+        const std::string found = Joined(m_Index.all(), ", ", &CSharpClass::name);
         throw AssetError(files.front()->path, {},
                          "no class derives from ScriptableRendererFeature; " +
                              (found.empty()
@@ -198,30 +144,20 @@ PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
     {
         return PortRole::Data;
     }
+    static const std::map<std::string_view, PortRole> roles = {
+        {"ScriptableRendererFeature", PortRole::Feature},
+        {"ScriptableRenderPass", PortRole::Pass},
+        {"ContextItem", PortRole::Context},
+        {"VolumeComponent", PortRole::Component},
+        {"VolumeParameter", PortRole::Parameter}};
     PortRole role = PortRole::Data;
     for (const std::string& base : one.bases)
     {
         const std::string_view plain = PlainTypeName(base);
         const CSharpClass* own = Find(base);
-        if (plain == "ScriptableRendererFeature")
+        if (const auto known = roles.find(plain); known != roles.end())
         {
-            return PortRole::Feature;
-        }
-        if (plain == "ScriptableRenderPass")
-        {
-            return PortRole::Pass;
-        }
-        if (plain == "ContextItem")
-        {
-            return PortRole::Context;
-        }
-        if (plain == "VolumeComponent")
-        {
-            return PortRole::Component;
-        }
-        if (plain == "VolumeParameter")
-        {
-            return PortRole::Parameter;
+            return known->second;
         }
         if (own && own != &one)
         {
@@ -284,12 +220,8 @@ std::optional<std::string> PortModel::CppType(const std::string& type) const
         return isValue && !isLeftOut(*own) && isDeclared(*own) ? std::optional(QualifiedName(*own))
                                                                : std::nullopt;
     }
-    const auto known = KnownTypes().find(type);
-    if (known != KnownTypes().end())
-    {
-        return known->second;
-    }
-    return IsSameType(type) ? std::optional(type) : std::nullopt;
+    const std::string known = KnownType(type);
+    return known.empty() ? std::nullopt : std::optional(known);
 }
 
 std::optional<std::string> PortModel::CppPointed(const std::string& type) const
@@ -307,32 +239,19 @@ std::string PortModel::CppDefault(const std::string& cppType)
 
 std::optional<std::string> PortModel::CppParameter(const std::string& type) const
 {
-    static const std::map<std::string, std::string, std::less<>> references = {
-        {"CommandBuffer", "CommandBuffer&"},
-        {"RasterCommandBuffer", "RasterCommandBuffer&"},
-        {"UnsafeCommandBuffer", "UnsafeCommandBuffer&"},
-        {"RasterGraphContext", "RasterGraphContext&"},
-        {"UnsafeGraphContext", "UnsafeGraphContext&"},
-        {"ComputeCommandBuffer", "ComputeCommandBuffer&"},
-        {"ComputeGraphContext", "ComputeGraphContext&"},
-        {"ScriptableRenderContext", "ScriptableRenderContext&"},
-        {"RenderingData", "RenderingData&"},
-        {"CameraData", "CameraData&"},
-        {"ScriptableRenderer", "ScriptableRenderer&"},
-        {"RenderGraph", "RenderGraph&"},
-        {"ContextContainer", "ContextContainer&"},
-        {"UniversalResourceData", "UniversalResourceData&"},
-        {"UniversalCameraData", "UniversalCameraData&"},
-        {"UniversalRenderingData", "UniversalRenderingData&"},
-        {"UniversalLightData", "UniversalLightData&"},
-        {"CullingResults", "const CullingResults&"},
-        {"VolumeStack", "const VolumeStack&"},
-        {"MaterialPropertyBlock", "MaterialPropertyBlock&"},
-        {"Camera", "const Camera&"}};
-    const auto reference = references.find(type);
-    if (reference != references.end())
+    static const WordList references(
+        "CommandBuffer RasterCommandBuffer UnsafeCommandBuffer RasterGraphContext "
+        "UnsafeGraphContext ComputeCommandBuffer ComputeGraphContext ScriptableRenderContext "
+        "RenderingData CameraData ScriptableRenderer RenderGraph ContextContainer "
+        "UniversalResourceData UniversalCameraData UniversalRenderingData UniversalLightData "
+        "MaterialPropertyBlock");
+    if (references.Has(type))
     {
-        return reference->second;
+        return type + "&";
+    }
+    if (IsIn(type, {"CullingResults", "VolumeStack", "Camera"}))
+    {
+        return "const " + type + "&";
     }
     const CSharpClass* own = Find(type);
     if (own && RoleOf(*own) == PortRole::Context)
@@ -407,25 +326,12 @@ bool PortModel::isAssigned(const CSharpClass& one, std::string_view field)
 
 bool PortModel::isSetting(const std::string& type) const
 {
-    static const std::set<std::string_view> types = {"int",
-                                                     "uint",
-                                                     "float",
-                                                     "bool",
-                                                     "string",
-                                                     "string[]",
-                                                     "List<string>",
-                                                     "Color",
-                                                     "Vector4",
-                                                     "LayerMask",
-                                                     "RenderingLayerMask",
-                                                     "RenderPassEvent",
-                                                     "Shader",
-                                                     "Material",
-                                                     "CompareFunction",
-                                                     "StencilOp"};
+    static const WordList types(
+        "int uint float bool string string[] List<string> Color Vector4 LayerMask "
+        "RenderingLayerMask RenderPassEvent Shader Material CompareFunction StencilOp");
     const CSharpClass* own = Find(type);
     return own ? CppType(type).has_value() && !type.ends_with("]") && !type.starts_with("List<")
-               : types.contains(type);
+               : types.Has(type);
 }
 
 bool PortModel::isSerialized(const CSharpField& field) const
@@ -436,7 +342,7 @@ bool PortModel::isSerialized(const CSharpField& field) const
 
 std::string PortModel::CppName(const std::string& name) const
 {
-    const bool isType = IsSameType(name) || KnownTypes().contains(name) || Find(name);
+    const bool isType = !KnownType(name).empty() || Find(name);
     return isType || IsCppWord(name) ? name + "_" : name;
 }
 

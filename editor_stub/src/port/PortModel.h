@@ -1,6 +1,7 @@
 #pragma once
 
-#include "port/UsedMembers.h"
+#include "port/ClassIndex.h"
+#include "port/UseScanner.h"
 
 #include <map>
 #include <optional>
@@ -67,18 +68,18 @@ public:
     /// somebody else's in it, or anybody keeps a component of the volume stack.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
-    /// Classes of the files may be used as types from here on.
-    void Declare(const CSharpClass& one) { m_Declared.insert(&one); }
-    bool isDeclared(const CSharpClass& one) const { return m_Declared.contains(&one); }
-    /// The same of fields, which C++ has or not, and of the methods in a class's definition.
-    void Declare(const CSharpField& field) { m_DeclaredFields.insert(&field); }
-    bool isDeclared(const CSharpField& field) const { return m_DeclaredFields.contains(&field); }
-    void Declare(const CSharpMethod& method) { m_DeclaredMethods.insert(&method); }
-    bool isDeclared(const CSharpMethod& method) const
+    /// Classes of the files may be used as types from here on; fields, which C++ has or not, and
+    /// the methods in a class's definition, likewise.
+    template <typename Member>
+    void Declare(const Member& one)
     {
-        return m_DeclaredMethods.contains(&method);
+        m_Declared.insert(&one);
     }
-
+    template <typename Member>
+    bool isDeclared(const Member& one) const
+    {
+        return m_Declared.contains(&one);
+    }
     /// A name that is none of C++'s words and none of a type.
     std::string CppName(const std::string& name) const;
 
@@ -102,9 +103,7 @@ private:
     mutable const CSharpClass* m_Context = nullptr; ///< in which types are called
     std::map<const CSharpClass*, ClassPlace> m_Places;
     std::set<std::pair<const CSharpClass*, std::string_view>> m_PlacedNames; ///< and what is around
-    std::set<const CSharpClass*> m_Declared;
-    std::set<const CSharpField*> m_DeclaredFields;
-    std::set<const CSharpMethod*> m_DeclaredMethods;
+    std::set<const void*> m_Declared; ///< classes, fields, methods
 };
 
 /// While it is there, types are what they are called in this class.
@@ -124,5 +123,13 @@ private:
     const PortModel& m_Model;
     const CSharpClass* m_Before;
 };
+
+/// What C++ calls an int that holds a property's number.
+inline constexpr const char* k_PropertyIdType = "ShaderPropertyId";
+
+/// Gives the fields and parameters of type int that hold what Shader.PropertyToID gives, or are
+/// taken for a property's number, the type ShaderPropertyId, and lists and arrays of such ints that
+/// of their elements.
+void MarkPropertyIds(const CSharpFiles& files);
 
 } // namespace limn

@@ -55,6 +55,8 @@ private:
 void WriteEnum(PortedCode& code, const CSharpClass& one);
 void WriteData(PortedCode& code, const CSharpClass& one);
 void WriteComponent(PortedCode& code, const CSharpClass& one);
+/// The classes that stand in this one.
+std::vector<const CSharpClass*> NestedIn(const CSharpClass& one);
 /// The enums and data among these, those first that others need.
 void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes);
 /// A method whose body is a comment; a comment as a whole where its types are not known.
@@ -73,8 +75,6 @@ void WriteFeature(PortedCode& code, const CSharpClass& one);
 void WriteFeatureMethods(PortedCode& code, const CSharpClass& one);
 /// The methods of the base class that others of their names would hide.
 void WriteUsing(PortedCode& code, const CSharpClass& one);
-/// Passes are defined in the source; before that they have a name.
-bool isPassOf(const PortModel& model, const CSharpField& field);
 
 /// A method of a feature or a pass in C++.
 struct PortedSignature
@@ -89,8 +89,8 @@ struct PortedSignature
 /// Nothing where its types are not known, or limn never calls it.
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method);
-/// What a method returns whose body is a comment.
-std::string DefaultResult(const PortedSignature& signature);
+/// Returns something from a method whose body is a comment.
+void WriteResult(PortedCode& code, const PortedSignature& signature);
 /// What the method's parameters and the class's fields stand for.
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 /// What a parameter or variable of a method is called in C++: nothing that hides a member.

@@ -1,7 +1,5 @@
-#include "port/PlainText.h"
+#include "port/PortExpression.h"
 #include "port/PortedCode.h"
-
-#include <algorithm>
 
 namespace limn
 {
@@ -245,12 +243,7 @@ void WriteComponent(PortedCode& code, const CSharpClass& one)
     code.Open("class " + model.ClassName(one) + " final : public VolumeComponent" +
               (isPostProcess ? ", public IPostProcessComponent" : ""));
     code.Label("public:");
-    std::vector<const CSharpClass*> nested;
-    for (const CSharpClass& inner : one.classes)
-    {
-        nested.push_back(&inner);
-    }
-    WriteTypes(code, nested);
+    WriteTypes(code, NestedIn(one));
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {

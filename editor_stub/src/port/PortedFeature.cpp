@@ -1,4 +1,5 @@
-#include "port/PlainText.h"
+#include "console/Texts.h"
+#include "port/PortExpression.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>
@@ -38,12 +39,7 @@ std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpP
     const PortContext context(model, one);
     const CSharpClass* own = model.Find(parameter.type);
     const bool isPlain = PlainTypeName(parameter.type).size() == parameter.type.size();
-    std::string type = own && isPlain ? model.QualifiedName(*own) : parameter.type;
-    for (std::size_t at = type.find("::"); at != std::string::npos; at = type.find("::"))
-    {
-        type.replace(at, 2, ".");
-    }
-    return type;
+    return Replaced(own && isPlain ? model.QualifiedName(*own) : parameter.type, "::", ".");
 }
 
 /// Whether what is handed over has to be a variable.
@@ -226,11 +222,6 @@ bool HasOwn(const CSharpClass& one, const PortModel& model, const char* name)
 
 } // namespace
 
-bool isPassOf(const PortModel& model, const CSharpField& field)
-{
-    return PassOf(model, field) != nullptr;
-}
-
 std::string RegisteredName(const CSharpClass& one)
 {
     FeatureRegistry features;
@@ -248,16 +239,14 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     code.Line("/// C#: " + model.Place(one, one.location) + ".");
     code.Open("class " + model.ClassName(one) + " final : public ScriptableRendererFeature");
     code.Label("public:");
-    std::vector<const CSharpClass*> nested;
     for (const CSharpClass& inner : one.classes)
     {
-        nested.push_back(&inner);
         if (model.RoleOf(inner) == PortRole::Pass && !model.isLeftOut(inner))
         {
             code.Line("class " + model.ClassName(inner) + ";");
         }
     }
-    WriteTypes(code, nested);
+    WriteTypes(code, NestedIn(one));
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {
@@ -332,9 +321,9 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
         {
             WriteEnqueuing(code, one, method);
         }
-        else if (signature->result != "void")
+        else
         {
-            code.Line("return " + DefaultResult(*signature) + ";");
+            WriteResult(code, *signature);
         }
         code.Close();
     }

@@ -1,6 +1,6 @@
 #include "port/GraphPasses.h"
 #include "port/PortedCode.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 

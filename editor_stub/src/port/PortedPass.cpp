@@ -1,6 +1,6 @@
 #include "port/GraphPasses.h"
 #include "port/PortedCode.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 
@@ -14,7 +14,6 @@ namespace
 struct KnownMethod
 {
     std::string_view name;
-    std::string_view cppName;
     std::vector<std::string> parameters;
 };
 
@@ -23,20 +22,18 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
 {
     static const std::vector<KnownMethod> none;
     static const std::vector<KnownMethod> feature = {
-        {"Create", "Create", {}},
-        {"Dispose", "Dispose", {"bool"}},
-        {"AddRenderPasses", "AddRenderPasses", {"ScriptableRenderer&", "RenderingData&"}},
-        {"SetupRenderPasses",
-         "SetupRenderPasses",
-         {"ScriptableRenderer&", "const RenderingData&"}}};
+        {"Create", {}},
+        {"Dispose", {"bool"}},
+        {"AddRenderPasses", {"ScriptableRenderer&", "RenderingData&"}},
+        {"SetupRenderPasses", {"ScriptableRenderer&", "const RenderingData&"}}};
     static const std::vector<KnownMethod> pass = {
-        {"OnCameraSetup", "OnCameraSetup", {"CommandBuffer&", "RenderingData&"}},
-        {"Configure", "Configure", {"CommandBuffer&", "const RenderTextureDescriptor&"}},
-        {"Execute", "Execute", {"ScriptableRenderContext&", "RenderingData&"}},
-        {"RecordRenderGraph", "RecordRenderGraph", {"RenderGraph&", "ContextContainer&"}},
-        {"OnCameraCleanup", "OnCameraCleanup", {"CommandBuffer&"}},
-        {"FrameCleanup", "FrameCleanup", {"CommandBuffer&"}},
-        {"OnFinishCameraStackRendering", "OnFinishCameraStackRendering", {"CommandBuffer&"}}};
+        {"OnCameraSetup", {"CommandBuffer&", "RenderingData&"}},
+        {"Configure", {"CommandBuffer&", "const RenderTextureDescriptor&"}},
+        {"Execute", {"ScriptableRenderContext&", "RenderingData&"}},
+        {"RecordRenderGraph", {"RenderGraph&", "ContextContainer&"}},
+        {"OnCameraCleanup", {"CommandBuffer&"}},
+        {"FrameCleanup", {"CommandBuffer&"}},
+        {"OnFinishCameraStackRendering", {"CommandBuffer&"}}};
     return role == PortRole::Feature ? feature : role == PortRole::Pass ? pass : none;
 }
 
@@ -193,10 +190,7 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     {
         code.Todo("port", place, body);
     }
-    if (signature->result != "void")
-    {
-        code.Line("return " + DefaultResult(*signature) + ";");
-    }
+    WriteResult(code, *signature);
     code.Close();
 }
 
@@ -283,7 +277,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         {
             return std::nullopt;
         }
-        signature.name = found->cppName;
+        signature.name = found->name;
         signature.isOverride = true;
         types = found->parameters;
     }
@@ -326,9 +320,12 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     return signature;
 }
 
-std::string DefaultResult(const PortedSignature& signature)
+void WriteResult(PortedCode& code, const PortedSignature& signature)
 {
-    return signature.result + PortModel::CppDefault(signature.result);
+    if (signature.result != "void")
+    {
+        code.Line("return " + signature.result + PortModel::CppDefault(signature.result) + ";");
+    }
 }
 
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method)
@@ -385,12 +382,7 @@ void WritePass(PortedCode& code, const CSharpClass& one)
     {
         code.Line("// TODO " + place + ": what '" + one.bases.front() + "' has goes in here, too");
     }
-    std::vector<const CSharpClass*> nested;
-    for (const CSharpClass& inner : one.classes)
-    {
-        nested.push_back(&inner);
-    }
-    WriteTypes(code, nested);
+    WriteTypes(code, NestedIn(one));
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {

@@ -1,8 +1,8 @@
-#include "port/EnumValues.h"
-#include "port/PlainText.h"
+#include "console/Texts.h"
+#include "port/PortExpression.h"
+#include "port/PortModel.h"
 #include "port/PortedCode.h"
-#include "port/PropertyIds.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 #include <iterator>
@@ -53,12 +53,7 @@ bool IsPlainEnumValue(CSharpWords words)
 
 std::string EntriesName(const PortModel& model, const CSharpClass& one)
 {
-    std::string name = model.QualifiedName(one);
-    for (std::size_t at = name.find("::"); at != std::string::npos; at = name.find("::"))
-    {
-        name.erase(at, 2);
-    }
-    return "k_" + name + "Entries";
+    return "k_" + Replaced(model.QualifiedName(one), "::", "") + "Entries";
 }
 
 void WriteEntriesOf(PortedCode& code, const CSharpClass& one)
@@ -413,6 +408,14 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
     code.Close();
 }
 
+std::vector<const CSharpClass*> NestedIn(const CSharpClass& one)
+{
+    std::vector<const CSharpClass*> nested;
+    std::ranges::transform(one.classes, std::back_inserter(nested),
+                           [](const CSharpClass& inner) { return &inner; });
+    return nested;
+}
+
 void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes)
 {
     const PortModel& model = code.model();
@@ -452,10 +455,7 @@ void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
     code.Todo("port", place, body);
-    if (signature->result != "void")
-    {
-        code.Line("return " + DefaultResult(*signature) + ";");
-    }
+    WriteResult(code, *signature);
     code.Close();
 }
 
@@ -471,12 +471,7 @@ void WriteData(PortedCode& code, const CSharpClass& one)
     {
         code.Label("public:");
     }
-    std::vector<const CSharpClass*> nested;
-    for (const CSharpClass& inner : one.classes)
-    {
-        nested.push_back(&inner);
-    }
-    WriteTypes(code, nested);
+    WriteTypes(code, NestedIn(one));
     PortScope scope;
     for (const CSharpField& field : one.fields)
     {

@@ -1,3 +1,4 @@
+#include "console/Texts.h"
 #include "port/PortFolder.h"
 #include "port/PortedCode.h"
 
@@ -15,11 +16,9 @@ constexpr std::size_t k_MostPlaces = 8;
 /// In a cell of a Markdown table.
 std::string Cell(std::string_view text)
 {
-    std::string cell;
-    for (const char c : text)
-    {
-        cell += c == '|' ? "\\|" : c == '\n' || c == '\r' ? " " : std::string(1, c);
-    }
+    std::string cell = Replaced(std::string(text), "|", "\\|");
+    std::ranges::replace_if(
+        cell, [](char c) { return c == '\n' || c == '\r'; }, ' ');
     return cell;
 }
 

@@ -1,6 +1,7 @@
 #include "port/PortingTable.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/EmbeddedFile.h>
 #include <span>
@@ -72,18 +73,8 @@ std::string RowWords(std::string_view row)
 
 const char* ToString(PortVerdict verdict)
 {
-    switch (verdict)
-    {
-    case PortVerdict::Same:
-        return "same";
-    case PortVerdict::Differs:
-        return "differs";
-    case PortVerdict::Refused:
-        return "refused";
-    case PortVerdict::Missing:
-        return "missing";
-    }
-    return "";
+    constexpr std::array k_Names{"same", "differs", "refused", "missing"};
+    return k_Names.at(static_cast<std::size_t>(verdict));
 }
 
 PortingTable::PortingTable(std::string_view text)

@@ -1,6 +1,6 @@
-#include "port/PropertyIds.h"
+#include "port/PortModel.h"
 
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
 namespace limn
 {
@@ -13,14 +13,12 @@ constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
 /// Whether Unity's method takes a property's number first.
 bool TakesProperty(std::string_view method)
 {
-    constexpr std::string_view k_Beginnings[] = {
-        "SetGlobal",  "SetFloat",  "SetInt",    "SetVector",         "SetColor",
-        "SetTexture", "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat",
-        "GetInt",     "GetVector", "GetColor",  "GetMatrix",         "GetTexture"};
-    return IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT",
-                         "HasProperty", "RenderTargetIdentifier"}) ||
-           std::ranges::any_of(k_Beginnings, [&](std::string_view beginning)
-                               { return method.starts_with(beginning); });
+    return StartsWithAny(method,
+                         {"SetGlobal", "SetFloat", "SetInt", "SetVector", "SetColor", "SetTexture",
+                          "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat", "GetInt",
+                          "GetVector", "GetColor", "GetMatrix", "GetTexture"}) ||
+           IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT",
+                         "HasProperty", "RenderTargetIdentifier"});
 }
 
 /// The type with a property's number in place of int; "" where it holds no int.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "port/UsedMembers.h"
+#include "port/ClassIndex.h"
+#include "port/PortingTable.h"
 
 #include <map>
 #include <set>
@@ -9,6 +10,22 @@
 
 namespace limn
 {
+
+/// A place in one of several files.
+struct CSharpPlace
+{
+    const CSharpFile* file = nullptr;
+    SourceLocation location;
+};
+
+/// What C# uses that it does not define itself.
+struct UsedMember
+{
+    std::string key;                  ///< of PortingTable, or what stands in the file
+    const PortEntry* entry = nullptr; ///< null = unknown
+    std::string problem;              ///< of an unknown one: why
+    std::vector<CSharpPlace> places;  ///< in the order of the files
+};
 
 /// Walks through words of C# and notes what they use. Types are followed by name.
 class UseScanner
@@ -71,5 +88,10 @@ private:
     bool m_IsSilent = false; ///< looks for a type only
     std::map<std::string, UsedMember> m_Uses;
 };
+
+/// Every type, member and attribute that the files use and do not define, once each, by name. Types
+/// of variables are followed as far as declarations and the table say them; whatever cannot be told
+/// is there as unknown.
+std::vector<UsedMember> UsedMembersOf(const CSharpFiles& files, const PortingTable& table);
 
 } // namespace limn

@@ -1,22 +1,19 @@
 #include "port/UseScanner.h"
-#include "port/csharp/CSharpWords.h"
+#include "port/csharp/CSharpTokens.h"
 
-#include <algorithm>
+#include <limn/base/WordList.h>
 
 namespace limn
 {
 
 bool IsCSharpKeyword(std::string_view word)
 {
-    static const std::set<std::string_view> keywords = {
-        "if",       "else",  "for",        "foreach",  "while",   "do",        "switch", "case",
-        "default",  "break", "continue",   "return",   "throw",   "try",       "catch",  "finally",
-        "using",    "lock",  "in",         "out",      "ref",     "is",        "as",     "null",
-        "true",     "false", "typeof",     "sizeof",   "checked", "unchecked", "await",  "yield",
-        "goto",     "fixed", "stackalloc", "params",   "and",     "or",        "not",    "when",
-        "static",   "const", "unsafe",     "delegate", "_",       "async",     "where",  "with",
-        "readonly", "value", "get",        "set",      "add",     "remove",    "init"};
-    return keywords.contains(word);
+    static const WordList keywords(
+        "if else for foreach while do switch case default break continue return throw try catch "
+        "finally using lock in out ref is as null true false typeof sizeof checked unchecked await "
+        "yield goto fixed stackalloc params and or not when static const unsafe delegate _ async "
+        "where with readonly value get set add remove init");
+    return keywords.Has(word);
 }
 
 std::string ElementType(const std::string& type)

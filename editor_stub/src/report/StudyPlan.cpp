@@ -1,8 +1,8 @@
 #include "report/StudyPlan.h"
 
 #include "report/extremes/Stability.h"
-#include "report/measure/NumericalCells.h"
-#include "report/measure/Subjects.h"
+#include "report/measure/StudyBench.h"
+#include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <sstream>

@@ -3,7 +3,7 @@
 #include "assets/GltfBufferFiles.h"
 #include "assets/References.h"
 #include "plugins/LoadPlugin.h"
-#include "scene/MaterialReader.h"
+#include "scene/Loader.h"
 #include "scene/ProfileContext.h"
 #include "shaders/ShaderFolders.h"
 #include "unity/TextureImporter.h"
@@ -40,13 +40,11 @@ bool isSelfContained(const ShaderLabDocument& document)
         const std::vector<ShaderLabPass>& passes = resolved.subShader.passes;
         const auto isThere = [&](std::string_view lightMode)
         {
-            return std::any_of(passes.begin(), passes.end(),
-                               [&](const ShaderLabPass& pass)
-                               { return pass.lightMode() == lightMode; });
+            return std::ranges::any_of(passes, [&](const ShaderLabPass& pass)
+                                       { return pass.lightMode() == lightMode; });
         };
         return resolved.errors.empty() &&
-               (document.fallback.empty() ||
-                std::all_of(k_FallbackLightModes.begin(), k_FallbackLightModes.end(), isThere));
+               (document.fallback.empty() || std::ranges::all_of(k_FallbackLightModes, isThere));
     }
     catch (const AssetError&)
     {
@@ -58,9 +56,8 @@ bool isSelfContained(const ShaderLabDocument& document)
 bool isFrom(const Shader& shader, const std::filesystem::path& file)
 {
     const std::vector<ShaderLabPass>& passes = shader.subShader().passes;
-    return std::any_of(passes.begin(), passes.end(),
-                       [&](const ShaderLabPass& pass)
-                       { return pass.program && pass.program->file == file; });
+    return std::ranges::any_of(passes, [&](const ShaderLabPass& pass)
+                               { return pass.program && pass.program->file == file; });
 }
 
 } // namespace

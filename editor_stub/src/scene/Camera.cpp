@@ -1,5 +1,5 @@
 #include "scene/Loader.h"
-#include "settings/ReadEnum.h"
+#include "settings/ReadValues.h"
 
 namespace limn
 {
@@ -9,7 +9,6 @@ namespace
 
 void ReadDirection(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
-    glm::vec3 degrees(0.0f);
     glm::vec3 target(0.0f);
     const YamlNode* rotation = map.Find("rotation");
     const YamlNode* lookAt = map.Find("lookAt");
@@ -20,10 +19,7 @@ void ReadDirection(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagno
                               ": the camera has a rotation already; keep one of them");
         return;
     }
-    if (map.Read("rotation", degrees))
-    {
-        camera.transform.localRotation = EulerToRotation(degrees);
-    }
+    map.Read("rotation", camera.transform.localRotation);
     if (map.Read("lookAt", target))
     {
         const glm::vec3 forward = target - camera.transform.localPosition;
@@ -60,13 +56,7 @@ void ReadLens(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics
 
 void ReadSorting(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnostics)
 {
-    if (const YamlNode* node = map.Find("transparencySortMode"))
-    {
-        const auto mode = ReadEnum(*node, k_TransparencySortModes,
-                                   map.SubjectOf("transparencySortMode"), diagnostics);
-        camera.transparencySortMode =
-            mode ? static_cast<TransparencySortMode>(*mode) : camera.transparencySortMode;
-    }
+    map.Read("transparencySortMode", k_TransparencySortModes, camera.transparencySortMode);
     const bool hasAxis = map.Read("transparencySortAxis", camera.transparencySortAxis);
     if (hasAxis && camera.transparencySortAxis == glm::vec3(0.0f))
     {
@@ -77,21 +67,11 @@ void ReadSorting(SceneMapReader& map, Camera& camera, AssetDiagnostics& diagnost
 }
 
 template <typename AnyLight>
-void ReadLightShadows(SceneMapReader& map, AnyLight& light, AssetDiagnostics& diagnostics)
+void ReadLightShadows(SceneMapReader& map, AnyLight& light)
 {
-    if (const YamlNode* node = map.Find("shadows"))
-    {
-        const auto value = ReadEnum(*node, k_LightShadows, map.SubjectOf("shadows"), diagnostics);
-        light.shadows = value ? static_cast<LightShadows>(*value) : light.shadows;
-    }
+    map.Read("shadows", k_LightShadows, light.shadows);
     map.Read("shadowStrength", light.shadowStrength);
-    if (const YamlNode* node = map.Find("softShadowQuality"))
-    {
-        const auto value = ReadEnum(*node, k_LightShadowQualities,
-                                    map.SubjectOf("softShadowQuality"), diagnostics);
-        light.softShadowQuality =
-            value ? static_cast<SoftShadowQuality>(*value) : light.softShadowQuality;
-    }
+    map.Read("softShadowQuality", k_LightShadowQualities, light.softShadowQuality);
     map.Read("usePipelineSettings", light.usePipelineSettings);
     map.Read("shadowBias", light.shadowBias);
     map.Read("shadowNormalBias", light.shadowNormalBias);
@@ -125,11 +105,9 @@ void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
 
 void ReadStack(const YamlNode& node, SceneLoader& loader)
 {
-    int index = 0;
-    for (const YamlNode& item : ReadItems(node, "camera.cameraStack", loader.diagnostics))
+    for (const auto& [item, place] : ReadItems(node, "camera.cameraStack", loader.diagnostics))
     {
-        SceneMapReader map(item, "camera.cameraStack[" + std::to_string(index++) + "]",
-                           scene_keys::k_OverlayCamera, loader.diagnostics);
+        SceneMapReader map(item, place, scene_keys::k_OverlayCamera, loader.diagnostics);
         const auto overlay = std::make_shared<Camera>();
         overlay->renderType = CameraRenderType::Overlay;
         overlay->renderPostProcessing = false; // or effects would come twice
@@ -148,11 +126,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     AssetDiagnostics& diagnostics = loader.diagnostics;
     SceneMapReader map(node, "camera", scene_keys::k_Camera, diagnostics);
     ReadView(map, camera, loader);
-    if (const YamlNode* flags = map.Find("clearFlags"))
-    {
-        const auto value = ReadEnum(*flags, k_ClearFlags, "camera.clearFlags", diagnostics);
-        camera.clearFlags = value ? static_cast<CameraClearFlags>(*value) : camera.clearFlags;
-    }
+    map.Read("clearFlags", k_ClearFlags, camera.clearFlags);
     map.Read("backgroundColor", camera.backgroundColor);
     map.Read("allowHDR", camera.allowHDR);
     map.Read("allowMSAA", camera.allowMSAA);
@@ -167,53 +141,35 @@ void ReadLight(const YamlNode& node, SceneLoader& loader)
 {
     DirectionalLight& light = loader.asset.scene.mainLight;
     SceneMapReader map(node, "light", scene_keys::k_Light, loader.diagnostics);
-    glm::vec3 degrees(0.0f);
-    if (map.Read("rotation", degrees))
+    glm::quat rotation = glm::identity<glm::quat>();
+    if (map.Read("rotation", rotation))
     {
-        light.direction = EulerToRotation(degrees) * glm::vec3(0.0f, 0.0f, 1.0f);
+        light.direction = rotation * glm::vec3(0.0f, 0.0f, 1.0f);
     }
     map.Read("color", light.color);
     map.Read("intensity", light.intensity);
-    ReadLightShadows(map, light, loader.diagnostics);
+    ReadLightShadows(map, light);
     map.Finish();
 }
 
 void ReadLights(const YamlNode& node, SceneLoader& loader)
 {
-    AssetDiagnostics& diagnostics = loader.diagnostics;
-    int index = 0;
-    for (const YamlNode& item : ReadItems(node, "lights", diagnostics))
+    for (const auto& [item, place] : ReadItems(node, "lights", loader.diagnostics))
     {
-        const std::string subject = "lights[" + std::to_string(index++) + "]";
-        SceneMapReader map(item, subject, scene_keys::k_AdditionalLight, diagnostics);
+        SceneMapReader map(item, place, scene_keys::k_AdditionalLight, loader.diagnostics);
         Light light;
-        if (const YamlNode* type = map.Find("type"))
-        {
-            const auto value = ReadEnum(*type, k_LightTypes, subject + ".type", diagnostics);
-            light.type = value ? static_cast<LightType>(*value) : light.type;
-        }
+        map.Read("type", k_LightTypes, light.type);
         map.Read("position", light.transform.localPosition);
-        glm::vec3 degrees(0.0f);
-        if (map.Read("rotation", degrees))
-        {
-            light.transform.localRotation = EulerToRotation(degrees);
-        }
+        map.Read("rotation", light.transform.localRotation);
         map.Read("color", light.color);
         map.Read("intensity", light.intensity);
         map.Read("range", light.range);
         map.Read("spotAngle", light.spotAngle);
         map.Read("innerSpotAngle", light.innerSpotAngle);
-        ReadLightShadows(map, light, diagnostics);
+        ReadLightShadows(map, light);
         map.Read("shadowNearPlane", light.shadowNearPlane);
-        if (const YamlNode* tierNode = map.Find("additionalLightsShadowResolutionTier"))
-        {
-            using Tier = AdditionalLightsShadowResolutionTier;
-            const auto tier =
-                ReadEnum(*tierNode, k_ShadowResolutionTiers,
-                         map.SubjectOf("additionalLightsShadowResolutionTier"), diagnostics);
-            light.additionalLightsShadowResolutionTier =
-                tier ? static_cast<Tier>(*tier) : light.additionalLightsShadowResolutionTier;
-        }
+        map.Read("additionalLightsShadowResolutionTier", k_ShadowResolutionTiers,
+                 light.additionalLightsShadowResolutionTier);
         map.Read("shadowResolution", light.shadowResolution);
         map.Finish();
         loader.asset.scene.additionalLights.push_back(std::move(light));

@@ -2,8 +2,9 @@
 
 #include "assets/References.h"
 #include "settings/MapReader.h"
-#include "settings/ReadLayers.h"
+#include "settings/ReadValues.h"
 
+#include <limn/core/Material.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <map>
 
@@ -62,11 +63,35 @@ std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& su
 /// Looks for the errors of a mesh that nobody draws: a file that is there is not read.
 void CheckMesh(const YamlNode& node, const std::string& subject, SceneLoader& loader);
 
+/// An item of a sequence, and what messages call it: "objects[2]".
+struct SceneItem
+{
+    const YamlNode& node;
+    std::string place;
+};
 /// The items of a sequence; an error if the node is something else, Null apart.
-std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,
-                                    AssetDiagnostics& diagnostics);
+std::vector<SceneItem> ReadItems(const YamlNode& node, const std::string& subject,
+                                 AssetDiagnostics& diagnostics);
 
 /// `position`, `rotation` (Euler degrees) and `scale` (three numbers or one).
 void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics);
+
+/// A material as scenes and material files write it, {shader: ..., _BaseColor: ...}. Null, with an
+/// error, if the shader cannot be used: which properties there are is then unknown.
+std::shared_ptr<const Material> ReadMaterial(const std::string& name, const YamlNode& node,
+                                             References& references, AssetDiagnostics& diagnostics);
+
+/// The material of a .material.yaml file; relative paths in it start at its folder.
+/// @throws AssetError with every problem of the file
+std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& path,
+                                                 AssetContext& assets);
+
+/// Sets a material's texture property to what a file says: the name of a default texture; for a 2D
+/// property a .png file; for a 3D one or an array {slices: [.png files]}; for a cube or an array of
+/// cubes {faces: [.png files]}, six a cube in the order +X -X +Y -Y +Z -Z, each as one sees it from
+/// the centre. What is wrong is an error at its place, and the property stays as it was.
+void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
+                         const std::string& subject, Material& material, References& references,
+                         AssetDiagnostics& diagnostics);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 #include "scene/Loader.h"
-#include "settings/ReadEnum.h"
+#include "settings/ReadValues.h"
 
-#include <algorithm>
 #include <limn/core/OutlineNormals.h>
 
 namespace limn
@@ -40,11 +39,10 @@ void CheckMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& l
     }
     if (const YamlNode* many = map.Find("materials"))
     {
-        const std::string list = map.SubjectOf("materials");
-        int index = 0;
-        for (const YamlNode& item : ReadItems(*many, list, loader.diagnostics))
+        for (const auto& [item, place] :
+             ReadItems(*many, map.SubjectOf("materials"), loader.diagnostics))
         {
-            FindMaterial(item, list + "[" + std::to_string(index++) + "]", loader);
+            FindMaterial(item, place, loader);
         }
     }
 }
@@ -74,12 +72,10 @@ void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& lo
     {
         settings.materials.clear();
         settings.isOneMaterial = false;
-        const std::string list = map.SubjectOf("materials");
-        for (const YamlNode& item : ReadItems(*many, list, loader.diagnostics))
+        for (const auto& [item, place] :
+             ReadItems(*many, map.SubjectOf("materials"), loader.diagnostics))
         {
-            const std::string subject =
-                list + "[" + std::to_string(settings.materials.size()) + "]";
-            settings.materials.push_back(ReadMaterialName(item, subject, loader));
+            settings.materials.push_back(ReadMaterialName(item, place, loader));
         }
     }
 }
@@ -159,13 +155,7 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     ReadLayersOf(map, settings, loader);
     ReadMaterialNames(map, settings, loader);
     map.Read("bakeOutlineNormals", settings.bakeOutlineNormals);
-    if (const YamlNode* mode = map.Find("shadowCastingMode"))
-    {
-        const auto value = ReadEnum(*mode, k_ShadowCastingModes, map.SubjectOf("shadowCastingMode"),
-                                    loader.diagnostics);
-        settings.shadowCastingMode =
-            value ? static_cast<ShadowCastingMode>(*value) : settings.shadowCastingMode;
-    }
+    map.Read("shadowCastingMode", k_ShadowCastingModes, settings.shadowCastingMode);
     object.activeSelf = settings.active;
     object.layer = settings.layer;
     object.transform.parent = settings.parent;
@@ -183,11 +173,10 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
     settings.parent = &object.transform;
     if (const YamlNode* children = map.Find("children"))
     {
-        const std::string list = map.SubjectOf("children");
-        int index = 0;
-        for (const YamlNode& child : ReadItems(*children, list, loader.diagnostics))
+        for (const auto& [child, childPlace] :
+             ReadItems(*children, map.SubjectOf("children"), loader.diagnostics))
         {
-            ReadObject(child, list + "[" + std::to_string(index++) + "]", settings, loader);
+            ReadObject(child, childPlace, settings, loader);
         }
     }
     map.Finish();
@@ -242,10 +231,9 @@ std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& su
 
 void ReadObjects(const YamlNode& node, SceneLoader& loader)
 {
-    int index = 0;
-    for (const YamlNode& item : ReadItems(node, "objects", loader.diagnostics))
+    for (const auto& [item, place] : ReadItems(node, "objects", loader.diagnostics))
     {
-        ReadObject(item, "objects[" + std::to_string(index++) + "]", {}, loader);
+        ReadObject(item, place, {}, loader);
     }
 }
 

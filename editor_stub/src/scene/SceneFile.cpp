@@ -1,11 +1,13 @@
 #include "scene/Loader.h"
-#include "settings/ReadEnum.h"
+#include "settings/ReadValues.h"
+#include "settings/SettingsReader.h"
 #include "settings/ShadowKeys.h"
 #include "unity/RenderPipelineAsset.h"
 #include "unity/UnityScene.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limn/editor_stub/UnityRendererData.h>
 
 namespace limn
 {
@@ -104,15 +106,14 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
 
 void ReadPlugins(const YamlNode& node, SceneLoader& loader)
 {
-    int index = 0;
-    for (const YamlNode& item : ReadItems(node, "plugins", loader.diagnostics))
+    for (const auto& [item, place] : ReadItems(node, "plugins", loader.diagnostics))
     {
         const auto load = [&loader](const std::filesystem::path& path)
         {
             loader.references.assets().LoadPlugin(path);
             return true;
         };
-        loader.references.Read(item, "plugins[" + std::to_string(index++) + "]", load);
+        loader.references.Read(item, place, load);
     }
 }
 
@@ -167,13 +168,67 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     map.Finish();
 }
 
+void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& loader)
+{
+    AssetDiagnostics& diagnostics = loader.diagnostics;
+    YamlMapReader map(node, subject, diagnostics);
+    std::string type;
+    map.Require("type");
+    if (!map.Read("type", type))
+    {
+        return;
+    }
+    const FeatureRegistry& features = loader.references.assets().features();
+    std::unique_ptr<ScriptableRendererFeature> feature = features.Create(type);
+    if (!feature)
+    {
+        diagnostics.Error(map.Find("type")->location(), map.SubjectOf("type") +
+                                                            ": unknown feature " +
+                                                            UnknownName(type, features.names()));
+        return;
+    }
+    feature->name = type;
+    map.Read("name", feature->name);
+    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers,
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  { return loader.references.ReadShader(value, setting); },
+                                  [&loader](const YamlNode& value, const std::string& setting)
+                                  {
+                                      return ReadMaterialName(value, setting, loader);
+                                  }};
+    ReadFeatureSettings(map, *feature, context, diagnostics);
+    TryCreate(*feature, loader.references.assets().shaderSource(), node.location(), subject + ": ",
+              diagnostics);
+    loader.asset.renderer.features.push_back(std::move(feature));
+    loader.asset.renderer.featureTypes.push_back(type);
+}
+
+void ReadRendererData(const YamlNode& node, const char* key, SceneLoader& loader)
+{
+    References& references = loader.references;
+    if (node.isScalar() && std::filesystem::path(node.scalar()).extension() != ".asset")
+    {
+        loader.diagnostics.Error(node.location(),
+                                 std::string(key) + ": '" + node.scalar() +
+                                     "' is no renderer of Unity's; an .asset file is expected");
+        return;
+    }
+    const auto load = [&references](const std::filesystem::path& path)
+    {
+        return LoadUnityRendererData(path, references.assets());
+    };
+    UnityRendererDataLoadResult result = references.Read(node, key, load);
+    loader.asset.renderer = std::move(result.renderer);
+    loader.AddNotes(result.notes);
+}
+
 } // namespace
 
 void SceneLoader::AddNotes(const std::vector<Diagnostic>& notes)
 {
     for (const Diagnostic& note : notes)
     {
-        if (std::find(asset.notes.begin(), asset.notes.end(), note) == asset.notes.end())
+        if (std::ranges::find(asset.notes, note) == asset.notes.end())
         {
             asset.notes.push_back(note);
         }
@@ -210,25 +265,26 @@ std::string ScaledSizeProblem(const SceneAsset& scene)
                      " either way; lower it, or draw a smaller picture";
 }
 
-std::span<const YamlNode> ReadItems(const YamlNode& node, std::string_view subject,
-                                    AssetDiagnostics& diagnostics)
+std::vector<SceneItem> ReadItems(const YamlNode& node, const std::string& subject,
+                                 AssetDiagnostics& diagnostics)
 {
     if (!node.isSequence() && !node.isNull())
     {
-        diagnostics.Error(node.location(), std::string(subject) + ": found " + node.Describe() +
+        diagnostics.Error(node.location(), subject + ": found " + node.Describe() +
                                                "; a list is expected, each item behind a '- '");
     }
-    return node.items();
+    std::vector<SceneItem> items;
+    for (const YamlNode& item : node.items())
+    {
+        items.push_back({item, subject + "[" + std::to_string(items.size()) + "]"});
+    }
+    return items;
 }
 
 void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics)
 {
     map.Read("position", transform.localPosition);
-    glm::vec3 degrees(0.0f);
-    if (map.Read("rotation", degrees))
-    {
-        transform.localRotation = EulerToRotation(degrees);
-    }
+    map.Read("rotation", transform.localRotation);
     const YamlNode* scale = map.Find("scale");
     if (scale && scale->isScalar())
     {
@@ -270,6 +326,38 @@ SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
     references.ThrowIfErrors();
     loader.AddNotes(diagnostics.notes());
     return asset;
+}
+
+void ReadRenderer(const YamlNode& node, SceneLoader& loader)
+{
+    if (node.isScalar())
+    {
+        ReadRendererData(node, "renderer", loader);
+        return;
+    }
+    SceneMapReader map(node, "renderer", scene_keys::k_Renderer, loader.diagnostics);
+    const YamlNode* data = map.Find("rendererData");
+    const YamlNode* features = map.Find("features");
+    map.Finish();
+    if (data && features)
+    {
+        loader.diagnostics.Error(features->location(),
+                                 "renderer.features: the features come from rendererData already; "
+                                 "keep one of them");
+        return;
+    }
+    if (data)
+    {
+        ReadRendererData(*data, "renderer.rendererData", loader);
+    }
+    if (features)
+    {
+        for (const auto& [item, place] :
+             ReadItems(*features, "renderer.features", loader.diagnostics))
+        {
+            ReadFeature(item, place, loader);
+        }
+    }
 }
 
 } // namespace limn

@@ -1,5 +1,7 @@
 #include "scene/Loader.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 
 namespace limn
@@ -93,10 +95,9 @@ const ColliderShape* ReadColliderType(const YamlNode& collider, const std::strin
     const auto found = std::ranges::find(shapes, *type, &ColliderShape::type);
     if (found == shapes.end())
     {
-        std::vector<std::string_view> types;
-        std::ranges::transform(shapes, std::back_inserter(types), &ColliderShape::type);
         diagnostics.Error(node->location(),
-                          subject + ": unknown shape " + UnknownName(*type, types));
+                          subject + ": unknown shape " +
+                              UnknownName(*type, NamesOf(shapes, &ColliderShape::type)));
         return nullptr;
     }
     return &*found;
@@ -128,11 +129,9 @@ void ReadPlace(SceneMapReader& map, Volume& volume, const std::string& subject, 
     volume.scale = transform.localScale;
     if (const YamlNode* colliders = map.Find("colliders"))
     {
-        const std::string list = subject + ".colliders";
-        int index = 0;
-        for (const YamlNode& item : ReadItems(*colliders, list, diagnostics))
+        for (const auto& [item, place] : ReadItems(*colliders, subject + ".colliders", diagnostics))
         {
-            ReadCollider(item, list + "[" + std::to_string(index++) + "]", volume, loader);
+            ReadCollider(item, place, volume, loader);
         }
     }
     if (volume.isGlobal && !volume.colliders.empty())
@@ -203,10 +202,9 @@ void ReadVolume(const YamlNode& node, const std::string& place, SceneLoader& loa
 
 void ReadVolumes(const YamlNode& node, SceneLoader& loader)
 {
-    int index = 0;
-    for (const YamlNode& item : ReadItems(node, "volumes", loader.diagnostics))
+    for (const auto& [item, place] : ReadItems(node, "volumes", loader.diagnostics))
     {
-        ReadVolume(item, "volumes[" + std::to_string(index++) + "]", loader);
+        ReadVolume(item, place, loader);
     }
 }
 

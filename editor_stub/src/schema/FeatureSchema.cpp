@@ -1,4 +1,4 @@
-#include "plugins/DescribeFeature.h"
+#include "plugins/LoadPlugin.h"
 #include "schema/Schemas.h"
 #include "settings/Keys.h"
 

@@ -19,58 +19,27 @@ Json TypeSchema(const VolumeParameter& parameter)
     const ValueRange range = parameter.range().value_or(ValueRange{});
     const auto isOneOf = [&type](std::initializer_list<std::string_view> names)
     {
-        return std::find(names.begin(), names.end(), type) != names.end();
+        return std::ranges::find(names, type) != names.end();
     };
-    if (type == "Bool")
-    {
-        return BoolSchema();
-    }
-    if (isOneOf({"Int", "MinInt", "MaxInt", "ClampedInt"}))
-    {
-        return IntegerSchema(range);
-    }
-    if (type == "UInt")
-    {
-        return IntegerSchema(k_LayerBits);
-    }
-    if (isOneOf({"Float", "MinFloat", "MaxFloat", "ClampedFloat"}))
-    {
-        return NumberSchema(range);
-    }
-    if (type == "Color")
-    {
-        return ColorSchema();
-    }
-    if (isOneOf({"Vector2", "FloatRange"}))
-    {
-        return VectorSchema(2);
-    }
     if (isOneOf({"Vector3", "Vector4"}))
     {
         return VectorSchema(type == "Vector3" ? 3 : 4);
     }
-    if (isOneOf({"LayerMask", "RenderingLayerMask"}))
-    {
-        return LayerMaskSchema();
-    }
-    if (type == "Enum")
-    {
-        return EnumSchema(parameter.valueNames());
-    }
-    if (type == "AnimationCurve")
-    {
-        return AnimationCurveSchema();
-    }
-    if (type == "TextureCurve")
-    {
-        return TextureCurveSchema();
-    }
-    if (isOneOf({"Texture", "Texture2D", "Texture3D", "RenderTexture", "Cubemap", "Material"}))
-    {
-        return ReferenceSchema();
-    }
-    // A type that a program declares itself: its loader knows more than a schema can say.
-    return parameter.parameters().empty() ? Json::object() : ObjectSchema(parameter);
+    return type == "Bool"                                               ? BoolSchema()
+           : isOneOf({"Int", "MinInt", "MaxInt", "ClampedInt"})         ? IntegerSchema(range)
+           : type == "UInt"                                             ? IntegerSchema(k_LayerBits)
+           : isOneOf({"Float", "MinFloat", "MaxFloat", "ClampedFloat"}) ? NumberSchema(range)
+           : type == "Color"                                            ? ColorSchema()
+           : isOneOf({"Vector2", "FloatRange"})                         ? VectorSchema(2)
+           : isOneOf({"LayerMask", "RenderingLayerMask"})               ? LayerMaskSchema()
+           : type == "Enum"           ? EnumSchema(parameter.valueNames())
+           : type == "AnimationCurve" ? AnimationCurveSchema()
+           : type == "TextureCurve"   ? TextureCurveSchema()
+           : isOneOf({"Texture", "Texture2D", "Texture3D", "RenderTexture", "Cubemap", "Material"})
+               ? ReferenceSchema()
+           // A type that a program declares itself: its loader knows more than a schema can say.
+           : parameter.parameters().empty() ? Json::object()
+                                            : ObjectSchema(parameter);
 }
 
 Json ParameterSchema(const VolumeParameter& parameter)

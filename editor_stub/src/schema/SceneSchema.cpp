@@ -1,7 +1,10 @@
 #include "schema/Schemas.h"
 
+#include "console/Texts.h"
+#include "settings/Keys.h"
 #include "settings/ShadowKeys.h"
 
+#include <limn/core/BuiltinShaders.h>
 #include <limn/core/PrimitiveMesh.h>
 
 namespace limn
@@ -54,51 +57,6 @@ Json ColliderTypeSchema()
     }
     return {{"enum", std::move(types)}};
 }
-
-/// Adds one setting after the other.
-class ShadowSchema
-{
-public:
-    void operator()(std::string_view name, const bool&, ValueRange, std::string_view text)
-    {
-        Add(name, BoolSchema(), text);
-    }
-    void operator()(std::string_view name, const int&, ValueRange range, std::string_view text)
-    {
-        Add(name, IntegerSchema(range), text);
-    }
-    void operator()(std::string_view name, const float&, ValueRange range, std::string_view text)
-    {
-        Add(name, NumberSchema(range), text);
-    }
-    void operator()(std::string_view name, const glm::vec2&, ValueRange range,
-                    std::string_view text)
-    {
-        Add(name, VectorSchema(2, range), text);
-    }
-    void operator()(std::string_view name, const glm::vec3&, ValueRange range,
-                    std::string_view text)
-    {
-        Add(name, VectorSchema(3, range), text);
-    }
-    void operator()(std::string_view name, const SoftShadowQuality&, ValueRange,
-                    std::string_view text)
-    {
-        Add(name, EnumSchema(k_SoftShadowQualities), text);
-    }
-
-    Json map = MapSchema(Json::object());
-
-private:
-    void Add(std::string_view name, Json value, std::string_view text)
-    {
-        if (!text.empty())
-        {
-            value["description"] = std::string(text);
-        }
-        AddProperty(map, name, value);
-    }
-};
 
 /// Makes the schema of a map from its keys.
 class SceneSchemaWriter
@@ -215,9 +173,25 @@ private:
     static Json Shadows()
     {
         ShadowSettings settings;
-        ShadowSchema schema;
-        VisitShadowSettings(settings, schema);
-        return schema.map;
+        Json map = MapSchema(Json::object());
+        const auto add = [&map](std::string_view name, const auto& value, ValueRange range,
+                                std::string_view text)
+        {
+            using Value = std::decay_t<decltype(value)>;
+            Json schema = std::is_same_v<Value, bool>        ? BoolSchema()
+                          : std::is_same_v<Value, int>       ? IntegerSchema(range)
+                          : std::is_same_v<Value, float>     ? NumberSchema(range)
+                          : std::is_same_v<Value, glm::vec2> ? VectorSchema(2, range)
+                          : std::is_same_v<Value, glm::vec3> ? VectorSchema(3, range)
+                                                             : EnumSchema(k_SoftShadowQualities);
+            if (!text.empty())
+            {
+                schema["description"] = std::string(text);
+            }
+            AddProperty(map, name, schema);
+        };
+        VisitShadowSettings(settings, add);
+        return map;
     }
 
     Json Renderer() const
@@ -250,6 +224,17 @@ private:
     const FeatureRegistry& m_Features;
 };
 
+/// A texture of several files, under one key.
+Json SlicesSchema(const char* key, int least, const char* description)
+{
+    Json list = ListSchema({{"type", "string"}, {"pattern", "\\.png$"}});
+    list["minItems"] = least;
+    list["description"] = description;
+    Json map = MapSchema({{key, std::move(list)}});
+    map["required"] = Json::array({key});
+    return map;
+}
+
 } // namespace
 
 Json SceneSchema(const FeatureRegistry& features)
@@ -258,6 +243,30 @@ Json SceneSchema(const FeatureRegistry& features)
     Json schema = writer.Map(scene_keys::k_Scene);
     schema["$defs"] = {{"object", writer.Map(scene_keys::k_Object)}};
     return RootSchema("limn scene", schema);
+}
+
+Json MaterialSchema()
+{
+    // Which properties there are is up to the shader, a file of its own; what one can be is not.
+    const Json texture{{"type", "string"},
+                       {"pattern", "^(" + Joined(DefaultTextureNames(), "|") + ")$|\\.png$"}};
+    Json property{{"anyOf",
+                   {NumberSchema(), ColorSchema(), VectorSchema(4), texture,
+                    SlicesSchema("faces", 6, "The faces of a cube in the order +X -X +Y -Y +Z -Z"),
+                    SlicesSchema("slices", 1, "The slices of a 3D texture or an array")}},
+                  {"description", "A property of the shader: a number, a colour, four numbers or "
+                                  "a texture"}};
+    Json shader = TextSchema();
+    shader["description"] = "A shader's name or a .shader file";
+    return {{"type", {"object", "null"}},
+            {"properties",
+             {{"shader", std::move(shader)}, {"renderQueue", IntegerSchema(k_RenderQueues)}}},
+            {"additionalProperties", std::move(property)}};
+}
+
+Json MaterialFileSchema()
+{
+    return RootSchema("limn material", MaterialSchema());
 }
 
 } // namespace limn

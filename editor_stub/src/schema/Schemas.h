@@ -1,9 +1,13 @@
 #pragma once
 
-#include "schema/ValueSchema.h"
+#include "console/Json.h"
 
+#include <limn/core/Inspector.h>
 #include <limn/features/FeatureRegistry.h>
 #include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/volume/YamlRead.h>
+#include <string>
+#include <string_view>
 
 namespace limn
 {
@@ -28,5 +32,36 @@ Json AnimationCurveSchema();
 
 /// Keys with the value where there are none, a loop and its range; or Unity's form.
 Json TextureCurveSchema();
+
+/// Keys keep their order, which is the one an editor offers them in.
+// The JSON Schema of values as YamlRead and ReadLayers read them.
+
+Json BoolSchema();
+Json NumberSchema(ValueRange range = {});
+Json IntegerSchema(ValueRange range = {});
+Json TextSchema();
+Json ColorSchema();
+/// @param count  2, 3 or 4
+Json VectorSchema(int count, ValueRange range = {});
+Json LayerMaskSchema();
+Json LayerIndexSchema();
+/// A path, nothing, or Unity's {fileID, guid, type}.
+Json ReferenceSchema();
+Json EnumSchema(std::span<const std::string> names);
+Json EnumSchema(std::span<const EnumEntry> entries);
+Json RenderPassEventSchema();
+
+/// A map that has these keys and no others.
+Json MapSchema(Json properties);
+Json ListSchema(Json items);
+
+/// Adds a key in Unity's and in the plain spelling, of which a file may use one.
+void AddProperty(Json& map, std::string_view name, const Json& value);
+
+/// A whole schema: the map's keys with a title and the schema's version.
+Json RootSchema(std::string_view title, const Json& map);
+
+/// A YAML value as JSON: plain numbers and truth values are such.
+Json ToJson(const YamlNode& node);
 
 } // namespace limn

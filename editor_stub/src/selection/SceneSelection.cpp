@@ -1,8 +1,8 @@
 #include "selection/SceneSelection.h"
 
-#include "plugins/DescribeFeature.h"
+#include "console/Texts.h"
+#include "plugins/LoadPlugin.h"
 
-#include <charconv>
 #include <cmath>
 #include <limn/base/Case.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
@@ -108,13 +108,6 @@ std::string OptionOf(const SelectionStep& step)
     return names[static_cast<std::size_t>(step.kind)] + step.text;
 }
 
-template <typename Number>
-bool ReadNumber(std::string_view text, Number& number)
-{
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    return error == std::errc{} && rest == text.data() + text.size();
-}
-
 std::string Trimmed(const std::string& text)
 {
     const std::size_t begin = text.find_first_not_of(' ');
@@ -130,12 +123,7 @@ std::vector<std::string> NamesIn(const std::string& text, Scene& scene)
         return text.empty() ? std::vector<std::string>() : std::vector{text};
     }
     std::vector<std::string> names;
-    for (std::size_t begin = 0; begin <= text.size();)
-    {
-        const std::size_t comma = std::min(text.find(',', begin), text.size());
-        names.push_back(Trimmed(text.substr(begin, comma - begin)));
-        begin = comma + 1;
-    }
+    std::ranges::transform(SplitText(text, ','), std::back_inserter(names), Trimmed);
     return names;
 }
 
@@ -273,13 +261,12 @@ std::optional<ClickText> ParseClick(const std::string& text)
     {
         return std::nullopt;
     }
-    ClickText click;
     const std::string_view all = text;
-    const bool isGood = ReadNumber(all.substr(0, comma), click.x) &&
-                        ReadNumber(all.substr(comma + 1, at - comma - 1), click.y) &&
-                        (at == text.size() || ReadNumber(all.substr(at + 1), click.time)) &&
-                        std::isfinite(click.time);
-    return isGood ? std::optional(click) : std::nullopt;
+    const auto x = ParseWhole<int>(all.substr(0, comma));
+    const auto y = ParseWhole<int>(all.substr(comma + 1, at - comma - 1));
+    const auto time = at == text.size() ? 0.0 : ParseWhole<double>(all.substr(at + 1));
+    const bool isGood = x && y && time && std::isfinite(*time);
+    return isGood ? std::optional(ClickText{*x, *y, *time}) : std::nullopt;
 }
 
 std::string PixelProblem(const ClickText& click, int width, int height)

@@ -25,8 +25,8 @@ ObjectsOfTransforms FindObjects(const Scene& scene)
 
 auto FindTarget(std::vector<Selected>& targets, const GameObject* object)
 {
-    return std::find_if(targets.begin(), targets.end(),
-                        [object](const Selected& target) { return target.object == object; });
+    return std::ranges::find_if(targets, [object](const Selected& target)
+                                { return target.object == object; });
 }
 
 } // namespace

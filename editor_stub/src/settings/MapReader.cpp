@@ -1,14 +1,17 @@
 #include "settings/MapReader.h"
 
+#include "settings/ReadValues.h"
+
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
+#include <limn/core/Transform.h>
 
 namespace limn
 {
 
 SceneMapReader::SceneMapReader(const YamlNode& node, std::string subject, SceneKeys keys,
                                AssetDiagnostics& diagnostics)
-    : YamlMapReader(node, std::move(subject), diagnostics), m_Keys(keys)
+    : YamlMapReader(node, std::move(subject), diagnostics), m_Diagnostics(diagnostics), m_Keys(keys)
 {
     for (const SceneKey& key : keys)
     {
@@ -41,6 +44,22 @@ bool SceneMapReader::Read(std::string_view key, float& value)
 bool SceneMapReader::Read(std::string_view key, glm::vec3& value)
 {
     return YamlMapReader::Read(key, value, Ask(key).range);
+}
+
+bool SceneMapReader::Read(std::string_view key, glm::quat& rotation)
+{
+    glm::vec3 degrees(0.0f);
+    const bool isRead = Read(key, degrees);
+    rotation = isRead ? EulerToRotation(degrees) : rotation;
+    return isRead;
+}
+
+int SceneMapReader::ReadNumber(std::string_view key, std::span<const EnumEntry> entries,
+                               int otherwise)
+{
+    const YamlNode* node = Find(key);
+    return node ? ReadEnum(*node, entries, SubjectOf(key), m_Diagnostics).value_or(otherwise)
+                : otherwise;
 }
 
 bool SceneMapReader::ReadFrom(double least, std::string_view key, float& value)

@@ -2,7 +2,9 @@
 
 #include "settings/Keys.h"
 
+#include <glm/gtc/quaternion.hpp>
 #include <limn/volume/YamlMapReader.h>
+#include <span>
 
 namespace limn
 {
@@ -28,13 +30,23 @@ public:
     }
     bool Read(std::string_view key, float& value);
     bool Read(std::string_view key, glm::vec3& value);
+    /// A member of an enum, by its name or its number.
+    template <typename Enum>
+    void Read(std::string_view key, std::span<const EnumEntry> entries, Enum& value)
+    {
+        value = static_cast<Enum>(ReadNumber(key, entries, static_cast<int>(value)));
+    }
+    /// Euler angles in degrees.
+    bool Read(std::string_view key, glm::quat& rotation);
     /// For a number that may be less small than its key says.
     bool ReadFrom(double least, std::string_view key, float& value);
     void Finish();
 
 private:
     const SceneKey& Ask(std::string_view key);
+    int ReadNumber(std::string_view key, std::span<const EnumEntry> entries, int otherwise);
 
+    AssetDiagnostics& m_Diagnostics;
     SceneKeys m_Keys;
     std::uint32_t m_Asked = 0; ///< a bit for each key
 };

@@ -1,6 +1,7 @@
 #include "settings/SettingsCollector.h"
 
-#include "plugins/DescribeFeature.h"
+#include "console/Texts.h"
+#include "plugins/LoadPlugin.h"
 
 #include <limn/core/Material.h>
 
@@ -60,16 +61,8 @@ struct ValueText
     std::string operator()(const std::uint32_t* value) const { return std::to_string(*value); }
     std::string operator()(const float* value) const { return NumberText(*value); }
     std::string operator()(const std::string* value) const { return *value; }
-    std::string operator()(const Color* value) const
-    {
-        return "{r: " + NumberText(value->r) + ", g: " + NumberText(value->g) +
-               ", b: " + NumberText(value->b) + ", a: " + NumberText(value->a) + "}";
-    }
-    std::string operator()(const glm::vec4* value) const
-    {
-        return "{x: " + NumberText(value->x) + ", y: " + NumberText(value->y) +
-               ", z: " + NumberText(value->z) + ", w: " + NumberText(value->w) + "}";
-    }
+    std::string operator()(const Color* value) const { return MembersText(&value->r, "rgba"); }
+    std::string operator()(const glm::vec4* value) const { return MembersText(&value->x, "xyzw"); }
     std::string operator()(const LayerMask* value) const { return Text(*value, layers); }
     std::string operator()(const RenderingLayerMask* value) const
     {
@@ -78,12 +71,7 @@ struct ValueText
     std::string operator()(const RenderPassEvent* value) const { return Text(*value); }
     std::string operator()(const std::vector<std::string>* value) const
     {
-        std::string list;
-        for (const std::string& item : *value)
-        {
-            list += (list.empty() ? "" : ", ") + item;
-        }
-        return "[" + list + "]";
+        return "[" + Joined(*value, ", ") + "]";
     }
     template <typename Asset>
     std::string operator()(const std::shared_ptr<const Asset>* value) const
@@ -140,6 +128,17 @@ private:
 };
 
 } // namespace
+
+std::string MembersText(const float* numbers, std::string_view names)
+{
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+        text += (i == 0 ? "{" : ", ") + std::string(1, names[i]) + ": " +
+                NumberText(static_cast<double>(numbers[i]));
+    }
+    return text + "}";
+}
 
 std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
                                             ScriptableRendererFeature& defaultFeature,

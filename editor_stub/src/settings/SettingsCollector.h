@@ -25,6 +25,9 @@ struct InspectedValue
     std::string tooltip;
 };
 
+/// "{r: 1, g: 0.5}" of numbers that lie one behind the other, each named by a letter.
+std::string MembersText(const float* numbers, std::string_view names);
+
 /// A feature's settings in its order, beside those of one of its type as the constructor leaves it.
 std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
                                             ScriptableRendererFeature& defaultFeature,

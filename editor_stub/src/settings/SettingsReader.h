@@ -1,12 +1,16 @@
 #pragma once
 
-#include "settings/ReadLayers.h"
+#include "settings/ReadValues.h"
 
+#include <deque>
 #include <functional>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRendererFeature.h>
 #include <limn/core/ShaderSource.h>
 #include <limn/volume/YamlMapReader.h>
+#include <string>
+#include <string_view>
+#include <vector>
 
 namespace limn
 {
@@ -44,5 +48,60 @@ void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
 /// @param subject  stands before what the feature says, which begins with its name
 void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderSource>& shaders,
                SourceLocation location, std::string_view subject, AssetDiagnostics& diagnostics);
+
+/// A setting or a group of settings as a feature's Describe names it, without its value.
+struct SettingName
+{
+    std::string name;
+    bool isGroup = false;
+    std::vector<SettingName> members = {}; ///< of a group, in the order of Describe
+};
+
+/// The settings of a feature: a group without a name.
+SettingName DescribedSettings(ScriptableRendererFeature& feature);
+
+/// The member of a group that a key of a file stands for, in Unity's or the plain spelling; null if
+/// the group has none.
+const SettingName* FindMember(const SettingName& group, std::string_view key);
+
+/// The paths of everything below `root` that is no member of `group` itself: "settings.width".
+std::vector<std::string> PathsOutside(const SettingName& root, const SettingName& group);
+
+/// The maps of a file that hold the settings of one group: the group's own, and the settings
+/// classes within it that Describe left out.
+class SettingsLevel
+{
+public:
+    /// @param unityType  as SettingsContext's
+    SettingsLevel(const SettingName& group, std::string unityType, AssetDiagnostics& diagnostics);
+    SettingsLevel(const SettingsLevel&) = delete;
+    SettingsLevel& operator=(const SettingsLevel&) = delete;
+
+    /// Adds a map that the caller holds, with the settings classes in it.
+    void Add(YamlMapReader& map);
+    /// Adds the value of the group's key in `outer`.
+    void Add(const YamlNode& node, const YamlMapReader& outer);
+
+    /// The map that has the setting; null if none has. A second one is an error, or a note.
+    YamlMapReader* Find(std::string_view name);
+
+    /// Reports every key that nobody asked for.
+    /// @param root  the whole feature's settings, for the nearest name
+    void Finish(const SettingName& root);
+
+    const SettingName& group() const { return m_Group; }
+    const YamlMapReader& map() const { return *m_Maps.front(); } ///< the group's own
+
+private:
+    void ReportTwice(std::string_view name, const YamlMapReader& first,
+                     const YamlMapReader& second);
+    void NoteUnknown(const YamlMapReader& map);
+
+    const SettingName& m_Group;
+    std::string m_UnityType;
+    AssetDiagnostics& m_Diagnostics;
+    std::deque<YamlMapReader> m_Own;
+    std::vector<YamlMapReader*> m_Maps;
+};
 
 } // namespace limn

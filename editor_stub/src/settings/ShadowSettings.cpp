@@ -1,4 +1,4 @@
-#include "settings/ReadEnum.h"
+#include "settings/ReadValues.h"
 #include "settings/ShadowKeys.h"
 
 #include <limn/base/Diagnostic.h>
@@ -8,43 +8,6 @@ namespace limn
 
 namespace
 {
-
-/// Reads one setting after the other.
-class ShadowReader
-{
-public:
-    ShadowReader(YamlMapReader& map, AssetDiagnostics& diagnostics)
-        : m_Map(map), m_Diagnostics(diagnostics)
-    {
-    }
-
-    void operator()(std::string_view name, bool& value, ValueRange, std::string_view)
-    {
-        m_Map.Read(name, value);
-    }
-    template <typename Number>
-    void operator()(std::string_view name, Number& value, ValueRange range, std::string_view)
-    {
-        m_Map.Read(name, value, range);
-    }
-    void operator()(std::string_view name, glm::vec2& value, ValueRange, std::string_view)
-    {
-        m_Map.Read(name, value);
-    }
-    void operator()(std::string_view name, SoftShadowQuality& value, ValueRange, std::string_view)
-    {
-        if (const YamlNode* node = m_Map.Find(name))
-        {
-            const auto quality =
-                ReadEnum(*node, k_SoftShadowQualities, m_Map.SubjectOf(name), m_Diagnostics);
-            value = quality ? static_cast<SoftShadowQuality>(*quality) : value;
-        }
-    }
-
-private:
-    YamlMapReader& m_Map;
-    AssetDiagnostics& m_Diagnostics;
-};
 
 /// An error unless the shares rise between 0 and 1.
 void CheckSplits(YamlMapReader& map, std::string_view name, std::initializer_list<float> shares,
@@ -70,8 +33,27 @@ void CheckSplits(YamlMapReader& map, std::string_view name, std::initializer_lis
 
 void ReadShadowSettings(YamlMapReader& map, ShadowSettings& settings, AssetDiagnostics& diagnostics)
 {
-    ShadowReader reader(map, diagnostics);
-    VisitShadowSettings(settings, reader);
+    const auto read = [&](std::string_view name, auto& value, ValueRange range, std::string_view)
+    {
+        using Value = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<Value, SoftShadowQuality>)
+        {
+            const YamlNode* node = map.Find(name);
+            const auto quality =
+                node ? ReadEnum(*node, k_SoftShadowQualities, map.SubjectOf(name), diagnostics)
+                     : std::nullopt;
+            value = quality ? static_cast<SoftShadowQuality>(*quality) : value;
+        }
+        else if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, glm::vec2>)
+        {
+            map.Read(name, value);
+        }
+        else
+        {
+            map.Read(name, value, range);
+        }
+    };
+    VisitShadowSettings(settings, read);
     const ShadowSettings& s = settings;
     CheckSplits(map, "m_Cascade2Split", {s.cascade2Split}, diagnostics);
     CheckSplits(map, "m_Cascade3Split", {s.cascade3Split.x, s.cascade3Split.y}, diagnostics);

@@ -19,7 +19,7 @@ void Add(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& mo
 {
     for (const Diagnostic& diagnostic : more)
     {
-        if (std::find(diagnostics.begin(), diagnostics.end(), diagnostic) == diagnostics.end())
+        if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
         {
             diagnostics.push_back(diagnostic);
         }
@@ -35,8 +35,8 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
         for (const UniformMember& member : buffer.members)
         {
             const bool isProperty =
-                std::any_of(document.properties.begin(), document.properties.end(),
-                            [&](const ShaderProperty& p) { return p.name == member.name; });
+                std::ranges::any_of(document.properties,
+                                    [&](const ShaderProperty& p) { return p.name == member.name; });
             if (isProperty && buffer.name != "UnityPerMaterial")
             {
                 return "the property " + member.name + " is in " + buffer.name +
@@ -55,10 +55,8 @@ bool needsOthers(const ShaderLabDocument& document)
         return pass.kind == ShaderLabPassKind::UsePass;
     };
     return !document.fallback.empty() ||
-           std::any_of(
-               document.subShaders.begin(), document.subShaders.end(),
-               [&](const ShaderLabSubShader& subShader)
-               { return std::any_of(subShader.passes.begin(), subShader.passes.end(), isUse); });
+           std::ranges::any_of(document.subShaders, [&](const ShaderLabSubShader& subShader)
+                               { return std::ranges::any_of(subShader.passes, isUse); });
 }
 
 std::string UnityShaderNote(std::string_view command, std::string_view name)
@@ -245,9 +243,8 @@ private:
         checked.outcome = outcome;
         // The messages before it may be warnings.
         const std::vector<Diagnostic>& all = error.diagnostics();
-        const auto first =
-            std::find_if(all.begin(), all.end(),
-                         [](const Diagnostic& d) { return d.severity == Severity::Error; });
+        const auto first = std::ranges::find_if(all, [](const Diagnostic& d)
+                                                { return d.severity == Severity::Error; });
         checked.reason = (first == all.end() ? all.front() : *first).message;
         Add(diagnostics, error.diagnostics());
     }
@@ -264,8 +261,8 @@ private:
 
 bool ShaderCheck::hasErrors() const
 {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& d) { return d.severity == Severity::Error; });
+    return std::ranges::any_of(diagnostics,
+                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
 }
 
 ShaderCheck CheckShader(const std::filesystem::path& file, const ShaderCheckOptions& options,

@@ -1,5 +1,10 @@
 #include "shaders/ShaderDescription.h"
 
+#include "console/Texts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <limn/base/TerminalText.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 
@@ -17,24 +22,13 @@ std::string Line(std::string_view text)
 
 std::string TagsText(const ShaderTags& tags)
 {
-    std::string text;
-    for (const ShaderTag& tag : tags.items)
-    {
-        text += (text.empty() ? "" : ", ") + tag.key + "=" + tag.value;
-    }
-    return text;
+    return Joined(tags.items, ", ", [](const ShaderTag& tag) { return tag.key + "=" + tag.value; });
 }
 
-std::string MembersText(const UniformBuffer& buffer)
+std::string MemberText(const UniformMember& member)
 {
-    std::string text;
-    for (const UniformMember& member : buffer.members)
-    {
-        text += (text.empty() ? "" : ", ") +
-                TypeText(member.type, member.components, member.arraySize) + " " + member.name +
-                " @" + std::to_string(member.offset);
-    }
-    return text;
+    return TypeText(member.type, member.components, member.arraySize) + " " + member.name + " @" +
+           std::to_string(member.offset);
 }
 
 std::string Place(std::uint32_t binding, ShaderStage stages)
@@ -48,7 +42,8 @@ std::string LayoutText(const PropertyLayout& layout, const std::string& indent)
     for (const UniformBuffer& buffer : layout.buffers)
     {
         text += Line(indent + "buffer " + buffer.name + Place(buffer.binding, buffer.stages) +
-                     ", " + std::to_string(buffer.size) + " bytes: " + MembersText(buffer));
+                     ", " + std::to_string(buffer.size) +
+                     " bytes: " + Joined(buffer.members, ", ", MemberText));
     }
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {
@@ -140,6 +135,53 @@ std::string PassText(const CheckedPass& checked, std::size_t index)
     return text;
 }
 
+/// " (98.4 %)"; nothing where there is nothing to compare with. Rounded down, so that 100.0 means
+/// all.
+std::string Rate(int part, int whole)
+{
+    if (whole == 0)
+    {
+        return {};
+    }
+    const int tenths = static_cast<int>(std::floor(1000.0 * part / whole));
+    return " (" + std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " %)";
+}
+
+std::string TargetText(const PassBlendState& target)
+{
+    const PassBlendState plain;
+    std::string text = "Blend " + BlendText(target);
+    if (target.enabled && BlendOpText(target) != BlendOpText(plain))
+    {
+        text += ", BlendOp " + BlendOpText(target);
+    }
+    if (target.writeMask != plain.writeMask)
+    {
+        text += ", ColorMask " + ColorMaskText(target.writeMask);
+    }
+    return text;
+}
+
+std::string FaceText(const StencilFaceState& face)
+{
+    return "Comp " + StateText(face.compare) + " Pass " + StateText(face.pass) + " Fail " +
+           StateText(face.fail) + " ZFail " + StateText(face.zFail);
+}
+
+std::string StencilText(const PassStencilState& stencil)
+{
+    if (!stencil.enabled)
+    {
+        return {};
+    }
+    const std::string faces = stencil.front == stencil.back ? FaceText(stencil.front)
+                                                            : "Front " + FaceText(stencil.front) +
+                                                                  " Back " + FaceText(stencil.back);
+    return ", Stencil {Ref " + StateText(stencil.reference) + " ReadMask " +
+           StateText(stencil.readMask) + " WriteMask " + StateText(stencil.writeMask) + " " +
+           faces + "}";
+}
+
 } // namespace
 
 std::string TypeText(const ShaderProperty& property)
@@ -189,20 +231,8 @@ std::string KeywordsText(const KeywordSet& set)
 
 const char* ToString(PassOutcome outcome)
 {
-    switch (outcome)
-    {
-    case PassOutcome::NotTried:
-        return "not tried";
-    case PassOutcome::Compiled:
-        return "compiled";
-    case PassOutcome::Refused:
-        return "refused";
-    case PassOutcome::MissingInclude:
-        return "missing include";
-    case PassOutcome::Failed:
-        break;
-    }
-    return "failed";
+    constexpr std::array k_Names{"not tried", "compiled", "refused", "missing include", "failed"};
+    return k_Names.at(static_cast<std::size_t>(outcome));
 }
 
 std::string DescribeVariants(const std::vector<ShaderCheck>& checks)
@@ -257,6 +287,83 @@ std::string DescribeShader(const ShaderCheck& check)
         }
     }
     return text;
+}
+
+ShaderSummary Summarize(const std::vector<ShaderCheck>& checks)
+{
+    ShaderSummary summary;
+    for (const ShaderCheck& check : checks)
+    {
+        ++summary.files;
+        summary.parsed += check.isParsed ? 1 : 0;
+        summary.errors += static_cast<int>(std::ranges::count_if(
+            check.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+        for (const CheckedSubShader& subShader : check.subShaders)
+        {
+            for (const CheckedPass& pass : subShader.passes)
+            {
+                ++summary.passes[static_cast<std::size_t>(pass.outcome)];
+            }
+        }
+    }
+    return summary;
+}
+
+std::string ToString(const ShaderSummary& summary)
+{
+    std::string text = Count(static_cast<std::size_t>(summary.files), "file") + ": " +
+                       std::to_string(summary.parsed) + " parsed" +
+                       Rate(summary.parsed, summary.files);
+    if (summary.errors > 0)
+    {
+        text += ", " + Count(static_cast<std::size_t>(summary.errors), "error");
+    }
+    const int tried = summary.passesTried();
+    text += "; " + std::to_string(summary.passesOf(PassOutcome::Compiled)) + " of " +
+            std::to_string(tried) + (tried == 1 ? " pass" : " passes") + " compiled" +
+            Rate(summary.passesOf(PassOutcome::Compiled), tried);
+    const std::pair<PassOutcome, const char*> others[] = {
+        {PassOutcome::Failed, " failed"},
+        {PassOutcome::Refused, " refused"},
+        {PassOutcome::MissingInclude, " with a missing include"}};
+    for (const auto& [outcome, words] : others)
+    {
+        if (summary.passesOf(outcome) > 0)
+        {
+            text += ", " + std::to_string(summary.passesOf(outcome)) + words;
+        }
+    }
+    return text;
+}
+
+std::string StateText(const RenderState& state)
+{
+    std::string text = "Cull " + StateText(state.cull) + ", ZTest " + StateText(state.zTest) +
+                       ", ZWrite " + StateText(state.zWrite);
+    const std::size_t targets = state.separateBlend ? state.targets.size() : 1;
+    for (std::size_t i = 0; i < targets; ++i)
+    {
+        const std::string index = targets > 1 ? "target " + std::to_string(i) + ": " : "";
+        text += ", " + index + TargetText(state.targets[i]);
+    }
+    if (state.zClip != StateValue<bool>(true))
+    {
+        text += ", ZClip " + StateText(state.zClip);
+    }
+    if (state.offsetFactor != StateValue<float>(0.0f) ||
+        state.offsetUnits != StateValue<float>(0.0f))
+    {
+        text += ", Offset " + StateText(state.offsetFactor) + ", " + StateText(state.offsetUnits);
+    }
+    if (state.alphaToMask != StateValue<bool>(false))
+    {
+        text += ", AlphaToMask " + StateText(state.alphaToMask);
+    }
+    if (state.conservative != StateValue<bool>(false))
+    {
+        text += ", Conservative " + StateText(state.conservative);
+    }
+    return text + StencilText(state.stencil);
 }
 
 } // namespace limn

@@ -1,5 +1,7 @@
 #include "shaders/ShaderFolders.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/features/Features.h>
 
@@ -34,36 +36,32 @@ ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders)
 bool isUnityShader(std::string_view name)
 {
     // Names without a folder, as the built-in pipeline's oldest shaders have them.
-    static constexpr std::string_view k_Names[] = {
-        "Diffuse",         "Specular", "VertexLit",      "Bumped Diffuse",
-        "Bumped Specular", "Standard", "Diffuse Detail", "Standard (Specular setup)"};
-    static constexpr std::string_view k_Folders[] = {"Autodesk Interactive",
-                                                     "FX/",
-                                                     "GUI/",
-                                                     "HDRP/",
-                                                     "Hidden/Core/",
-                                                     "Hidden/HDRP/",
-                                                     "Hidden/Internal",
-                                                     "Hidden/Nature/",
-                                                     "Hidden/Shader Graph/",
-                                                     "Hidden/TerrainEngine/",
-                                                     "Hidden/Universal Render Pipeline/",
-                                                     "Legacy Shaders/",
-                                                     "Lightmapped/",
-                                                     "Mobile/",
-                                                     "Nature/",
-                                                     "Particles/",
-                                                     "Reflective/",
-                                                     "Self-Illumin/",
-                                                     "Skybox/",
-                                                     "Sprites/",
-                                                     "Transparent/",
-                                                     "UI/",
-                                                     "Universal Render Pipeline/",
-                                                     "Unlit/"};
-    return std::find(std::begin(k_Names), std::end(k_Names), name) != std::end(k_Names) ||
-           std::any_of(std::begin(k_Folders), std::end(k_Folders),
-                       [&](std::string_view folder) { return name.starts_with(folder); });
+    return IsIn(name, {"Diffuse", "Specular", "VertexLit", "Bumped Diffuse", "Bumped Specular",
+                       "Standard", "Diffuse Detail", "Standard (Specular setup)"}) ||
+           StartsWithAny(name, {"Autodesk Interactive",
+                                "FX/",
+                                "GUI/",
+                                "HDRP/",
+                                "Hidden/Core/",
+                                "Hidden/HDRP/",
+                                "Hidden/Internal",
+                                "Hidden/Nature/",
+                                "Hidden/Shader Graph/",
+                                "Hidden/TerrainEngine/",
+                                "Hidden/Universal Render Pipeline/",
+                                "Legacy Shaders/",
+                                "Lightmapped/",
+                                "Mobile/",
+                                "Nature/",
+                                "Particles/",
+                                "Reflective/",
+                                "Self-Illumin/",
+                                "Skybox/",
+                                "Sprites/",
+                                "Transparent/",
+                                "UI/",
+                                "Universal Render Pipeline/",
+                                "Unlit/"});
 }
 
 } // namespace limn

@@ -1,6 +1,6 @@
+#include "console/Console.h"
 #include "console/Json.h"
 #include "shaders/ShaderDescription.h"
-#include "shaders/ShaderSummary.h"
 
 namespace limn
 {
@@ -18,57 +18,47 @@ Json TagsJson(const ShaderTags& tags)
     return json;
 }
 
-Json BuffersJson(const PropertyLayout& layout)
+Json BufferJson(const UniformBuffer& buffer)
 {
-    Json buffers = Json::array();
-    for (const UniformBuffer& buffer : layout.buffers)
+    const auto memberJson = [](const UniformMember& member) -> Json
     {
-        Json members = Json::array();
-        for (const UniformMember& member : buffer.members)
-        {
-            members.push_back({{"name", member.name},
-                               {"type", TypeText(member.type, member.components, member.arraySize)},
-                               {"offset", member.offset},
-                               {"size", member.size}});
-        }
-        buffers.push_back({{"name", buffer.name},
-                           {"binding", buffer.binding},
-                           {"stages", StagesText(buffer.stages)},
-                           {"size", buffer.size},
-                           {"members", std::move(members)}});
-    }
-    return buffers;
+        return {{"name", member.name},
+                {"type", TypeText(member.type, member.components, member.arraySize)},
+                {"offset", member.offset},
+                {"size", member.size}};
+    };
+    return {{"name", buffer.name},
+            {"binding", buffer.binding},
+            {"stages", StagesText(buffer.stages)},
+            {"size", buffer.size},
+            {"members", JsonList(buffer.members, memberJson)}};
 }
 
-/// Textures, samplers or structured buffers: what has a name and a binding.
-template <typename Bindings>
-Json BindingsJson(const Bindings& bindings)
+/// A texture, a sampler or a structured buffer: what has a name and a binding.
+template <typename Binding>
+Json BindingJson(const Binding& binding)
 {
-    Json json = Json::array();
-    for (const auto& binding : bindings)
-    {
-        json.push_back({{"name", binding.name},
-                        {"binding", binding.binding},
-                        {"stages", StagesText(binding.stages)}});
-    }
-    return json;
+    return {{"name", binding.name},
+            {"binding", binding.binding},
+            {"stages", StagesText(binding.stages)}};
+}
+
+Json InputJson(const VertexInput& input)
+{
+    return {{"semantic", input.semantic},
+            {"type", TypeText(input.type, input.components)},
+            {"location", input.location}};
 }
 
 Json LayoutJson(const PropertyLayout& layout)
 {
-    Json inputs = Json::array();
-    for (const VertexInput& input : layout.vertexInputs)
-    {
-        inputs.push_back({{"semantic", input.semantic},
-                          {"type", TypeText(input.type, input.components)},
-                          {"location", input.location}});
-    }
-    return {{"buffers", BuffersJson(layout)},
-            {"structuredBuffers", BindingsJson(layout.storageBuffers)},
-            {"textures", BindingsJson(layout.textures)},
-            {"samplers", BindingsJson(layout.samplers)},
-            {"vertexInputs", std::move(inputs)},
-            {"colorOutputs", layout.colorOutputs}};
+    return {
+        {"buffers", JsonList(layout.buffers, BufferJson)},
+        {"structuredBuffers", JsonList(layout.storageBuffers, BindingJson<StorageBufferBinding>)},
+        {"textures", JsonList(layout.textures, BindingJson<TextureBinding>)},
+        {"samplers", JsonList(layout.samplers, BindingJson<SamplerBinding>)},
+        {"vertexInputs", JsonList(layout.vertexInputs, InputJson)},
+        {"colorOutputs", layout.colorOutputs}};
 }
 
 /// Where a UsePass leads.
@@ -94,15 +84,11 @@ Json PassJson(const CheckedPass& checked)
               {"lightMode", pass.lightMode()},
               {"tags", TagsJson(pass.tags)},
               {"state", StateText(pass.state)}};
-    Json keywords = Json::array();
-    if (pass.program)
+    const auto setJson = [](const KeywordSet& set) -> Json
     {
-        for (const KeywordSet& set : pass.program->keywordSets)
-        {
-            keywords.push_back({{"directive", set.directive}, {"keywords", set.keywords}});
-        }
-    }
-    json["keywords"] = std::move(keywords);
+        return {{"directive", set.directive}, {"keywords", set.keywords}};
+    };
+    json["keywords"] = pass.program ? JsonList(pass.program->keywordSets, setJson) : Json::array();
     json["variants"] = checked.variants.ToString();
     json["outcome"] = ToString(checked.outcome);
     if (!checked.reason.empty())
@@ -125,63 +111,41 @@ Json PassJson(const CheckedPass& checked)
     return json;
 }
 
-Json SubShadersJson(const ShaderCheck& check)
+Json SubShaderJson(const CheckedSubShader& checked)
 {
-    Json subShaders = Json::array();
-    for (const CheckedSubShader& checked : check.subShaders)
-    {
-        Json passes = Json::array();
-        for (const CheckedPass& pass : checked.passes)
-        {
-            passes.push_back(PassJson(pass));
-        }
-        subShaders.push_back({{"used", checked.isUsed},
-                              {"lod", checked.subShader->lod},
-                              {"tags", TagsJson(checked.subShader->tags)},
-                              {"passes", std::move(passes)}});
-    }
-    return subShaders;
+    return {{"used", checked.isUsed},
+            {"lod", checked.subShader->lod},
+            {"tags", TagsJson(checked.subShader->tags)},
+            {"passes", JsonList(checked.passes, PassJson)}};
 }
 
-Json PropertiesJson(const ShaderLabDocument& document)
+Json PropertyJson(const ShaderProperty& property)
 {
-    Json properties = Json::array();
-    for (const ShaderProperty& property : document.properties)
-    {
-        properties.push_back({{"name", property.name},
-                              {"displayName", property.displayName},
-                              {"type", TypeText(property)},
-                              {"default", DefaultText(property)}});
-    }
-    return properties;
+    return {{"name", property.name},
+            {"displayName", property.displayName},
+            {"type", TypeText(property)},
+            {"default", DefaultText(property)}};
 }
 
-const char* SeverityName(Severity severity)
+Json DiagnosticJson(const Diagnostic& diagnostic)
 {
-    return severity == Severity::Error     ? "error"
-           : severity == Severity::Warning ? "warning"
-                                           : "note";
+    return {{"severity", SeverityName(diagnostic.severity)},
+            {"file", diagnostic.file},
+            {"line", diagnostic.location.line},
+            {"column", diagnostic.location.column},
+            {"message", diagnostic.message}};
 }
 
 Json ShaderJson(const ShaderCheck& check)
 {
-    Json diagnostics = Json::array();
-    for (const Diagnostic& diagnostic : check.diagnostics)
-    {
-        diagnostics.push_back({{"severity", SeverityName(diagnostic.severity)},
-                               {"file", diagnostic.file},
-                               {"line", diagnostic.location.line},
-                               {"column", diagnostic.location.column},
-                               {"message", diagnostic.message}});
-    }
     Json json{{"file", check.file.string()},
               {"parsed", check.isParsed},
-              {"diagnostics", std::move(diagnostics)}};
+              {"diagnostics", JsonList(check.diagnostics, DiagnosticJson)}};
     if (check.isParsed)
     {
         json["name"] = check.document->name;
-        json["properties"] = PropertiesJson(*check.document);
-        json["subShaders"] = SubShadersJson(check);
+        json["properties"] = JsonList(check.document->properties, PropertyJson);
+        json["subShaders"] = JsonList(check.subShaders, SubShaderJson);
         json["fallback"] = check.document->fallback;
         json["drawnFallback"] = check.drawnFallback;
     }
@@ -205,13 +169,8 @@ Json SummaryJson(const ShaderSummary& summary)
 
 std::string ShadersAsJson(const std::vector<ShaderCheck>& checks)
 {
-    Json files = Json::array();
-    for (const ShaderCheck& check : checks)
-    {
-        files.push_back(ShaderJson(check));
-    }
-    const Json json{{"files", std::move(files)}, {"summary", SummaryJson(Summarize(checks))}};
-    return JsonText(json);
+    return JsonText(
+        {{"files", JsonList(checks, ShaderJson)}, {"summary", SummaryJson(Summarize(checks))}});
 }
 
 } // namespace limn

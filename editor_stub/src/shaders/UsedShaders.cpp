@@ -1,7 +1,6 @@
 #include "shaders/UsedShaders.h"
 
-#include "plugins/DescribeFeature.h"
-#include "shaders/ErrorShader.h"
+#include "plugins/LoadPlugin.h"
 
 #include <algorithm>
 #include <future>
@@ -13,6 +12,32 @@ namespace limn
 
 namespace
 {
+
+constexpr std::string_view k_Text = R"(Shader "Hidden/Core/FallbackError"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            #pragma vertex Place
+            #pragma fragment Magenta
+            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
+
+            float4 Place(float4 positionOS : POSITION) : SV_POSITION
+            {
+                return TransformObjectToHClip(positionOS.xyz);
+            }
+
+            half4 Magenta() : SV_Target
+            {
+                return half4(1, 0, 1, 1);
+            }
+            ENDHLSL
+        }
+    }
+}
+)";
 
 using ShaderPasses = std::map<std::shared_ptr<const Shader>, std::set<int>>;
 
@@ -173,6 +198,11 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
 
 } // namespace
 
+std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    return Shader::FromText(k_Text, "FallbackError.shader", compiler);
+}
+
 void CompileUsedShaders(const SceneAsset& asset)
 {
     ShaderPasses passes = FeatureShaders(asset);
@@ -191,9 +221,8 @@ std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
     ShaderPasses passes = ofFeatures;
     AddSceneShaders(asset.scene, passes);
     const ShaderProblems problems = CompileAll(passes);
-    const bool hasFeature =
-        std::any_of(problems.begin(), problems.end(),
-                    [&](const auto& problem) { return ofFeatures.count(problem.first) > 0; });
+    const bool hasFeature = std::ranges::any_of(problems, [&](const auto& problem)
+                                                { return ofFeatures.count(problem.first) > 0; });
     if (hasFeature)
     {
         throw AssetError(AllOf(problems));

@@ -5,6 +5,10 @@
 namespace limn
 {
 
+/// Draws any mesh in plain magenta, lit by nothing: what stands in for a shader that does not
+/// compile. Unity: Hidden/Core/FallbackError (URP 14).
+std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler);
+
 /// Compiles what rendering a scene needs: the passes of objects' shaders that the renderer draws
 /// and every pass of the shaders of active features. Different shaders compile at the same time.
 /// @throws AssetError with the errors of all shaders

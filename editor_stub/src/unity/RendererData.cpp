@@ -1,8 +1,8 @@
 #include "assets/References.h"
-#include "settings/ReadLayers.h"
+#include "settings/ReadValues.h"
 #include "settings/SettingsReader.h"
-#include "unity/PipelineVersion.h"
-#include "unity/UnityScript.h"
+#include "unity/RenderPipelineAsset.h"
+#include "unity/UnityProject.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/Features.h>

@@ -12,7 +12,6 @@ namespace
 constexpr std::uintmax_t k_MaxAssetBytes = std::uintmax_t{1} << 30;
 constexpr std::string_view k_DefaultResources = "0000000000000000e000000000000000";
 constexpr std::string_view k_BuiltinExtra = "0000000000000000f000000000000000";
-constexpr const char* k_Lit = "Universal Render Pipeline/Lit";
 
 struct BuiltIn
 {

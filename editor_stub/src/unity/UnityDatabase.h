@@ -9,6 +9,9 @@
 namespace limn
 {
 
+/// The shader of Unity's default material, and what stands in for shaders that limn has not.
+inline constexpr const char* k_Lit = "Universal Render Pipeline/Lit";
+
 /// Assets that come with Unity itself or its packages and so have no file in a project.
 enum class UnityPackageAsset
 {

@@ -1,7 +1,7 @@
 #include "unity/UnityMaterials.h"
 
 #include "assets/PictureFile.h"
-#include "shaders/ErrorShader.h"
+#include "shaders/UsedShaders.h"
 
 #include <algorithm>
 #include <charconv>
@@ -13,8 +13,6 @@ namespace limn
 
 namespace
 {
-
-constexpr const char* k_Lit = "Universal Render Pipeline/Lit";
 
 std::string EndingOf(const std::filesystem::path& path)
 {

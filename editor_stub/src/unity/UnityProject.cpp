@@ -34,6 +34,11 @@ std::string ReadGuid(const std::filesystem::path& metaFile)
     return {};
 }
 
+/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
+constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
+    {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
+    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
+
 /// Unity passes over these files and folders.
 bool IsPassedOver(const std::string& name)
 {
@@ -105,6 +110,19 @@ const std::filesystem::path* UnityProject::Find(std::string_view guid) const
 {
     const auto found = m_Files.find(guid);
     return found == m_Files.end() || guid.empty() ? nullptr : &found->second;
+}
+
+std::string UnityScriptClass(const std::string& guid, const UnityProject& project)
+{
+    for (const auto& [packageGuid, type] : k_PackageScripts)
+    {
+        if (guid == packageGuid)
+        {
+            return std::string(type);
+        }
+    }
+    const std::filesystem::path* path = project.Find(guid);
+    return path ? path->stem().string() : std::string();
 }
 
 } // namespace limn

@@ -50,8 +50,8 @@ std::optional<std::chrono::milliseconds> ChangeBatch::Remaining(Clock::time_poin
     {
         return std::nullopt;
     }
-    const bool areAllThere = std::all_of(m_Files.begin(), m_Files.end(), IsThere);
-    const bool isModuleBuilt = std::any_of(m_Files.begin(), m_Files.end(), IsBeingBuilt);
+    const bool areAllThere = std::ranges::all_of(m_Files, IsThere);
+    const bool isModuleBuilt = std::ranges::any_of(m_Files, IsBeingBuilt);
     const auto latest = m_First + (isModuleBuilt ? k_LongestOfModules : k_Longest);
     const auto end = areAllThere && !isModuleBuilt ? std::min(m_Last + k_Quiet, latest) : latest;
     return std::max(std::chrono::ceil<std::chrono::milliseconds>(end - now),

@@ -100,7 +100,7 @@ private:
         std::vector<std::string_view> names = m_Assets.volumeComponents().names();
         const auto add = [&names](std::string_view name)
         {
-            if (std::find(names.begin(), names.end(), name) == names.end())
+            if (std::ranges::find(names, name) == names.end())
             {
                 names.push_back(name);
             }
@@ -163,9 +163,8 @@ private:
     bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
     {
         RendererAsset& renderer = m_Asset.renderer;
-        const bool isName = std::any_of(renderer.features.begin(), renderer.features.end(),
-                                        [&change](const auto& feature)
-                                        { return feature->name == change.path.name; });
+        const bool isName = std::ranges::any_of(renderer.features, [&change](const auto& feature)
+                                                { return feature->name == change.path.name; });
         bool isFound = false;
         for (std::size_t i = 0; i < renderer.features.size(); ++i)
         {

@@ -100,14 +100,25 @@ SceneView::SceneView(SceneAsset asset, const AssetContext& assets)
 RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, bool isLast,
                                Timeline* timeline)
 {
-    TurnObjects(m_Asset.turns, time);
     RenderRequest request;
+    request.time = time;
+    request.compile.isLast = isLast;
+    request.compile.leavesOut = leavesOut;
+    request.timeline = timeline;
+    RenderResult result;
+    Render(pipeline, request, result);
+    return result;
+}
+
+void SceneView::Render(UniversalRenderPipeline& pipeline, RenderRequest& request,
+                       RenderResult& result)
+{
+    TurnObjects(m_Asset.turns, request.time);
     request.scene = &m_Asset.scene;
     request.camera = &m_Asset.camera;
     request.width = m_Asset.width;
     request.height = m_Asset.height;
-    request.time = time;
-    request.blendVolumes = [&](const Camera& camera)
+    request.blendVolumes = [this, timeline = request.timeline](const Camera& camera)
     {
         Measure(timeline, "volumes",
                 [&]
@@ -118,9 +129,6 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
                 });
         return &m_Stack;
     };
-    request.compile.isLast = isLast;
-    request.compile.leavesOut = leavesOut;
-    request.timeline = timeline;
     pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
     pipeline.supportsHDR = m_Asset.supportsHDR;
     pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
@@ -128,7 +136,7 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.pipelineVersion = m_Asset.pipelineVersion;
     pipeline.shadows = m_Asset.shadows;
-    return pipeline.RenderSingleCamera(m_Renderer, request);
+    pipeline.RenderSingleCamera(m_Renderer, request, result);
 }
 
 } // namespace limn

@@ -1,14 +1,40 @@
 #pragma once
 
 #include "console/Console.h"
-#include "view/RenderOptions.h"
+#include "selection/SceneSelection.h"
 
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeManager.h>
+#include <map>
+#include <string>
+#include <vector>
 
 namespace limn
 {
+
+/// `limn render`, as the command line has it.
+struct RenderOptions
+{
+    std::string scene;
+    std::string output;
+    int width = 0; ///< 0: the scene's
+    int height = 0;
+    double time = 0.0; ///< seconds
+    int frames = 1;
+    std::string profile;
+    std::vector<std::string> overrides;
+    std::vector<SelectionStep> selection;
+    std::string device;
+    bool validate = false;
+    std::string statsFile;
+    std::string traceFile;
+    std::string cacheFolder; ///< "": the default one
+    bool noCache = false;
+    std::map<std::string, std::string> packages;
+    std::vector<std::string> plugins; ///< modules with features of other people
+    std::vector<std::string> roots;   ///< folders that references and includes may lead into
+};
 
 /// The compiler's options for `options`; its cache folder is made. A default folder that cannot be
 /// made is a note, not an error.
@@ -36,6 +62,11 @@ public:
     /// @param timeline  gets how long the phases take; may be null
     RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false,
                         Timeline* timeline = nullptr);
+    /// Does the same into a result that is used again, by a request in which all but the scene and
+    /// its volumes is the caller's.
+    void Render(UniversalRenderPipeline& pipeline, RenderRequest& request, RenderResult& result);
+
+    SceneAsset& asset() { return m_Asset; } ///< without its features
 
     bool leavesOut = true; ///< see FrameCompilerOptions
 

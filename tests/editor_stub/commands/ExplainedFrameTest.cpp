@@ -1,7 +1,6 @@
 #include "explain/ExplainedFrame.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
-#include "explain/FrameGraph.h"
 
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>

@@ -1,5 +1,5 @@
 #include "commands/CommandRun.h"
-#include "explain/InspectProfileFile.h"
+#include "explain/InspectReport.h"
 
 #include <gmock/gmock.h>
 #include <limn/volume/ValueParameters.h>

@@ -2,7 +2,7 @@
 #include "commands/CommandRun.h"
 #include "volume/Problems.h"
 
-#include <explain/InspectUnityAsset.h>
+#include <explain/InspectReport.h>
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 

@@ -1,6 +1,6 @@
 #include "NumericalRun.h"
 
-#include "report/measure/NumericalCells.h"
+#include "report/measure/StudyBench.h"
 
 #include <gmock/gmock.h>
 

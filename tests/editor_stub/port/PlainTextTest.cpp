@@ -1,4 +1,4 @@
-#include "port/PlainText.h"
+#include "port/PortExpression.h"
 
 #include "port/csharp/CSharpTokens.h"
 

@@ -1,13 +1,17 @@
 #pragma once
 
 #include "explain/pixel/FrameReplay.h"
-#include "explain/pixel/TexelValue.h"
+#include "explain/pixel/PixelHistory.h"
 
+#include <cstddef>
 #include <functional>
+#include <limn/core/Image.h>
 #include <limn/core/Shader.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <optional>
+#include <span>
 #include <unordered_map>
+#include <vector>
 
 namespace limn
 {
@@ -124,5 +128,16 @@ private:
     std::vector<PassStep> m_Steps;
     std::vector<std::size_t> m_Reaching;
 };
+
+/// Finds the reason for which a draw that reaches the texel leaves it as it was: the first test
+/// that rejects it.
+/// @param which    of PassProbe::reaching
+/// @param before   what the targets hold before it
+/// @param isEmpty  whether the frame is known to have nothing there for it to show
+std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size_t which,
+                                               const TargetTexels& before, bool isEmpty);
+
+/// "(0.25, 0, 1)", or "0.25".
+std::string NumbersText(const std::vector<float>& numbers);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 #include "explain/pixel/PassTrace.h"
 
-#include "explain/pixel/PixelFate.h"
-#include "explain/pixel/TexelValue.h"
+#include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -1,6 +1,4 @@
-#include "explain/pixel/PixelFate.h"
-
-#include "explain/pixel/TexelValue.h"
+#include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
 #include <limn/shaderlab/PrintShaderLab.h>

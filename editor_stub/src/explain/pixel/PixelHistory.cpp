@@ -158,10 +158,7 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
     history.width = asset.width;
     history.height = asset.height;
     TracedScene scene;
-    for (const auto& object : asset.scene.objects())
-    {
-        scene.objects.push_back(object.get()); // stay where they are when the scene is moved
-    }
+    scene.objects = ObjectsOf(asset.scene);
     scene.camera = asset.camera;
     scene.culled = Cull(asset.scene, asset.camera,
                         static_cast<float>(asset.width) / static_cast<float>(asset.height));

@@ -1,10 +1,14 @@
 #pragma once
 
+#include "console/Json.h"
+
 #include <array>
 #include <functional>
+#include <limn/core/Image.h>
 #include <limn/core/Judge.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -127,5 +131,21 @@ struct PixelHistory
 /// @pre the pixel lies in the picture
 PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevice& device, int x,
                         int y, const std::function<void(const std::string&)>& progress = nullptr);
+
+/// Returns the components of a texel as shaders see them, red first: linear, integers as they are.
+/// Depth is one component.
+/// @param texel  BytesPerTexel(format) bytes
+std::vector<float> TexelValue(std::span<const std::byte> texel, GraphicsFormat format);
+
+/// Returns the bytes of one texel.
+/// @param x, y  from the top left
+std::vector<std::byte> TexelAt(const Image& image, int x, int y);
+
+/// Writes the history for a person, in lines of about 80 columns.
+/// @param isLong  names also what does not cover the pixel
+std::string PixelText(const PixelHistory& history, bool isLong);
+
+/// Writes all of it for programs.
+Json PixelJson(const PixelHistory& history);
 
 } // namespace limn

@@ -1,6 +1,7 @@
-#include "explain/pixel/PixelReport.h"
+#include "explain/pixel/PixelHistory.h"
 
-#include "explain/pixel/PixelFate.h"
+#include "console/Texts.h"
+#include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
 #include <array>
@@ -17,38 +18,10 @@ constexpr std::size_t k_Columns = 80;
 constexpr std::size_t k_NamedObjects = 4; ///< of one draw
 constexpr std::size_t k_ShownLines = 12;
 
-std::size_t ColumnsOf(std::string_view word)
-{
-    return static_cast<std::size_t>(std::ranges::count_if(
-        word, [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
 /// Breaks the words into lines, all but the first one `indent` blanks farther in.
 std::string WrappedLine(const std::string& words, std::size_t begin, std::size_t indent)
 {
-    std::string text(begin, ' ');
-    std::size_t column = begin;
-    const std::string line = OneLine(words);
-    for (std::size_t from = 0; from <= line.size();)
-    {
-        const std::size_t to = std::min(line.find(' ', from), line.size());
-        const std::string word = line.substr(from, to - from);
-        const std::size_t columns = ColumnsOf(word);
-        if (from > 0 && column + 1 + columns > k_Columns)
-        {
-            text += "\n" + std::string(begin + indent, ' ');
-            column = begin + indent;
-        }
-        else if (from > 0)
-        {
-            text += " ";
-            ++column;
-        }
-        text += word;
-        column += columns;
-        from = to + 1;
-    }
-    return text + "\n";
+    return std::string(begin, ' ') + Wrapped(OneLine(words), begin, begin + indent, k_Columns);
 }
 
 std::string ColorText(const std::array<int, 3>& color)
@@ -208,11 +181,6 @@ std::string SectionText(const std::string& title, const std::string& lines)
     return lines.empty() ? "" : title + ":\n" + lines;
 }
 
-std::string CountText(std::size_t count, const std::string& noun)
-{
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string IsOrAre(std::size_t count)
 {
     return count == 1 ? " is" : " are";
@@ -223,19 +191,18 @@ std::string RestSentence(const PixelHistory& history)
 {
     const std::size_t objects = history.uncovered.size();
     std::string text =
-        CountText(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
+        Count(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
         const auto count = static_cast<std::size_t>(draws.count);
-        text += (count == 1 ? ", nor does " : ", nor do ") + CountText(count, "draw") + " of " +
-                draws.pass;
+        text +=
+            (count == 1 ? ", nor does " : ", nor do ") + Count(count, "draw") + " of " + draws.pass;
     }
     const auto absent =
         static_cast<std::size_t>(std::ranges::count(history.absent, false, &PixelAbsent::isHere));
-    text +=
-        absent > 0 ? "; " + CountText(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
+    text += absent > 0 ? "; " + Count(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
     const std::size_t elsewhere = history.elsewhere.size();
-    text += elsewhere > 0 ? "; " + CountText(elsewhere, "target") + IsOrAre(elsewhere) +
+    text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
                                 " not laid out as the picture is"
                           : "";
     return WrappedLine(text + ": -v names them", 0, 2);
@@ -257,8 +224,8 @@ std::string RestText(const PixelHistory& history)
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
         uncovered +=
-            WrappedLine(CountText(static_cast<std::size_t>(draws.count), "draw") + " of " +
-                            draws.pass + ": " + draws.shader +
+            WrappedLine(Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass +
+                            ": " + draws.shader +
                             (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
                         2, 2);
     }
@@ -286,7 +253,7 @@ std::string NotesText(const PixelHistory& history, bool isLong)
     return text + MoreText(notes.size() - shown);
 }
 
-Json ToJson(const PixelValue& value)
+Json PixelValueJson(const PixelValue& value)
 {
     return {{"texture", value.texture},
             {"x", value.x},
@@ -297,9 +264,9 @@ Json ToJson(const PixelValue& value)
             {"after", value.after}};
 }
 
-Json ToJson(const std::optional<PixelValue>& value)
+Json OptionalJson(const std::optional<PixelValue>& value)
 {
-    return value ? ToJson(*value) : Json();
+    return value ? PixelValueJson(*value) : Json();
 }
 
 Json OrNull(const std::string& text)
@@ -307,13 +274,8 @@ Json OrNull(const std::string& text)
     return text.empty() ? Json() : Json(text);
 }
 
-Json ToJson(const PixelEvent& event)
+Json PixelEventJson(const PixelEvent& event)
 {
-    Json colors = Json::array();
-    for (const PixelValue& color : event.colors)
-    {
-        colors.push_back(ToJson(color));
-    }
     return {{"fate", ToString(event.fate)},
             {"reason", OrNull(event.reason)},
             {"pass", event.pass},
@@ -324,9 +286,9 @@ Json ToJson(const PixelEvent& event)
             {"shaderPass", event.shaderPass},
             {"shaderPassName", OrNull(event.shaderPassName)},
             {"run", event.isRun},
-            {"colors", colors},
-            {"depth", ToJson(event.depth)},
-            {"stencil", ToJson(event.stencil)}};
+            {"colors", JsonList(event.colors, PixelValueJson)},
+            {"depth", OptionalJson(event.depth)},
+            {"stencil", OptionalJson(event.stencil)}};
 }
 
 } // namespace
@@ -351,47 +313,37 @@ std::string PixelText(const PixelHistory& history, bool isLong)
 
 Json PixelJson(const PixelHistory& history)
 {
-    Json events = Json::array();
-    for (const PixelEvent& event : history.events)
+    const auto filtered = [](const PixelFiltered& one) -> Json
     {
-        events.push_back(ToJson(event));
-    }
-    Json filtered = Json::array();
-    for (const PixelFiltered& one : history.filtered)
+        return {{"object", one.object}, {"pass", one.pass}, {"rule", ToString(one.verdict)}};
+    };
+    const auto absent = [](const PixelAbsent& one) -> Json
     {
-        filtered.push_back(
-            {{"object", one.object}, {"pass", one.pass}, {"rule", ToString(one.verdict)}});
-    }
-    Json absent = Json::array();
-    for (const PixelAbsent& one : history.absent)
+        return {{"object", one.object}, {"reason", one.reason}, {"here", one.isHere}};
+    };
+    const auto uncovered = [](const PixelUncovered& one) -> Json
     {
-        absent.push_back({{"object", one.object}, {"reason", one.reason}, {"here", one.isHere}});
-    }
-    Json elsewhere = Json::array();
-    for (const PixelElsewhere& one : history.elsewhere)
+        return {{"pass", one.pass},
+                {"shader", one.shader},
+                {"shaderPassName", OrNull(one.shaderPassName)},
+                {"count", one.count}};
+    };
+    const auto elsewhere = [](const PixelElsewhere& one) -> Json
     {
-        elsewhere.push_back({{"pass", one.pass}, {"texture", one.texture}, {"size", one.size}});
-    }
-    Json uncoveredDraws = Json::array();
-    for (const PixelUncovered& one : history.uncoveredDraws)
-    {
-        uncoveredDraws.push_back({{"pass", one.pass},
-                                  {"shader", one.shader},
-                                  {"shaderPassName", OrNull(one.shaderPassName)},
-                                  {"count", one.count}});
-    }
+        return {{"pass", one.pass}, {"texture", one.texture}, {"size", one.size}};
+    };
     return {{"x", history.x},
             {"y", history.y},
             {"width", history.width},
             {"height", history.height},
             {"color", history.color},
             {"written", ColorText(history.written)},
-            {"events", events},
-            {"filtered", filtered},
-            {"absent", absent},
+            {"events", JsonList(history.events, PixelEventJson)},
+            {"filtered", JsonList(history.filtered, filtered)},
+            {"absent", JsonList(history.absent, absent)},
             {"uncovered", history.uncovered},
-            {"uncoveredDraws", uncoveredDraws},
-            {"elsewhere", elsewhere},
+            {"uncoveredDraws", JsonList(history.uncoveredDraws, uncovered)},
+            {"elsewhere", JsonList(history.elsewhere, elsewhere)},
             {"notes", history.notes}};
 }
 

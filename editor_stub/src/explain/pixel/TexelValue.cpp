@@ -1,4 +1,4 @@
-#include "explain/pixel/TexelValue.h"
+#include "explain/pixel/PixelHistory.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,7 +1,8 @@
 #include "port/csharp/CSharpConditions.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
-#include <charconv>
 #include <functional>
 
 namespace limn
@@ -12,7 +13,7 @@ namespace
 
 bool IsWordCharacter(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+    return isLetter(c) || isDigit(c);
 }
 
 std::string_view Trimmed(std::string_view text)
@@ -139,14 +140,12 @@ struct VersionSymbol
         for (std::size_t bar = symbol.rfind('_'); bar != std::string_view::npos && bar > 0;
              bar = symbol.rfind('_'))
         {
-            int number = 0;
-            const char* end = symbol.data() + symbol.size();
-            const auto read = std::from_chars(symbol.data() + bar + 1, end, number);
-            if (read.ec != std::errc{} || read.ptr != end)
+            const std::optional<int> number = ParseWhole<int>(symbol.substr(bar + 1));
+            if (!number)
             {
                 break;
             }
-            numbers.insert(numbers.begin(), number);
+            numbers.insert(numbers.begin(), *number);
             symbol = symbol.substr(0, bar);
         }
         subject = symbol;

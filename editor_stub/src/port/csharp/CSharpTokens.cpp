@@ -10,21 +10,15 @@ namespace limn
 namespace
 {
 
-bool IsDigit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 /// Letters of other scripts are bytes above 127.
 bool IsNameStart(char c)
 {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
-           static_cast<unsigned char>(c) > 127;
+    return isLetter(c) || static_cast<unsigned char>(c) > 127;
 }
 
 bool IsNamePart(char c)
 {
-    return IsNameStart(c) || IsDigit(c);
+    return IsNameStart(c) || isDigit(c);
 }
 
 constexpr std::string_view k_LongPunctuation[] = {
@@ -167,7 +161,7 @@ private:
             Advance();
             SkipWhile(IsNamePart);
         }
-        else if (IsDigit(c) || (c == '.' && IsDigit(Peek(1))))
+        else if (isDigit(c) || (c == '.' && isDigit(Peek(1))))
         {
             token.kind = CSharpTokenKind::Number;
             SkipNumber();
@@ -193,7 +187,7 @@ private:
     void SkipNumber()
     {
         const bool isHex = StartsWith("0x") || StartsWith("0X");
-        while (IsNamePart(Peek()) || (Peek() == '.' && IsDigit(Peek(1))) ||
+        while (IsNamePart(Peek()) || (Peek() == '.' && isDigit(Peek(1))) ||
                (!isHex && (Peek() == '+' || Peek() == '-') &&
                 (m_Text[m_At - 1] == 'e' || m_Text[m_At - 1] == 'E')))
         {
@@ -210,7 +204,7 @@ private:
         }
         const bool isLong = std::ranges::any_of(k_LongPunctuation, [this](std::string_view word)
                                                 { return StartsWith(word); });
-        Advance(isLong && !(StartsWith("?.") && IsDigit(Peek(2))) ? 2 : 1);
+        Advance(isLong && !(StartsWith("?.") && isDigit(Peek(2))) ? 2 : 1);
     }
 
     void SkipTo(char end, const SourceLocation& start, const char* what)

@@ -1,6 +1,10 @@
 #pragma once
 
+#include "console/Texts.h"
+
+#include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <limn/base/Diagnostic.h>
 #include <string>
 #include <string_view>
@@ -83,5 +87,14 @@ bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target);
 ///     match, an #if is broken, or the file is not text
 CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
                             const CSharpTarget& target = {});
+
+/// A type that nobody said.
+inline constexpr const char* k_UnknownType = "?";
+
+/// Words of the language, but for types, `new`, `this` and `base`.
+bool IsCSharpKeyword(std::string_view word);
+
+/// Of "T[]" and "List<T>" T.
+std::string ElementType(const std::string& type);
 
 } // namespace limn

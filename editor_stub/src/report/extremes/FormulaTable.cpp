@@ -1,18 +1,94 @@
-#include "report/extremes/FormulaTable.h"
+#include "report/extremes/Stability.h"
 
-#include "report/extremes/FormulaShader.h"
+#include "console/Texts.h"
+#include "report/measure/StudyPicture.h"
+#include "report/measure/StudyScene.h"
 
+#include <bit>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
+#include <limn/base/EmbeddedFile.h>
 #include <limn/core/OutlineNormals.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/OutlineEffect.h>
-#include <numbers>
+#include <sstream>
+
+namespace limn::embedded
+{
+std::span<const EmbeddedFile> FormulaShader();
+}
 
 namespace limn::study
 {
 
 namespace
 {
+
+/// Two expressions in HLSL of the numbers a, b, c and d, and these.
+struct ShaderExpression
+{
+    std::string first;
+    std::string second;
+    glm::vec4 values{0.0f}; ///< beyond 1e38: infinite; no constants for the compiler
+};
+
+std::string TextOf(std::span<const ShaderExpression> expressions)
+{
+    std::ostringstream inputs;
+    std::ostringstream cells;
+    for (std::size_t i = 0; i < expressions.size(); ++i)
+    {
+        inputs << "float4 _Input" << i << ";\n";
+        // Beyond 1e38 it is too large for a float by now.
+        cells << "    if (cell == " << i << ")\n    {\n        float4 v = _Input" << i
+              << ";\n        v = abs(v) > 1e38 ? v * 100.0 : v;\n"
+                 "        float a = v.x, b = v.y, c = v.z, d = v.w;\n        first = "
+              << expressions[i].first << ";\n        second = " << expressions[i].second
+              << ";\n    }\n";
+    }
+    const std::string text(embedded::FormulaShader().front().text);
+    return Replaced(Replaced(text, "@INPUTS@", inputs.str()), "@CELLS@", cells.str());
+}
+
+double NumberAt(const Coverage (&channels)[3], int x, int y)
+{
+    const auto part = [&](int channel)
+    {
+        return static_cast<std::uint32_t>(std::lround(channels[channel].At(x, y)));
+    };
+    return static_cast<double>(std::bit_cast<float>(part(0) << 22 | part(1) << 11 | part(2)));
+}
+
+/// What a device makes of them, to the bit of its floats.
+std::vector<std::array<double, 2>> Evaluate(std::span<const ShaderExpression> expressions,
+                                            AssetContext& assets, GraphicsDevice& device)
+{
+    const auto material = std::make_shared<Material>(
+        Shader::FromText(TextOf(expressions), "formulas", assets.compiler()));
+    for (std::size_t i = 0; i < expressions.size(); ++i)
+    {
+        material->SetVector(ShaderPropertyId("_Input" + std::to_string(i)), expressions[i].values);
+    }
+    auto feature = std::make_unique<FullScreenPassRendererFeature>();
+    feature->name = "Formulas";
+    feature->passMaterial = material;
+    feature->requirements = ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Normal;
+    feature->fetchColorBuffer = false;
+    SceneAsset asset = EmptyPicture(static_cast<int>(expressions.size()), 2);
+    asset.camera.orthographic = false;
+    asset.camera.nearClipPlane = 0.1f;
+    asset.camera.transform.localPosition = glm::vec3(0.0f);
+    asset.renderer.features.push_back(std::move(feature));
+    StudyPicture picture(std::move(asset), assets, device);
+    const Image colors = picture.Colors();
+    const Coverage channels[3] = {ChannelOf(colors, 0), ChannelOf(colors, 1), ChannelOf(colors, 2)};
+    std::vector<std::array<double, 2>> values;
+    for (int x = 0; x < colors.width; ++x)
+    {
+        values.push_back({NumberAt(channels, x, 0), NumberAt(channels, x, 1)});
+    }
+    return values;
+}
 
 /// For one formula: `a` ... `d` of its expressions, what it should give.
 struct FormulaInput

@@ -54,11 +54,6 @@ std::string Exact(double value)
     return std::isnan(value) ? "nan" : ToText(value);
 }
 
-std::string Count(std::size_t count, const std::string& noun)
-{
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 std::string Duration(double seconds)
 {
     constexpr double k_Most = 1e9;

@@ -14,9 +14,6 @@ std::string Readable(double value);
 /// As short as it reads back as the same number: "0.1", "nan", "inf", "-inf".
 std::string Exact(double value);
 
-/// "3 cells", "1 cell".
-std::string Count(std::size_t count, const std::string& noun);
-
 /// "1 min 20 s", "3 h 5 min", "less than 1 s".
 std::string Duration(double seconds);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <set>
 
 namespace limn::study
@@ -156,21 +155,6 @@ void AddTime(Standing& standing, const Study& study, const Comparison& compariso
     }
 }
 
-/// The width of temporal cells that is nearest to the wanted one.
-double FlickerWidth(const Study& study, double wanted)
-{
-    double best = k_NaN;
-    for (const CellResult& cell : study.cells)
-    {
-        if (IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker) &&
-            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
-        {
-            best = cell.id.width;
-        }
-    }
-    return best;
-}
-
 void AddFlicker(Standing& standing, const Study& study, const Comparison& comparison)
 {
     std::vector<double> flicker;
@@ -248,6 +232,20 @@ void AddStability(Standing& standing, const Study& study)
 
 } // namespace
 
+double NearestWidth(const Study& study, double wanted,
+                    const std::function<bool(const CellResult&)>& isOne)
+{
+    double best = k_NaN;
+    for (const CellResult& cell : study.cells)
+    {
+        if (isOne(cell) && !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
+        {
+            best = cell.id.width;
+        }
+    }
+    return best;
+}
+
 std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points)
 {
     std::vector<std::size_t> order;
@@ -281,7 +279,10 @@ Comparison Compare(const Study& study, double width)
     comparison.width = width > 0.0 ? width : BestWidth(study);
     std::tie(comparison.pictureWidth, comparison.pictureHeight) = BestSize(study, comparison.width);
     comparison.floorMilliseconds = MedianFloor(study, comparison);
-    comparison.flickerWidth = FlickerWidth(study, comparison.width);
+    comparison.flickerWidth = NearestWidth(
+        study, comparison.width,
+        [](const CellResult& cell)
+        { return IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker); });
     comparison.load = LoadOf(study, comparison);
     const bool hasScene =
         std::ranges::any_of(study.cells,

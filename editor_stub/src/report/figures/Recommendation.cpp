@@ -1,5 +1,6 @@
-#include "report/figures/Recommendation.h"
+#include "report/figures/Pareto.h"
 
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
 
 #include <algorithm>

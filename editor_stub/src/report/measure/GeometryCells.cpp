@@ -172,18 +172,6 @@ double DeviationOf(const std::vector<double>& values)
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
-ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& offset)
-{
-    for (auto& triangle : triangles)
-    {
-        for (glm::dvec2& corner : triangle)
-        {
-            corner += offset;
-        }
-    }
-    return triangles;
-}
-
 } // namespace
 
 StudyBench::StudyBench(std::filesystem::path scene, std::filesystem::path folder,
@@ -338,7 +326,7 @@ CellResult StudyBench::MeasureTemporal(const CellId& id)
         }
     }
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
-    Transform& place = picture->scene().Find(id.subject)->transform;
+    Transform& place = picture->asset().scene.Find(id.subject)->transform;
     const ScreenTriangles triangles = ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight);
     std::vector<double> changes;
     std::vector<double> areas;

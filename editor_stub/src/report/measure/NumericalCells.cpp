@@ -1,4 +1,3 @@
-#include "report/measure/NumericalCells.h"
 
 #include "report/measure/StudyBench.h"
 #include "report/measure/StudyScene.h"
@@ -63,10 +62,8 @@ Coverage DrawTwin(const Twin& twin, const CellId& id, double grid)
     Coverage picture = twin(Silhouette(triangles), id.width, id.pictureWidth, id.pictureHeight);
     for (int row = 0; row < picture.height / 2; ++row)
     {
-        for (int x = 0; x < picture.width; ++x)
-        {
-            std::swap(picture.At(x, row), picture.At(x, picture.height - 1 - row));
-        }
+        double* const upper = &picture.At(0, row);
+        std::swap_ranges(upper, upper + picture.width, &picture.At(0, picture.height - 1 - row));
     }
     return picture;
 }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <limits>
 #include <sstream>
-#include <stdexcept>
 
 namespace limn::study
 {

@@ -1,16 +1,46 @@
 #pragma once
 
-#include "report/measure/NumericalCells.h"
+#include "report/measure/Study.h"
 #include "report/measure/StudyPicture.h"
-#include "report/measure/Subjects.h"
+#include "report/measure/StudyScene.h"
 #include "report/measure/Techniques.h"
+#include "report/truth/OutlineReference.h"
 
+#include <limn/editor_stub/AssetContext.h>
 #include <limn/vulkan/VulkanDevice.h>
+#include <map>
 #include <memory>
 #include <span>
 
 namespace limn::study
 {
+
+/// What a cell of kind Numerical may have as its variant: "" is against the technique's twin in
+/// double precision (reference/twins), the others compare two pictures of the device: half of 16
+/// bits, depth that is not reversed, a camera of 8 bits (what is brighter than 1 counts as 1).
+const std::vector<std::string>& NumericalVariants();
+
+/// Measures how far rounding takes techniques.
+class NumericalBench
+{
+public:
+    /// @param assets, device  must outlive this
+    NumericalBench(AssetContext& assets, VulkanDevice& device) : m_Assets(assets), m_Device(device)
+    {
+    }
+
+    /// A cell of kind Numerical of a shape.
+    /// @throws ContractError for an unknown technique, subject or variant
+    CellResult Measure(const CellId& id);
+
+private:
+    AssetContext& AssetsFor(const std::string& variant);
+    Coverage Draw(const CellId& id, AssetContext& assets, bool allowHDR);
+
+    AssetContext& m_Assets;
+    VulkanDevice& m_Device;
+    std::map<std::string, std::unique_ptr<AssetContext>> m_Others; ///< by variant
+};
 
 /// Measures cells, one after the other, on one device.
 class StudyBench

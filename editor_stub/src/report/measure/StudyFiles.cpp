@@ -1,7 +1,5 @@
 #include "report/measure/StudyFiles.h"
 
-#include "report/measure/StudyJson.h"
-
 #include <algorithm>
 #include <cerrno>
 #include <limn/base/AppendedFile.h>

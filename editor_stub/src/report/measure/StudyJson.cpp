@@ -1,9 +1,9 @@
-#include "report/measure/StudyJson.h"
+#include "report/measure/StudyFiles.h"
 
+#include "console/Texts.h"
 #include "settings/Keys.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <limn/volume/YamlMapReader.h>
@@ -84,13 +84,12 @@ public:
     /// The quotes around "nan" and "inf" are NumberToJson's.
     void ReadValue(const YamlNode& node, const std::string& subject, double& value)
     {
-        const std::string& text = node.scalar();
-        const char* end = text.data() + text.size();
-        const auto [rest, error] = std::from_chars(text.data(), end, value);
-        if (error != std::errc() || rest != end)
+        const std::optional<double> number = ParseWhole<double>(node.scalar());
+        if (!number)
         {
             Refuse(node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
         }
+        value = number.value_or(value);
     }
     void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
     {
@@ -183,46 +182,46 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
     diagnostics.ThrowIfErrors();
 }
 
-Technique TechniqueFrom(const YamlNode& node, AssetDiagnostics& diagnostics)
+/// Hands the members that JSON has as they are to `visit(key, member)`.
+template <typename AnyTechnique, typename Visit>
+void VisitTechnique(AnyTechnique& technique, const Visit& visit)
 {
-    Technique technique;
-    Reader reader(node, "technique", diagnostics);
-    reader.Read("name", technique.name);
-    reader.Read("feature", technique.feature);
-    reader.Read("summary", technique.summary);
-    reader.Read("isArticle", technique.isArticle);
-    reader.Read("noWidth", technique.noWidth);
-    return technique;
+    visit("name", technique.name);
+    visit("feature", technique.feature);
+    visit("summary", technique.summary);
+    visit("isArticle", technique.isArticle);
+    visit("noWidth", technique.noWidth);
+}
+
+template <typename AnyStudy, typename Visit>
+void VisitStudy(AnyStudy& study, const Visit& visit)
+{
+    visit("scene", study.scene);
+    visit("sceneHash", study.sceneHash);
+    visit("device", study.device);
+    visit("machine", study.machine);
+    visit("limnVersion", study.limnVersion);
+    visit("options", study.options);
+    visit("started", study.started);
+    visit("loadAverage", study.loadAverage);
+    visit("copyBandwidth", study.copyBandwidth);
 }
 
 } // namespace
 
 Json ToJson(const Study& study)
 {
-    Json json = {{"format", k_Format},
-                 {"scene", study.scene},
-                 {"sceneHash", study.sceneHash},
-                 {"device", study.device},
-                 {"machine", study.machine},
-                 {"limnVersion", study.limnVersion},
-                 {"options", study.options},
-                 {"started", study.started},
-                 {"loadAverage", study.loadAverage},
-                 {"copyBandwidth", study.copyBandwidth},
-                 {"techniques", Json::array()},
-                 {"planned", Json::array()}};
-    for (const Technique& technique : study.techniques)
-    {
-        json["techniques"].push_back({{"name", technique.name},
-                                      {"feature", technique.feature},
-                                      {"summary", technique.summary},
-                                      {"isArticle", technique.isArticle},
-                                      {"noWidth", technique.noWidth}});
-    }
-    for (const CellId& id : study.planned)
-    {
-        json["planned"].push_back(IdToJson(id));
-    }
+    Json json = {{"format", k_Format}};
+    VisitStudy(study, [&](const char* key, const auto& value) { json[key] = value; });
+    json["techniques"] = JsonList(study.techniques,
+                                  [](const Technique& info)
+                                  {
+                                      Json technique;
+                                      VisitTechnique(info, [&](const char* key, const auto& value)
+                                                     { technique[key] = value; });
+                                      return technique;
+                                  });
+    json["planned"] = JsonList(study.planned, IdToJson);
     return json;
 }
 
@@ -249,18 +248,15 @@ Study StudyFromJson(std::string_view text, const std::string& file)
     RequireFormat(root, diagnostics);
     Reader reader(root, "study", diagnostics);
     Study study;
-    reader.Read("scene", study.scene);
-    reader.Read("sceneHash", study.sceneHash);
-    reader.Read("device", study.device);
-    reader.Read("machine", study.machine);
-    reader.Read("limnVersion", study.limnVersion);
-    reader.Read("options", study.options);
-    reader.Read("started", study.started);
-    reader.Read("loadAverage", study.loadAverage);
-    reader.Read("copyBandwidth", study.copyBandwidth);
+    VisitStudy(study, [&](const char* key, auto& value) { reader.Read(key, value); });
     reader.ReadItems("techniques", YamlKind::Sequence,
                      [&](const std::string&, const YamlNode& node)
-                     { study.techniques.push_back(TechniqueFrom(node, diagnostics)); });
+                     {
+                         Reader technique(node, "technique", diagnostics);
+                         VisitTechnique(study.techniques.emplace_back(),
+                                        [&](const char* key, auto& value)
+                                        { technique.Read(key, value); });
+                     });
     reader.ReadItems("planned", YamlKind::Sequence,
                      [&](const std::string&, const YamlNode& node)
                      { reader.ReadValue(node, "planned", study.planned.emplace_back()); });

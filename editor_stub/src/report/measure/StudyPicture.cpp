@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn::study
 {
@@ -17,47 +18,15 @@ double FromSrgb(double value)
 } // namespace
 
 StudyPicture::StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device)
-    : m_Asset(std::move(asset)),
-      m_Device(device),
-      m_Pipeline(device),
-      m_Renderer(assets.compiler()),
-      m_Volumes(assets.volumeComponents()),
-      m_Stack(m_Volumes.CreateStack())
+    : m_Device(device), m_Pipeline(device), m_View(std::move(asset), assets)
 {
-    m_Renderer.SetShaderSource(assets.shaderSource());
-    m_Renderer.opaqueLayerMask = m_Asset.renderer.opaqueLayerMask;
-    m_Renderer.transparentLayerMask = m_Asset.renderer.transparentLayerMask;
-    for (std::unique_ptr<ScriptableRendererFeature>& feature : m_Asset.renderer.features)
-    {
-        m_Renderer.AddFeature(std::move(feature));
-    }
-    m_Asset.renderer.features.clear();
-    for (const Volume& volume : m_Asset.volumes)
-    {
-        m_Volumes.Register(&volume);
-    }
-    m_Pipeline.msaaSampleCount = m_Asset.msaaSampleCount;
-    m_Pipeline.supportsHDR = m_Asset.supportsHDR;
-    m_Pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
-    m_Pipeline.renderScale = m_Asset.renderScale;
-    m_Pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
-    m_Pipeline.pipelineVersion = m_Asset.pipelineVersion;
-    m_Pipeline.shadows = m_Asset.shadows;
 }
 
 const RenderResult& StudyPicture::Render(Timeline* timeline)
 {
-    const Camera& camera = m_Asset.camera;
-    m_Volumes.Update(m_Stack, camera.volumeTrigger.value_or(camera.transform.position()),
-                     camera.volumeLayerMask);
-    m_Request.scene = &m_Asset.scene;
-    m_Request.camera = &camera;
-    m_Request.width = m_Asset.width;
-    m_Request.height = m_Asset.height;
     m_Request.time = time;
-    m_Request.volumeStack = &m_Stack;
     m_Request.timeline = timeline;
-    m_Pipeline.RenderSingleCamera(m_Renderer, m_Request, m_Result);
+    m_View.Render(m_Pipeline, m_Request, m_Result);
     return m_Result;
 }
 
@@ -65,7 +34,8 @@ Image StudyPicture::Colors()
 {
     constexpr const char* k_CameraColor = "_CameraColorAttachmentA";
     m_Request.compile.leavesOut = false; // a colour that goes straight into the output is 8 bits
-    m_Pipeline.hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits; // 32 bits have few steps
+    const HDRColorBufferPrecision usual = std::exchange( // 32 bits have few steps
+        m_View.asset().hdrColorBufferPrecision, HDRColorBufferPrecision::_64Bits);
     m_Request.alsoReadBack.clear();
     Render();
     for (const CompiledRenderPass& pass : m_Result.frame->passes)
@@ -77,7 +47,7 @@ Image StudyPicture::Colors()
     }
     Render();
     m_Request.compile.leavesOut = true;
-    m_Pipeline.hdrColorBufferPrecision = m_Asset.hdrColorBufferPrecision;
+    m_View.asset().hdrColorBufferPrecision = usual;
     return m_Device.ReadBack(*m_Request.alsoReadBack.at(0).rt());
 }
 

@@ -1,10 +1,7 @@
 #pragma once
 
 #include "report/truth/OutlineReference.h"
-
-#include <limn/core/UniversalRenderPipeline.h>
-#include <limn/editor_stub/SceneFile.h>
-#include <limn/volume/VolumeManager.h>
+#include "view/SceneView.h"
 
 namespace limn::study
 {
@@ -17,13 +14,8 @@ public:
     /// @param assets, device  must outlive this
     StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device);
 
-    Scene& scene() { return m_Asset.scene; }
-    Camera& camera() { return m_Asset.camera; }
-    int width() const { return m_Asset.width; }
-    int height() const { return m_Asset.height; }
-    /// For what is the pipeline's: samples and the like.
-    UniversalRenderPipeline& pipeline() { return m_Pipeline; }
-    double time = 0.0; ///< seconds, what the next frame's _Time shows
+    SceneAsset& asset() { return m_View.asset(); } ///< without its features
+    double time = 0.0;                             ///< seconds, what the next frame's _Time shows
 
     /// @param timeline  gets how long the phases take; may be null
     const RenderResult& Render(Timeline* timeline = nullptr);
@@ -36,12 +28,9 @@ public:
     Image Output();
 
 private:
-    SceneAsset m_Asset;
     GraphicsDevice& m_Device;
     UniversalRenderPipeline m_Pipeline;
-    UniversalRenderer m_Renderer;
-    VolumeManager m_Volumes;
-    VolumeStack m_Stack;
+    SceneView m_View;
     RenderRequest m_Request;
     RenderResult m_Result;
 };

@@ -1,6 +1,7 @@
 #include "report/measure/StudyPictures.h"
 
 #include "report/measure/StudyFiles.h"
+#include "view/SceneView.h"
 
 #include <algorithm>
 #include <cctype>
@@ -138,21 +139,13 @@ std::string WriteScenePicture(const Image& image, const Box& bounds, double widt
     const int y = low(bounds.low.y, image.height);
     Image part = MakeImage(std::max(1, high(bounds.high.x, image.width) - x),
                            std::max(1, high(bounds.high.y, image.height) - y));
-    for (int row = 0; row < part.height; ++row)
+    const std::ptrdiff_t rowBytes = std::ptrdiff_t{4} * part.width;
+    for (std::ptrdiff_t row = 0; row < part.height; ++row)
     {
-        for (int column = 0; column < part.width; ++column)
-        {
-            const auto from =
-                (static_cast<std::size_t>(y + row) * static_cast<std::size_t>(image.width) +
-                 static_cast<std::size_t>(x + column)) *
-                4;
-            const auto to = (static_cast<std::size_t>(row) * static_cast<std::size_t>(part.width) +
-                             static_cast<std::size_t>(column)) *
-                            4;
-            std::copy_n(image.texels.begin() + static_cast<std::ptrdiff_t>(from), 3,
-                        part.texels.begin() + static_cast<std::ptrdiff_t>(to));
-        }
+        std::copy_n(image.texels.begin() + 4 * ((y + row) * image.width + x), rowBytes,
+                    part.texels.begin() + row * rowBytes);
     }
+    MakeOpaque(part);
     return WriteStudyPicture(part, folder, id, "scene");
 }
 

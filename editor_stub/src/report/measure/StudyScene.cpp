@@ -1,8 +1,11 @@
 #include "report/measure/StudyScene.h"
 
-#include "plugins/DescribeFeature.h"
+#include "plugins/LoadPlugin.h"
 #include "report/measure/Techniques.h"
 
+#include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <limn/core/Judge.h>
 #include <map>
 
@@ -129,6 +132,30 @@ bool IsTaken(const GameObject& object, const FilteringSettings& filter)
         });
 }
 
+/// Balls side by side, with gaps as wide as they are.
+SceneAsset Balls(const CellId& id, AssetContext& assets)
+{
+    int count = 0;
+    std::from_chars(id.variant.data(), id.variant.data() + id.variant.size(), count);
+    SceneAsset asset = EmptyPicture(id.pictureWidth, id.pictureHeight);
+    const double aspect = static_cast<double>(id.pictureWidth) / id.pictureHeight;
+    const int columns = std::max(1, static_cast<int>(std::ceil(std::sqrt(count * aspect))));
+    const int rows = (count + columns - 1) / columns;
+    const glm::dvec2 pitch(static_cast<double>(id.pictureWidth) / columns,
+                           static_cast<double>(id.pictureHeight) / std::max(1, rows));
+    const auto diameter = static_cast<float>(0.5 * std::min(pitch.x, pitch.y));
+    const auto mesh = assets.Primitive(PrimitiveType::Sphere);
+    for (int i = 0; i < count; ++i)
+    {
+        Transform& place = AddOutlined(asset, "ball " + std::to_string(i), mesh, assets).transform;
+        place.localPosition = {(i % columns + 0.5) * pitch.x - 0.5 * id.pictureWidth,
+                               0.5 * id.pictureHeight - (i / columns + 0.5) * pitch.y, 0.0};
+        // Flat enough to lie in front of the camera.
+        place.localScale = {diameter, diameter, std::min(diameter, 100.0f)};
+    }
+    return asset;
+}
+
 } // namespace
 
 SceneAsset EmptyPicture(int width, int height)
@@ -154,7 +181,7 @@ GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
 }
 
 GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
-                     AssetContext& assets, const glm::dvec2& offset)
+                     AssetContext& assets)
 {
     MeshData data;
     for (const auto& triangle : triangles)
@@ -162,17 +189,16 @@ GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenT
         for (const glm::dvec2& p : triangle)
         {
             data.triangles.push_back(static_cast<std::uint32_t>(data.vertices.size()));
-            data.vertices.emplace_back(p.x + offset.x - 0.5 * picture.width,
-                                       0.5 * picture.height - p.y - offset.y, 0.0);
+            data.vertices.emplace_back(p.x - 0.5 * picture.width, 0.5 * picture.height - p.y, 0.0);
         }
     }
     return AddOutlined(picture, name, std::make_shared<const Mesh>(name, std::move(data)), assets);
 }
 
-std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
+void MarkOutlined(SceneAsset& asset)
 {
     const FilteringSettings filter = FilterOf(asset);
-    std::vector<GameObject*> outlined;
+    bool isAny = false;
     for (const auto& object : asset.scene.objects())
     {
         if (!object->renderer)
@@ -182,12 +208,9 @@ std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
         RenderingLayerMask& mask = object->renderer->renderingLayerMask;
         const bool isOutlined = IsDrawn(*object, asset.camera) && IsTaken(*object, filter);
         mask.bits = (mask.bits & ~k_Outlined.bits) | (isOutlined ? k_Outlined.bits : 0u);
-        if (isOutlined)
-        {
-            outlined.push_back(object.get());
-        }
+        isAny = isAny || isOutlined;
     }
-    if (outlined.empty())
+    if (!isAny)
     {
         throw AssetError(asset.path.string(), {},
                          "its outline feature takes none of its " +
@@ -198,7 +221,6 @@ std::vector<GameObject*> MarkOutlined(SceneAsset& asset)
                                   : ", and the cameras of its cameraStack are not measured") +
                              "; 'limn explain' says by which rule");
     }
-    return outlined;
 }
 
 void MakeBlack(SceneAsset& asset, AssetContext& assets)
@@ -320,6 +342,73 @@ bool IsPartlyHidden(const SceneAsset& asset)
     return !SeenOutlineCoverage(line, silhouette, 1.0, surfaces.outlined, surfaces.others,
                                 HiddenAt::Border)
                 .hiding.empty();
+}
+
+const std::vector<std::string>& ShapeNames()
+{
+    static const std::vector<std::string> names = {"disc", "ring", "star", "needle", "two"};
+    return names;
+}
+
+bool IsShape(const std::string& subject)
+{
+    return std::ranges::count(ShapeNames(), subject) > 0;
+}
+
+ScreenTriangles ShapeTriangles(const std::string& name, int width, int height)
+{
+    // Off the pixels' raster, so that no technique is lucky.
+    const glm::dvec2 middle = 0.5 * glm::dvec2(width, height) + glm::dvec2(0.3, 0.6);
+    const double radius = 0.3 * std::min(width, height);
+    if (name == "disc")
+    {
+        return DiscTriangles(middle, radius);
+    }
+    if (name == "ring")
+    {
+        return RingTriangles(middle, 0.6 * radius, radius);
+    }
+    if (name == "star")
+    {
+        return StarTriangles(middle, 5, 0.4 * radius, radius, 0.3);
+    }
+    if (name == "needle")
+    {
+        const glm::dvec2 half = glm::dvec2(0.9, 0.3) * radius;
+        return NeedleTriangles(middle - half, middle + half, 0.3);
+    }
+    if (name == "two")
+    {
+        return Together(
+            {DiscTriangles(middle - glm::dvec2(0.5, 0.2) * radius, 0.6 * radius),
+             StarTriangles(middle + glm::dvec2(0.4, 0.3) * radius, 7, 0.3 * radius, 0.6 * radius)});
+    }
+    throw ContractError("there is no shape '" + name + "'");
+}
+
+SceneAsset MakeSubject(const CellId& id, bool isBlack, const std::filesystem::path& scene,
+                       AssetContext& assets)
+{
+    if (id.subject == k_BallsSubject)
+    {
+        return Balls(id, assets);
+    }
+    if (IsShape(id.subject))
+    {
+        SceneAsset asset = EmptyPicture(id.pictureWidth, id.pictureHeight);
+        AddShape(asset, id.subject, ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight),
+                 assets);
+        return asset;
+    }
+    SceneAsset asset = LoadScene(scene, assets, InactiveObjects::Check);
+    asset.width = id.pictureWidth;
+    asset.height = id.pictureHeight;
+    MarkOutlined(asset);
+    if (isBlack)
+    {
+        MakeBlack(asset, assets);
+    }
+    return asset;
 }
 
 } // namespace limn::study

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "report/measure/Study.h"
+#include "report/truth/OutlineReference.h"
 #include "report/truth/SeenOutline.h"
 
 #include <limn/editor_stub/SceneFile.h>
@@ -15,15 +17,13 @@ SceneAsset EmptyPicture(int width, int height);
 GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
                         std::shared_ptr<const Mesh> mesh, AssetContext& assets);
 /// A black, flat, outlined object from pixels of an EmptyPicture.
-/// @param offset  pixels it is moved by, y downwards
 GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
-                     AssetContext& assets, const glm::dvec2& offset = glm::dvec2(0.0));
+                     AssetContext& assets);
 
 /// Puts what the scene's first outline feature that is active would outline, and the camera draws,
 /// into the rendering layer k_OutlinedLayer, and nothing else.
-/// @returns the objects
 /// @throws AssetError if there is no such feature, or it takes no object
-std::vector<GameObject*> MarkOutlined(SceneAsset& asset);
+void MarkOutlined(SceneAsset& asset);
 
 /// @throws AssetError if nothing in the rendering layer k_OutlinedLayer is in the picture
 void RequireOutlineInPicture(const SceneAsset& asset);
@@ -50,5 +50,24 @@ SceneSurfaces SurfacesOf(const SceneAsset& asset);
 
 /// Returns whether an object hides a place of the outlined objects' border that is in the picture.
 bool IsPartlyHidden(const SceneAsset& asset);
+
+/// The scene that the study is about; every other subject is made up.
+inline constexpr const char* k_SceneSubject = "scene";
+/// As many balls as the variant says, "100 objects".
+inline constexpr const char* k_BallsSubject = "balls";
+
+/// The flat shapes that can be outlined: "disc", "ring", "star", "needle", "two".
+const std::vector<std::string>& ShapeNames();
+bool IsShape(const std::string& subject);
+
+/// A shape in the middle of a picture, its size going by the picture's height.
+/// @throws ContractError for another name
+ScreenTriangles ShapeTriangles(const std::string& name, int width, int height);
+
+/// The cell's subject, its objects in the rendering layer k_OutlinedLayer.
+/// @param isBlack  everything black on black
+/// @throws AssetError as LoadScene and MarkOutlined, for the scene
+SceneAsset MakeSubject(const CellId& id, bool isBlack, const std::filesystem::path& scene,
+                       AssetContext& assets);
 
 } // namespace limn::study

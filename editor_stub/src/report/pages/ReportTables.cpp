@@ -1,5 +1,6 @@
-#include "report/pages/ReportTables.h"
+#include "report/pages/ReportText.h"
 
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
 
 #include <algorithm>
@@ -28,16 +29,6 @@ std::string FromTo(const std::pair<double, double>& quartiles)
     return std::isnan(quartiles.first)
                ? k_Nothing
                : Readable(quartiles.first) + " … " + Readable(quartiles.second);
-}
-
-std::string Joined(const auto& texts, const std::string& between)
-{
-    std::string result;
-    for (const std::string& text : texts)
-    {
-        result += (result.empty() ? "" : between) + text;
-    }
-    return result;
 }
 
 std::string SizeOf(const CellId& id)
@@ -73,12 +64,7 @@ public:
     }
     std::string Text() const
     {
-        std::vector<std::string> texts;
-        for (const auto& [isLast, number, text] : m_Texts)
-        {
-            texts.push_back(text);
-        }
-        return Joined(texts, ", ");
+        return Joined(m_Texts, ", ", [](const auto& level) { return std::get<2>(level); });
     }
 
 private:

@@ -1,9 +1,9 @@
 #include "report/pages/ReportText.h"
 
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
-#include "report/figures/Recommendation.h"
-#include "report/measure/Subjects.h"
-#include "report/pages/ReportTables.h"
+#include "report/figures/Pareto.h"
+#include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,16 +23,6 @@ void AddTable(Section& section, Table table)
     {
         section.tables.push_back(std::move(table));
     }
-}
-
-std::string Joined(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const std::string& name : names)
-    {
-        text += (text.empty() ? "" : ", ") + name;
-    }
-    return text;
 }
 
 /// The cells that have figures as a table, the others in a sentence for each reason.
@@ -59,7 +49,7 @@ void AddCells(Section& section, const Study& study, const std::string& id, const
     }
     for (const auto& [reason, those] : names)
     {
-        std::string sentence = Joined(those) + ": " + reason + ".";
+        std::string sentence = Joined(those, ", ") + ": " + reason + ".";
         if (std::ranges::find(section.paragraphs, sentence) == section.paragraphs.end())
         {
             section.paragraphs.push_back(std::move(sentence));
@@ -173,21 +163,6 @@ Section Cost(const Study& study, const Comparison& comparison)
     return section;
 }
 
-/// The width of a subject's pictures that is nearest to the wanted one.
-double PicturedWidth(const Study& study, const std::string& subject, double wanted)
-{
-    double best = std::numeric_limits<double>::quiet_NaN();
-    for (const CellResult& cell : study.cells)
-    {
-        if (!cell.pictures.empty() && cell.id.subject == subject &&
-            !(std::abs(cell.id.width - wanted) >= std::abs(best - wanted)))
-        {
-            best = cell.id.width;
-        }
-    }
-    return best;
-}
-
 Section Pictures(const Study& study, const Comparison& comparison)
 {
     Section section{"pictures", "Pictures", {}, {}, {}, {}};
@@ -204,7 +179,10 @@ Section Pictures(const Study& study, const Comparison& comparison)
     }
     for (const std::string& subject : subjects)
     {
-        const double width = PicturedWidth(study, subject, comparison.width);
+        const double width =
+            NearestWidth(study, comparison.width,
+                         [&](const CellResult& cell)
+                         { return !cell.pictures.empty() && cell.id.subject == subject; });
         for (const CellResult& cell : study.cells)
         {
             if (cell.pictures.empty() || cell.id.subject != subject || cell.id.width != width ||
@@ -322,8 +300,8 @@ std::vector<std::string> SceneRemarks(const Study& study)
     for (const std::string& note : notes)
     {
         const std::vector<std::string>& names = namesOf[note];
-        sentences.push_back((names.size() == all.size() ? "The scene" : Joined(names)) + ": " +
-                            note + ".");
+        sentences.push_back((names.size() == all.size() ? "The scene" : Joined(names, ", ")) +
+                            ": " + note + ".");
     }
     return sentences;
 }

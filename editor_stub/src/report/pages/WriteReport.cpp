@@ -1,9 +1,8 @@
 #include "report/pages/WriteReport.h"
 
-#include "report/figures/Recommendation.h"
+#include "report/figures/Pareto.h"
 #include "report/measure/StudyFiles.h"
 #include "report/pages/ReportText.h"
-#include "report/pages/Results.h"
 #include <limn/base/RunProgram.h>
 
 #include <limn/base/Diagnostic.h>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "report/figures/Pareto.h"
 #include "report/measure/Study.h"
 
 #include <filesystem>
@@ -32,5 +33,14 @@ struct ReportFiles
 /// @throws AssetError if a file cannot be written, or gnuplot fails
 ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
                         const ReportOptions& options = {});
+
+/// One row a cell: what makes its id, all of Metrics() and their quartiles where there are any, the
+/// notes. RFC 4180 with \n at line ends; figures read back as they were, "nan", "inf" and "-inf"
+/// among them; empty where there is none.
+std::string ResultsCsv(const Study& study);
+
+/// All that a study holds, the metrics and the comparison with its front. Figures read back as they
+/// were; those that JSON has no number for are the strings "nan", "inf" and "-inf".
+std::string ResultsJson(const Study& study, const Comparison& comparison);
 
 } // namespace limn::study

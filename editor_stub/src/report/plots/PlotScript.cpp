@@ -1,6 +1,6 @@
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
-#include "report/plots/LabelPlacement.h"
-#include "report/plots/PlotAxis.h"
+#include "report/plots/PlotLayout.h"
 #include "report/plots/Plots.h"
 
 #include <algorithm>
@@ -47,23 +47,13 @@ Layout LayoutOf(PlotFormat format)
 /// typographic apostrophe: two of them at a text's beginning do end it. OneLine has no line's end.
 std::string Quoted(const std::string& text)
 {
-    std::string result = "'";
-    for (const char c : OneLine(text))
-    {
-        result += c == '\'' ? "’" : std::string(1, c);
-    }
-    return result + "'";
+    return "'" + Replaced(OneLine(text), "'", "’") + "'";
 }
 
 /// A tick's text is a format.
 std::string QuotedTick(const std::string& text)
 {
-    std::string result;
-    for (const char c : text)
-    {
-        result += c == '%' ? "%%" : std::string(1, c);
-    }
-    return Quoted(result);
+    return Quoted(Replaced(text, "%", "%%"));
 }
 
 /// Of a technique, for plots: no longer than there is room for on a phone.
@@ -86,19 +76,14 @@ std::string Dashes(const PlotSeries& series)
     return series.isArticle ? (isAgain ? " dt '.'" : " dt '-'") : (isAgain ? " dt '_.'" : "");
 }
 
-bool IsDrawn(const PlotPoint& point)
+bool HasPlace(const PlotPoint& point)
 {
     return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error);
 }
 
 std::string Places(std::initializer_list<double> values)
 {
-    std::string line;
-    for (const double value : values)
-    {
-        line += (line.empty() ? "" : " ") + Exact(value);
-    }
-    return line + "\n";
+    return Joined(values, " ", Exact) + "\n";
 }
 
 class ScriptWriter
@@ -113,7 +98,7 @@ public:
         {
             for (const PlotPoint& point : series.points)
             {
-                if (IsDrawn(point))
+                if (HasPlace(point))
                 {
                     xs.insert(xs.end(), {point.at.milliseconds, Positive(point.barX.first),
                                          point.barX.second});
@@ -185,7 +170,7 @@ private:
         for (const PlotSeries& series : m_Plot.series)
         {
             widest = std::max(widest, TextWidth(ShortName(series.name), m_Layout.font));
-            count += std::ranges::any_of(series.points, IsDrawn) ? 1 : 0;
+            count += std::ranges::any_of(series.points, HasPlace) ? 1 : 0;
         }
         const double column = widest + 4.0 * m_Layout.font;
         const auto most = static_cast<std::size_t>(std::max(1.0, (m_Layout.width - 20.0) / column));
@@ -298,7 +283,7 @@ private:
             for (const PlotPoint& point : series.points)
             {
                 const auto [x, y] = point.at;
-                if (IsDrawn(point))
+                if (HasPlace(point))
                 {
                     add(x, y, x, y, 6.0);
                     if (!std::isnan(point.barX.first))
@@ -336,7 +321,7 @@ private:
         {
             for (const PlotPoint& point : series.points)
             {
-                if (IsDrawn(point) && !point.name.empty())
+                if (HasPlace(point) && !point.name.empty())
                 {
                     points.push_back(&point);
                 }
@@ -422,7 +407,7 @@ private:
         std::string barsY;
         for (const PlotPoint& point : series.points)
         {
-            if (!IsDrawn(point))
+            if (!HasPlace(point))
             {
                 continue;
             }

@@ -1,5 +1,6 @@
 #include "report/plots/Plots.h"
 
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
 
 #include <algorithm>
@@ -267,13 +268,9 @@ Plot TimeAgainstObjects(const Study& study)
                             }
                             return count;
                         });
-    for (const std::string& text : what)
-    {
-        plot.caption += (plot.caption.empty() ? "" : ", ") + text;
-    }
     plot.caption =
         "GPU time that outlines add to a frame, against how many objects are outlined (" +
-        plot.caption + "); bars from the lower to the upper quartile.";
+        Joined(what, ", ") + "); bars from the lower to the upper quartile.";
     SetTicks(plot, ticks);
     return plot;
 }

@@ -173,4 +173,27 @@ private:
     std::vector<Node> m_Nodes;
 };
 
+/// The box around the corners of an item.
+template <typename Corners>
+Box BoxOf(const Corners& corners)
+{
+    Box box;
+    for (const auto& corner : corners)
+    {
+        box.Add(glm::dvec2(corner));
+    }
+    return box;
+}
+
+template <typename Items>
+BoxTree TreeOf(const Items& items)
+{
+    std::vector<Box> boxes;
+    for (const auto& item : items)
+    {
+        boxes.push_back(BoxOf(item));
+    }
+    return BoxTree(std::move(boxes));
+}
+
 } // namespace limn::study

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
+#include <iterator>
 #include <limits>
 #include <limn/core/Image.h>
 #include <stdexcept>
@@ -179,20 +180,15 @@ std::vector<glm::dvec2> Crossings(const Coverage& coverage)
     return places;
 }
 
-BoxTree TreeOf(const std::vector<glm::dvec2>& places)
-{
-    std::vector<Box> boxes(places.size());
-    for (std::size_t i = 0; i < places.size(); ++i)
-    {
-        boxes[i].Add(places[i]);
-    }
-    return BoxTree(std::move(boxes));
-}
-
 /// The greatest distance from one of `from` to the nearest one of `to`.
 double Farthest(const std::vector<glm::dvec2>& from, const std::vector<glm::dvec2>& to)
 {
-    const BoxTree tree = TreeOf(to);
+    std::vector<Box> places;
+    std::ranges::transform(to, std::back_inserter(places),
+                           [](const glm::dvec2& place) {
+                               return Box{place, place};
+                           });
+    const BoxTree tree(std::move(places));
     double farthest = 0.0;
     for (const glm::dvec2& place : from)
     {

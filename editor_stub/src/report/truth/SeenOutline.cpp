@@ -33,64 +33,6 @@ double NearnessOf(const DepthTriangle& triangle, const glm::dvec2& point)
     return std::max(nearness, 0.0);
 }
 
-/// Finds the places of an outline that nothing stands in front of.
-class Seer
-{
-public:
-    Seer(const Silhouette& silhouette, double width, const Surfaces& own, const Surfaces& others,
-         HiddenAt where)
-        : m_Silhouette(silhouette), m_Width(width), m_Own(own), m_Others(others), m_Where(where)
-    {
-    }
-
-    /// Returns how much of a pixel's outline is seen, 0...1.
-    double PartOf(int x, int y)
-    {
-        int inBand = 0;
-        int seenInBand = 0;
-        int seen = 0;
-        for (int i = 0; i < k_PlacesPerSide * k_PlacesPerSide; ++i)
-        {
-            const glm::dvec2 step(i % k_PlacesPerSide + 0.5, i / k_PlacesPerSide + 0.5);
-            const glm::dvec2 place = glm::dvec2(x, y) + step / static_cast<double>(k_PlacesPerSide);
-            glm::dvec2 nearest = place;
-            const double distance = m_Silhouette.SignedDistance(place, m_Width + 2.0, &nearest);
-            const int isSeen = IsSeen(place, nearest) ? 1 : 0;
-            const int isInBand = distance > 0.0 && distance < m_Width ? 1 : 0;
-            inBand += isInBand;
-            seenInBand += isInBand * isSeen;
-            seen += isSeen;
-        }
-        // A sliver of the outline may pass between all places.
-        return inBand > 0 ? static_cast<double>(seenInBand) / inBand
-                          : static_cast<double>(seen) / (k_PlacesPerSide * k_PlacesPerSide);
-    }
-
-    std::vector<std::size_t> hiding() const { return {m_Hiding.begin(), m_Hiding.end()}; }
-
-private:
-    bool IsSeen(const glm::dvec2& place, const glm::dvec2& nearest)
-    {
-        constexpr double k_NotInFront = 1.001;
-        const Surfaces::Hit other =
-            m_Others.NearestAt(m_Where == HiddenAt::Border ? nearest : place);
-        if (other.owner == Surfaces::k_NoOwner ||
-            other.nearness <= m_Own.NearestAt(nearest).nearness * k_NotInFront)
-        {
-            return true;
-        }
-        m_Hiding.insert(other.owner);
-        return false;
-    }
-
-    const Silhouette& m_Silhouette;
-    double m_Width;
-    const Surfaces& m_Own;
-    const Surfaces& m_Others;
-    HiddenAt m_Where;
-    std::set<std::size_t> m_Hiding;
-};
-
 } // namespace
 
 void Surfaces::Add(const std::vector<DepthTriangle>& triangles, std::size_t owner)
@@ -108,15 +50,7 @@ void Surfaces::Add(const std::vector<DepthTriangle>& triangles, std::size_t owne
 
 void Surfaces::Finish()
 {
-    std::vector<Box> boxes(m_Triangles.size());
-    for (std::size_t i = 0; i < m_Triangles.size(); ++i)
-    {
-        for (const glm::dvec3& corner : m_Triangles[i])
-        {
-            boxes[i].Add(glm::dvec2(corner));
-        }
-    }
-    m_Tree = BoxTree(std::move(boxes));
+    m_Tree = TreeOf(m_Triangles);
 }
 
 Surfaces::Hit Surfaces::NearestAt(const glm::dvec2& point) const
@@ -143,18 +77,53 @@ SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhoue
     {
         return result;
     }
-    Seer seer(silhouette, width, own, others, where);
+    std::set<std::size_t> hiding;
+    const auto isSeen = [&](const glm::dvec2& place, const glm::dvec2& nearest)
+    {
+        constexpr double k_NotInFront = 1.001;
+        const Surfaces::Hit other = others.NearestAt(where == HiddenAt::Border ? nearest : place);
+        const bool isHidden = other.owner != Surfaces::k_NoOwner &&
+                              other.nearness > own.NearestAt(nearest).nearness * k_NotInFront;
+        if (isHidden)
+        {
+            hiding.insert(other.owner);
+        }
+        return !isHidden;
+    };
+    // How much of a pixel's outline is seen, 0...1.
+    const auto partOf = [&](int x, int y)
+    {
+        constexpr int k_Places = k_PlacesPerSide * k_PlacesPerSide;
+        int inBand = 0;
+        int seenInBand = 0;
+        int seen = 0;
+        for (int i = 0; i < k_Places; ++i)
+        {
+            const glm::dvec2 step(i % k_PlacesPerSide + 0.5, i / k_PlacesPerSide + 0.5);
+            const glm::dvec2 place = glm::dvec2(x, y) + step / static_cast<double>(k_PlacesPerSide);
+            glm::dvec2 nearest = place;
+            const double distance = silhouette.SignedDistance(place, width + 2.0, &nearest);
+            const int isPlaceSeen = isSeen(place, nearest) ? 1 : 0;
+            const int isInBand = distance > 0.0 && distance < width ? 1 : 0;
+            inBand += isInBand;
+            seenInBand += isInBand * isPlaceSeen;
+            seen += isPlaceSeen;
+        }
+        // A sliver of the outline may pass between all places.
+        return inBand > 0 ? static_cast<double>(seenInBand) / inBand
+                          : static_cast<double>(seen) / k_Places;
+    };
     for (int y = 0; y < whole.height; ++y)
     {
         for (int x = 0; x < whole.width; ++x)
         {
             if (whole.At(x, y) > 0.0)
             {
-                result.seen.At(x, y) *= seer.PartOf(x, y);
+                result.seen.At(x, y) *= partOf(x, y);
             }
         }
     }
-    result.hiding = seer.hiding();
+    result.hiding.assign(hiding.begin(), hiding.end());
     return result;
 }
 

@@ -1,7 +1,15 @@
 #include "report/truth/Silhouette.h"
 
+#include "report/truth/SeenOutline.h"
+
 #include <cmath>
+#include <glm/ext/scalar_constants.hpp>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <limn/core/Camera.h>
+#include <limn/core/Mesh.h>
+#include <limn/core/Transform.h>
+#include <span>
 #include <tuple>
 
 namespace limn::study
@@ -13,28 +21,6 @@ namespace
 using Segment = std::array<glm::dvec2, 2>;
 
 constexpr double k_Aside = 1e-6; ///< pixels; to see what is on either side of an edge
-
-template <std::size_t N>
-Box BoxOf(const std::array<glm::dvec2, N>& points)
-{
-    Box box;
-    for (const glm::dvec2& point : points)
-    {
-        box.Add(point);
-    }
-    return box;
-}
-
-template <std::size_t N>
-BoxTree TreeOf(const std::vector<std::array<glm::dvec2, N>>& items)
-{
-    std::vector<Box> boxes;
-    for (const auto& item : items)
-    {
-        boxes.push_back(BoxOf(item));
-    }
-    return BoxTree(std::move(boxes));
-}
 
 glm::dvec2 NearestOf(const Segment& segment, const glm::dvec2& point)
 {
@@ -67,8 +53,7 @@ std::vector<Segment> EdgesOfOneSide(const ScreenTriangles& triangles)
             edges.push_back(edge);
         }
     }
-    std::sort(edges.begin(), edges.end(),
-              [](const Edge& a, const Edge& b) { return a.Key() < b.Key(); });
+    std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return a.Key() < b.Key(); });
     std::vector<Segment> result;
     for (std::size_t i = 0; i < edges.size();)
     {
@@ -112,6 +97,88 @@ void AddCuts(const Segment& segment, const Segment& other, std::vector<double>& 
             cuts.push_back(t);
         }
     }
+}
+
+constexpr double k_Pi = glm::pi<double>();
+
+/// The corners of a regular polygon of the disc's area whose middle of an edge is 5e-5 pixels, at
+/// most, off the circle.
+std::vector<glm::dvec2> Circle(const glm::dvec2& center, double radius, std::size_t atLeast = 16)
+{
+    const auto count = std::max(
+        atLeast, 2 * static_cast<std::size_t>(std::ceil(k_Pi / 2.0 * std::sqrt(radius / 1e-4))));
+    const double step = 2.0 * k_Pi / static_cast<double>(count);
+    const double corner = radius * std::sqrt(step / std::sin(step));
+    std::vector<glm::dvec2> corners;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const double angle = step * (static_cast<double>(i) + 0.5);
+        corners.push_back(center + corner * glm::dvec2(std::cos(angle), std::sin(angle)));
+    }
+    return corners;
+}
+
+void AddQuad(ScreenTriangles& triangles, const glm::dvec2& a, const glm::dvec2& b,
+             const glm::dvec2& c, const glm::dvec2& d)
+{
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+}
+
+/// What of a polygon is where dot(plane, corner) >= 0.
+std::vector<glm::dvec4> Clip(const std::vector<glm::dvec4>& polygon, const glm::dvec4& plane)
+{
+    std::vector<glm::dvec4> result;
+    for (std::size_t i = 0; i < polygon.size(); ++i)
+    {
+        const glm::dvec4& a = polygon[i];
+        const glm::dvec4& b = polygon[(i + 1) % polygon.size()];
+        const double da = glm::dot(plane, a);
+        const double db = glm::dot(plane, b);
+        if (da >= 0.0)
+        {
+            result.push_back(a);
+        }
+        if ((da >= 0.0) != (db >= 0.0))
+        {
+            // From the inner end, whichever triangle asks: both get the same point.
+            result.push_back(da >= 0.0 ? a + (b - a) * (da / (da - db))
+                                       : b + (a - b) * (db / (db - da)));
+        }
+    }
+    return result;
+}
+
+/// Returns the triangles that the indices are of, cut at the near and the far plane.
+std::vector<DepthTriangle> Project(const MeshData& data, std::span<const std::uint32_t> indices,
+                                   const Transform& transform, const Camera& camera, int width,
+                                   int height)
+{
+    const float aspect = static_cast<float>(width) / static_cast<float>(height);
+    const glm::dmat4 toClip = glm::dmat4(camera.gpuProjectionMatrix(aspect)) * camera.viewMatrix() *
+                              transform.worldMatrix();
+    std::vector<DepthTriangle> triangles;
+    for (std::size_t i = 0; i + 2 < indices.size(); i += 3)
+    {
+        std::vector<glm::dvec4> polygon;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            polygon.push_back(toClip * glm::dvec4(data.vertices[indices[i + k]], 1.0));
+        }
+        polygon = Clip(polygon, {0.0, 0.0, -1.0, 1.0}); // near: z is w there
+        polygon = Clip(polygon, {0.0, 0.0, 1.0, 0.0});  // far: z is 0 there
+        const auto pixel = [&](std::size_t corner)
+        {
+            const glm::dvec4& p = polygon[corner];
+            return glm::dvec3((p.x / p.w * 0.5 + 0.5) * width, (0.5 - p.y / p.w * 0.5) * height,
+                              p.z / p.w);
+        };
+        for (std::size_t k = 2; k < polygon.size(); ++k)
+        {
+            triangles.push_back({pixel(0), pixel(k - 1), pixel(k)});
+        }
+    }
+    return triangles;
 }
 
 } // namespace
@@ -199,14 +266,111 @@ double Silhouette::SignedDistance(const glm::dvec2& point, double limit, glm::dv
     return Contains(point) ? -least : least;
 }
 
-double Silhouette::Perimeter() const
+ScreenTriangles DiscTriangles(const glm::dvec2& center, double radius)
 {
-    double sum = 0.0;
-    for (const Segment& segment : m_Border)
+    // In slices from one side to the other: no corner is in more than a few triangles.
+    const std::vector<glm::dvec2> circle = Circle(center, radius);
+    const std::size_t last = circle.size() - 1;
+    ScreenTriangles triangles;
+    for (std::size_t i = 0; i < circle.size() / 2 - 1; ++i)
     {
-        sum += glm::length(segment[1] - segment[0]);
+        AddQuad(triangles, circle[i], circle[i + 1], circle[last - i - 1], circle[last - i]);
     }
-    return sum;
+    return triangles;
+}
+
+ScreenTriangles RingTriangles(const glm::dvec2& center, double innerRadius, double outerRadius)
+{
+    const std::vector<glm::dvec2> outer = Circle(center, outerRadius);
+    const std::vector<glm::dvec2> inner = Circle(center, innerRadius, outer.size());
+    ScreenTriangles triangles;
+    for (std::size_t i = 0; i < outer.size(); ++i)
+    {
+        const std::size_t next = (i + 1) % outer.size();
+        AddQuad(triangles, inner[i], outer[i], outer[next], inner[next]);
+    }
+    return triangles;
+}
+
+ScreenTriangles StarTriangles(const glm::dvec2& center, int tips, double innerRadius,
+                              double outerRadius, double turn)
+{
+    const auto corner = [&](int i)
+    {
+        const double angle = turn + k_Pi * i / tips;
+        const double radius = i % 2 == 0 ? outerRadius : innerRadius;
+        return center + radius * glm::dvec2(std::cos(angle), std::sin(angle));
+    };
+    ScreenTriangles triangles;
+    for (int i = 0; i < 2 * tips; ++i)
+    {
+        triangles.push_back({center, corner(i), corner((i + 1) % (2 * tips))});
+    }
+    return triangles;
+}
+
+ScreenTriangles NeedleTriangles(const glm::dvec2& from, const glm::dvec2& to, double thickness)
+{
+    const glm::dvec2 along = glm::normalize(to - from);
+    const glm::dvec2 aside = glm::dvec2(-along.y, along.x) * (thickness / 2.0);
+    ScreenTriangles triangles;
+    AddQuad(triangles, from - aside, to - aside, to + aside, from + aside);
+    return triangles;
+}
+
+ScreenTriangles MeshTriangles(const Mesh& mesh, const Transform& transform, const Camera& camera,
+                              int width, int height)
+{
+    ScreenTriangles triangles;
+    for (const auto& [a, b, c] :
+         Project(mesh.data(), mesh.data().triangles, transform, camera, width, height))
+    {
+        triangles.push_back({glm::dvec2(a), glm::dvec2(b), glm::dvec2(c)});
+    }
+    return triangles;
+}
+
+std::vector<DepthTriangle> MeshDepths(const Mesh& mesh, int subMesh, const Transform& transform,
+                                      const Camera& camera, int width, int height, CullMode cull)
+{
+    const SubMesh& part = mesh.subMesh(subMesh);
+    const std::span<const std::uint32_t> indices(mesh.data().triangles);
+    std::vector<DepthTriangle> triangles =
+        Project(mesh.data(), indices.subspan(part.indexStart, part.indexCount), transform, camera,
+                width, height);
+    const bool isMirrored = glm::determinant(glm::dmat3(transform.worldMatrix())) < 0.0;
+    std::erase_if(triangles,
+                  [&](const DepthTriangle& triangle)
+                  {
+                      const glm::dvec2 b(triangle[1] - triangle[0]);
+                      const glm::dvec2 c(triangle[2] - triangle[0]);
+                      // Clockwise triangles face the viewer; y counts downwards here.
+                      const bool isFront = (Cross(b, c) > 0.0) != isMirrored;
+                      return cull == (isFront ? CullMode::Front : CullMode::Back);
+                  });
+    return triangles;
+}
+
+ScreenTriangles Together(std::initializer_list<ScreenTriangles> parts)
+{
+    ScreenTriangles all;
+    for (const ScreenTriangles& part : parts)
+    {
+        all.insert(all.end(), part.begin(), part.end());
+    }
+    return all;
+}
+
+ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& offset)
+{
+    for (auto& triangle : triangles)
+    {
+        for (glm::dvec2& corner : triangle)
+        {
+            corner += offset;
+        }
+    }
+    return triangles;
 }
 
 } // namespace limn::study

@@ -42,6 +42,7 @@ ScreenTriangles NeedleTriangles(const glm::dvec2& from, const glm::dvec2& to, do
 ScreenTriangles MeshTriangles(const Mesh& mesh, const Transform& transform, const Camera& camera,
                               int width, int height);
 ScreenTriangles Together(std::initializer_list<ScreenTriangles> parts);
+ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& offset);
 
 /// The union of triangles, with its true border: edges inside it count for nothing.
 class Silhouette
@@ -57,8 +58,6 @@ public:
     double SignedDistance(const glm::dvec2& point, double limit,
                           glm::dvec2* nearest = nullptr) const;
 
-    /// Of the border, holes included, in the picture or not.
-    double Perimeter() const;
     const Box& bounds() const { return m_Bounds; }
     const std::vector<std::array<glm::dvec2, 2>>& border() const { return m_Border; }
 

@@ -1,4 +1,4 @@
-#include "explain/pixel/PixelReport.h"
+#include "explain/pixel/PixelHistory.h"
 
 #include <gtest/gtest.h>
 #include <limits>

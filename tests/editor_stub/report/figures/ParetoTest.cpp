@@ -1,5 +1,4 @@
 #include "report/figures/Pareto.h"
-#include "report/figures/Recommendation.h"
 #include "report/pages/SampleStudy.h"
 
 #include <algorithm>

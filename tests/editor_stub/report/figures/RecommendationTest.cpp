@@ -1,4 +1,4 @@
-#include "report/figures/Recommendation.h"
+#include "report/figures/Pareto.h"
 #include "report/pages/SampleStudy.h"
 
 #include <gmock/gmock.h>

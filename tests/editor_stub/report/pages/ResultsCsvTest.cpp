@@ -1,5 +1,5 @@
-#include "report/pages/Results.h"
 #include "report/pages/SampleStudy.h"
+#include "report/pages/WriteReport.h"
 
 #include <algorithm>
 #include <cmath>

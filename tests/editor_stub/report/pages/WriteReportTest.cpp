@@ -1,7 +1,6 @@
 #include "report/pages/WriteReport.h"
 #include "TemporaryFolder.h"
-#include "report/pages/ReportTables.h"
-#include "report/pages/Results.h"
+#include "report/pages/ReportText.h"
 #include "report/pages/SampleStudy.h"
 
 #include <algorithm>

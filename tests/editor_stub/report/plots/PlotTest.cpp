@@ -1,7 +1,6 @@
 #include "TemporaryFolder.h"
 #include "report/pages/SampleStudy.h"
-#include "report/plots/LabelPlacement.h"
-#include "report/plots/PlotAxis.h"
+#include "report/plots/PlotLayout.h"
 #include "report/plots/Plots.h"
 #include <limn/base/RunProgram.h>
 

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <glm/gtc/packing.hpp>
-#include <stdexcept>
 
 namespace limn::study
 {
@@ -36,32 +33,6 @@ double Field::Sample(double u, double v, int channel) const
            (texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx) * fy;
 }
 
-Field ToField(const Image& image)
-{
-    Field field{image.width, image.height, 1, {}};
-    if (image.format == GraphicsFormat::R16G16B16A16_SFloat)
-    {
-        field.channels = 4;
-        for (std::size_t i = 0; i + 1 < image.texels.size(); i += 2)
-        {
-            std::uint16_t half = 0;
-            std::memcpy(&half, image.texels.data() + i, 2);
-            field.values.push_back(glm::unpackHalf1x16(half));
-        }
-        return field;
-    }
-    if (image.format != GraphicsFormat::R8_UNorm && BytesPerTexel(image.format) != 4)
-    {
-        throw std::invalid_argument("ToField knows R8_UNorm, R8G8B8A8 and R16G16B16A16_SFloat");
-    }
-    field.channels = BytesPerTexel(image.format);
-    for (const std::byte texel : image.texels)
-    {
-        field.values.push_back(std::to_integer<int>(texel) / 255.0);
-    }
-    return field;
-}
-
 Field RobertsReference(const Field& mask, double width)
 {
     Field edge{mask.width, mask.height, 1, {}};
@@ -86,16 +57,6 @@ Field RobertsReference(const Field& mask, double width)
     return edge;
 }
 
-Field QuantiseToR8(const Field& field)
-{
-    Field result = field;
-    for (double& value : result.values)
-    {
-        value = std::round(std::clamp(value, 0.0, 1.0) * 255.0) / 255.0;
-    }
-    return result;
-}
-
 Field CompositeReference(const Field& base, const Field& edge, const std::array<double, 3>& color)
 {
     Field result = base;
@@ -113,23 +74,51 @@ Field CompositeReference(const Field& base, const Field& edge, const std::array<
     return result;
 }
 
-Difference Compare(const Field& a, const Field& b)
+Field BlurReference(const Field& source, double offset)
 {
-    if (a.values.size() != b.values.size() || a.values.empty())
+    Field result = source;
+    const double du = offset / source.width;
+    const double dv = offset / source.height;
+    for (int y = 0; y < source.height; ++y)
     {
-        throw std::invalid_argument("Compare: the fields have different sizes or none");
+        for (int x = 0; x < source.width; ++x)
+        {
+            const double u = (x + 0.5) / source.width;
+            const double v = (y + 0.5) / source.height;
+            for (int channel = 0; channel < 4; ++channel)
+            {
+                const double taps[] = {
+                    source.Sample(u - du, v - dv, channel), source.Sample(u + du, v - dv, channel),
+                    source.Sample(u + du, v + dv, channel), source.Sample(u - du, v + dv, channel)};
+                result.At(x, y, channel) = channel < 3
+                                               ? *std::ranges::max_element(taps)
+                                               : (taps[0] + taps[1] + taps[2] + taps[3]) / 4.0;
+            }
+        }
     }
-    Difference difference;
-    std::size_t withinOne = 0;
-    for (std::size_t i = 0; i < a.values.size(); ++i)
+    return result;
+}
+
+Field CompositeReference(const Field& source, const Field& stencil, const Field& blur,
+                         double strength)
+{
+    Field result = source;
+    for (int y = 0; y < source.height; ++y)
     {
-        const double distance = std::abs(a.values[i] - b.values[i]) * 255.0;
-        difference.largest = std::max(difference.largest, distance);
-        withinOne += distance <= 1.0 ? 1 : 0;
+        for (int x = 0; x < source.width; ++x)
+        {
+            const bool isInside = stencil.At(x, y, 0) != 0.0 || stencil.At(x, y, 1) != 0.0 ||
+                                  stencil.At(x, y, 2) != 0.0;
+            const double weight =
+                isInside ? 0.0 : std::clamp(blur.At(x, y, 3) - stencil.At(x, y, 3), 0.0, 1.0);
+            for (int channel = 0; channel < 3; ++channel)
+            {
+                double& value = result.At(x, y, channel);
+                value += weight * (blur.At(x, y, channel) * strength - value);
+            }
+        }
     }
-    difference.shareWithinOne =
-        static_cast<double>(withinOne) / static_cast<double>(a.values.size());
-    return difference;
+    return result;
 }
 
 } // namespace limn::study

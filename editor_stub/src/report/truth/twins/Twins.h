@@ -24,29 +24,4 @@ Twin FindTwin(const std::string& technique);
 /// device has rounded their corners; false if it takes the edges from the mesh.
 bool DrawsItsEdges(const std::string& technique);
 
-/// The first article's: mask of half the size, Roberts cross, bilinear composite.
-Coverage ScreenSpaceTwin(const Silhouette& silhouette, double width, int pictureWidth,
-                         int pictureHeight);
-/// The article on selection: seven blurs of the mask. The device keeps 8 bits behind each, and a
-/// mean of four such numbers is half way between two as often as not.
-Coverage SelectionTwin(const Silhouette& silhouette, double width, int pictureWidth,
-                       int pictureHeight);
-/// The article on post-processing: where the mask differs from four texels around.
-Coverage MaskDifferenceTwin(const Silhouette& silhouette, double width, int pictureWidth,
-                            int pictureHeight);
-/// The distance to the places on the edge of a mask of four samples.
-/// @param isFlood  by jump flooding, else by columns and then rows
-Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
-                  bool isFlood);
-/// Strokes along the silhouette, which may have no edges inside.
-Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth,
-                    int pictureHeight);
-
-/// The part of a square of side 1 that is behind a straight edge: BoxCoverage.hlsl.
-/// @param normal  of the edge, unit length
-/// @param depth   how far the square's centre is behind it
-double BoxCoverage(const glm::dvec2& normal, double depth);
-/// The depth for which BoxCoverage gives that.
-double BoxDepth(const glm::dvec2& normal, double coverage);
-
 } // namespace limn::study

@@ -1,5 +1,9 @@
+#include "report/pages/WriteReport.h"
+
+#include "console/Texts.h"
 #include "report/figures/Numbers.h"
-#include "report/pages/Results.h"
+#include "report/figures/Pareto.h"
+#include "report/measure/StudyFiles.h"
 
 #include <set>
 
@@ -11,16 +15,8 @@ namespace
 
 std::string CsvField(const std::string& text)
 {
-    if (text.find_first_of(",\"\r\n") == std::string::npos)
-    {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        quoted += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return quoted + "\"";
+    const bool isPlain = text.find_first_of(",\"\r\n") == std::string::npos;
+    return isPlain ? text : "\"" + Replaced(text, "\"", "\"\"") + "\"";
 }
 
 using Keys = std::set<std::string>;
@@ -77,12 +73,25 @@ std::string Row(const CellResult& cell, const Keys& withQuartiles)
                         : "," + Exact(found->second.first) + "," + Exact(found->second.second);
         }
     }
-    std::string notes;
-    for (const std::string& note : cell.notes)
+    return line + "," + CsvField(Joined(cell.notes, " ")) + "\n";
+}
+
+Json ComparisonJson(const Comparison& comparison)
+{
+    const auto pointJson = [&](std::size_t index) -> Json
     {
-        notes += (notes.empty() ? "" : " ") + note;
-    }
-    return line + "," + CsvField(notes) + "\n";
+        const Standing& standing = comparison.standings[index];
+        return {{"technique", standing.technique->name},
+                {"milliseconds", standing.at.milliseconds},
+                {"uncertainty", standing.timeUncertainty},
+                {"error", standing.at.error}};
+    };
+    return {{"width", comparison.width},
+            {"size", {comparison.pictureWidth, comparison.pictureHeight}},
+            {"errorOf", comparison.subject.empty() ? "median over shapes" : comparison.subject},
+            {"loadChanged", HasLoadChanged(comparison.load.quietPart)},
+            {"warnings", WarningsOf(comparison)},
+            {"paretoFront", JsonList(comparison.front, pointJson)}};
 }
 
 } // namespace
@@ -96,6 +105,22 @@ std::string ResultsCsv(const Study& study)
         text += Row(cell, withQuartiles);
     }
     return text;
+}
+
+std::string ResultsJson(const Study& study, const Comparison& comparison)
+{
+    Json json = ToJson(study);
+    json["comparison"] = ComparisonJson(comparison);
+    json["metrics"] = JsonList(Metrics(),
+                               [](const Metric& metric) -> Json
+                               {
+                                   return {{"key", metric.key},
+                                           {"title", metric.title},
+                                           {"unit", metric.unit},
+                                           {"isMeasured", metric.isMeasured}};
+                               });
+    json["cells"] = JsonList(study.cells, [](const CellResult& cell) { return ToJson(cell); });
+    return JsonText(json);
 }
 
 } // namespace limn::study

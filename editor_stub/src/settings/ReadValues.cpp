@@ -1,9 +1,9 @@
-#include "settings/ReadLayers.h"
+#include "settings/ReadValues.h"
 
+#include "console/Texts.h"
 #include "settings/Keys.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace limn
 {
@@ -22,11 +22,8 @@ bool LooksLikeNumber(const YamlNode& node)
 /// The number that a key of `layers` is; nothing unless it is 0...31.
 std::optional<int> LayerNumber(std::string_view text)
 {
-    int number = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    const bool isNumber = error == std::errc{} && rest == end;
-    return isNumber && number >= 0 && number <= 31 ? std::optional(number) : std::nullopt;
+    const std::optional<int> number = ParseWhole<int>(text);
+    return number >= 0 && number <= 31 ? number : std::nullopt;
 }
 
 /// What is wrong with giving layer `index` this name; "" if nothing.
@@ -69,6 +66,30 @@ std::optional<std::uint32_t> ReadBits(const YamlNode& node, std::string_view sub
 {
     const auto bits = ReadInteger(node, subject, diagnostics, k_LayerBits);
     return bits ? std::optional(static_cast<std::uint32_t>(*bits)) : std::nullopt;
+}
+
+std::optional<int> ParseInt(std::string_view text)
+{
+    return ParseWhole<int>(text.substr(text.starts_with('+') ? 1 : 0));
+}
+
+const EnumEntry* FindEntry(std::span<const EnumEntry> entries, std::string_view name)
+{
+    const auto found = std::ranges::find_if(entries, [name](const EnumEntry& entry)
+                                            { return entry.name == name; });
+    return found == entries.end() ? nullptr : &*found;
+}
+
+void RefuseName(const YamlNode& node, std::string_view name, std::span<const EnumEntry> entries,
+                std::string_view subject, AssetDiagnostics& diagnostics)
+{
+    diagnostics.Error(node.location(), std::string(subject) + ": unknown value " +
+                                           UnknownName(name, NamesOf(entries, &EnumEntry::name)));
+}
+
+std::string WithNumber(const EnumEntry& entry)
+{
+    return std::string(entry.name) + " " + std::to_string(entry.value);
 }
 
 } // namespace
@@ -176,6 +197,68 @@ std::vector<std::string_view> LayerNames::names() const
         }
     }
     return names;
+}
+
+std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> entries,
+                            std::string_view subject, AssetDiagnostics& diagnostics)
+{
+    const std::optional<std::string> text = ReadString(node, subject, diagnostics);
+    if (!text)
+    {
+        return std::nullopt;
+    }
+    if (const EnumEntry* entry = FindEntry(entries, *text))
+    {
+        return entry->value;
+    }
+    const std::optional<int> number = ParseInt(*text);
+    if (!number)
+    {
+        RefuseName(node, *text, entries, subject, diagnostics);
+        return std::nullopt;
+    }
+    const bool isMember = std::ranges::any_of(entries, [&number](const EnumEntry& entry)
+                                              { return entry.value == *number; });
+    if (!isMember)
+    {
+        diagnostics.Error(node.location(), std::string(subject) + ": " + *text + " is none of " +
+                                               Joined(entries, ", ", WithNumber));
+        return std::nullopt;
+    }
+    return number;
+}
+
+std::optional<RenderPassEvent> ReadRenderPassEvent(const YamlNode& node, std::string_view subject,
+                                                   AssetDiagnostics& diagnostics)
+{
+    std::optional<std::string> text = ReadString(node, subject, diagnostics);
+    if (!text)
+    {
+        return std::nullopt;
+    }
+    if (const std::optional<int> number = ParseInt(*text))
+    {
+        return static_cast<RenderPassEvent>(*number);
+    }
+    std::erase(*text, ' ');
+    const std::size_t split = std::min(text->find_first_of("+-"), text->size());
+    const std::string name = text->substr(0, split);
+    const EnumEntry* entry = FindEntry(RenderPassEventEntries(), name);
+    const std::optional<int> distance =
+        split == text->size() ? std::optional(0) : ParseInt(std::string_view(*text).substr(split));
+    if (!entry)
+    {
+        RefuseName(node, name, RenderPassEventEntries(), subject, diagnostics);
+        return std::nullopt;
+    }
+    if (!distance)
+    {
+        diagnostics.Error(node.location(), std::string(subject) + ": '" + text->substr(split) +
+                                               "' is no distance from " + name +
+                                               "; a whole number is expected, " + name + "+1");
+        return std::nullopt;
+    }
+    return static_cast<RenderPassEvent>(entry->value + *distance);
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limn/core/Inspector.h>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/volume/YamlRead.h>
 
@@ -26,5 +27,13 @@ std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject
 /// one number, or Unity's {m_Bits: 64}.
 std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
                                            const LayerKind& kind, AssetDiagnostics& diagnostics);
+
+/// The value of an enum's member by its name or its number.
+std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> entries,
+                            std::string_view subject, AssetDiagnostics& diagnostics);
+
+/// A pass event: its name, a name with a distance ("AfterRenderingOpaques + 1"), or a number.
+std::optional<RenderPassEvent> ReadRenderPassEvent(const YamlNode& node, std::string_view subject,
+                                                   AssetDiagnostics& diagnostics);
 
 } // namespace limn

@@ -1,16 +1,47 @@
 #include "report/truth/twins/Twins.h"
 
+#include "report/truth/twins/Field.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limn/features/MaskDifferenceOutline.h>
+#include <limn/features/SelectionOutline.h>
 
 namespace limn::study
 {
 
 namespace
 {
+
+/// The part of a square of side 1 that is behind a straight edge: BoxCoverage.hlsl.
+/// @param normal  of the edge, unit length
+/// @param depth   how far the square's centre is behind it
+double BoxCoverage(const glm::dvec2& normal, double depth)
+{
+    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
+    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double aside = std::abs(depth);
+    const double rest = std::max((large + small) * 0.5 - aside, 0.0);
+    const double outside = aside > (large - small) * 0.5
+                               ? rest * rest / std::max(2.0 * large * small, 1e-12)
+                               : 0.5 - aside / large;
+    return depth > 0.0 ? 1.0 - outside : outside;
+}
+
+/// The depth for which BoxCoverage gives that.
+double BoxDepth(const glm::dvec2& normal, double coverage)
+{
+    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
+    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double less = std::min(coverage, 1.0 - coverage);
+    const double outside = less * 2.0 * large < small
+                               ? (large + small) * 0.5 - std::sqrt(2.0 * large * small * less)
+                               : (0.5 - less) * large;
+    return coverage > 0.5 ? outside : -outside;
+}
 
 const glm::dvec2 k_FarAway(1e9);
 
@@ -244,31 +275,8 @@ private:
     std::vector<TwinSeed> m_Seeds;
 };
 
-} // namespace
-
-double BoxCoverage(const glm::dvec2& normal, double depth)
-{
-    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
-    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
-    const double aside = std::abs(depth);
-    const double rest = std::max((large + small) * 0.5 - aside, 0.0);
-    const double outside = aside > (large - small) * 0.5
-                               ? rest * rest / std::max(2.0 * large * small, 1e-12)
-                               : 0.5 - aside / large;
-    return depth > 0.0 ? 1.0 - outside : outside;
-}
-
-double BoxDepth(const glm::dvec2& normal, double coverage)
-{
-    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
-    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
-    const double less = std::min(coverage, 1.0 - coverage);
-    const double outside = less * 2.0 * large < small
-                               ? (large + small) * 0.5 - std::sqrt(2.0 * large * small * less)
-                               : (0.5 - less) * large;
-    return coverage > 0.5 ? outside : -outside;
-}
-
+/// The distance to the places on the edge of a mask of four samples.
+/// @param isFlood  by jump flooding, else by columns and then rows
 Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
                   bool isFlood)
 {
@@ -276,6 +284,7 @@ Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, 
         .Draw(pictureWidth, pictureHeight, isFlood);
 }
 
+/// Strokes along the silhouette, which may have no edges inside.
 Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight)
 {
     Coverage alpha(pictureWidth, pictureHeight);
@@ -338,6 +347,100 @@ Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth
     }
     return alpha;
 }
+
+/// 1 where the silhouette has the middle of a texel, in all channels.
+Field MaskOf(const Silhouette& silhouette, const glm::dvec2& picture, int width, int height,
+             int channels)
+{
+    Field mask{width, height, channels, {}};
+    for (int y = 0; y < height; ++y)
+    {
+        for (int x = 0; x < width; ++x)
+        {
+            const glm::dvec2 place((x + 0.5) * picture.x / width, (y + 0.5) * picture.y / height);
+            mask.values.insert(mask.values.end(), static_cast<std::size_t>(channels),
+                               silhouette.Contains(place) ? 1.0 : 0.0);
+        }
+    }
+    return mask;
+}
+
+Coverage ToCoverage(const Field& field)
+{
+    Coverage coverage(field.width, field.height);
+    for (int y = 0; y < field.height; ++y)
+    {
+        for (int x = 0; x < field.width; ++x)
+        {
+            coverage.At(x, y) = field.At(x, y);
+        }
+    }
+    return coverage;
+}
+
+Field Black(int width, int height, int channels)
+{
+    const auto count = static_cast<std::size_t>(width * height * channels);
+    return {width, height, channels, std::vector<double>(count)};
+}
+
+/// The first article's: mask of half the size, Roberts cross, bilinear composite.
+Coverage ScreenSpaceTwin(const Silhouette& silhouette, double width, int pictureWidth,
+                         int pictureHeight)
+{
+    const Field mask = MaskOf(silhouette, {pictureWidth, pictureHeight},
+                              std::max(pictureWidth / 2, 1), std::max(pictureHeight / 2, 1), 1);
+    Field edge = RobertsReference(mask, width);
+    std::ranges::transform(edge.values, edge.values.begin(),
+                           [](double value) { return std::min(value, 1.0); });
+    return ToCoverage(
+        CompositeReference(Black(pictureWidth, pictureHeight, 3), edge, {1.0, 1.0, 1.0}));
+}
+
+/// The article on selection: seven blurs of the mask. The device keeps 8 bits behind each, and a
+/// mean of four such numbers is half way between two as often as not.
+Coverage SelectionTwin(const Silhouette& silhouette, double width, int pictureWidth,
+                       int pictureHeight)
+{
+    SelectionOutline component;
+    component.m_OutlineWidth.Override(static_cast<float>(width));
+    const Field stencil =
+        MaskOf(silhouette, {pictureWidth, pictureHeight}, pictureWidth, pictureHeight, 4);
+    Field blur = stencil;
+    for (int i = 0; i < component.blurCount(); ++i)
+    {
+        blur = BlurReference(blur, static_cast<double>(component.tapOffset()));
+    }
+    return ToCoverage(CompositeReference(Black(pictureWidth, pictureHeight, 4), stencil, blur,
+                                         static_cast<double>(component.outlineStrength.value())));
+}
+
+/// The article on post-processing: where the mask differs from four texels around.
+Coverage MaskDifferenceTwin(const Silhouette& silhouette, double width, int pictureWidth,
+                            int pictureHeight)
+{
+    MaskDifferenceOutline component;
+    component.m_OutlineWidth.Override(static_cast<float>(width));
+    const int away = static_cast<int>(component.reach());
+    Coverage alpha(pictureWidth, pictureHeight);
+    // The mask goes on outside of the picture.
+    const auto mask = [&](int x, int y)
+    {
+        return silhouette.Contains({x + 0.5, y + 0.5}) ? 1 : 0;
+    };
+    for (int y = 0; y < pictureHeight; ++y)
+    {
+        for (int x = 0; x < pictureWidth; ++x)
+        {
+            const int sum =
+                mask(x, y - away) + mask(x, y + away) + mask(x - away, y) + mask(x + away, y);
+            alpha.At(x, y) = sum > 0 && 4 * mask(x, y) != sum ? 1.0 : 0.0;
+        }
+    }
+    return alpha;
+}
+
+} // namespace
 
 Twin FindTwin(const std::string& technique)
 {

@@ -1,7 +1,10 @@
-#include "report/plots/LabelPlacement.h"
+#include "report/plots/PlotLayout.h"
+
+#include "report/figures/Numbers.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 namespace limn::study
@@ -9,6 +12,31 @@ namespace limn::study
 
 namespace
 {
+
+// Farther ones are drawn at the ends: what the ends are computed from stays finite.
+constexpr double k_Least = 1e-150;
+constexpr double k_Most = 1e150;
+
+/// Powers of ten; with 2 and 5 between them where that is not too much.
+std::vector<std::pair<double, std::string>> DecimalTicks(double low, double high)
+{
+    const double decades = std::log10(high / low);
+    const int step = decades > 8.0 ? 2 : 1;
+    std::vector<std::pair<double, std::string>> ticks;
+    for (int power = static_cast<int>(std::floor(std::log10(low)));
+         power <= static_cast<int>(std::ceil(std::log10(high))); power += step)
+    {
+        for (const double digit : {1.0, 2.0, 5.0})
+        {
+            const double value = digit * std::pow(10.0, power);
+            if (value >= low && value <= high && (digit == 1.0 || decades <= 2.5))
+            {
+                ticks.emplace_back(value, Readable(value));
+            }
+        }
+    }
+    return ticks;
+}
 
 /// The text's box at a distance from the point. The direction is -1, 0 or 1 along each axis.
 PixelBox BoxAt(const LabelWish& wish, double alongX, double alongY, double distance)
@@ -36,6 +64,65 @@ double Covered(const PixelBox& box, std::span<const PixelBox> obstacles)
 }
 
 } // namespace
+
+double LogAxis::Clamped(double value) const
+{
+    return std::isnan(value) ? value : std::clamp(value, low, high);
+}
+
+double LogAxis::Part(double value) const
+{
+    return std::log(Clamped(value) / low) / std::log(high / low);
+}
+
+LogAxis MakeLogAxis(std::span<const double> values)
+{
+    LogAxis axis;
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const double value : values)
+    {
+        axis.clamps |= std::isfinite(value) && value <= 0.0;
+        if (std::isfinite(value) && value > 0.0)
+        {
+            least = std::min(least, value);
+            most = std::max(most, value);
+        }
+    }
+    if (most == 0.0)
+    {
+        least = most = 1.0;
+    }
+    least = std::max(least, k_Least);
+    most = std::clamp(most, k_Least, k_Most);
+    const double margin = std::max(std::pow(most / least, 0.06), 1.3);
+    axis.low = least / margin;
+    axis.high = most * margin;
+    if (axis.clamps)
+    {
+        axis.low = least / std::pow(axis.high / least, 0.12) / margin;
+    }
+    // No tick so near to the lower end that its text would cover the one there.
+    const double first = axis.clamps ? axis.low * std::pow(axis.high / axis.low, 0.06) : axis.low;
+    axis.ticks = DecimalTicks(first, axis.high);
+    if (axis.clamps)
+    {
+        axis.ticks.emplace_back(axis.low, "≤ 0");
+    }
+    return axis;
+}
+
+LogAxis MakeLogAxis(std::vector<std::pair<double, std::string>> ticks)
+{
+    std::vector<double> values;
+    for (const auto& [value, text] : ticks)
+    {
+        values.push_back(value);
+    }
+    LogAxis axis = MakeLogAxis(values);
+    axis.ticks = std::move(ticks);
+    return axis;
+}
 
 double Overlap(const PixelBox& a, const PixelBox& b)
 {

@@ -1,4 +1,4 @@
-#include "commands/FeatureFolder.h"
+#include "assets/FeatureFolder.h"
 
 #include <limn/base/WriteFile.h>
 

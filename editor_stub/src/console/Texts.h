@@ -1,0 +1,110 @@
+#pragma once
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <initializer_list>
+#include <iterator>
+#include <limn/base/Text.h>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace limn
+{
+
+/// The texts of a list with `between` between each two.
+/// @param textOf  gives an item's text
+template <typename Items, typename TextOf = std::identity>
+std::string Joined(const Items& items, std::string_view between, const TextOf& textOf = {})
+{
+    std::string text;
+    for (const auto& item : items)
+    {
+        text.append(text.empty() ? "" : between).append(std::invoke(textOf, item));
+    }
+    return text;
+}
+
+inline bool IsIn(std::string_view word, std::initializer_list<std::string_view> words)
+{
+    return std::ranges::find(words, word) != words.end();
+}
+
+inline bool StartsWithAny(std::string_view text, std::initializer_list<std::string_view> beginnings)
+{
+    return std::ranges::any_of(beginnings, [text](auto one) { return text.starts_with(one); });
+}
+
+/// The names of items, which must outlive the result.
+/// @param nameOf  gives an item's name, no copy of it
+template <typename Items, typename NameOf>
+std::vector<std::string_view> NamesOf(const Items& items, const NameOf& nameOf)
+{
+    std::vector<std::string_view> names;
+    std::ranges::transform(items, std::back_inserter(names), nameOf);
+    return names;
+}
+
+/// The number that all of the text is; nothing for other text.
+template <typename Number>
+std::optional<Number> ParseWhole(std::string_view text)
+{
+    Number number{};
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
+}
+
+/// "3 cells", "1 cell".
+inline std::string Count(std::size_t count, std::string_view noun)
+{
+    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+/// The text with `value` wherever `what` stands in it.
+inline std::string Replaced(std::string text, std::string_view what, std::string_view value)
+{
+    for (std::size_t at = text.find(what); at != std::string::npos;
+         at = text.find(what, at + value.size()))
+    {
+        text.replace(at, what.size(), value);
+    }
+    return text;
+}
+
+/// The texts between the separators, as many as there are of these and one more.
+inline std::vector<std::string> SplitText(const std::string& text, char separator)
+{
+    std::vector<std::string> parts;
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1)
+    {
+        end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+    }
+    return parts;
+}
+
+/// The words in lines of `width` columns, all but the first behind `indent` blanks.
+/// @param column  where the first line begins
+inline std::string Wrapped(const std::string& words, std::size_t column, std::size_t indent,
+                           std::size_t width)
+{
+    std::string text;
+    bool isFirst = true;
+    for (const std::string& word : SplitText(words, ' '))
+    {
+        const auto columns =
+            word.size() - static_cast<std::size_t>(std::ranges::count_if(word, isInsideCharacter));
+        const bool fits = isFirst || column + 1 + columns <= width;
+        column = !fits ? indent : column + (isFirst ? 0 : 1);
+        text += !fits ? "\n" + std::string(indent, ' ') : isFirst ? "" : " ";
+        isFirst = false;
+        text += word;
+        column += columns;
+    }
+    return text + "\n";
+}
+
+} // namespace limn
