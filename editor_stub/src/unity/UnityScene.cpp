@@ -225,7 +225,6 @@ private:
         const UnityReader reader = ReaderOf(object, *renderer);
         MeshRenderer made;
         reader.Read("m_Enabled", made.enabled);
-        made.enabled = made.enabled && m_Hidden.count(renderer) == 0;
         const UnityReader mesh = ReaderOf(object, *filter);
         const UnityTarget target = mesh.Reference("m_Mesh");
         if (target.asset.isNull())
@@ -236,6 +235,7 @@ private:
         {
             made.mesh = m_Materials.LoadMesh(target.asset, mesh);
         }
+        made.enabled = made.enabled && m_Hidden.count(renderer) == 0;
         reader.Read("m_CastShadows", made.shadowCastingMode);
         reader.Read("m_RenderingLayerMask", made.renderingLayerMask);
         if (made.mesh)

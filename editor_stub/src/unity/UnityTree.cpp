@@ -307,6 +307,10 @@ private:
         std::string whole(text); // a long one goes on in lines that are indented deeper
         while (m_HasLine && m_Indent > indent)
         {
+            if (HasKey())
+            {
+                Fail("this line is indented more than the lines before it");
+            }
             (whole += ' ') += m_Text;
             NextLine(1);
         }
@@ -360,7 +364,6 @@ private:
         }
         const int first = m_Line;
         std::string whole(m_Text);
-        std::size_t searched = 0;
         while (found == std::string_view::npos)
         {
             const std::size_t lineEnd = m_Rest.find('\n');
@@ -390,9 +393,7 @@ private:
             {
                 found = end(whole);
             }
-            searched = whole.size();
         }
-        static_cast<void>(searched);
         m_Text = {};
         return Keep(std::move(whole)).substr(0, found);
     }

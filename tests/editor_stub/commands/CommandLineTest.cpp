@@ -234,12 +234,12 @@ TEST_F(BadInput, ASceneOfUnitysIsReadInItsProject)
                   prefab +
                       ": error: 'render' cannot take it: this is a prefab of Unity's, which is "
                       "drawn where a .unity scene holds it\n",
-                  1);
+                  2);
     ExpectRefusal(RunCommand({"render", folder.path().string(), "-o", Path("out.png")}),
                   folder.path().string() +
                       ": error: this folder is no Unity project, which has a folder Assets; name a "
                       "scene file or the project's folder\n",
-                  1);
+                  2);
 }
 
 TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
