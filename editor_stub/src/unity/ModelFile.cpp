@@ -392,7 +392,17 @@ Model LoadModel(const std::filesystem::path& path, const ModelImport& import)
         throw AssetError(name, {},
                          std::string("the model cannot be read: ") + importer.GetErrorString());
     }
-    Model model = ModelReader(*scene, import, isFbx).Read(path.stem().string());
+    Model model = [&]
+    {
+        try
+        {
+            return ModelReader(*scene, import, isFbx).Read(path.stem().string());
+        }
+        catch (const ContractError& error) // numbers of a mesh that are none
+        {
+            throw AssetError(name, {}, error.what());
+        }
+    }();
     model.import = import;
     if (!import.preserveHierarchy)
     {

@@ -62,6 +62,7 @@ UnityHierarchy::UnityHierarchy(const UnityExpansion& expansion, UnityNotes& note
     Collect(expansion, notes);
     Connect(notes);
     Sort(notes);
+    NoteLost(notes);
 }
 
 void UnityHierarchy::Collect(const UnityExpansion& expansion, UnityNotes& notes)
@@ -169,6 +170,19 @@ void UnityHierarchy::Sort(UnityNotes& notes)
         {
             open.emplace_back(*child, depth + 1);
         }
+    }
+}
+
+/// Says that objects are left out which no root leads to.
+void UnityHierarchy::NoteLost(UnityNotes& notes) const
+{
+    const std::size_t lost = m_Objects.size() - m_Order.size();
+    if (lost > 0)
+    {
+        const UnityInstance& first = *m_Objects.front().object;
+        notes.Add(first.scope->file->name(), 0,
+                  std::to_string(lost) + " objects are left out: they have no Transform, or their "
+                                         "parents form a circle");
     }
 }
 

@@ -39,6 +39,7 @@ private:
     void Collect(const UnityExpansion& expansion, UnityNotes& notes);
     void Connect(UnityNotes& notes);
     void Sort(UnityNotes& notes);
+    void NoteLost(UnityNotes& notes) const;
 
     std::deque<UnityGameObject> m_Objects;
     std::unordered_map<const UnityInstance*, UnityGameObject*> m_ByInstance;

@@ -9,7 +9,8 @@ namespace limn
 namespace
 {
 
-constexpr std::size_t k_MostObjects = 5'000'000;
+constexpr std::size_t k_MostObjects = 1'000'000;
+constexpr std::size_t k_DeepestPrefab = 64;
 constexpr std::int64_t k_WithoutSign = 0x7FFF'FFFF'FFFF'FFFF;
 
 std::int64_t ReadId(std::string_view text)
@@ -92,6 +93,12 @@ UnityScope& UnityExpansion::Expand(const std::shared_ptr<const UnityFile>& file)
     if (std::ranges::find(m_Stack, file.get()) != m_Stack.end())
     {
         throw AssetError(file->name(), {}, "this prefab holds itself, be it in another one");
+    }
+    if (m_Stack.size() == k_DeepestPrefab)
+    {
+        throw AssetError(file->name(), {},
+                         "prefabs are nested deeper than " + std::to_string(k_DeepestPrefab) +
+                             " levels");
     }
     m_Stack.push_back(file.get());
     UnityScope& scope = m_Scopes.emplace_back();

@@ -142,6 +142,25 @@ void UnityReader::Read(const std::string& path, float& value) const
     }
 }
 
+void UnityReader::ReadIn(const std::string& path, float least, float most, float& value) const
+{
+    float number = value;
+    Read(path, number);
+    if (number >= least && number <= most)
+    {
+        value = number;
+        return;
+    }
+    const auto text = [](float bound)
+    {
+        char digits[40];
+        const auto [end, error] = std::to_chars(digits, digits + sizeof(digits), bound);
+        return std::string(digits, end);
+    };
+    Note(path, text(number) + " is not from " + text(least) + " to " + text(most) +
+                   ", so it is left at " + text(value));
+}
+
 void UnityReader::Read(const std::string& path, int& value) const
 {
     if (const auto text = Text(path))

@@ -67,13 +67,15 @@ public:
     void Read(const std::string& path, LayerMask& value) const; ///< of {m_Bits: 5}
     /// Bits that stand as one number.
     void Read(const std::string& path, RenderingLayerMask& value) const;
+    /// Reads a number that has to lie in a range.
+    void ReadIn(const std::string& path, float least, float most, float& value) const;
+    /// Reads a member of an enum, from 0 to `last`.
     template <typename Enum>
-    requires std::is_enum_v<Enum>
-    void Read(const std::string& path, Enum& value) const
+    void ReadEnum(const std::string& path, Enum last, Enum& value) const
     {
-        int number = static_cast<int>(value);
-        Read(path, number);
-        value = static_cast<Enum>(number);
+        float number = static_cast<float>(value);
+        ReadIn(path, 0.0f, static_cast<float>(last), number);
+        value = static_cast<Enum>(static_cast<int>(number));
     }
 
     UnityTarget Reference(const std::string& path) const;

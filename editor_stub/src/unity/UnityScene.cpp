@@ -236,7 +236,7 @@ private:
             made.mesh = m_Materials.LoadMesh(target.asset, mesh);
         }
         made.enabled = made.enabled && m_Hidden.count(renderer) == 0;
-        reader.Read("m_CastShadows", made.shadowCastingMode);
+        reader.ReadEnum("m_CastShadows", ShadowCastingMode::ShadowsOnly, made.shadowCastingMode);
         reader.Read("m_RenderingLayerMask", made.renderingLayerMask);
         if (made.mesh)
         {
@@ -331,10 +331,12 @@ private:
                                          : CameraClearFlags::Depth;
         reader.Read("m_BackGroundColor", camera.backgroundColor);
         reader.Read("orthographic", camera.orthographic);
-        reader.Read("orthographic size", camera.orthographicSize);
-        reader.Read("field of view", camera.fieldOfView);
-        reader.Read("near clip plane", camera.nearClipPlane);
-        reader.Read("far clip plane", camera.farClipPlane);
+        reader.ReadIn("orthographic size", 1e-3f, 1e9f, camera.orthographicSize);
+        reader.ReadIn("field of view", 0.01f, 179.0f, camera.fieldOfView);
+        reader.ReadIn("far clip plane", 0.02f, 1e9f, camera.farClipPlane);
+        camera.nearClipPlane = std::min(camera.nearClipPlane, camera.farClipPlane * 0.5f);
+        reader.ReadIn("near clip plane", camera.orthographic ? -1e9f : 1e-4f,
+                      camera.farClipPlane * 0.999f, camera.nearClipPlane);
         reader.Read("m_CullingMask", camera.cullingMask);
         reader.Read("m_HDR", camera.allowHDR);
         reader.Read("m_AllowMSAA", camera.allowMSAA);
@@ -556,15 +558,16 @@ private:
         light.transform.localPosition = object.drawn->transform.position();
         light.transform.localRotation = object.drawn->transform.rotation();
         reader.Read("m_Color", light.color);
-        reader.Read("m_Intensity", light.intensity);
-        reader.Read("m_Range", light.range);
-        reader.Read("m_SpotAngle", light.spotAngle);
-        reader.Read("m_InnerSpotAngle", light.innerSpotAngle);
-        reader.Read("m_Shadows.m_Type", light.shadows);
-        reader.Read("m_Shadows.m_Strength", light.shadowStrength);
-        reader.Read("m_Shadows.m_Bias", light.shadowBias);
-        reader.Read("m_Shadows.m_NormalBias", light.shadowNormalBias);
-        reader.Read("m_Shadows.m_NearPlane", light.shadowNearPlane);
+        reader.ReadIn("m_Intensity", 0.0f, 1e9f, light.intensity);
+        reader.ReadIn("m_Range", 1e-3f, 1e9f, light.range);
+        reader.ReadIn("m_SpotAngle", 1.0f, 179.0f, light.spotAngle);
+        light.innerSpotAngle = std::min(light.innerSpotAngle, light.spotAngle);
+        reader.ReadIn("m_InnerSpotAngle", 0.0f, light.spotAngle, light.innerSpotAngle);
+        reader.ReadEnum("m_Shadows.m_Type", LightShadows::Soft, light.shadows);
+        reader.ReadIn("m_Shadows.m_Strength", 0.0f, 1.0f, light.shadowStrength);
+        reader.ReadIn("m_Shadows.m_Bias", 0.0f, 10.0f, light.shadowBias);
+        reader.ReadIn("m_Shadows.m_NormalBias", 0.0f, 10.0f, light.shadowNormalBias);
+        reader.ReadIn("m_Shadows.m_NearPlane", 0.01f, 1e9f, light.shadowNearPlane);
         if (!reader.Reference("m_Cookie").isNull())
         {
             m_Notes.Count("cookies of lights");
@@ -605,7 +608,7 @@ private:
             reader.Read("m_Enabled", volume.enabled);
             reader.Read(reader.Has("m_IsGlobal") ? "m_IsGlobal" : "isGlobal", volume.isGlobal);
             reader.Read("priority", volume.priority);
-            reader.Read("blendDistance", volume.blendDistance);
+            reader.ReadIn("blendDistance", 0.0f, 1e9f, volume.blendDistance);
             reader.Read("weight", volume.weight);
             volume.position = object->drawn->transform.position();
             volume.rotation = object->drawn->transform.rotation();
@@ -642,7 +645,7 @@ private:
                 reader.Read("m_Center", capsule.center);
                 reader.Read("m_Radius", capsule.radius);
                 reader.Read("m_Height", capsule.height);
-                reader.Read("m_Direction", capsule.direction);
+                reader.ReadEnum("m_Direction", 2, capsule.direction);
                 volume.colliders.emplace_back(capsule);
             }
         }

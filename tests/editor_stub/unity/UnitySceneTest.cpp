@@ -138,6 +138,31 @@ TEST_F(ProjectOfAFewFiles, KeepsTheRestWhereAValueIsWrong)
                 Contains(HasSubstr("Box/Transform.m_LocalPosition.y: 'up' is no number")));
 }
 
+TEST_F(ProjectOfAFewFiles, LeavesOutWhatNoRootLeadsTo)
+{
+    const SceneAsset asset =
+        Load(k_Camera + CubeText(2, "A", 34, k_Red) + CubeText(3, "B", 24, k_Red) +
+             "--- !u!1 &9\nGameObject:\n  m_Name: Placeless\n");
+    EXPECT_EQ(asset.scene.objects().size(), 1u);
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("3 objects are left out")));
+}
+
+TEST_F(ProjectOfAFewFiles, KeepsNumbersInTheirRanges)
+{
+    std::string text = k_Camera + CubeText(2, "Box", 0, k_Red);
+    text.replace(text.find("near clip plane: 0.5"), 20, "near clip plane: -10");
+    text.replace(text.find("field of view: 45"), 17, "field of view: 0 ");
+    text += "  m_CastShadows: 7\n";
+    const SceneAsset asset = Load(text);
+    EXPECT_EQ(asset.camera.nearClipPlane, Camera().nearClipPlane);
+    EXPECT_EQ(asset.camera.fieldOfView, Camera().fieldOfView);
+    EXPECT_EQ(asset.scene.objects()[1]->renderer->shadowCastingMode, ShadowCastingMode::On);
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("Main Camera/Camera.near clip plane: -10 is not "
+                                                   "from ")));
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("Box/MeshRenderer.m_CastShadows: 7 is not from "
+                                                   "0 to 3, so it is left at 1")));
+}
+
 TEST_F(ProjectOfAFewFiles, NeedsACamera)
 {
     Write("Assets/Main.unity", CubeText(2, "Box", 0, k_Red));
