@@ -226,6 +226,7 @@ FrameCache::Compile(FrameCommands& commands, const TextureStates& states,
         return true;
     };
     m_IsWidened = !isSame && frame && options.limitsRegions &&
+                  commands.commands != m_Commands.commands &&
                   AreSame(commands.commands, m_Commands.commands, any);
     if (m_IsWidened)
     {
