@@ -17,17 +17,17 @@ namespace limn::study
 namespace
 {
 
-constexpr const char* k_Nothing = "–";
+constexpr const char* k_NoFigure = "–";
 
 std::string Figure(double value)
 {
-    return std::isnan(value) ? k_Nothing : Readable(value);
+    return std::isnan(value) ? k_NoFigure : Readable(value);
 }
 
 std::string FromTo(const std::pair<double, double>& quartiles)
 {
     return std::isnan(quartiles.first)
-               ? k_Nothing
+               ? k_NoFigure
                : Readable(quartiles.first) + " … " + Readable(quartiles.second);
 }
 
@@ -48,7 +48,7 @@ std::string FigureOf(const CellResult& cell, const Metric& metric)
     constexpr double k_BytesOfMiB = 1024.0 * 1024.0;
     return cell.Has(metric.key)
                ? Readable(cell.Value(metric.key) / (IsBytes(metric) ? k_BytesOfMiB : 1.0))
-               : k_Nothing;
+               : k_NoFigure;
 }
 
 /// Texts in the order of the numbers they are, the same one once; what is no number comes last.
@@ -113,7 +113,7 @@ void DropColumnsOfNothing(Table& table)
     for (std::size_t column = table.columns.size(); column-- > 0;)
     {
         if (std::ranges::all_of(table.rows,
-                                [column](const auto& row) { return row[column] == k_Nothing; }))
+                                [column](const auto& row) { return row[column] == k_NoFigure; }))
         {
             const auto offset = static_cast<std::ptrdiff_t>(column);
             table.columns.erase(table.columns.begin() + offset);
@@ -153,7 +153,7 @@ Table TechniquesTable(const Comparison& comparison)
                  ? "not known"
                  : Figure(standing.timeUncertainty),
              FromTo(standing.timeQuartiles), Figure(standing.flicker.median),
-             standing.stabilityCells == 0 ? k_Nothing
+             standing.stabilityCells == 0 ? k_NoFigure
                                           : std::to_string(standing.failures) + " of " +
                                                 std::to_string(standing.stabilityCells),
              technique.summary + (technique.isArticle ? " (an article's own formula)" : "")});
@@ -282,7 +282,7 @@ Table WidthsTable(const Study& study, const std::string& subject)
                                                 cell.id.width == width;
                                      });
             hasAny |= found != study.cells.end();
-            row.push_back(found == study.cells.end() ? k_Nothing
+            row.push_back(found == study.cells.end() ? k_NoFigure
                                                      : Readable(found->Value("meanAbsoluteError")));
         }
         if (hasAny)
