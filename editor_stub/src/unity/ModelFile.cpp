@@ -28,7 +28,7 @@ glm::dmat4 ToMatrix(const aiMatrix4x4& m)
             m.a3, m.b3, m.c3, m.d3, m.a4, m.b4, m.c4, m.d4};
 }
 
-/// What the FBX node's chain T Roff Rp Rpre R Rpost' Rp' Soff Sp S Sp' comes to. Unity's node has
+/// The FBX node's chain T Roff Rp Rpre R Rpost' Rp' Soff Sp S Sp' in two parts. Unity's node has
 /// its origin at the rotation's pivot; what is left over goes into vertices and children.
 struct Chain
 {

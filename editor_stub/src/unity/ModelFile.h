@@ -11,7 +11,8 @@
 namespace limn
 {
 
-/// How Unity imports a model, as its .meta file says. Unity: UnityEditor.ModelImporter (2022.3).
+/// The settings by which Unity imports a model, from its .meta file.
+/// Unity: UnityEditor.ModelImporter (2022.3).
 struct ModelImport
 {
     float globalScale = 1.0f;

@@ -173,7 +173,7 @@ void UnityHierarchy::Sort(UnityNotes& notes)
     }
 }
 
-/// Says that objects are left out which no root leads to.
+/// Adds a note if there are objects that no root leads to.
 void UnityHierarchy::NoteLost(UnityNotes& notes) const
 {
     const std::size_t lost = m_Objects.size() - m_Order.size();

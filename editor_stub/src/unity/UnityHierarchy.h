@@ -32,7 +32,7 @@ public:
     UnityHierarchy(const UnityExpansion& expansion, UnityNotes& notes);
 
     const std::vector<UnityGameObject*>& objects() const { return m_Order; }
-    /// Of a component or the GameObject itself; null if it hangs at none.
+    /// Returns the GameObject that a component hangs at, or that it is; null if there is none.
     const UnityGameObject* Find(const UnityInstance* object) const;
 
 private:

@@ -75,7 +75,7 @@ private:
 
 struct UnityScope;
 
-/// What a prefab instance sets of an object.
+/// A value that a prefab instance gives to a property of an object.
 struct UnityOverride
 {
     std::string path; ///< "m_Materials.Array.data[0]"

@@ -30,7 +30,7 @@ private:
     std::map<std::string, int> m_Counts;
 };
 
-/// What a reference of an object leads to: another object of the expansion, an asset by its guid,
+/// The target of an object's reference: another object of the expansion, an asset by its guid,
 /// or nothing.
 struct UnityTarget
 {

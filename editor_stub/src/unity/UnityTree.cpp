@@ -388,7 +388,7 @@ private:
                 whole += ' ';
             }
             whole += line;
-            // What could end it stands in the new line only, or just before it.
+            // Only a line with one of these can end it.
             if (line.find_first_of("\"'}]") != std::string_view::npos)
             {
                 found = end(whole);
