@@ -1,7 +1,7 @@
 #include "unity/ModelFile.h"
 
 #include <algorithm>
-#include <assimp/Importer.hpp>
+#include <assimp/cimport.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -9,6 +9,7 @@
 #include <cmath>
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/matrix_decompose.hpp>
+#include <limn/base/ModuleFile.h>
 #include <limn/base/ReadFile.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -18,6 +19,33 @@ namespace limn
 
 namespace
 {
+
+/// The functions of assimp that limn calls. They are not linked: assimp brings libdraco along,
+/// which has functions of another version of tinygltf under the names of those that limn calls. And
+/// only a scene with models needs it.
+class Assimp
+{
+public:
+    template <typename Function>
+    static Function* Find(Function*, const char* name)
+    {
+        const void* symbol = OpenModule(LIMN_ASSIMP_LIBRARY, "assimp", false, name);
+        if (symbol == nullptr)
+        {
+            throw AssetError(LIMN_ASSIMP_LIBRARY, {},
+                             std::string("this is no assimp that limn knows; it lacks ") + name);
+        }
+        return reinterpret_cast<Function*>(const_cast<void*>(symbol));
+    }
+};
+/// Each is looked for once.
+#define LIMN_ASSIMP(name)                                                                          \
+    (                                                                                              \
+        []                                                                                         \
+        {                                                                                          \
+            static decltype(&name) const found = Assimp::Find(decltype(&name){}, #name);           \
+            return found;                                                                          \
+        }())
 
 /// A link of the chain of nodes that assimp makes of an FBX node with pivots.
 constexpr std::string_view k_Link = "_$AssimpFbx$_";
@@ -141,9 +169,14 @@ private:
     void AddMaterial(const aiMaterial& material)
     {
         ModelMaterial& added = m_Model.materials.emplace_back();
-        added.name = const_cast<aiMaterial&>(material).GetName().C_Str();
+        aiString name;
+        if (LIMN_ASSIMP(aiGetMaterialString)(&material, AI_MATKEY_NAME, &name) == aiReturn_SUCCESS)
+        {
+            added.name = name.C_Str();
+        }
         aiColor4D color;
-        if (material.Get(AI_MATKEY_COLOR_DIFFUSE, color) == aiReturn_SUCCESS)
+        if (LIMN_ASSIMP(aiGetMaterialColor)(&material, AI_MATKEY_COLOR_DIFFUSE, &color) ==
+            aiReturn_SUCCESS)
         {
             added.color = {color.r, color.g, color.b, color.a};
         }
@@ -377,20 +410,27 @@ Model LoadModel(const std::filesystem::path& path, const ModelImport& import)
     std::ranges::transform(extension, extension.begin(),
                            [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const bool isFbx = extension == ".fbx";
-    Assimp::Importer importer;
-    importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, true);
-    importer.SetPropertyFloat(AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, import.normalSmoothAngle);
-    importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS);
+    const std::unique_ptr<aiPropertyStore, void (*)(aiPropertyStore*)> settings(
+        LIMN_ASSIMP(aiCreatePropertyStore)(), LIMN_ASSIMP(aiReleasePropertyStore));
+    const auto setNumber = LIMN_ASSIMP(aiSetImportPropertyInteger);
+    setNumber(settings.get(), AI_CONFIG_IMPORT_FBX_PRESERVE_PIVOTS, 1);
+    setNumber(settings.get(), AI_CONFIG_PP_RVC_FLAGS, aiComponent_NORMALS);
+    LIMN_ASSIMP(aiSetImportPropertyFloat)
+    (settings.get(), AI_CONFIG_PP_GSN_MAX_SMOOTHING_ANGLE, import.normalSmoothAngle);
     unsigned steps = aiProcess_Triangulate | aiProcess_JoinIdenticalVertices |
                      aiProcess_GenSmoothNormals | aiProcess_CalcTangentSpace;
     steps |= import.calculatesNormals ? aiProcess_RemoveComponent : 0u;
-    const aiScene* scene = isFbx ? importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps,
-                                                               extension.c_str() + 1)
-                                 : importer.ReadFile(path.string(), steps);
+    const std::unique_ptr<const aiScene, void (*)(const aiScene*)> scene(
+        isFbx ? LIMN_ASSIMP(aiImportFileFromMemoryWithProperties)(
+                    bytes.data(), static_cast<unsigned>(bytes.size()), steps, extension.c_str() + 1,
+                    settings.get())
+              : LIMN_ASSIMP(aiImportFileExWithProperties)(path.string().c_str(), steps, nullptr,
+                                                          settings.get()),
+        LIMN_ASSIMP(aiReleaseImport));
     if (scene == nullptr || scene->mRootNode == nullptr)
     {
-        throw AssetError(name, {},
-                         std::string("the model cannot be read: ") + importer.GetErrorString());
+        throw AssetError(
+            name, {}, std::string("the model cannot be read: ") + LIMN_ASSIMP(aiGetErrorString)());
     }
     Model model = [&]
     {
