@@ -139,6 +139,10 @@ std::shared_ptr<const UnityFile> UnityDatabase::LoadFile(const std::filesystem::
         m_Notes.Add(name, 0,
                     "this is a pointer of Git LFS in place of the file; run 'git lfs pull'");
     }
+    else if (content.bytes.empty())
+    {
+        m_Notes.Add(name, 0, "the file is empty; a text asset of Unity's is expected");
+    }
     else if (!IsUnityAsset(content.bytes))
     {
         m_Notes.Add(name, 0,

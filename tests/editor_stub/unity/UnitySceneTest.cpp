@@ -187,6 +187,10 @@ TEST_F(ProjectOfAFewFiles, NamesItsScenesWhereItIsNotClearWhichIsDrawn)
 
 TEST_F(ProjectOfAFewFiles, SaysWhatIsNoText)
 {
+    AssetContext first;
+    m_Folder.Write("Assets/Main.unity", "");
+    EXPECT_THAT(Problems([&] { LoadScene(m_Folder / "Assets/Main.unity", first); }),
+                ElementsAre(HasSubstr("the file is empty")));
     m_Folder.Write("Assets/Main.unity", std::string("\0\0\0\x16", 4));
     EXPECT_THAT(Problems([&] { LoadScene(m_Folder / "Assets/Main.unity", m_Assets); }),
                 ElementsAre(HasSubstr("saved as binary")));

@@ -71,7 +71,7 @@ public:
                                            Callback callback = {});
 };
 
-/// What a device does for an AsyncGPUReadbackRequest.
+/// The device's side of an AsyncGPUReadbackRequest, which each device implements.
 class PendingReadback : public std::enable_shared_from_this<PendingReadback>
 {
 public:
@@ -100,7 +100,7 @@ protected:
     virtual void Wait() = 0;    ///< until it is
     /// @pre it is
     virtual std::vector<std::byte> Take() = 0;
-    /// Nothing is asked of it any more.
+    /// Comes last, so that a device can free what the copy holds.
     virtual void Release() noexcept {}
 
 private:

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// What a texture is being used for; the device maps it to layout, stage and access.
+/// The current use of a texture; the device maps it to layout, stage and access.
 enum class TextureUsage
 {
     Undefined, ///< contents are worthless
@@ -25,8 +25,8 @@ struct TextureState
     TextureUsage usage = TextureUsage::Undefined;
     bool isFilled = false; ///< it holds something
     bool isPlaced = false; ///< the last frame that used it had it in shared memory
-    /// What every texel of it is, of the aspects that `flags` names; what nobody has read may not
-    /// be in the image yet.
+    /// Every texel of it has these values, in the aspects that `flags` names; where nobody has read
+    /// them, they may not be in the image yet.
     ClearCommand constant;
     bool isPending = false;                  ///< `constant` is not in the image
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
@@ -41,7 +41,7 @@ struct BufferState
     ShaderStage readers = ShaderStage::None; ///< that read it since
 };
 
-/// What a device knows of the textures that frames drew into, and of buffers: all that one frame
+/// The state of the textures that frames drew into, and of buffers, on a device: all that one frame
 /// leaves to the next.
 struct TextureStates
 {
@@ -57,7 +57,7 @@ struct TextureStates
 
     std::unordered_map<std::uint64_t, BufferState> buffers; ///< by GraphicsBuffer::id
 
-    // Of the frame that is being compiled: see FrameCompilerOptions.
+    // These two are copied from the FrameCompilerOptions of the frame that is being compiled.
     std::vector<std::uint64_t> held; ///< by Texture::id
     bool isLast = false;
 };

@@ -10,8 +10,8 @@
 namespace limn
 {
 
-/// What the order of drawing goes by; the keys apply in the order of their values, the first that
-/// differs decides; equal items keep the scene's order. Unity:
+/// The keys that sort draws. They apply in the order of their values, and the first that differs
+/// decides; equal items keep the scene's order. Unity:
 /// UnityEngine.Rendering.SortingCriteria.
 enum class SortingCriteria
 {

@@ -18,7 +18,7 @@
 namespace limn
 {
 
-/// What shaders get to know of a scene's objects, by index. It stays from frame to frame, so that a
+/// The data of a scene's objects for shaders, by index. They stay from frame to frame, so that a
 /// device copies only what has changed.
 class InstanceData
 {
