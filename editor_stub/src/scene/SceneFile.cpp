@@ -87,15 +87,7 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
         {
             return LoadUnityRenderPipeline(path, loader.references.assets());
         };
-        const UnityRenderPipeline loaded =
-            loader.references.Read(*pipeline, "renderPipelineAsset", load);
-        asset.msaaSampleCount = loaded.msaaSampleCount;
-        asset.supportsHDR = loaded.supportsHDR;
-        asset.hdrColorBufferPrecision = loaded.hdrColorBufferPrecision;
-        asset.renderScale = loaded.renderScale;
-        asset.maxAdditionalLightsCount = loaded.maxAdditionalLightsCount;
-        asset.shadows = loaded.shadows;
-        asset.pipelineVersion = loaded.pipelineVersion.value_or(asset.pipelineVersion);
+        Apply(loader.references.Read(*pipeline, "renderPipelineAsset", load), asset);
     }
     const std::string problem = ScaledSizeProblem(asset);
     if (!problem.empty())

@@ -44,6 +44,17 @@ Json Member(const Json& json, const char* name)
 
 } // namespace
 
+void Apply(const UnityRenderPipeline& pipeline, SceneAsset& scene)
+{
+    scene.msaaSampleCount = pipeline.msaaSampleCount;
+    scene.supportsHDR = pipeline.supportsHDR;
+    scene.hdrColorBufferPrecision = pipeline.hdrColorBufferPrecision;
+    scene.renderScale = pipeline.renderScale;
+    scene.maxAdditionalLightsCount = pipeline.maxAdditionalLightsCount;
+    scene.shadows = pipeline.shadows;
+    scene.pipelineVersion = pipeline.pipelineVersion.value_or(scene.pipelineVersion);
+}
+
 UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, AssetContext& assets)
 {
     assets.Reach(path);

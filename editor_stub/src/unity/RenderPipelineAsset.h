@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/core/UniversalRenderPipeline.h>
-#include <limn/editor_stub/AssetContext.h>
+#include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/YamlNode.h>
 #include <optional>
 
@@ -28,6 +28,9 @@ struct UnityRenderPipeline
 /// @throws AssetError if the file is no such asset, or a value is none that Unity saves
 UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path,
                                             AssetContext& assets);
+
+/// Gives a scene the settings of its pipeline.
+void Apply(const UnityRenderPipeline& pipeline, SceneAsset& scene);
 
 /// The major version of URP that the Unity project around a file asks for, by the project's
 /// Packages/manifest.json; nothing if that names none of 7 to 17.

@@ -55,6 +55,14 @@ void UnityNotes::Add(const std::vector<UnityNote>& notes)
     }
 }
 
+void UnityNotes::Add(std::span<const Diagnostic> notes)
+{
+    for (const Diagnostic& note : notes)
+    {
+        Add(note.file, note.location.line, note.message);
+    }
+}
+
 std::vector<Diagnostic> UnityNotes::Finish(const std::string& file)
 {
     for (const auto& [kind, count] : m_Counts)

@@ -19,6 +19,7 @@ public:
     /// Adds a sentence, once.
     void Add(const std::string& file, int line, const std::string& message);
     void Add(const std::vector<UnityNote>& notes);
+    void Add(std::span<const Diagnostic> notes);
     /// Counts things of a kind that limn does not draw; Finish() makes one sentence a kind.
     void Count(const std::string& kind) { ++m_Counts[kind]; }
     /// @param file  that the counted things are in

@@ -1,0 +1,57 @@
+#pragma once
+
+#include "unity/UnityHierarchy.h"
+#include "unity/UnityMaterials.h"
+
+#include <limn/editor_stub/SceneFile.h>
+
+namespace limn
+{
+
+/// A Unity scene while it is read, as the readers of its parts share it.
+struct UnitySceneLoader
+{
+    const std::filesystem::path& path;
+    AssetContext& assets;
+    UnityNotes& notes;
+    UnityDatabase& database;
+    UnityMaterials& materials;
+    const UnityHierarchy& hierarchy;
+    SceneAsset& asset; ///< what is made
+
+    UnityReader ReaderOf(const UnityGameObject& object, const UnityInstance& component) const
+    {
+        return {component, object.path + "/" + NameOf(component.classID), notes};
+    }
+    /// Returns the fields of an asset of ProjectSettings; null where there is none.
+    UnityNode ProjectSettings(const char* name) const;
+};
+
+// The scripts of URP (7 to 17), by the guids of their .meta files.
+inline constexpr std::string_view k_CameraData = "a79441f348de89743a2939f4d699eac1";
+inline constexpr std::string_view k_LightData = "474bcb49853aa07438625e644c072ee6";
+inline constexpr std::string_view k_Volume = "172515602e62fb746b5d573b38a5fe58";
+
+/// Makes the scene's objects, without renderers.
+void AddUnityObjects(UnitySceneLoader& loader);
+
+/// Makes the renderers; those of LODs that the camera does not see are switched off.
+/// @param lodBias  of the quality level
+void AddUnityRenderers(UnitySceneLoader& loader, float lodBias);
+
+/// Reads the camera that the picture is of, with its stack.
+/// @return the index of the renderer that it asks for; -1 for the one that the pipeline has first
+/// @throws AssetError  where no camera draws onto the screen
+int ReadUnityCamera(UnitySceneLoader& loader);
+
+/// Reads the pipeline's asset of the project's quality level, and a renderer of that.
+/// @param renderer  its index; -1 for the one that the pipeline has first
+/// @return the LOD bias of the quality level
+float ReadUnityPipeline(UnitySceneLoader& loader, int renderer);
+
+/// @param sun  the light that the scene's settings call the sun; null for the brightest
+void ReadUnityLights(UnitySceneLoader& loader, const UnityInstance* sun);
+
+void ReadUnityVolumes(UnitySceneLoader& loader);
+
+} // namespace limn
