@@ -83,12 +83,14 @@ std::string UseOf(FileKind kind, const std::string& file)
     case FileKind::UnityAsset:
         return "an asset of Unity's; 'limn inspect " + file + "' shows it";
     case FileKind::UnityScene:
-        return "a scene of Unity's; 'limn render " + file + " -o out.png' draws it";
+        return "a scene of Unity's; 'limn render " + file +
+               " -o out.png' draws it, 'limn inspect " + file +
+               "' shows its profiles and features, whose own files 'limn set' changes";
     case FileKind::UnityPrefab:
         return "a prefab of Unity's, which is drawn where a .unity scene holds it";
     case FileKind::UnityMaterial:
-        return "a material of Unity's, which limn does not draw with; 'limn inspect " + file +
-               "' shows it for a *.material.yaml of yours";
+        return "a material of Unity's, which limn draws with in a Unity scene; 'limn inspect " +
+               file + "' shows it";
     case FileKind::Mesh:
         return "a mesh; a scene's objects name it: 'mesh: " + file + "'";
     case FileKind::Picture:
@@ -120,6 +122,11 @@ std::string NoneOf(std::initializer_list<FileKind> kinds)
 
 FileKind FileKindOf(const std::filesystem::path& file)
 {
+    std::error_code ignored;
+    if (std::filesystem::is_directory(file / "Assets", ignored))
+    {
+        return FileKind::UnityScene; // the project's first
+    }
     const std::string name = file.filename().string();
     for (const NamedKind& named : k_NamedKinds)
     {
@@ -139,7 +146,8 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
         return std::ranges::find(kinds, kind) != kinds.end();
     };
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file, ignored))
+    if (!std::filesystem::is_regular_file(file, ignored) &&
+        !std::filesystem::is_directory(file / "Assets", ignored))
     {
         return; // who reads it says why it cannot
     }

@@ -16,7 +16,7 @@ enum class FileKind
     Material,
     Shader,
     UnityAsset, ///< profile or renderer: only its content tells
-    UnityScene,
+    UnityScene, ///< or the folder of a project
     UnityPrefab,
     UnityMaterial,
     Mesh,

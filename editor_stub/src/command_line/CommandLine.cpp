@@ -18,6 +18,9 @@ namespace
 
 using enum Times;
 
+constexpr const char* k_SceneHelp =
+    "A *.scene.yaml, a .unity file in its project, or the folder of a Unity project";
+
 /// The values of all verbs' flags.
 struct CommandLine
 {
@@ -72,6 +75,31 @@ Flag PluginFlag(std::vector<std::string>& plugins)
             Into(plugins), Any};
 }
 
+Flag SceneFlag(RenderOptions& options)
+{
+    return {"scene", "FILE",
+            "Of a Unity project, whose folder SCENE is, the .unity file, by its path from there; "
+            "without it the first scene of the build settings",
+            Into(options.sceneInProject)};
+}
+
+/// Returns the options with the scene that --scene names in the place of its project.
+const RenderOptions& InProject(RenderOptions& options)
+{
+    if (!options.sceneInProject.empty())
+    {
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(options.scene, ignored))
+        {
+            throw AssetError(options.scene, {},
+                             "is no folder of a Unity project, in which --scene could name a file");
+        }
+        options.scene = (std::filesystem::path(options.scene) / options.sceneInProject).string();
+        options.sceneInProject.clear();
+    }
+    return options;
+}
+
 Flag SizeFlag(RenderOptions& options)
 {
     return {"size", "WxH", "Picture size in pixels; without it the scene's",
@@ -112,7 +140,8 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
 {
     using Kind = SelectionStep::Kind;
     return {
-        Argument("SCENE", "A scene file, *.scene.yaml", Into(options.scene)),
+        Argument("SCENE", k_SceneHelp, Into(options.scene)),
+        SceneFlag(options),
         {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
         SizeFlag(options),
         {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
@@ -155,7 +184,7 @@ Verb RenderVerb(RenderOptions& options)
                 options.validate)});
     return {"render",
             "Draw a scene into a PNG file",
-            [&options](Console& console) { return RunRender(options, console); },
+            [&options](Console& console) { return RunRender(InProject(options), console); },
             std::move(flags),
             {{"cache-dir", "no-cache"}}};
 }
@@ -164,7 +193,7 @@ Verb WatchVerb(RenderOptions& options)
 {
     return {"watch",
             "Draw a scene again whenever one of its files changes, until Ctrl-C",
-            [&options](Console& console) { return RunWatch(options, console); },
+            [&options](Console& console) { return RunWatch(InProject(options), console); },
             DrawingFlags(options, "The PNG file to write", CheckWatchedPicture),
             {{"cache-dir", "no-cache"}}};
 }
@@ -174,7 +203,8 @@ Verb InspectVerb(InspectOptions& options)
     return {"inspect",
             "Show parameters and settings: value, default, range, whether it is set",
             [&options](Console& console) { return RunInspect(options, console); },
-            {Argument("SCENE|PROFILE", "A scene, a volume profile or a renderer asset",
+            {Argument("SCENE|PROFILE",
+                      "A scene as for 'limn render', a volume profile or a renderer asset",
                       Into(options.file)),
              Switch("json", "Print JSON", options.json), PluginFlag(options.plugins),
              RootFlag(options.roots)}};
@@ -184,8 +214,13 @@ Verb ExplainVerb(ExplainOptions& options)
 {
     return {"explain",
             "Say what a scene draws and why: counts and what is odd; -v says all",
-            [&options](Console& console) { return RunExplain(options, console); },
-            {Argument("SCENE", "A scene file, *.scene.yaml", Into(options.rendering.scene)),
+            [&options](Console& console)
+            {
+                InProject(options.rendering);
+                return RunExplain(options, console);
+            },
+            {Argument("SCENE", k_SceneHelp, Into(options.rendering.scene)),
+             SceneFlag(options.rendering),
              {"object", "NAME", "Only objects of this name and what hangs below them",
               Into(options.object)},
              {"pixel", "X,Y",
@@ -212,7 +247,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
             "Measure the error and the cost of every outline technique in a scene",
             [&](Console& console) { return RunReport(render, options, console); },
             {Argument("SCENE|DIR",
-                      "A scene file, *.scene.yaml; for --merge and --compare folders of reports",
+                      "A scene, as for 'limn render'; for --merge and --compare folders of reports",
                       Into(options.paths), AtLeastOnce),
              {"output", "DIR",
               "The folder for the report; what an interrupted run left there is taken over",

@@ -27,6 +27,10 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
     InspectReport report;
     for (const Volume& volume : asset.volumes)
     {
+        if (!volume.sharedProfile)
+        {
+            continue; // it does nothing, as a note has said
+        }
         const VolumeProfile& profile = *volume.sharedProfile;
         report.volumes.push_back({volume.name, volume.enabled, volume.isGlobal, volume.priority,
                                   volume.weight, volume.blendDistance, profile.name,
@@ -93,6 +97,12 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
     {
         assets.LoadPlugin(plugin);
     }
+    if (FileKindOf(file) == FileKind::UnityScene)
+    {
+        InspectReport scene = InspectScene(file, assets, console);
+        scene.kind = "scene";
+        return scene;
+    }
     const std::string text = ReadYamlText(file);
     InspectReport report = IsUnityAsset(text)
                                ? InspectUnity(UnityAsset(text, file), assets, console)
@@ -106,7 +116,8 @@ int RunInspect(const InspectOptions& options, Console& console)
 {
     if (FileKindOf(options.file) != FileKind::UnityMaterial)
     {
-        RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "inspect");
+        RequireKind(options.file, {FileKind::Scene, FileKind::Profile, FileKind::UnityScene},
+                    "inspect");
     }
     const InspectReport report = Inspect(options, console);
     console.Results(options.json ? ToJson(report) : ToText(report));

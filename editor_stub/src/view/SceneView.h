@@ -17,6 +17,7 @@ namespace limn
 struct RenderOptions
 {
     std::string scene;
+    std::string sceneInProject; ///< of --scene, until it is joined to `scene`
     std::string output;
     int width = 0; ///< 0: the scene's
     int height = 0;

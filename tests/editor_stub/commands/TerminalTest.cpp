@@ -108,7 +108,7 @@ TEST(Completion, GivesBashVerbsOptionsAndValues)
     };
     EXPECT_EQ("render report\n", complete("limn re", 1));
     EXPECT_EQ("set schema shader\n", complete("limn s", 1));
-    EXPECT_EQ("--size --set --select --stats\n", complete("limn render --s", 2));
+    EXPECT_EQ("--scene --size --set --select --stats\n", complete("limn render --s", 2));
     EXPECT_EQ("glsl glsles\n", complete("limn shader --emit gl", 3));
     EXPECT_EQ("always\n", complete("limn shader --color al", 3));
     EXPECT_EQ("profile\n", complete("limn schema p", 2));

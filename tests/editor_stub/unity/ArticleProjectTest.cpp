@@ -5,7 +5,10 @@
 
 #include <cstdlib>
 #include <gmock/gmock.h>
+#include <limn/features/Bloom.h>
 #include <limn/features/ScreenSpaceOutline.h>
+#include <limn/features/Tonemapping.h>
+#include <limn/features/Vignette.h>
 
 namespace limn::test
 {
@@ -217,6 +220,24 @@ TEST_F(ArticleProject, HasItsCameraLightAndVolume)
     EXPECT_TRUE(outline->m_Enable.value());
     EXPECT_FLOAT_EQ(outline->m_OutlineWidth.value(), 10.0f);
     EXPECT_FLOAT_EQ(outline->m_OutlineColor.value().g, 0.49606514f);
+}
+
+TEST_F(ArticleProject, HasThePostProcessingOfItsProfile)
+{
+    const VolumeProfile& profile = *asset->volumes.front().sharedProfile;
+    const auto* tonemapping = profile.TryGet<Tonemapping>();
+    ASSERT_NE(tonemapping, nullptr);
+    EXPECT_EQ(tonemapping->mode.value(), TonemappingMode::ACES);
+    const auto* bloom = profile.TryGet<Bloom>();
+    ASSERT_NE(bloom, nullptr);
+    EXPECT_EQ(bloom->threshold.value(), 1.0f);
+    EXPECT_EQ(bloom->intensity.value(), 1.0f);
+    EXPECT_FALSE(bloom->scatter.overrideState());
+    EXPECT_FLOAT_EQ(bloom->scatter.value(), 0.7f);
+    const auto* vignette = profile.TryGet<Vignette>();
+    ASSERT_NE(vignette, nullptr);
+    EXPECT_FLOAT_EQ(vignette->intensity.value(), 0.25f);
+    EXPECT_FLOAT_EQ(vignette->smoothness.value(), 0.4f);
 }
 
 } // namespace
