@@ -74,6 +74,15 @@ float ReadUnityPipeline(UnitySceneLoader& loader, int renderer)
                          "settings are used");
         return lodBias;
     }
+    const auto file = loader.database.LoadFile(*path);
+    const UnityHeader* header = file ? FindClass(*file, UnityClass::MonoBehaviour) : nullptr;
+    if (header != nullptr && !file->Fields(*header)["m_MSAA"])
+    {
+        loader.notes.Add(file->name(), 0,
+                         "this pipeline is not the Universal Render Pipeline, but the High "
+                         "Definition one or the project's own, so limn's own settings are used");
+        return lodBias;
+    }
     try
     {
         Apply(LoadUnityRenderPipeline(*path, loader.assets), loader.asset);

@@ -23,16 +23,37 @@ constexpr std::pair<int, const char*> k_NotDrawn[] = {{96, "trails"},
                                                       {2083052967, "visual effects"},
                                                       {102, "text meshes"}};
 
-void ReadLayers(UnitySceneLoader& loader)
+/// Reads names, of which some may be empty, from the first on.
+void ReadNames(const UnityNode& list, int most, LayerNames& names)
 {
     int layer = 0;
-    for (const UnityNode name : loader.ProjectSettings("TagManager.asset")["layers"])
+    for (const UnityNode name : list)
     {
-        if (!name.text().empty() && layer < 32)
+        if (!name.text().empty() && layer < most)
         {
-            loader.asset.layers.SetName(layer, std::string(name.text()));
+            names.SetName(layer, std::string(name.text()));
         }
         ++layer;
+    }
+}
+
+/// Reads the names of layers, and those of rendering layers: since Unity 6 beside them, before it
+/// in the asset of URP's global settings.
+void ReadLayers(UnitySceneLoader& loader)
+{
+    const UnityNode tags = loader.ProjectSettings("TagManager.asset");
+    ReadNames(tags["layers"], 32, loader.asset.layers);
+    ReadNames(tags["m_RenderingLayers"], 32, loader.asset.renderingLayers);
+    const UnityNode pipelines =
+        loader.ProjectSettings("GraphicsSettings.asset")["m_SRPDefaultSettings"];
+    const UnityReference settings =
+        ReadUnityReference(pipelines["UnityEngine.Rendering.Universal.UniversalRenderPipeline"]);
+    const auto* path = settings.isNull() ? nullptr : loader.database.Find(settings.guid);
+    const auto file = path != nullptr ? loader.database.LoadFile(*path) : nullptr;
+    const UnityHeader* header = file ? FindClass(*file, UnityClass::MonoBehaviour) : nullptr;
+    if (header != nullptr && !tags["m_RenderingLayers"])
+    {
+        ReadNames(file->Fields(*header)["m_RenderingLayerNames"], 32, loader.asset.renderingLayers);
     }
 }
 
@@ -94,6 +115,50 @@ void CountOthers(UnitySceneLoader& loader)
     }
 }
 
+/// Returns whether a component is a script of the project itself.
+bool IsOwnScript(const UnityInstance& component, const UnityProject& project)
+{
+    const UnityNode script = component.fields["m_Script"];
+    const auto* path = component.classID == UnityClass::MonoBehaviour
+                           ? project.Find(std::string(script["guid"].text()))
+                           : nullptr;
+    return path != nullptr && path->extension() == ".cs";
+}
+
+/// Says why a picture has nothing in it but its background.
+void NoteEmptyPicture(UnitySceneLoader& loader)
+{
+    std::size_t scripts = 0;
+    for (const UnityGameObject* object : loader.hierarchy.objects())
+    {
+        if (object->drawn->renderer && object->drawn->renderer->enabled &&
+            object->drawn->renderer->mesh)
+        {
+            return;
+        }
+        scripts += static_cast<std::size_t>(
+            std::ranges::count_if(object->components, [&loader](const UnityInstance* component)
+                                  { return IsOwnScript(*component, loader.database.project()); }));
+    }
+    loader.notes.Add(loader.path.generic_string(), 0,
+                     "nothing but the background is drawn: none of the scene's " +
+                         std::to_string(loader.hierarchy.objects().size()) +
+                         " objects has a mesh and a renderer that is on" +
+                         (scripts == 0 ? ""
+                                       : "; its " + std::to_string(scripts) +
+                                             " script components do not run here"));
+}
+
+void NoteGamma(UnitySceneLoader& loader)
+{
+    if (loader.ProjectSettings("ProjectSettings.asset")["m_ActiveColorSpace"].text() == "0")
+    {
+        loader.notes.Add(loader.path.generic_string(), 0,
+                         "the project's colour space is gamma, and limn draws in linear light, so "
+                         "its lights, blends and post-processing look different");
+    }
+}
+
 SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
 {
     UnityNotes notes;
@@ -122,6 +187,8 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     ReadUnityLights(loader, sun);
     ReadUnityVolumes(loader);
     CountOthers(loader);
+    NoteEmptyPicture(loader);
+    NoteGamma(loader);
     asset.notes = notes.Finish(path.generic_string());
     return asset;
 }
@@ -175,15 +242,20 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
     }
     std::string paths;
     std::ranges::sort(scenes);
-    for (const std::filesystem::path& scene : scenes)
+    const std::size_t named = std::min<std::size_t>(scenes.size(), 12);
+    for (const std::filesystem::path& scene : std::span(scenes).first(named))
     {
-        paths += "\n  " + scene.lexically_relative(project).generic_string();
+        paths += (paths.empty() ? "" : ", ") + scene.lexically_relative(project).generic_string();
     }
     throw AssetError(project.generic_string(), {},
-                     scenes.empty() ? "the project has no scene: there is no .unity file in Assets"
-                                    : "the project's build settings name no scene that is there; "
-                                      "name one of these .unity files:" +
-                                          paths);
+                     scenes.empty()
+                         ? "the project has no scene: there is no .unity file in Assets"
+                         : "the project's build settings name no scene that is there; "
+                           "name one with --scene, of " +
+                               paths +
+                               (named < scenes.size()
+                                    ? " and " + std::to_string(scenes.size() - named) + " more"
+                                    : ""));
 }
 
 SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& assets)

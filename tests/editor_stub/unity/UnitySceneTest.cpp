@@ -170,6 +170,35 @@ TEST_F(ProjectOfAFewFiles, NeedsACamera)
                 ElementsAre(HasSubstr("no camera draws a picture")));
 }
 
+TEST_F(ProjectOfAFewFiles, SaysWhyNothingIsDrawn)
+{
+    std::string off = CubeText(2, "Box", 0, k_Red);
+    off.replace(off.find("m_Enabled: 1"), 12, "m_Enabled: 0");
+    Write("Assets/Builder.cs", "", "cccccccccccccccccccccccccccccccc");
+    const SceneAsset asset =
+        Load(k_Camera + off +
+             "--- !u!114 &15\nMonoBehaviour:\n  m_GameObject: {fileID: 1}\n"
+             "  m_Script: {fileID: 11500000, guid: cccccccccccccccccccccccccccccccc, type: 3}\n");
+    EXPECT_THAT(NotesOf(asset),
+                Contains(HasSubstr("nothing but the background is drawn: none of the scene's 2 "
+                                   "objects has a mesh and a renderer that is on; its 1 script "
+                                   "components do not run here")));
+}
+
+TEST_F(ProjectOfAFewFiles, SaysWhoseSettingsItHasNot)
+{
+    Write("ProjectSettings/ProjectSettings.asset",
+          "--- !u!129 &1\nPlayerSettings:\n  m_ActiveColorSpace: 0\n");
+    Write("Assets/Other.asset", "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: Other\n",
+          "dddddddddddddddddddddddddddddddd");
+    Write("ProjectSettings/GraphicsSettings.asset",
+          "--- !u!30 &1\nGraphicsSettings:\n  m_CustomRenderPipeline: {fileID: 11400000, guid: "
+          "dddddddddddddddddddddddddddddddd, type: 2}\n");
+    const SceneAsset asset = Load(k_Camera + CubeText(2, "Box", 0, k_Red));
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("colour space is gamma")));
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("not the Universal Render Pipeline")));
+}
+
 TEST_F(ProjectOfAFewFiles, NamesItsScenesWhereItIsNotClearWhichIsDrawn)
 {
     Write("Assets/A.unity", k_Camera);

@@ -70,6 +70,7 @@ TEST_F(Yard, HasWhatItsInstancesChange)
     EXPECT_EQ(Child("Right", "Upper").layer, 6);
     EXPECT_EQ(Child("Left", "Upper").layer, 0);
     EXPECT_EQ(m_Scene.layers.Name(6), "Selectable");
+    EXPECT_EQ(m_Scene.renderingLayers.Name(1), "Warm");
     const MaterialList& changed = Child("Right", "Lower").renderer->sharedMaterials;
     const MaterialList& own = Child("Left", "Upper").renderer->sharedMaterials;
     ASSERT_EQ(own.size(), 2u);
