@@ -147,7 +147,7 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
     };
     std::error_code ignored;
     if (!std::filesystem::is_regular_file(file, ignored) &&
-        !std::filesystem::is_directory(file / "Assets", ignored))
+        (isWanted(FileKind::Shader) || !std::filesystem::is_directory(file / "Assets", ignored)))
     {
         return; // who reads it says why it cannot
     }

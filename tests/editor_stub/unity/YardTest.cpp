@@ -16,6 +16,7 @@ namespace
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::string k_Yard = SourcePath("tests/editor_stub/data/yard");
 
@@ -133,6 +134,8 @@ TEST_F(Yard, SaysWhereToChangeIt)
         EXPECT_EQ(run.exitCode, 1);
         EXPECT_THAT(run.err, HasSubstr("whose own files 'limn set' changes")) << scene;
     }
+    EXPECT_THAT(RunCommand({"shader", k_Yard}).err, Not(HasSubstr("cannot take it")))
+        << "a project's folder may hold shaders";
     const CommandRun run =
         RunCommand({"explain", k_Yard + "/Assets/Scenes/Yard.unity", "--scene", "x"});
     EXPECT_EQ(run.exitCode, 1);

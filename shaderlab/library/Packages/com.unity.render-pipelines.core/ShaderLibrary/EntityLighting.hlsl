@@ -53,6 +53,44 @@ float3 SampleDirectionalLightmap(Texture2D lightmapTex, SamplerState lightmapSam
     return light * halfLambert / max(1e-4, direction.w);
 }
 
+// A light probe proxy volume: four boxes beside each other along x, of which three hold the
+// harmonics of red, green and blue and the last how much of each light gets there.
+float3 limn_InProbeVolume(float3 positionWS, float4x4 worldToTexture, float isLocal, float3 least,
+                          float3 inverseSize)
+{
+    float3 position = isLocal == 1.0 ? mul(worldToTexture, float4(positionWS, 1.0)).xyz : positionWS;
+    return (position - least) * inverseSize;
+}
+// Half a texel is kept from the neighbour.
+float3 limn_InProbeBox(float3 place, float box, float texel)
+{
+    place.x = clamp(place.x * 0.25, texel * 0.5, 0.25 - texel * 0.5) + box * 0.25;
+    return place;
+}
+float3 SampleProbeVolumeSH4(Texture3D SHVolumeTexture, SamplerState SHVolumeSampler,
+                            float3 positionWS, float3 normalWS, float4x4 WorldToTexture,
+                            float transformToLocal, float texelSizeX, float3 probeVolumeMin,
+                            float3 probeVolumeSizeInv)
+{
+    float3 place = limn_InProbeVolume(positionWS, WorldToTexture, transformToLocal, probeVolumeMin,
+                                      probeVolumeSizeInv);
+    float4 sh[3];
+    for (int i = 0; i < 3; i++)
+    {
+        float3 uvw = limn_InProbeBox(place, i, texelSizeX);
+        sh[i] = SHVolumeTexture.SampleLevel(SHVolumeSampler, uvw, 0);
+    }
+    return SHEvalLinearL0L1(normalWS, sh[0], sh[1], sh[2]);
+}
+float4 SampleProbeOcclusion(Texture3D SHVolumeTexture, SamplerState SHVolumeSampler,
+                            float3 positionWS, float4x4 WorldToTexture, float transformToLocal,
+                            float texelSizeX, float3 probeVolumeMin, float3 probeVolumeSizeInv)
+{
+    float3 place = limn_InProbeVolume(positionWS, WorldToTexture, transformToLocal, probeVolumeMin,
+                                      probeVolumeSizeInv);
+    return SHVolumeTexture.SampleLevel(SHVolumeSampler, limn_InProbeBox(place, 3, texelSizeX), 0);
+}
+
 // Emission in four bytes: a colour and its scale.
 float4 PackEmissiveRGBM(float3 rgb)
 {
