@@ -197,7 +197,14 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
 
 UnityNode UnitySceneLoader::ProjectSettings(const char* name) const
 {
-    const auto file = database.LoadFile(database.root() / "ProjectSettings" / name);
+    const std::filesystem::path settings = database.root() / "ProjectSettings" / name;
+    std::error_code ignored;
+    if (!std::filesystem::exists(settings, ignored))
+    {
+        assets.Reach(settings);
+        return {}; // Unity's defaults hold
+    }
+    const auto file = database.LoadFile(settings);
     return file && !file->headers().empty() ? file->Fields(file->headers().front()) : UnityNode();
 }
 

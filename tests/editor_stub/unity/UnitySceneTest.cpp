@@ -104,6 +104,8 @@ TEST_F(ProjectOfAFewFiles, HasItsObjectsMaterialsAndCamera)
     EXPECT_EQ(red.GetFloat(ShaderPropertyId("_Smoothness")), 0.25f);
     EXPECT_EQ(red.renderQueue(), 2100);
     EXPECT_EQ(asset.scene.objects()[2]->renderer->sharedMaterials.front().get(), &red);
+    EXPECT_THAT(NotesOf(asset), ElementsAre(HasSubstr("no asset of the Universal")))
+        << "settings that are not there are Unity's defaults";
     // The child stands at (1, 2, 3) + a turn of 90 degrees about y of 2 * (1, 2, 3).
     const glm::vec3 place = asset.scene.objects()[2]->transform.position();
     EXPECT_NEAR(place.x, 1 + 2 * 3, 1e-5);
