@@ -49,6 +49,10 @@ int ReadUnityCamera(UnitySceneLoader& loader);
 /// @return the LOD bias of the quality level
 float ReadUnityPipeline(UnitySceneLoader& loader, int renderer);
 
+/// Returns the linear colour of a black body, its largest component 1. Within 1667 to 25000 K; Kim
+/// et al., "Design of Advanced Color Temperature Control System" (2002).
+glm::vec3 BlackBodyColor(float kelvin);
+
 /// @param sun  the light that the scene's settings call the sun; null for the brightest
 void ReadUnityLights(UnitySceneLoader& loader, const UnityInstance* sun);
 

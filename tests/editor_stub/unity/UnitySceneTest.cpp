@@ -1,7 +1,9 @@
 #include "unity/UnityScene.h"
 
 #include "TemporaryFolder.h"
+#include "unity/UnitySceneLoader.h"
 #include "volume/Problems.h"
+#include <cmath>
 #include <gmock/gmock.h>
 #include <limn/core/Material.h>
 
@@ -120,7 +122,7 @@ TEST_F(ProjectOfAFewFiles, HasItsObjectsMaterialsAndCamera)
 TEST_F(ProjectOfAFewFiles, DrawsWhatIsMissingAsUnityDoesAndSaysSo)
 {
     const SceneAsset asset =
-        Load(k_Camera +
+        Load(std::string(k_Camera) +
              CubeText(2, "Box", 0, "{fileID: 2100000, guid: bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb}") +
              CubeText(3, "None", 0, "{fileID: 0}"));
     EXPECT_EQ(asset.scene.objects()[1]->renderer->sharedMaterials.front(),
@@ -163,6 +165,87 @@ TEST_F(ProjectOfAFewFiles, KeepsNumbersInTheirRanges)
                                                    "from ")));
     EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("Box/MeshRenderer.m_CastShadows: 7 is not from "
                                                    "0 to 3, so it is left at 1")));
+}
+
+/// Returns the linear sRGB colour of Planck's law, its largest component 1, with the eye as Wyman
+/// et al. (2013) fit it to CIE 1931.
+glm::dvec3 PlanckColor(double kelvin)
+{
+    const auto lobe = [](double l, double mean, double below, double above)
+    {
+        const double t = (l - mean) * (l < mean ? below : above);
+        return std::exp(-0.5 * t * t);
+    };
+    glm::dvec3 xyz(0.0);
+    for (double l = 360.0; l < 830.0; l += 1.0)
+    {
+        const double power = 1.0 / (std::pow(l, 5) * (std::exp(1.438777e7 / (l * kelvin)) - 1.0));
+        xyz += power *
+               glm::dvec3(
+                   0.362 * lobe(l, 442.0, 0.0624, 0.0374) + 1.056 * lobe(l, 599.8, 0.0264, 0.0323) -
+                       0.065 * lobe(l, 501.1, 0.0490, 0.0382),
+                   0.821 * lobe(l, 568.8, 0.0213, 0.0247) + 0.286 * lobe(l, 530.9, 0.0613, 0.0322),
+                   1.217 * lobe(l, 437.0, 0.0845, 0.0278) + 0.681 * lobe(l, 459.0, 0.0385, 0.0725));
+    }
+    const glm::dvec3 rgb(3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
+                         -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
+                         0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z);
+    return rgb / std::max({rgb.x, rgb.y, rgb.z});
+}
+
+TEST(BlackBodyColor, IsThatOfPlancksLaw)
+{
+    for (const float kelvin : {2000.0f, 2700.0f, 3999.0f, 4001.0f, 5000.0f, 6570.0f, 12000.0f})
+    {
+        const glm::dvec3 expected = PlanckColor(static_cast<double>(kelvin));
+        for (int channel = 0; channel < 3; ++channel)
+        {
+            EXPECT_NEAR(BlackBodyColor(kelvin)[channel], std::max(expected[channel], 0.0), 0.02)
+                << kelvin << " K, channel " << channel;
+        }
+    }
+    EXPECT_EQ(BlackBodyColor(1000.0f), BlackBodyColor(1667.0f)) << "the fit goes no further";
+}
+
+TEST_F(ProjectOfAFewFiles, TakesALightsTemperatureWhereItIsUsed)
+{
+    const std::string light =
+        "--- !u!108 &16\nLight:\n  m_GameObject: {fileID: 1}\n  m_Enabled: 1\n"
+        "  m_Type: 1\n  m_Color: {r: 1, g: 1, b: 1, a: 1}\n"
+        "  m_ColorTemperature: 5000\n  m_UseColorTemperature: ";
+    EXPECT_EQ(Load(k_Camera + light + "0\n").scene.mainLight.color, Color::white);
+    const Color warm = Load(k_Camera + light + "1\n").scene.mainLight.color.linear();
+    const glm::dvec3 expected = PlanckColor(5000.0);
+    EXPECT_NEAR(warm.g, expected.g, 0.02);
+    EXPECT_NEAR(warm.b, expected.b, 0.02);
+    Write("ProjectSettings/GraphicsSettings.asset",
+          "--- !u!30 &1\nGraphicsSettings:\n  m_LightsUseColorTemperature: 0\n");
+    EXPECT_EQ(Load(k_Camera + light + "1\n").scene.mainLight.color, Color::white);
+}
+
+TEST_F(ProjectOfAFewFiles, HasTheCamerasThatAreStackedOnItsOwn)
+{
+    const std::string overlay =
+        "--- !u!1 &5\nGameObject:\n  m_Name: Hands\n  m_IsActive: 1\n"
+        "--- !u!4 &54\nTransform:\n  m_GameObject: {fileID: 5}\n"
+        "  m_LocalPosition: {x: 7, y: 0, z: 0}\n  m_Father: {fileID: 0}\n"
+        "--- !u!20 &52\nCamera:\n  m_GameObject: {fileID: 5}\n  field of view: 30\n"
+        "--- !u!114 &53\nMonoBehaviour:\n  m_GameObject: {fileID: 5}\n"
+        "  m_Script: {fileID: 11500000, guid: a79441f348de89743a2939f4d699eac1, type: 3}\n"
+        "  m_CameraType: 1\n";
+    const SceneAsset asset =
+        Load(std::string(k_Camera) +
+             "--- !u!114 &13\nMonoBehaviour:\n  m_GameObject: {fileID: 1}\n"
+             "  m_Script: {fileID: 11500000, guid: a79441f348de89743a2939f4d699eac1, type: 3}\n"
+             "  m_CameraType: 0\n  m_Cameras:\n  - {fileID: 52}\n  m_RenderPostProcessing: 1\n" +
+             overlay);
+    EXPECT_EQ(asset.camera.fieldOfView, 45.0f);
+    EXPECT_TRUE(asset.camera.renderPostProcessing);
+    ASSERT_EQ(asset.camera.cameraStack.size(), 1u);
+    const Camera& hands = *asset.camera.cameraStack.front();
+    EXPECT_EQ(hands.renderType, CameraRenderType::Overlay);
+    EXPECT_EQ(hands.fieldOfView, 30.0f);
+    EXPECT_EQ(hands.transform.localPosition.x, 7.0f);
 }
 
 TEST_F(ProjectOfAFewFiles, NeedsACamera)
