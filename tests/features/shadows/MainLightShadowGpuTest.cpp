@@ -248,8 +248,7 @@ bool HasShadowVariant(const RenderResult& result)
 
 TEST_F(MainLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
 {
-    const auto lit =
-        std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+    const auto lit = std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
     ShadowScene shadows(k_Width, k_Height, lit);
     shadows.AddBoxes();
     const auto expectNone = [&](const std::string& why)
@@ -299,7 +298,7 @@ TEST_F(MainLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
 
 TEST_F(MainLightShadowGpu, OfLitIsDarkerInShadowAndGoneWhereAMaterialDoesNotReceiveIt)
 {
-    const auto shader = FindBuiltinShader("Universal Render Pipeline/Lit", Compiler());
+    const auto shader = FindBuiltinShader("Limn/Half Lambert", Compiler());
     const auto lit = std::make_shared<Material>(shader);
     ShadowScene shadows(k_Width, k_Height, lit);
     shadows.AddBoxes();
@@ -331,8 +330,7 @@ void Carry(ShadowScene& shadows, Transform& away, const glm::dvec3& place)
 
 TEST_F(MainLightShadowGpu, IsTheSameFarAwayFromTheWorldsOrigin)
 {
-    const auto lit =
-        std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+    const auto lit = std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
     for (const int cascades : {1, 4})
     {
         m_Pipeline.shadows.shadowCascadeCount = cascades;
