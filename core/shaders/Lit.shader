@@ -1,24 +1,56 @@
-// One directional light with half-Lambert wrap, a Blinn-Phong highlight and a two-sided ambient:
-// enough to read shapes by. URP's physically based Lit is not imitated.
+// URP's physically based shader: the names are Unity's (2022.3), the lighting is that of the
+// ShaderLibrary. The Toggle attributes choose for scene files what Unity's inspector chooses there.
 Shader "Universal Render Pipeline/Lit"
 {
     Properties
     {
-        [MainTexture] _BaseMap ("Texture", 2D) = "white" {}
+        [ToggleOff(_SPECULAR_SETUP)] _WorkflowMode ("Metallic rather than specular", Float) = 1
+
+        [MainTexture] _BaseMap ("Albedo", 2D) = "white" {}
         [MainColor] _BaseColor ("Color", Color) = (1, 1, 1, 1)
-        _Smoothness ("Smoothness", Range(0, 1)) = 0.3
+        _Cutoff ("Alpha of the cut", Range(0, 1)) = 0.5
+
+        _Smoothness ("Smoothness", Range(0, 1)) = 0.5
+        [Toggle(_SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A)] _SmoothnessTextureChannel ("Smoothness in the albedo's alpha", Float) = 0
+        _Metallic ("Metallic", Range(0, 1)) = 0
+        _MetallicGlossMap ("Metallic (R), smoothness (A)", 2D) = "white" {}
+        _SpecColor ("Specular", Color) = (0.2, 0.2, 0.2, 1)
+        _SpecGlossMap ("Specular (RGB), smoothness (A)", 2D) = "white" {}
+        [ToggleOff] _SpecularHighlights ("Highlights", Float) = 1
+        [ToggleOff] _EnvironmentReflections ("Reflections", Float) = 1
+
+        _BumpScale ("Strength of the normal map", Float) = 1
+        _BumpMap ("Normal map", 2D) = "bump" {}
+        _Parallax ("Depth of the height map", Range(0.005, 0.08)) = 0.005
+        _ParallaxMap ("Height (G)", 2D) = "black" {}
+        _OcclusionStrength ("Strength of the occlusion", Range(0, 1)) = 1
+        _OcclusionMap ("Occlusion (G)", 2D) = "white" {}
         [HDR] _EmissionColor ("Emission", Color) = (0, 0, 0, 1)
+        _EmissionMap ("Emission", 2D) = "white" {}
+
+        _DetailMask ("Where details are (A)", 2D) = "white" {}
+        _DetailAlbedoMapScale ("Strength of the detail albedo", Range(0, 2)) = 1
+        _DetailAlbedoMap ("Detail albedo, times 2", 2D) = "linearGrey" {}
+        _DetailNormalMapScale ("Strength of the detail normal map", Range(0, 2)) = 1
+        [Normal] _DetailNormalMap ("Detail normal map", 2D) = "bump" {}
+
+        [Toggle(_SURFACE_TYPE_TRANSPARENT)] _Surface ("Transparent", Float) = 0
+        _Blend ("Blending: alpha, premultiplied, additive, multiply", Float) = 0
+        _Cull ("Culled faces", Float) = 2
+        [Toggle(_ALPHATEST_ON)] _AlphaClip ("Cut by alpha", Float) = 0
         _SrcBlend ("Source factor", Float) = 1
         _DstBlend ("Destination factor", Float) = 0
         _SrcBlendAlpha ("Source factor of alpha", Float) = 1
         _DstBlendAlpha ("Destination factor of alpha", Float) = 0
         _ZWrite ("Depth write", Float) = 1
-        _Cull ("Culled faces", Float) = 2
+        _BlendModePreserveSpecular ("Highlights as strong as on opaque surfaces", Float) = 1
+        _AlphaToMask ("Alpha to mask", Float) = 0
         [ToggleOff(_RECEIVE_SHADOWS_OFF)] _ReceiveShadows ("Shows shadows", Float) = 1
+        _QueueOffset ("Place in the queue", Float) = 0
     }
     SubShader
     {
-        Tags { "RenderType" = "Opaque" "RenderPipeline" = "UniversalPipeline" }
+        Tags { "RenderType" = "Opaque" "RenderPipeline" = "UniversalPipeline" "UniversalMaterialType" = "Lit" "IgnoreProjector" = "True" }
 
         Pass
         {
@@ -27,103 +59,31 @@ Shader "Universal Render Pipeline/Lit"
             Blend [_SrcBlend] [_DstBlend], [_SrcBlendAlpha] [_DstBlendAlpha]
             ZWrite [_ZWrite]
             Cull [_Cull]
+            AlphaToMask [_AlphaToMask]
 
             HLSLPROGRAM
-            #pragma vertex LitVertex
-            #pragma fragment LitFragment
-            #pragma multi_compile _ _ADDITIONAL_LIGHTS
-            #pragma multi_compile _ _MAIN_LIGHT_SHADOWS _MAIN_LIGHT_SHADOWS_CASCADE
-            #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
-            #pragma multi_compile_fragment _ _SHADOWS_SOFT
+            #pragma vertex LitPassVertex
+            #pragma fragment LitPassFragment
+            #pragma shader_feature_local _NORMALMAP
+            #pragma shader_feature_local _PARALLAXMAP
             #pragma shader_feature_local _RECEIVE_SHADOWS_OFF
-
-            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
-            #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
-
-            TEXTURE2D(_BaseMap);
-            SAMPLER(sampler_BaseMap);
-
-            CBUFFER_START(UnityPerMaterial)
-            float4 _BaseMap_ST;
-            half4 _BaseColor;
-            half4 _EmissionColor;
-            half _Smoothness;
-            CBUFFER_END
-
-            struct Attributes
-            {
-                float4 positionOS : POSITION;
-                float3 normalOS : NORMAL;
-                float2 uv : TEXCOORD0;
-            };
-            struct Varyings
-            {
-                float4 positionCS : SV_POSITION;
-                float2 uv : TEXCOORD0;
-                float3 normalWS : TEXCOORD1;
-                float3 viewDirWS : TEXCOORD2;
-            #if defined(_ADDITIONAL_LIGHTS) || defined(MAIN_LIGHT_CALCULATE_SHADOWS)
-                float3 position : TEXCOORD3; // relative to limn_Origin
-            #endif
-            };
-
-            Varyings LitVertex(Attributes input)
-            {
-                Varyings output;
-                output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
-                output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
-                output.normalWS = TransformObjectToWorldNormal(input.normalOS);
-                output.viewDirWS = limn_ObjectToWorldSpaceViewDir(input.positionOS.xyz);
-            #if defined(_ADDITIONAL_LIGHTS) || defined(MAIN_LIGHT_CALCULATE_SHADOWS)
-                output.position = limn_ObjectToRelative(input.positionOS.xyz);
-            #endif
-                return output;
-            }
-
-            half Highlight(float3 normal, float3 toLight, float3 view)
-            {
-                float3 halfway = SafeNormalize(toLight + view);
-                half exponent = exp2(10.0 * _Smoothness + 1.0);
-                return pow(saturate(dot(normal, halfway)), exponent) * _Smoothness * 0.25;
-            }
-
-            half4 LitFragment(Varyings input) : SV_Target
-            {
-                half4 albedo = SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
-                float3 normal = SafeNormalize(input.normalWS);
-                float3 view = SafeNormalize(input.viewDirWS);
-                Light light = GetMainLight();
-
-                half wrapped = dot(normal, light.direction) * 0.5 + 0.5;
-                half3 ambient = SampleSH(normal) * (0.75 + 0.25 * normal.y);
-                half3 lambert = light.color * wrapped * wrapped;
-                half3 shining = light.color;
-            #ifdef MAIN_LIGHT_CALCULATE_SHADOWS
-                half shadow = MainLightRealtimeShadow(limn_RelativeToShadowCoord(input.position));
-                half lit = lerp(shadow, 1.0, limn_ShadowFade(input.viewDirWS));
-                // No darker than where the surface turns away: half-Lambert goes on beyond that.
-                lambert = lerp(min(lambert, light.color * 0.25), lambert, lit);
-                shining *= lit;
-            #endif
-                half3 color = albedo.rgb * (lambert + ambient);
-
-                color += shining * Highlight(normal, light.direction, view) + _EmissionColor.rgb;
-            #ifdef _ADDITIONAL_LIGHTS
-                for (int i = 0; i < GetAdditionalLightsCount(); i++)
-                {
-                    Light other = limn_GetAdditionalLightRelative(i, input.position);
-                    half lambert = saturate(dot(normal, other.direction));
-                    half lit = other.distanceAttenuation * other.shadowAttenuation;
-                    color += other.color * lit * lambert *
-                             (albedo.rgb + Highlight(normal, other.direction, view));
-                }
-            #endif
-                return half4(color, albedo.a);
-            }
+            #pragma shader_feature_local _ _DETAIL_MULX2 _DETAIL_SCALED
+            #pragma shader_feature_local_fragment _SURFACE_TYPE_TRANSPARENT
+            #pragma shader_feature_local_fragment _ALPHATEST_ON
+            #pragma shader_feature_local_fragment _ _ALPHAPREMULTIPLY_ON _ALPHAMODULATE_ON
+            #pragma shader_feature_local_fragment _EMISSION
+            #pragma shader_feature_local_fragment _METALLICSPECGLOSSMAP
+            #pragma shader_feature_local_fragment _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
+            #pragma shader_feature_local_fragment _OCCLUSIONMAP
+            #pragma shader_feature_local_fragment _SPECULARHIGHLIGHTS_OFF
+            #pragma shader_feature_local_fragment _ENVIRONMENTREFLECTIONS_OFF
+            #pragma shader_feature_local_fragment _SPECULAR_SETUP
+            #include_with_pragmas "limn/LightVariants.hlsl"
+            #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
+            #include "Packages/com.unity.render-pipelines.universal/Shaders/LitForwardPass.hlsl"
             ENDHLSL
         }
 
-        // For the UsePass of other shaders.
         Pass
         {
             Name "ShadowCaster"
@@ -133,8 +93,10 @@ Shader "Universal Render Pipeline/Lit"
 
             HLSLPROGRAM
             #pragma vertex ShadowPassVertex
-            #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #pragma fragment ShadowPassFragment
+            #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
+            #pragma shader_feature_local _ALPHATEST_ON
+            #pragma shader_feature_local_fragment _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/Shaders/ShadowCasterPass.hlsl"
             ENDHLSL
@@ -150,6 +112,8 @@ Shader "Universal Render Pipeline/Lit"
             HLSLPROGRAM
             #pragma vertex DepthOnlyVertex
             #pragma fragment DepthOnlyFragment
+            #pragma shader_feature_local _ALPHATEST_ON
+            #pragma shader_feature_local_fragment _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/Shaders/DepthOnlyPass.hlsl"
             ENDHLSL
@@ -164,6 +128,10 @@ Shader "Universal Render Pipeline/Lit"
             HLSLPROGRAM
             #pragma vertex DepthNormalsVertex
             #pragma fragment DepthNormalsFragment
+            #pragma shader_feature_local _NORMALMAP
+            #pragma shader_feature_local _ _DETAIL_MULX2 _DETAIL_SCALED
+            #pragma shader_feature_local _ALPHATEST_ON
+            #pragma shader_feature_local_fragment _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitDepthNormalsPass.hlsl"
             ENDHLSL
@@ -178,6 +146,12 @@ Shader "Universal Render Pipeline/Lit"
             HLSLPROGRAM
             #pragma vertex UniversalVertexMeta
             #pragma fragment UniversalFragmentMetaLit
+            #pragma shader_feature_local_fragment _ALPHATEST_ON
+            #pragma shader_feature_local_fragment _EMISSION
+            #pragma shader_feature_local_fragment _METALLICSPECGLOSSMAP
+            #pragma shader_feature_local_fragment _SMOOTHNESS_TEXTURE_ALBEDO_CHANNEL_A
+            #pragma shader_feature_local_fragment _SPECULAR_SETUP
+            #pragma shader_feature_local_fragment _ _DETAIL_MULX2 _DETAIL_SCALED
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitInput.hlsl"
             #include "Packages/com.unity.render-pipelines.universal/Shaders/LitMetaPass.hlsl"
             ENDHLSL

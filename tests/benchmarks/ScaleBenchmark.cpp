@@ -104,8 +104,8 @@ public:
         std::vector<std::shared_ptr<const Material>> materials;
         for (std::size_t i = 0; i < k_MaterialCount; ++i)
         {
-            materials.push_back(std::make_shared<Material>(
-                FindShippedShader("Universal Render Pipeline/Lit", compiler)));
+            materials.push_back(
+                std::make_shared<Material>(FindShippedShader("Limn/Half Lambert", compiler)));
         }
         for (std::size_t i = 0; i < count; ++i)
         {

@@ -21,7 +21,7 @@ protected:
         : m_Wall(k_WallWidth, k_WallHeight),
           m_Run(m_Wall.scene, m_Wall.camera, k_WallWidth, k_WallHeight)
     {
-        const auto shader = FindBuiltinShader("Universal Render Pipeline/Lit", Compiler());
+        const auto shader = FindBuiltinShader("Limn/Half Lambert", Compiler());
         const auto material = std::make_shared<Material>(shader);
         material->SetVector(ShaderPropertyId("_BaseColor"), {0.6f, 0.3f, 0.9f, 1.0f});
         material->SetFloat(ShaderPropertyId("_Smoothness"), 0.0f); // no highlight

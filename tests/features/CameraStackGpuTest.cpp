@@ -234,8 +234,7 @@ TEST_F(CameraStackGpu, AnOverlayHasTheLightsThatItSeesItself)
 {
     m_Flat.scene.mainLight.intensity = 0.0f;
     m_Flat.scene.ambientLight = Color::black;
-    const auto lit =
-        std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+    const auto lit = std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
     m_Flat.scene.objects()[1]->renderer->sharedMaterials = {lit};
     Light light; // in the base's view only
     light.type = LightType::Point;

@@ -273,7 +273,7 @@ protected:
     }
 
     const std::shared_ptr<Material> m_Material =
-        std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+        std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
     std::vector<std::pair<glm::dmat4, Shape>> m_Shapes;
     Scene m_Scene;
     Camera m_Camera;

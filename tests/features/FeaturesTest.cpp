@@ -38,7 +38,8 @@ TEST(Features, EveryShippedShaderIsFoundByItsName)
                 testing::IsSupersetOf({"Hidden/Limn/ColorEdges", "Hidden/Limn/DepthNormalsOutline",
                                        "Hidden/ScreenSpaceOutline", "Hidden/Universal/CoreBlit",
                                        "Limn/TranslucentOutline", "Limn/TranslucentOutlineHull",
-                                       "Limn/TranslucentSolid", "Universal Render Pipeline/Lit",
+                                       "Limn/TranslucentSolid", "Limn/Half Lambert",
+                                       "Universal Render Pipeline/Lit",
                                        "Universal Render Pipeline/Unlit"}));
     for (const std::string_view name : ShippedShaders().names())
     {

@@ -18,8 +18,8 @@ protected:
         GpuTest::SetUp();
         if (!IsSkipped() && !HasFatalFailure())
         {
-            m_Material = std::make_shared<Material>(
-                FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+            m_Material =
+                std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
             m_Camera.transform.localPosition = {0, 0, -4};
             m_Camera.transform.parent = &m_World;
             m_Pipeline.emplace(SharedDevice());

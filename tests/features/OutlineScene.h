@@ -41,8 +41,8 @@ struct OutlineScene
 
     OutlineScene()
     {
-        const auto material = std::make_shared<const Material>(
-            FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+        const auto material =
+            std::make_shared<const Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
         Add("Torus", PrimitiveType::Torus, {-0.4f, 0.1f, 0.0f}, material, true);
         Add("Cube", PrimitiveType::Cube, {0.6f, -0.2f, 0.5f}, material, true);
         Add("Sphere", PrimitiveType::Sphere, {0.2f, 0.0f, -1.2f}, material, false);

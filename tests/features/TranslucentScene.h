@@ -158,6 +158,7 @@ inline std::shared_ptr<Material> TranslucentUnlit(const Color& color)
     auto material = std::make_shared<Material>(
         FindShippedShader("Universal Render Pipeline/Unlit", EffectCompiler()));
     material->SetColor(ShaderPropertyId("_BaseColor"), color);
+    material->SetFloat(ShaderPropertyId("_Surface"), 1);
     material->SetFloat(ShaderPropertyId("_SrcBlend"), 5);
     material->SetFloat(ShaderPropertyId("_DstBlend"), 10);
     material->SetFloat(ShaderPropertyId("_SrcBlendAlpha"), 5);

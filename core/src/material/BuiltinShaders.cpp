@@ -20,9 +20,10 @@ struct SolidColor
     std::array<std::uint8_t, 4> rgba;
 };
 
+/// The alpha of bump, for which Unity's manual has a half, is one: UnpackNormal multiplies by it.
 constexpr SolidColor k_SolidColors[] = {
     {"white", {255, 255, 255, 255}}, {"black", {0, 0, 0, 255}}, {"gray", {128, 128, 128, 128}},
-    {"bump", {128, 128, 255, 128}},  {"red", {255, 0, 0, 255}}, {"green", {0, 255, 0, 255}},
+    {"bump", {128, 128, 255, 255}},  {"red", {255, 0, 0, 255}}, {"green", {0, 255, 0, 255}},
     {"blue", {0, 0, 255, 255}},      {"clear", {0, 0, 0, 0}}};
 
 constexpr std::array k_Dimensions = {TextureDimension::Tex2D, TextureDimension::Tex3D,

@@ -12,7 +12,7 @@ namespace limn
 {
 
 /// The shader of materials that name none.
-inline constexpr const char* k_DefaultShader = "Universal Render Pipeline/Lit";
+inline constexpr const char* k_DefaultShader = "Limn/Half Lambert";
 
 /// A material of the scene file, read once something names it.
 struct SceneMaterial

@@ -1,12 +1,12 @@
 #include "console/Texts.h"
 #include "scene/Loader.h"
+#include "shaders/KeywordsOfValues.h"
 
 #include <algorithm>
 #include <array>
 #include <fstream>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
-#include <limn/shaderlab/InitialKeywords.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -68,37 +68,6 @@ void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& 
     case ShaderPropertyType::Integer:
         ReadNumberProperty(property, *node, subject, material, sources.diagnostics);
         break;
-    }
-}
-
-/// What Unity's inspector does with a value that is changed there: Toggle and KeywordEnum choose
-/// keywords.
-void SetKeywordsOfValues(Material& material)
-{
-    const Shader& shader = *material.shader();
-    std::vector<ShaderProperty> properties = shader.document().properties;
-    for (ShaderProperty& property : properties)
-    {
-        const ShaderPropertyId id(property.name);
-        if (material.HasFloat(id))
-        {
-            property.defaultValue[0] = material.GetFloat(id);
-        }
-    }
-    const std::vector<std::string> wanted = InitialKeywords(properties);
-    for (const std::string& keyword : shader.initialKeywords())
-    {
-        if (std::ranges::find(wanted, keyword) == wanted.end())
-        {
-            material.DisableKeyword(keyword);
-        }
-    }
-    for (const std::string& keyword : wanted)
-    {
-        if (!material.IsKeywordEnabled(keyword))
-        {
-            material.EnableKeyword(keyword);
-        }
     }
 }
 

@@ -16,6 +16,8 @@ struct TextureImport
 {
     bool mipChain = true;
     bool sRGB = true;
+    bool isNormalMap = false;
+    bool flipGreenChannel = false; ///< of a normal map
     SamplerState sampler;
 };
 
@@ -77,9 +79,22 @@ TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
     }
     int textureType = 0;
     map.Read("textureType", textureType);
-    import.sRGB = import.sRGB && textureType != k_NormalMap;
+    map.Read("flipGreenChannel", import.flipGreenChannel);
+    import.isNormalMap = textureType == k_NormalMap;
+    import.sRGB = import.sRGB && !import.isNormalMap;
     diagnostics.ThrowIfErrors();
     return import;
+}
+
+/// A normal is in red and green. Its alpha is 1 whatever the file has there, as shaders multiply by
+/// it: of Unity's own packing, alpha and green are what counts.
+void MakeNormals(std::vector<std::byte>& texels, bool flipsGreen)
+{
+    for (std::size_t i = 0; i + 3 < texels.size(); i += 4)
+    {
+        texels[i + 1] = flipsGreen ? ~texels[i + 1] : texels[i + 1];
+        texels[i + 3] = std::byte{255};
+    }
 }
 
 } // namespace
@@ -94,9 +109,14 @@ std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path
     const TextureImport import = ReadTextureImport(MetaFileOf(path));
     const Image image = ReadPicture(path);
     const GraphicsFormat format = import.sRGB ? image.format : GraphicsFormat::R8G8B8A8_UNorm;
+    std::vector<std::byte> texels = FlipRows(image.texels, image.height);
+    if (import.isNormalMap)
+    {
+        MakeNormals(texels, import.flipGreenChannel);
+    }
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             format, FlipRows(image.texels, image.height),
-                                             import.sampler, import.mipChain);
+                                             format, std::move(texels), import.sampler,
+                                             import.mipChain);
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #include "unity/UnityMaterials.h"
 
 #include "assets/PictureFile.h"
+#include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
 
 #include <algorithm>
@@ -42,22 +43,50 @@ glm::vec4 VectorIn(const UnityNode& node)
     return {NumberIn(node["r"]), NumberIn(node["g"]), NumberIn(node["b"]), NumberIn(node["a"])};
 }
 
-/// Calls `work` with the name and the value of each element of a list of m_SavedProperties: a map
-/// of one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
-template <typename Work>
-void ForEachProperty(const UnityNode& list, const Work& work)
+constexpr std::uintmax_t k_MaxGraphBytes = std::uintmax_t{1} << 26;
+
+/// The saved keywords decide; those that attributes of the shader would turn on are not saved where
+/// they are off.
+void SetSavedKeywords(const UnityNode& fields, Material& material)
 {
-    for (const UnityNode item : list)
+    const std::vector<std::string> initial = material.shader()->initialKeywords();
+    for (const std::string& keyword : initial)
     {
-        if (item["first"])
+        material.DisableKeyword(keyword);
+    }
+    for (const char* list : {"m_ValidKeywords", "m_InvalidKeywords"})
+    {
+        for (const UnityNode keyword : fields[list])
         {
-            work(item["first"]["name"].text(), item["second"]);
-            continue;
+            material.EnableKeyword(std::string(keyword.text()));
         }
-        for (const UnityNode property : item)
+    }
+    std::string_view words = fields["m_ShaderKeywords"].text();
+    while (!words.empty())
+    {
+        const std::size_t end = std::min(words.find(' '), words.size());
+        if (end > 0)
         {
-            work(property.key(), property);
+            material.EnableKeyword(std::string(words.substr(0, end)));
         }
+        words.remove_prefix(std::min(end + 1, words.size()));
+    }
+}
+
+void SetKeywordsOf(const MaterialStandIn& standIn, Material& material)
+{
+    for (const auto& [name, value] : standIn.values)
+    {
+        const ShaderPropertyId id{std::string(name)};
+        if (material.HasFloat(id))
+        {
+            material.SetFloat(id, value);
+        }
+    }
+    SetKeywordsOfValues(material);
+    if (standIn.isPremultiplied)
+    {
+        material.EnableKeyword("_ALPHAPREMULTIPLY_ON");
     }
 }
 
@@ -225,14 +254,13 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     try
     {
         const UnityNode fields = file->Fields(*header);
-        const std::shared_ptr<const Shader> shader =
-            FindShader(ReadUnityReference(fields["m_Shader"]), file->name());
-        if (!shader)
+        const UnityShader shader = FindShader(fields, file->name());
+        if (!shader.shader)
         {
             return Magenta();
         }
-        auto material = std::make_shared<Material>(shader);
-        SetValues(fields, file->name(), *material);
+        auto material = std::make_shared<Material>(shader.shader);
+        SetValues(fields, file->name(), shader, *material);
         return material;
     }
     catch (const AssetError& error)
@@ -257,48 +285,68 @@ std::shared_ptr<const Shader> UnityMaterials::FindByName(std::string_view name,
     return m_Assets.FindShader(k_Lit);
 }
 
-std::shared_ptr<const Shader> UnityMaterials::FindShader(const UnityReference& reference,
-                                                         const std::string& material)
+UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::string& material)
 {
+    const UnityReference reference = ReadUnityReference(fields["m_Shader"]);
+    const UnityNode saved = fields["m_SavedProperties"];
     const UnityKnownAsset known = FindKnownAsset(reference);
     if (known.kind == UnityPackageAsset::Shader)
     {
-        return FindByName(known.name, material);
+        std::optional<MaterialStandIn> standIn = StandInFor(known.name, saved);
+        return {FindByName(standIn ? standIn->shader : known.name, material), std::move(standIn)};
     }
     const std::filesystem::path* path = m_Database.Find(reference.guid);
     if (path != nullptr && EndingOf(*path) == ".shader")
     {
-        return m_Assets.LoadShader(*path);
+        return {m_Assets.LoadShader(*path)};
     }
     if (path != nullptr && EndingOf(*path) == ".shadergraph")
     {
-        m_Notes.Add(material, 0,
-                    "its shader is the graph " + path->filename().string() +
-                        ", which limn does not read; " + k_Lit + " in grey is used");
-        return m_Assets.FindShader(k_Lit);
+        return ReadGraph(*path, saved, material);
     }
     const std::filesystem::path* missing = m_Database.project().Find(reference.guid);
     const ShaderLabDocument* shipped =
         missing != nullptr ? ShippedShaders().FindFile(missing->filename().string()) : nullptr;
     if (shipped != nullptr)
     {
-        return m_Assets.FindShader(shipped->name);
+        return {m_Assets.FindShader(shipped->name)};
     }
     m_Notes.Add(material, 0,
                 "no file of the project has its shader's guid " + reference.guid +
                     ", so what it is on is magenta");
-    return nullptr;
+    return {nullptr};
 }
 
-void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file, Material& material)
+UnityShader UnityMaterials::ReadGraph(const std::filesystem::path& path, const UnityNode& saved,
+                                      const std::string& material)
+{
+    const FileContent content = TryReadFile(path, k_MaxGraphBytes);
+    const MaterialStandIn standIn = StandInForGraph(content.bytes, saved);
+    std::string shown;
+    for (const auto& [name, property] : standIn.names)
+    {
+        shown += (shown.empty() ? " with its " : " and its ") + name + " as " + property;
+    }
+    m_Notes.Add(material, 0,
+                "its shader is the graph " + path.filename().string() +
+                    ", which limn does not read; " + standIn.shader + shown + " is used");
+    return {m_Assets.FindShader(standIn.shader), standIn};
+}
+
+void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
+                               const UnityShader& shader, Material& material)
 {
     const UnityNode saved = fields["m_SavedProperties"];
+    const auto idOf = [&](std::string_view name)
+    {
+        return ShaderPropertyId(shader.standIn ? shader.standIn->NameOf(name) : std::string(name));
+    };
     for (const char* list : {"m_Floats", "m_Ints"})
     {
         ForEachProperty(saved[list],
                         [&](std::string_view name, const UnityNode& value)
                         {
-                            const ShaderPropertyId id{std::string(name)};
+                            const ShaderPropertyId id = idOf(name);
                             if (material.HasFloat(id))
                             {
                                 material.SetFloat(id, NumberIn(value));
@@ -308,7 +356,7 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     ForEachProperty(saved["m_Colors"],
                     [&](std::string_view name, const UnityNode& value)
                     {
-                        const ShaderPropertyId id{std::string(name)};
+                        const ShaderPropertyId id = idOf(name);
                         const glm::vec4 numbers = VectorIn(value);
                         if (material.HasColor(id))
                         {
@@ -319,21 +367,8 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
                             material.SetVector(id, numbers);
                         }
                     });
-    SetTextures(saved["m_TexEnvs"], file, material);
-    for (const UnityNode keyword : fields["m_ValidKeywords"])
-    {
-        material.EnableKeyword(std::string(keyword.text()));
-    }
-    std::string_view words = fields["m_ShaderKeywords"].text();
-    while (!words.empty())
-    {
-        const std::size_t end = std::min(words.find(' '), words.size());
-        if (end > 0)
-        {
-            material.EnableKeyword(std::string(words.substr(0, end)));
-        }
-        words.remove_prefix(std::min(end + 1, words.size()));
-    }
+    SetTextures(saved["m_TexEnvs"], file, shader, material);
+    shader.standIn ? SetKeywordsOf(*shader.standIn, material) : SetSavedKeywords(fields, material);
     for (const UnityNode pass : fields["disabledShaderPasses"])
     {
         material.SetShaderPassEnabled(pass.text(), false);
@@ -345,30 +380,17 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     }
 }
 
-/// Lit of limn reads fewer maps than URP's; what materials keep of other shaders is nobody's loss.
-void UnityMaterials::NoteUnread(std::string_view name, const UnityNode& value,
-                                const Material& material)
-{
-    const bool isMap = name == "_BumpMap" || name == "_MetallicGlossMap" ||
-                       name == "_SpecGlossMap" || name == "_OcclusionMap" ||
-                       name == "_EmissionMap" || name == "_ParallaxMap";
-    if (isMap && material.shader()->name() == k_Lit &&
-        !ReadUnityReference(value["m_Texture"]).isNull())
-    {
-        m_Notes.Count("maps " + std::string(name) + " of materials");
-    }
-}
-
-void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file, Material& material)
+void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
+                                 const UnityShader& shader, Material& material)
 {
     ForEachProperty(
         list,
         [&](std::string_view name, const UnityNode& value)
         {
-            const ShaderPropertyId id{std::string(name)};
+            const ShaderPropertyId id(shader.standIn ? shader.standIn->NameOf(name)
+                                                     : std::string(name));
             if (!material.HasTexture(id))
             {
-                NoteUnread(name, value, material);
                 return;
             }
             const UnityNode scale = value["m_Scale"];

@@ -1,10 +1,18 @@
 #pragma once
 
+#include "unity/MaterialStandIn.h"
 #include "unity/ModelFile.h"
 #include "unity/UnityDatabase.h"
 
 namespace limn
 {
+
+/// The shader of a Unity material.
+struct UnityShader
+{
+    std::shared_ptr<const Shader> shader;     ///< null: the material is magenta
+    std::optional<MaterialStandIn> standIn{}; ///< where it stands in for another shader
+};
 
 /// The meshes, materials, textures and prefabs of a project's scene, each loaded once. What is
 /// missing is drawn as Unity draws it, magenta or not at all, and becomes a note.
@@ -29,12 +37,14 @@ private:
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
     std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path);
-    std::shared_ptr<const Shader> FindShader(const UnityReference& shader,
-                                             const std::string& material);
+    UnityShader FindShader(const UnityNode& fields, const std::string& material);
+    UnityShader ReadGraph(const std::filesystem::path& path, const UnityNode& saved,
+                          const std::string& material);
     std::shared_ptr<const Shader> FindByName(std::string_view name, const std::string& material);
-    void SetValues(const UnityNode& fields, const std::string& file, Material& material);
-    void SetTextures(const UnityNode& list, const std::string& file, Material& material);
-    void NoteUnread(std::string_view name, const UnityNode& value, const Material& material);
+    void SetValues(const UnityNode& fields, const std::string& file, const UnityShader& shader,
+                   Material& material);
+    void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
+                     Material& material);
     std::shared_ptr<const Material> Magenta();
 
     UnityDatabase& m_Database;

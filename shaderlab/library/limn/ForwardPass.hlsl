@@ -90,3 +90,10 @@ Varyings ForwardPassVertex(Attributes input)
     OUTPUT_SH(output.normalWS, output.vertexSH);
     return output;
 }
+
+// What is drawn; no brighter than a target of halves holds, since infinity times 0 is no number.
+float4 limn_Output(float4 color, InputData inputData)
+{
+    return float4(min(MixFog(color.rgb, inputData.fogCoord), HALF_MAX),
+                  OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
+}

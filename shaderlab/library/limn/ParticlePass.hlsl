@@ -69,6 +69,6 @@ VaryingsParticle limn_ParticleVertex(AttributesParticle input)
 
 float4 limn_ParticleFogged(float4 color, InputData inputData)
 {
-    return float4(MixFog(color.rgb, inputData.fogCoord),
+    return float4(min(MixFog(color.rgb, inputData.fogCoord), HALF_MAX),
                   OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
 }

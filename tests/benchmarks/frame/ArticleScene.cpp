@@ -60,7 +60,7 @@ void ArticleScene::AddObjects(const ArticleSettings& settings)
             settings.shape.value_or(i % 2 == 0 ? PrimitiveType::Cube : PrimitiveType::Quad)));
     }
     std::vector<std::shared_ptr<const Material>> materials;
-    const auto lit = FindShippedShader("Universal Render Pipeline/Lit", m_Compiler);
+    const auto lit = FindShippedShader("Limn/Half Lambert", m_Compiler);
     for (int i = 0; i < settings.materials; ++i)
     {
         auto material = std::make_shared<Material>(lit);
@@ -170,7 +170,7 @@ private:
     void Take(const CompiledRenderPass& pass, const DrawCommand& draw)
     {
         const DrawSetup& setup = m_Frame.Setup(draw);
-        if (setup.shader->name() == "Universal Render Pipeline/Lit")
+        if (setup.shader->name() == "Limn/Half Lambert")
         {
             TakeLit(pass, draw);
         }

@@ -171,8 +171,8 @@ class LitDraws : public LightsOfObjects
 protected:
     LitDraws()
     {
-        const auto material = std::make_shared<Material>(
-            FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+        const auto material =
+            std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
         const std::shared_ptr<const Mesh> cube = CreatePrimitive(PrimitiveType::Cube);
         m_Camera.transform.localPosition = {0, 0, -60};
         for (int i = 0; i < k_Cubes; ++i)

@@ -129,8 +129,8 @@ protected:
         return {};
     }
 
-    const std::shared_ptr<Material> m_Lit = std::make_shared<Material>(
-        FindBuiltinShader("Universal Render Pipeline/Lit", test::Compiler()));
+    const std::shared_ptr<Material> m_Lit =
+        std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", test::Compiler()));
 };
 
 TEST_F(CameraTextures, AreNotMadeWhereTheyAreAskedForAndNotRead)

@@ -184,7 +184,7 @@ TEST_P(DimensionBindings, DefaultToTheNamedColourInTheDimensionThatTheShaderDecl
          {Default{"white", "white", {255, 255, 255, 255}},
           Default{"black", "black", {0, 0, 0, 255}}, Default{"gray", "gray", {128, 128, 128, 128}},
           Default{"grey", "gray", {128, 128, 128, 128}},
-          Default{"bump", "bump", {128, 128, 255, 128}}, Default{"red", "red", {255, 0, 0, 255}},
+          Default{"bump", "bump", {128, 128, 255, 255}}, Default{"red", "red", {255, 0, 0, 255}},
           Default{"", "gray", {128, 128, 128, 128}}})
     {
         SCOPED_TRACE(expected.written);

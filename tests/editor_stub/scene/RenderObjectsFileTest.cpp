@@ -102,12 +102,12 @@ TEST(RenderObjectsInAScene, ReportsWhatIsWrongWithItsSettingsAllAtOnce)
 TEST(RenderObjectsInAScene, ReportsAPassIndexThatTheMaterialDoesNotHave)
 {
     SceneFolder folder;
-    EXPECT_EQ((Lines{"3:23: renderer.features[0]: RenderObjects: overrideMaterialPassIndex is 3, "
-                     "but the shader 'Universal Render Pipeline/Unlit' has the passes 0...2"}),
+    EXPECT_EQ((Lines{"3:23: renderer.features[0]: RenderObjects: overrideMaterialPassIndex is 4, "
+                     "but the shader 'Universal Render Pipeline/Unlit' has the passes 0...3"}),
               folder.ProblemsOf("camera: {}\n"
                                 "materials: {flat: {shader: Universal Render Pipeline/Unlit}}\n"
                                 "renderer: {features: [{type: RenderObjects, overrideMaterial: "
-                                "flat, overrideMaterialPassIndex: 3}]}\n"));
+                                "flat, overrideMaterialPassIndex: 4}]}\n"));
 }
 
 TEST(FullScreenPassInAScene, TakesEverySettingUnderUnitysName)

@@ -20,7 +20,7 @@ struct Sample
 };
 
 constexpr Sample k_Samples[] = {
-    {"core/shaders/Lit.shader", "Universal_Render_Pipeline_Lit.0"},
+    {"core/shaders/HalfLambert.shader", "Limn_Half_Lambert.0"},
     {"core/shaders/CoreBlit.shader", "Hidden_Universal_CoreBlit.0"},
     {"features/screen_space_outline/ScreenSpaceOutline.shader", "Hidden_ScreenSpaceOutline.1"}};
 

@@ -38,7 +38,7 @@ TEST(UsedShaders, GivesObjectsOfABrokenShaderTheErrorShaderInTheirQueue)
     EXPECT_EQ("Hidden/Core/FallbackError", materialOf(0)->shader()->name());
     EXPECT_EQ(2600, materialOf(0)->renderQueue());
     EXPECT_EQ("own", materialOf(0)->name());
-    EXPECT_EQ("Universal Render Pipeline/Lit", materialOf(1)->shader()->name());
+    EXPECT_EQ("Limn/Half Lambert", materialOf(1)->shader()->name());
     EXPECT_EQ(materialOf(0), materialOf(2)) << "one material, so that both are instances";
     EXPECT_EQ(1, materialOf(0)->passCount());
     EXPECT_NO_THROW(materialOf(0)->shader()->Compile(0));

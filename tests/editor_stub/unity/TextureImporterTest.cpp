@@ -155,6 +155,30 @@ TEST_F(TextureImporter, IsNotReadThroughALinkThatLeadsElsewhere)
     EXPECT_THAT(Problems([&] { Load(); }), ElementsAre(HasSubstr("lies outside")));
 }
 
+TEST_F(TextureImporter, LeavesOfANormalMapRedAndGreenAndNoAlpha)
+{
+    const std::vector<std::byte> texel = {std::byte{200}, std::byte{90}, std::byte{7},
+                                          std::byte{13}};
+    WritePng(m_Scene / "wood.png", {1, 1, GraphicsFormat::R8G8B8A8_SRGB, texel});
+    const auto texelsWith = [&](const std::string& lines)
+    {
+        const std::shared_ptr<const Texture2D> texture = LoadWith(lines);
+        EXPECT_EQ(texture->graphicsFormat(), GraphicsFormat::R8G8B8A8_UNorm);
+        std::vector<int> numbers;
+        for (const std::byte value : texture->texels())
+        {
+            numbers.push_back(std::to_integer<int>(value));
+        }
+        return numbers;
+    };
+    EXPECT_THAT(texelsWith("  textureType: 1\n"), ElementsAre(200, 90, 7, 255));
+    EXPECT_THAT(texelsWith("  textureType: 1\n  flipGreenChannel: 1\n"),
+                ElementsAre(200, 165, 7, 255));
+    EXPECT_THAT(texelsWith("  flipGreenChannel: 1\n  mipmaps:\n    sRGBTexture: 0\n"),
+                ElementsAre(200, 90, 7, 13))
+        << "a picture that is no normal map";
+}
+
 TEST_F(TextureImporter, IsThatOfTheTextureOfAScenesMaterial)
 {
     WritePicture("b.png");

@@ -27,9 +27,9 @@ protected:
     {
         GameObject& object = scene.Add("Cube");
         object.transform.localPosition = position;
-        object.renderer = MeshRenderer{CreatePrimitive(PrimitiveType::Cube),
-                                       {std::make_shared<Material>(FindBuiltinShader(
-                                           "Universal Render Pipeline/Lit", Compiler()))}};
+        object.renderer = MeshRenderer{
+            CreatePrimitive(PrimitiveType::Cube),
+            {std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()))}};
         OutlinedObject outlined;
         outlined.item.object = &object;
         return outlined;

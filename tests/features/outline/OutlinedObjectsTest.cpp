@@ -32,10 +32,10 @@ protected:
     {
         GameObject& object = scene.Add(name);
         object.transform.parent = parent;
-        object.renderer = MeshRenderer{CreatePrimitive(PrimitiveType::Cube),
-                                       {std::make_shared<Material>(FindBuiltinShader(
-                                           "Universal Render Pipeline/Lit", Compiler()))},
-                                       RenderingLayerMask::FromIndex(renderingLayer)};
+        object.renderer = MeshRenderer{
+            CreatePrimitive(PrimitiveType::Cube),
+            {std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()))},
+            RenderingLayerMask::FromIndex(renderingLayer)};
         return object;
     }
 

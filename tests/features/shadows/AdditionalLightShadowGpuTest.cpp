@@ -23,8 +23,7 @@ std::shared_ptr<Material> ShadowOf(int index,
 
 std::shared_ptr<Material> Lit()
 {
-    return std::make_shared<Material>(
-        FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+    return std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
 }
 
 Light Spot()

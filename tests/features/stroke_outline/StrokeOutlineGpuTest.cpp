@@ -98,6 +98,7 @@ public:
 std::shared_ptr<const Material> Transparent(const Material& material)
 {
     auto glass = std::make_shared<Material>(material);
+    glass->SetFloat(ShaderPropertyId("_Surface"), 1.0f);   // transparent
     glass->SetFloat(ShaderPropertyId("_SrcBlend"), 5.0f);  // SrcAlpha
     glass->SetFloat(ShaderPropertyId("_DstBlend"), 10.0f); // OneMinusSrcAlpha
     glass->SetFloat(ShaderPropertyId("_ZWrite"), 0.0f);

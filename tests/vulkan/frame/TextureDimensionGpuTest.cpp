@@ -326,7 +326,7 @@ TEST_F(TextureDimensions, HaveTheDefaultThatThePropertyNames)
     {
         for (const Default& expected :
              {Default{"white", {1, 1, 1, 1}}, Default{"black", {0, 0, 0, 1}},
-              Default{"bump", {half, half, 1, half}}, Default{"", {half, half, half, half}}})
+              Default{"bump", {half, half, 1, 1}}, Default{"", {half, half, half, half}}})
         {
             MapDraw draw(std::string(c.type) + " _Map; SamplerState sampler_Map;",
                          std::string("_Map.SampleLevel(sampler_Map, ") + c.coordinate + ", 0)",

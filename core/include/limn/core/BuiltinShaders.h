@@ -8,8 +8,8 @@
 namespace limn
 {
 
-/// limn's own shaders: "Universal Render Pipeline/Lit", "Universal Render Pipeline/Unlit",
-/// "Skybox/Procedural", "Skybox/Cubemap", "Skybox/6 Sided", "Hidden/Universal/CoreBlit".
+/// Returns the shaders of core/shaders: those that have Unity's names ("Universal Render
+/// Pipeline/Lit", "Skybox/Procedural", ...) and "Limn/Half Lambert".
 const ShaderDatabase& BuiltinShaders();
 
 /// One of BuiltinShaders(); null for any other name.

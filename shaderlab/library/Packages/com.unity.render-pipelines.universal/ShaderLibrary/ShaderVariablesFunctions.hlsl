@@ -77,8 +77,9 @@ float3 GetObjectSpaceNormalizeViewDir(float3 positionOS)
         TransformWorldToObjectDir(limn_ObjectToWorldSpaceViewDir(positionOS), false));
 }
 
-float3 NormalizeNormalPerVertex(float3 normalWS) { return normalize(normalWS); }
-float3 NormalizeNormalPerPixel(float3 normalWS) { return normalize(normalWS); }
+// Where there is no normal, it is 0: light then gives nothing.
+float3 NormalizeNormalPerVertex(float3 normalWS) { return SafeNormalize(normalWS); }
+float3 NormalizeNormalPerPixel(float3 normalWS) { return SafeNormalize(normalWS); }
 
 // Distance along the view axis of an orthographic camera.
 float LinearDepthToEyeDepth(float rawDepth)

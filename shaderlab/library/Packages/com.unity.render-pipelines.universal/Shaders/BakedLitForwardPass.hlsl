@@ -30,12 +30,9 @@ void BakedLitForwardPassFragment(Varyings input, out float4 outColor : SV_Target
     InputData inputData;
     InitializeInputData(input, surfaceData.normalTS, inputData);
 #ifdef _DBUFFER
-#ifdef _DBUFFER
     ApplyDecalToSurfaceData(input.positionCS, surfaceData, inputData);
 #endif
-#endif
     float4 color = UniversalFragmentBakedLit(inputData, surfaceData);
-    outColor = float4(MixFog(color.rgb, inputData.fogCoord),
-                      OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
+    outColor = limn_Output(color, inputData);
 }
 #endif

@@ -26,12 +26,9 @@ void LitPassFragment(Varyings input, out float4 outColor : SV_Target0)
     InputData inputData;
     InitializeInputData(input, surfaceData.normalTS, inputData);
 #ifdef _DBUFFER
-#ifdef _DBUFFER
     ApplyDecalToSurfaceData(input.positionCS, surfaceData, inputData);
 #endif
-#endif
     float4 color = UniversalFragmentPBR(inputData, surfaceData);
-    outColor = float4(MixFog(color.rgb, inputData.fogCoord),
-                      OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
+    outColor = limn_Output(color, inputData);
 }
 #endif

@@ -19,12 +19,9 @@ void LitPassFragmentSimple(Varyings input, out float4 outColor : SV_Target0)
     InputData inputData;
     InitializeInputData(input, surfaceData.normalTS, inputData);
 #ifdef _DBUFFER
-#ifdef _DBUFFER
     ApplyDecalToSurfaceData(input.positionCS, surfaceData, inputData);
 #endif
-#endif
     float4 color = UniversalFragmentBlinnPhong(inputData, surfaceData);
-    outColor = float4(MixFog(color.rgb, inputData.fogCoord),
-                      OutputAlpha(color.a, IsSurfaceTypeTransparent(_Surface)));
+    outColor = limn_Output(color, inputData);
 }
 #endif

@@ -1,0 +1,186 @@
+#include "unity/MaterialStandIn.h"
+
+#include "unity/UnityDatabase.h"
+#include "unity/UnityReader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limn/base/Case.h>
+#include <vector>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr const char* k_SimpleLit = "Universal Render Pipeline/Simple Lit";
+constexpr const char* k_Unlit = "Universal Render Pipeline/Unlit";
+
+struct BuiltInShader
+{
+    std::string_view name;
+    const char* standIn;
+    std::map<std::string, float, std::less<>> values;
+};
+
+/// Values of Unlit that blend by alpha.
+const std::map<std::string, float, std::less<>> k_Blended = {
+    {"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}};
+
+const std::vector<BuiltInShader>& BuiltInShaders()
+{
+    static const std::vector<BuiltInShader> shaders = {
+        {"Standard", k_Lit, {}},
+        {"Standard (Specular setup)", k_Lit, {{"_WorkflowMode", 0}}},
+        {"Legacy Shaders/Diffuse", k_SimpleLit, {{"_SpecularHighlights", 0}}},
+        {"Unlit/Texture", k_Unlit, {}},
+        {"Unlit/Color", k_Unlit, {}},
+        {"Unlit/Transparent", k_Unlit, k_Blended},
+        {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
+    };
+    return shaders;
+}
+
+/// Returns a saved number; `otherwise` where there is none.
+float SavedNumber(const UnityNode& saved, std::string_view name, float otherwise)
+{
+    float number = otherwise;
+    ForEachProperty(saved["m_Floats"],
+                    [&](std::string_view property, const UnityNode& value)
+                    {
+                        if (property == name)
+                        {
+                            const std::string_view text = value.text();
+                            std::from_chars(text.data(), text.data() + text.size(), number);
+                        }
+                    });
+    return number;
+}
+
+std::vector<std::string> SavedTextures(const UnityNode& saved)
+{
+    std::vector<std::string> names;
+    ForEachProperty(saved["m_TexEnvs"],
+                    [&](std::string_view name, const UnityNode& value)
+                    {
+                        if (!ReadUnityReference(value["m_Texture"]).isNull())
+                        {
+                            names.emplace_back(name);
+                        }
+                    });
+    return names;
+}
+
+bool Has(const std::vector<std::string>& names, std::string_view name)
+{
+    return std::ranges::find(names, name) != names.end();
+}
+
+/// Standard's _Mode: opaque, cut out, fading, transparent with full highlights.
+void SetMode(float mode, MaterialStandIn& standIn)
+{
+    standIn.values["_AlphaClip"] = mode == 1.0f ? 1.0f : 0.0f;
+    standIn.values["_Surface"] = mode >= 2.0f ? 1.0f : 0.0f;
+    standIn.isPremultiplied = mode == 3.0f;
+}
+
+/// Returns the first of `usual` that is among `names`, or else of those among `names` that the
+/// graph mentions the one that it mentions first; "" without any.
+std::string MainOf(const std::vector<std::string>& names,
+                   std::initializer_list<std::string_view> usual, std::string_view graph)
+{
+    const auto known =
+        std::ranges::find_if(usual, [&](std::string_view name) { return Has(names, name); });
+    if (known != usual.end())
+    {
+        return std::string(*known);
+    }
+    std::string first;
+    std::size_t place = graph.npos;
+    for (const std::string& name : names)
+    {
+        // A graph of before 2020 holds JSON in strings, with \" for ".
+        const std::size_t found =
+            std::min(graph.find('"' + name + '"'), graph.find('"' + name + "\\\""));
+        if (found < place)
+        {
+            place = found;
+            first = name;
+        }
+    }
+    return first;
+}
+
+/// Returns the saved colours that are colours by their names; vectors are saved among them.
+std::vector<std::string> SavedColors(const UnityNode& saved)
+{
+    std::vector<std::string> names;
+    ForEachProperty(saved["m_Colors"],
+                    [&](std::string_view name, const UnityNode&)
+                    {
+                        const std::string lower = ToLower(name);
+                        if (lower.find("color") != lower.npos || lower.find("tint") != lower.npos)
+                        {
+                            names.emplace_back(name);
+                        }
+                    });
+    return names;
+}
+
+} // namespace
+
+std::string MaterialStandIn::NameOf(std::string_view saved) const
+{
+    const auto renamed = names.find(saved);
+    if (renamed != names.end())
+    {
+        return renamed->second;
+    }
+    const bool isTaken =
+        std::ranges::any_of(names, [&](const auto& pair) { return pair.second == saved; });
+    return isTaken ? std::string() : std::string(saved);
+}
+
+std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNode& saved)
+{
+    const auto found = std::ranges::find(BuiltInShaders(), shader, &BuiltInShader::name);
+    if (found == BuiltInShaders().end())
+    {
+        return std::nullopt;
+    }
+    MaterialStandIn standIn{
+        found->standIn, {{"_MainTex", "_BaseMap"}, {"_Color", "_BaseColor"}}, found->values};
+    if (found->standIn == std::string_view(k_Lit))
+    {
+        const std::vector<std::string> textures = SavedTextures(saved);
+        const bool isSpecular = found->values.contains("_WorkflowMode");
+        // The inspector shows one of the two numbers: the map's scale where there is a map.
+        const bool isScaled = Has(textures, isSpecular ? "_SpecGlossMap" : "_MetallicGlossMap") ||
+                              SavedNumber(saved, "_SmoothnessTextureChannel", 0.0f) == 1.0f;
+        standIn.names[isScaled ? "_GlossMapScale" : "_Glossiness"] = "_Smoothness";
+        SetMode(SavedNumber(saved, "_Mode", 0.0f), standIn);
+    }
+    return standIn;
+}
+
+MaterialStandIn StandInForGraph(std::string_view graph, const UnityNode& saved)
+{
+    MaterialStandIn standIn{k_Lit, {}};
+    const std::string texture = MainOf(
+        SavedTextures(saved),
+        {"_BaseMap", "_MainTex", "_BaseColorMap", "_Albedo", "_AlbedoMap", "_BaseTexture"}, graph);
+    const std::string color =
+        MainOf(SavedColors(saved), {"_BaseColor", "_Color", "_MainColor", "_Tint"}, graph);
+    if (!texture.empty())
+    {
+        standIn.names[texture] = "_BaseMap";
+    }
+    if (!color.empty())
+    {
+        standIn.names[color] = "_BaseColor";
+    }
+    return standIn;
+}
+
+} // namespace limn

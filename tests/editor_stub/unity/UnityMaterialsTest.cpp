@@ -1,0 +1,232 @@
+#include "unity/UnityScene.h"
+
+#include "TemporaryFolder.h"
+#include <gmock/gmock.h>
+#include <limn/core/Image.h>
+#include <limn/core/Material.h>
+
+namespace limn::test
+{
+namespace
+{
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr const char* k_MaterialGuid = "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
+constexpr const char* k_GraphGuid = "dddddddddddddddddddddddddddddddd";
+constexpr const char* k_Wood = "{fileID: 2800000, guid: bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb, type: 3}";
+constexpr const char* k_Rust = "{fileID: 2800000, guid: cccccccccccccccccccccccccccccccc, type: 3}";
+constexpr const char* k_Lit = "{fileID: 4800000, guid: 933532a4fcc9baf4fa0491de14d08ed7, type: 3}";
+constexpr const char* k_SimpleLit =
+    "{fileID: 4800000, guid: 8d2bb70cbf9db8d4da26e15b26e74248, type: 3}";
+
+std::string BuiltIn(int id)
+{
+    return "{fileID: " + std::to_string(id) + ", guid: 0000000000000000f000000000000000, type: 0}";
+}
+
+/// A project with a cube of one material, and the pictures "wood.png" and "rust.png".
+class MaterialOfAProject : public testing::Test
+{
+protected:
+    MaterialOfAProject()
+    {
+        for (const auto& [name, guid] : {std::pair("wood.png", "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb"),
+                                         std::pair("rust.png", "cccccccccccccccccccccccccccccccc")})
+        {
+            std::filesystem::create_directories(m_Folder.path() / "Assets");
+            WritePng(m_Folder.path() / "Assets" / name,
+                     {1, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(4)});
+            WriteMeta(name, guid);
+        }
+    }
+
+    void WriteMeta(const std::string& name, const std::string& guid)
+    {
+        m_Folder.Write("Assets/" + name + ".meta", "fileFormatVersion: 2\nguid: " + guid + "\n");
+    }
+    /// @param fields  of the material, behind its shader
+    const Material& Load(const std::string& shader, const std::string& fields)
+    {
+        const std::string head = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+        m_Folder.Write("Assets/A.mat", head +
+                                           "--- !u!21 &2100000\nMaterial:\n"
+                                           "  m_Shader: " +
+                                           shader + "\n" + fields);
+        WriteMeta("A.mat", k_MaterialGuid);
+        m_Folder.Write(
+            "Assets/Main.unity",
+            head + "--- !u!1 &1\nGameObject:\n  m_Name: Eye\n  m_IsActive: 1\n"
+                   "--- !u!4 &14\nTransform:\n  m_GameObject: {fileID: 1}\n"
+                   "  m_Father: {fileID: 0}\n"
+                   "--- !u!20 &12\nCamera:\n  m_GameObject: {fileID: 1}\n"
+                   "--- !u!1 &2\nGameObject:\n  m_Name: Box\n  m_IsActive: 1\n"
+                   "--- !u!4 &24\nTransform:\n  m_GameObject: {fileID: 2}\n"
+                   "  m_Father: {fileID: 0}\n"
+                   "--- !u!33 &23\nMeshFilter:\n  m_GameObject: {fileID: 2}\n"
+                   "  m_Mesh: {fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}\n"
+                   "--- !u!23 &22\nMeshRenderer:\n  m_GameObject: {fileID: 2}\n  m_Enabled: 1\n"
+                   "  m_Materials:\n  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, "
+                   "type: 2}\n");
+        m_Asset.emplace(LoadScene(m_Folder.path(), m_Assets));
+        for (const auto& object : m_Asset->scene.objects())
+        {
+            if (object->name == "Box")
+            {
+                return *object->renderer->sharedMaterials.front();
+            }
+        }
+        throw std::runtime_error("the box is not there");
+    }
+    /// What is said of the material.
+    std::vector<std::string> Notes() const
+    {
+        std::vector<std::string> notes;
+        for (const Diagnostic& note : m_Asset->notes)
+        {
+            if (note.file.ends_with("A.mat"))
+            {
+                notes.push_back(note.message);
+            }
+        }
+        return notes;
+    }
+    static std::string TextureOf(const Material& material, const std::string& name)
+    {
+        const auto texture = material.GetTexture(ShaderPropertyId(name));
+        return texture ? texture->name() : "";
+    }
+    static float Number(const Material& material, const std::string& name)
+    {
+        return material.GetFloat(ShaderPropertyId(name));
+    }
+    static std::string Map(const std::string& name, const std::string& texture)
+    {
+        return "    - " + name + ":\n        m_Texture: " + texture +
+               "\n        m_Scale: {x: 2, y: 3}\n        m_Offset: {x: 0.5, y: 0}\n";
+    }
+
+    TemporaryFolder m_Folder;
+    AssetContext m_Assets;
+    std::optional<SceneAsset> m_Asset;
+};
+
+TEST_F(MaterialOfAProject, HasTheKeywordsAndMapsThatAreSaved)
+{
+    const Material& material = Load(
+        k_Lit, "  m_ValidKeywords:\n  - _NORMALMAP\n  - _OCCLUSIONMAP\n  m_InvalidKeywords:\n"
+               "  - _EMISSION\n  m_SavedProperties:\n    m_TexEnvs:\n" +
+                   Map("_BumpMap", k_Wood) + Map("_OcclusionMap", k_Rust) +
+                   Map("_MetallicGlossMap", k_Rust) + "    m_Floats:\n    - _Metallic: 0.75\n");
+    EXPECT_EQ(material.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_THAT(material.shaderKeywords(), ElementsAre("_EMISSION", "_NORMALMAP", "_OCCLUSIONMAP"))
+        << "a map without its keyword is not read, as in Unity";
+    EXPECT_EQ(TextureOf(material, "_BumpMap"), "wood.png");
+    EXPECT_EQ(TextureOf(material, "_OcclusionMap"), "rust.png");
+    EXPECT_EQ(TextureOf(material, "_MetallicGlossMap"), "rust.png");
+    EXPECT_EQ(Number(material, "_Metallic"), 0.75f);
+    EXPECT_THAT(Notes(), Not(Contains(HasSubstr("maps _"))));
+}
+
+TEST_F(MaterialOfAProject, HasNoKeywordOfItsShadersOwnThatIsNotSaved)
+{
+    EXPECT_THAT(Load(k_SimpleLit, "  m_ShaderKeywords: \n").shaderKeywords(), IsEmpty());
+    EXPECT_THAT(Load(k_SimpleLit, "  m_ShaderKeywords: _SPECULAR_COLOR\n").shaderKeywords(),
+                ElementsAre("_SPECULAR_COLOR"));
+}
+
+TEST_F(MaterialOfAProject, IsLitInPlaceOfTheBuiltInPipelinesStandard)
+{
+    const std::string saved =
+        "  m_ShaderKeywords: _NORMALMAP _METALLICGLOSSMAP _ALPHAPREMULTIPLY_ON\n"
+        "  m_SavedProperties:\n    m_TexEnvs:\n" +
+        Map("_MainTex", k_Wood) + Map("_BaseMap", k_Rust) + Map("_BumpMap", k_Rust) +
+        "    m_Floats:\n    - _Glossiness: 0.25\n    - _GlossMapScale: 0.75\n"
+        "    - _Smoothness: 0.125\n    - _SrcBlend: 1\n    - _DstBlend: 10\n    - _ZWrite: 0\n"
+        "    - _Mode: ";
+    const std::string color = "    m_Colors:\n    - _Color: {r: 0, g: 1, b: 0, a: 0.5}\n"
+                              "    - _BaseColor: {r: 1, g: 0, b: 0, a: 1}\n";
+    const Material& glass = Load(BuiltIn(46), saved + "3\n" + color);
+    EXPECT_EQ(glass.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_EQ(TextureOf(glass, "_BaseMap"), "wood.png") << "what URP's Lit left does not count";
+    EXPECT_EQ(glass.GetTextureScale(ShaderPropertyId("_BaseMap")), glm::vec2(2, 3));
+    EXPECT_EQ(glass.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 1, 0, 0.5f}));
+    EXPECT_EQ(Number(glass, "_Smoothness"), 0.25f);
+    EXPECT_EQ(Number(glass, "_Surface"), 1.0f);
+    EXPECT_EQ(Number(glass, "_DstBlend"), 10.0f);
+    EXPECT_THAT(glass.shaderKeywords(),
+                ElementsAre("_ALPHAPREMULTIPLY_ON", "_NORMALMAP", "_SURFACE_TYPE_TRANSPARENT"));
+
+    const Material& cut = Load(BuiltIn(46), saved + "1\n" + color);
+    EXPECT_THAT(cut.shaderKeywords(), ElementsAre("_ALPHATEST_ON", "_NORMALMAP"));
+
+    const Material& mapped =
+        Load(BuiltIn(45), "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_SpecGlossMap", k_Wood) +
+                              Map("_OcclusionMap", k_Wood) +
+                              "    m_Floats:\n    - _Glossiness: 0.25\n"
+                              "    - _GlossMapScale: 0.75\n    m_Colors:\n"
+                              "    - _EmissionColor: {r: 0, g: 0, b: 2, a: 1}\n");
+    EXPECT_EQ(Number(mapped, "_Smoothness"), 0.75f) << "the map's scale";
+    EXPECT_THAT(mapped.shaderKeywords(), ElementsAre("_EMISSION", "_METALLICSPECGLOSSMAP",
+                                                     "_OCCLUSIONMAP", "_SPECULAR_SETUP"));
+    EXPECT_THAT(Notes(), IsEmpty());
+}
+
+TEST_F(MaterialOfAProject, IsAsSimpleAsTheBuiltInPipelinesOlderShaders)
+{
+    const std::string saved = "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_MainTex", k_Wood);
+    const Material& diffuse = Load(BuiltIn(7), saved);
+    EXPECT_EQ(diffuse.shader()->name(), "Universal Render Pipeline/Simple Lit");
+    EXPECT_EQ(TextureOf(diffuse, "_BaseMap"), "wood.png");
+    EXPECT_THAT(diffuse.shaderKeywords(), IsEmpty()) << "without highlights";
+    const Material& glass = Load(BuiltIn(10750), saved);
+    EXPECT_EQ(glass.shader()->name(), "Universal Render Pipeline/Unlit");
+    EXPECT_EQ(TextureOf(glass, "_BaseMap"), "wood.png");
+    EXPECT_EQ(Number(glass, "_DstBlend"), 10.0f);
+    EXPECT_EQ(Number(glass, "_ZWrite"), 0.0f);
+    EXPECT_THAT(glass.shaderKeywords(), ElementsAre("_SURFACE_TYPE_TRANSPARENT"));
+    EXPECT_THAT(Load(BuiltIn(10751), saved).shaderKeywords(), ElementsAre("_ALPHATEST_ON"));
+}
+
+TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
+{
+    const std::string shader =
+        "{fileID: -6465566751694194690, guid: " + std::string(k_GraphGuid) + ", type: 3}";
+    WriteMeta("Paint.shadergraph", k_GraphGuid);
+
+    m_Folder.Write("Assets/Paint.shadergraph",
+                   "{\"m_Name\": \"Mask\", \"m_DefaultReferenceName\": \"Texture2D_2\"}\n"
+                   "{\"m_DefaultReferenceName\": \"Texture2D_1\"}\n"
+                   "{\"m_DefaultReferenceName\": \"Color_7\"}\n"
+                   "{\"m_DefaultReferenceName\": \"Color_3\"}\n");
+    const std::string saved = "  m_SavedProperties:\n    m_TexEnvs:\n" +
+                              Map("Texture2D_1", k_Wood) + Map("Texture2D_2", k_Rust) +
+                              "    m_Colors:\n    - Color_3: {r: 1, g: 0, b: 0, a: 1}\n"
+                              "    - Color_7: {r: 0, g: 0.5, b: 0, a: 1}\n"
+                              "    - Vector2_1: {r: 9, g: 9, b: 0, a: 0}\n";
+    const Material& first = Load(shader, saved);
+    EXPECT_EQ(first.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_EQ(TextureOf(first, "_BaseMap"), "rust.png") << "the graph's first";
+    EXPECT_EQ(first.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.5f, 0, 1}));
+    EXPECT_THAT(Notes(),
+                ElementsAre("its shader is the graph Paint.shadergraph, which limn does not read; "
+                            "Universal Render Pipeline/Lit with its Color_7 as _BaseColor and its "
+                            "Texture2D_2 as _BaseMap is used"));
+
+    m_Folder.Write("Assets/Paint.shadergraph", // as it was until 2019: JSON in strings of JSON
+                   "{\"JSONnodeData\": \"{\\n \\\"m_Name\\\": \\\"Texture2D_1\\\"}\"}\n"
+                   "{\"JSONnodeData\": \"{\\n \\\"m_Name\\\": \\\"Texture2D_2\\\"}\"}\n");
+    EXPECT_EQ(TextureOf(Load(shader, saved), "_BaseMap"), "wood.png");
+
+    const Material& usual = Load(shader, saved + "    - _Color: {r: 0, g: 0, b: 1, a: 1}\n");
+    EXPECT_EQ(usual.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0, 1, 1}));
+    const Material& none = Load(shader, "  m_SavedProperties: {}\n");
+    EXPECT_EQ(none.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
+}
+
+} // namespace
+} // namespace limn::test
