@@ -26,6 +26,7 @@ Shader "Universal Render Pipeline/Unlit"
             HLSLPROGRAM
             #pragma vertex UnlitVertex
             #pragma fragment UnlitFragment
+            #pragma multi_compile_fog
 
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
@@ -46,6 +47,7 @@ Shader "Universal Render Pipeline/Unlit"
             {
                 float4 positionCS : SV_POSITION;
                 float2 uv : TEXCOORD0;
+                float fogFactor : TEXCOORD1;
             };
 
             Varyings UnlitVertex(Attributes input)
@@ -53,12 +55,14 @@ Shader "Universal Render Pipeline/Unlit"
                 Varyings output;
                 output.positionCS = TransformObjectToHClip(input.positionOS.xyz);
                 output.uv = TRANSFORM_TEX(input.uv, _BaseMap);
+                output.fogFactor = ComputeFogFactor(output.positionCS.z);
                 return output;
             }
 
             half4 UnlitFragment(Varyings input) : SV_Target
             {
-                return SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
+                half4 color = SAMPLE_TEXTURE2D(_BaseMap, sampler_BaseMap, input.uv) * _BaseColor;
+                return half4(MixFog(color.rgb, input.fogFactor), color.a);
             }
             ENDHLSL
         }

@@ -3,6 +3,7 @@
 #include "unity/RenderPipelineAsset.h"
 #include "unity/UnityHierarchy.h"
 #include "unity/UnityMaterials.h"
+#include "unity/UnityRenderSettings.h"
 
 #include <algorithm>
 #include <charconv>
@@ -470,31 +471,8 @@ private:
                 continue;
             }
             const UnityReader reader(*object, "RenderSettings", m_Notes);
-            int mode = 0;
-            reader.Read("m_AmbientMode", mode);
-            if (mode == 0)
-            {
-                // The average of the default sky, linear, which Unity bakes into new scenes.
-                m_Asset.scene.ambientLight = Color{0.18028f, 0.22571f, 0.30692f, 1.0f}.gamma();
-                reader.Read("m_IndirectSpecularColor", m_Asset.scene.ambientLight);
-                m_Asset.scene.ambientLight = m_Asset.scene.ambientLight.gamma();
-            }
-            else
-            {
-                reader.Read("m_AmbientSkyColor", m_Asset.scene.ambientLight);
-            }
-            const UnityTarget skybox = reader.Reference("m_SkyboxMaterial");
-            if (!skybox.asset.isNull())
-            {
-                m_Asset.scene.skybox = m_Materials.Load(skybox.asset, reader, "m_SkyboxMaterial");
-            }
+            ReadUnityRenderSettings(reader, m_Materials, m_Asset.scene);
             m_Sun = reader.Reference("m_Sun").object;
-            bool hasFog = false;
-            reader.Read("m_Fog", hasFog);
-            if (hasFog)
-            {
-                reader.Note("m_Fog", "the fog is left out; limn does not draw it");
-            }
         }
     }
 

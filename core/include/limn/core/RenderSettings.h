@@ -41,6 +41,8 @@ enum class DefaultReflectionMode : std::uint8_t
 /// new scenes begin with Skybox twice. Unity: UnityEngine.RenderSettings (2022.3).
 struct RenderSettings
 {
+    RenderSettings() {} // a union does not make itself
+
     AmbientMode ambientMode = AmbientMode::Flat;
     /// sRGB. Flat: from all sides; Trilight: what surfaces that face up have. Unity has both names
     /// for this one colour.
@@ -68,8 +70,9 @@ struct RenderSettings
     /// The same of Skybox, which DynamicGI::UpdateEnvironment makes; null = black, too.
     /// Unity: ReflectionProbe.defaultTexture.
     std::shared_ptr<const Texture> skyReflection;
-    int defaultReflectionResolution = 128; ///< texels along an edge of skyReflection, 1 ... 2048
-    float reflectionIntensity = 1.0f;      ///< multiplies what is mirrored
+    /// Texels along an edge of skyReflection: a power of two from 1 to 2048.
+    int defaultReflectionResolution = 128;
+    float reflectionIntensity = 1.0f; ///< multiplies what is mirrored
 
     /// What cameras with CameraClearFlags::Skybox see behind all objects; null = none. Its first
     /// pass draws a ball around the camera whose POSITION is the direction in world axes; that of a

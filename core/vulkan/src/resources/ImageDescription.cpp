@@ -1,7 +1,7 @@
 #include "resources/ImageDescription.h"
 
-#include <algorithm>
 #include "device/Translate.h"
+#include <algorithm>
 
 namespace limn::vulkan
 {
