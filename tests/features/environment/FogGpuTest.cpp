@@ -15,8 +15,17 @@ constexpr double k_Depths[] = {1.5, 4.0, 9.5};
 const glm::dvec3 k_Color(0.8, 0.1, 0.3);
 const glm::dvec3 k_FogColor(0.25, 0.5, 2.0); ///< linear
 
+/// How a shader's fog is worked out.
+struct FogKind
+{
+    bool isByVertex; ///< the distance is what clip space has, from 0 at the near plane to far
+    /// As a part of fogDensity: URP takes the number of ExponentialSquared for Exponential, too.
+    double exponentialDensity;
+};
+const double k_UrpsDensity = std::sqrt(std::log(2.0));
+
 /// How much of a surface is seen through the fog, by the definitions of the modes.
-double Seen(const RenderSettings& settings, double distance)
+double Seen(const RenderSettings& settings, double distance, const FogKind& kind)
 {
     const double density = settings.fogDensity;
     const double start = settings.fogStartDistance;
@@ -26,7 +35,7 @@ double Seen(const RenderSettings& settings, double distance)
     case FogMode::Linear:
         return std::clamp((end - distance) / (end - start), 0.0, 1.0);
     case FogMode::Exponential:
-        return std::exp(-density * distance);
+        return std::exp(-density * kind.exponentialDensity * distance);
     case FogMode::ExponentialSquared:
         break;
     }
@@ -123,15 +132,15 @@ protected:
         scene.fogStartDistance = 2.0f;
         scene.fogEndDistance = 8.0f;
     }
-    /// @param isByVertex  the distance is what clip space has, from 0 at the near plane to far
-    void ExpectFog(PictureRun& run, bool isByVertex)
+    void ExpectFog(PictureRun& run, const FogKind& kind)
     {
         const Field picture = run.Color(nullptr);
         for (std::size_t i = 0; i < std::size(k_Depths); ++i)
         {
             const double behindNear = k_Depths[i] - k_Near;
-            const double distance = isByVertex ? behindNear * k_Far / (k_Far - k_Near) : behindNear;
-            const double seen = m_Flat.scene.fog ? Seen(m_Flat.scene, distance) : 1.0;
+            const double distance =
+                kind.isByVertex ? behindNear * k_Far / (k_Far - k_Near) : behindNear;
+            const double seen = m_Flat.scene.fog ? Seen(m_Flat.scene, distance, kind) : 1.0;
             for (int channel = 0; channel < 3; ++channel)
             {
                 const double wanted =
@@ -143,24 +152,24 @@ protected:
             }
         }
     }
-    void ExpectFogInEachMode(const std::shared_ptr<const Material>& material, bool isByVertex)
+    void ExpectFogInEachMode(const std::shared_ptr<const Material>& material, const FogKind& kind)
     {
         Fill(material);
         PictureRun run(m_Flat.scene, m_Flat.camera, k_Width, k_Height);
         m_Flat.scene.fog = false;
-        ExpectFog(run, isByVertex);
+        ExpectFog(run, kind);
         for (const FogMode mode :
              {FogMode::Linear, FogMode::Exponential, FogMode::ExponentialSquared})
         {
             SCOPED_TRACE(static_cast<int>(mode));
             SetFog(mode);
-            ExpectFog(run, isByVertex);
+            ExpectFog(run, kind);
             m_Flat.scene.fogDensity = 0.4f; // in the same frame, which may be kept
             m_Flat.scene.fogStartDistance = -1.0f;
-            ExpectFog(run, isByVertex);
+            ExpectFog(run, kind);
         }
         m_Flat.scene.fog = false;
-        ExpectFog(run, isByVertex);
+        ExpectFog(run, kind);
     }
 
     FlatScene m_Flat;
@@ -168,36 +177,36 @@ protected:
 
 TEST_F(FogGpu, VeilsByTheModesFormulaInOrthographicPictures)
 {
-    ExpectFogInEachMode(FoggedByVertex(), true);
+    ExpectFogInEachMode(FoggedByVertex(), {true, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, VeilsByTheModesFormulaInPerspective)
 {
     m_Flat.MakePerspective();
-    ExpectFogInEachMode(FoggedByVertex(), true);
+    ExpectFogInEachMode(FoggedByVertex(), {true, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, VeilsEachPixelByItsDistanceInOrthographicPictures)
 {
-    ExpectFogInEachMode(FoggedByPixel(), false);
+    ExpectFogInEachMode(FoggedByPixel(), {false, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, VeilsEachPixelByItsDistanceInPerspective)
 {
     m_Flat.MakePerspective();
-    ExpectFogInEachMode(FoggedByPixel(), false);
+    ExpectFogInEachMode(FoggedByPixel(), {false, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, VeilsShadersOfTheBuiltInPipelineAlike)
 {
     m_Flat.MakePerspective();
-    ExpectFogInEachMode(FoggedByCg(), true);
+    ExpectFogInEachMode(FoggedByCg(), {true, 1.0});
 }
 
 TEST_F(FogGpu, VeilsUnlit)
 {
     m_Flat.MakePerspective();
-    ExpectFogInEachMode(Plain(glm::vec3(k_Color)), true);
+    ExpectFogInEachMode(Plain(glm::vec3(k_Color)), {true, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, IsAWallWhereItBeginsAndEndsAtOnce)

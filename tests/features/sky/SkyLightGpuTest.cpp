@@ -112,9 +112,10 @@ TEST_F(SkyLightGpu, MirrorsTheSkyAsItIsSeenButForTheSunsDisc)
         Look(degrees);
         // Between texels of half a degree light is mixed; it jumps near the horizon.
         ExpectSky(
-            [&](const glm::dvec3& ray) {
-                return std::abs(ray.y) < 0.06 ? std::nullopt
-                                              : std::optional(twin(ray, "_SUNDISK_NONE"));
+            [&](const glm::dvec3& ray)
+            {
+                return ray.y > -0.04 && ray.y < 0.03 ? std::nullopt
+                                                     : std::optional(twin(ray, "_SUNDISK_NONE"));
             },
             1e-2, 1e-3);
     }
@@ -200,13 +201,14 @@ TEST_F(SkyLightGpu, IsAsBrightAsUnitysOfAnUntouchedScene)
         glm::vec3(EulerToRotation({50.0f, -30.0f, 0.0f}) * glm::vec3(0.0f, 0.0f, 1.0f));
     m_Scene.mainLight.color = {1.0f, 0.95686275f, 0.8392157f, 1.0f};
     Update();
-    // m_IndirectSpecularColor of 10 scenes that Unity has baked: unity_project.md 8.1.
+    // m_IndirectSpecularColor of scenes that Unity has baked: unity_project.md 8.1. Its sky is
+    // worked out for vertices, ours for pixels.
     const double unitys[] = {0.18028, 0.22571, 0.30692};
     for (int rgb = 0; rgb < 3; ++rgb)
     {
         const double ours = m_Scene.ambientProbe(rgb, 0);
         std::printf("channel %d: %.5f, Unity's %.5f\n", rgb, ours, unitys[rgb]);
-        EXPECT_NEAR(unitys[rgb], ours, 0.25 * unitys[rgb]);
+        EXPECT_NEAR(unitys[rgb], ours, 0.05 * unitys[rgb]);
     }
 }
 
