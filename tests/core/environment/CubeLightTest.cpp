@@ -114,7 +114,7 @@ TEST(CubeLight, OfNothingIsBlack)
     EXPECT_EQ(SphericalHarmonicsL2(), ProjectLight(CubeLight(8)));
 }
 
-/// Six faces of 2x2 texels, all the same but for one.
+/// Returns six faces of 2x2 texels, all the same but for one.
 std::array<Image, 6> Faces(const glm::vec4& color, const glm::vec4& other)
 {
     std::array<Image, 6> faces;

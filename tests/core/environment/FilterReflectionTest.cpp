@@ -10,8 +10,8 @@ namespace limn::test
 namespace
 {
 
-/// What a surface of this roughness mirrors, by the sum over all texels of GGX for half vectors
-/// between the normal, from which it is seen, and the texel, times the cosine.
+/// Returns what a surface of this roughness mirrors, by the sum over all texels of GGX for half
+/// vectors between the normal, from which it is seen, and the texel, times the cosine.
 glm::dvec3 Mirrored(const CubeLight& light, const glm::dvec3& normal, double perceptualRoughness)
 {
     const double alpha2 = std::pow(perceptualRoughness, 4.0);
@@ -34,7 +34,7 @@ glm::dvec3 Mirrored(const CubeLight& light, const glm::dvec3& normal, double per
     return sum / weights;
 }
 
-/// A sky with a horizon, a bright side and a spot of some degrees.
+/// Returns a sky with a horizon, a bright side and a spot of some degrees.
 glm::dvec3 Sky(const glm::dvec3& d)
 {
     const glm::dvec3 sun = glm::normalize(glm::dvec3(1, 2, -1));

@@ -7,7 +7,7 @@
 namespace limn::test
 {
 
-/// A cube whose texels have a function's value at their middles.
+/// Returns a cube whose texels have a function's value at their middles.
 /// @param light  of a unit direction
 template <typename Function>
 CubeLight LightOf(int width, const Function& light)

@@ -15,7 +15,7 @@ constexpr double k_Depths[] = {1.5, 4.0, 9.5};
 const glm::dvec3 k_Color(0.8, 0.1, 0.3);
 const glm::dvec3 k_FogColor(0.25, 0.5, 2.0); ///< linear
 
-/// How a shader's fog is worked out.
+/// The way in which a shader's fog is worked out.
 struct FogKind
 {
     bool isByVertex; ///< the distance is what clip space has, from 0 at the near plane to far
@@ -24,7 +24,7 @@ struct FogKind
 };
 const double k_UrpsDensity = std::sqrt(std::log(2.0));
 
-/// How much of a surface is seen through the fog, by the definitions of the modes.
+/// Returns how much of a surface is seen through the fog, by the definitions of the modes.
 double Seen(const RenderSettings& settings, double distance, const FogKind& kind)
 {
     const double density = settings.fogDensity;

@@ -80,7 +80,7 @@ protected:
             body + " }\nENDHLSL\n} } }");
     }
 
-    /// Texels of all levels.
+    /// Returns the texels of all levels.
     std::vector<glm::vec4> Texels() const
     {
         const auto& cube = dynamic_cast<const Cubemap&>(*m_Scene.skyReflection);

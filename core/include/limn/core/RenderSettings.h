@@ -10,7 +10,7 @@ namespace limn
 class Material;
 class Texture;
 
-/// Where ambient light comes from: the sky, three colours by height, one colour, or what
+/// The source of ambient light: the sky, three colours by height, one colour, or what
 /// ambientProbe was set to. Unity: UnityEngine.Rendering.AmbientMode (2022.3).
 enum class AmbientMode : std::uint8_t
 {
@@ -20,7 +20,7 @@ enum class AmbientMode : std::uint8_t
     Custom = 4
 };
 
-/// How fog thickens with the distance. Unity: UnityEngine.FogMode (2022.3).
+/// The curve by which fog thickens. Unity: UnityEngine.FogMode (2022.3).
 enum class FogMode : std::uint8_t
 {
     Linear = 1,
@@ -28,7 +28,7 @@ enum class FogMode : std::uint8_t
     ExponentialSquared = 3
 };
 
-/// What surfaces mirror: the sky, or customReflectionTexture.
+/// The surroundings that surfaces mirror: the sky, or customReflectionTexture.
 /// Unity: UnityEngine.Rendering.DefaultReflectionMode (2022.3).
 enum class DefaultReflectionMode : std::uint8_t
 {
@@ -36,7 +36,7 @@ enum class DefaultReflectionMode : std::uint8_t
     Custom = 1
 };
 
-/// What a scene is lit and veiled by besides its lights; each Scene has one. Where these are left
+/// Light and fog of a scene besides its lights; each Scene has them. Where these are left
 /// as they are, the ambient light is one colour, nothing is mirrored and there is no fog: Unity's
 /// new scenes begin with Skybox twice. Unity: UnityEngine.RenderSettings (2022.3).
 struct RenderSettings
@@ -62,7 +62,7 @@ struct RenderSettings
     Color fogColor{0.5f, 0.5f, 0.5f, 1.0f}; ///< sRGB
     float fogDensity = 0.01f;               ///< 1/metre; of the exponential modes
     float fogStartDistance = 0.0f;          ///< metres; of Linear, as the next
-    float fogEndDistance = 300.0f;          ///< where nothing but fog is seen
+    float fogEndDistance = 300.0f;          ///< metres; nothing but fog is seen behind
 
     DefaultReflectionMode defaultReflectionMode = DefaultReflectionMode::Custom;
     /// A cube whose mip levels 0 ... 6 are blurred more and more; of Custom. Null = black.
@@ -74,7 +74,7 @@ struct RenderSettings
     int defaultReflectionResolution = 128;
     float reflectionIntensity = 1.0f; ///< multiplies what is mirrored
 
-    /// What cameras with CameraClearFlags::Skybox see behind all objects; null = none. Its first
+    /// The sky that cameras with CameraClearFlags::Skybox see; null = none. Its first
     /// pass draws a ball around the camera whose POSITION is the direction in world axes; that of a
     /// shader with six passes draws the cube's sides +Z -Z +X -X +Y -Y, one each, with TEXCOORD0
     /// from bottom left to top right as seen from inside.

@@ -213,7 +213,7 @@ struct DirectionalLight
     float shadowNormalBias = 0.4f; ///< texels, along the normal
 };
 
-/// What there is to draw, and what lights it: `scene.fog` is Unity's RenderSettings.fog. Objects
+/// Objects to draw, and what lights them: `scene.fog` is Unity's RenderSettings.fog. Objects
 /// keep their address, so that transforms can be parents. One that was moved from can be destroyed
 /// and assigned to only.
 class Scene : public RenderSettings

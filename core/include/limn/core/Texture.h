@@ -99,7 +99,7 @@ class TexelTexture : public Texture
 public:
     /// Level by level, and slice by slice; in each, rows of texels, tightly packed.
     const std::vector<std::byte>& texels() const { return m_Texels; }
-    /// How many levels texels() has: 1 or mipmapCount().
+    /// Returns how many levels texels() has: 1 or mipmapCount().
     int levelsOfTexels() const { return m_LevelsOfTexels; }
 
 protected:
@@ -160,7 +160,7 @@ public:
     /// @param width  of a face, which is as high
     Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
             SamplerState sampler = {}, bool mipChain = false);
-    /// With mip levels that need not be smaller pictures of the first, as those of reflections are.
+    /// Makes mip levels that need not be smaller pictures of the first, as those of reflections.
     /// @param levels  at least one; each half as wide as the one before, at least a texel
     Cubemap(std::string name, int width, GraphicsFormat format, std::vector<CubemapFaces> levels,
             SamplerState sampler = {});
