@@ -1,5 +1,6 @@
 #include "passes/CameraUniforms.h"
 
+#include <array>
 #include <cmath>
 #include <glm/matrix.hpp>
 #include <limn/core/BuiltinShaders.h>
@@ -32,11 +33,18 @@ const ShaderPropertyId _CosTime{"_CosTime"};
 const ShaderPropertyId _TimeParameters{"_TimeParameters"};
 const ShaderPropertyId unity_DeltaTime{"unity_DeltaTime"};
 const ShaderPropertyId _MainLightPosition{"_MainLightPosition"};
-const ShaderPropertyId unity_SHAr{"unity_SHAr"};
-const ShaderPropertyId unity_SHAg{"unity_SHAg"};
-const ShaderPropertyId unity_SHAb{"unity_SHAb"};
+const ShaderPropertyId k_HarmonicIds[] = {
+    ShaderPropertyId("unity_SHAr"), ShaderPropertyId("unity_SHAg"), ShaderPropertyId("unity_SHAb"),
+    ShaderPropertyId("unity_SHBr"), ShaderPropertyId("unity_SHBg"), ShaderPropertyId("unity_SHBb"),
+    ShaderPropertyId("unity_SHC")};
 const ShaderPropertyId unity_SpecCube0{"unity_SpecCube0"};
 const ShaderPropertyId unity_SpecCube1{"unity_SpecCube1"};
+const ShaderPropertyId unity_SpecCube0_HDR{"unity_SpecCube0_HDR"};
+const ShaderPropertyId _GlossyEnvironmentColor{"_GlossyEnvironmentColor"};
+const ShaderPropertyId _GlossyEnvironmentCubeMap{"_GlossyEnvironmentCubeMap"};
+const ShaderPropertyId _GlossyEnvironmentCubeMap_HDR{"_GlossyEnvironmentCubeMap_HDR"};
+const ShaderPropertyId unity_FogParams{"unity_FogParams"};
+const ShaderPropertyId unity_FogColor{"unity_FogColor"};
 const ShaderPropertyId _MainLightColor{"_MainLightColor"};
 const ShaderPropertyId _LightColor0{"_LightColor0"};
 const ShaderPropertyId unity_AmbientSky{"unity_AmbientSky"};
@@ -133,11 +141,6 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
             camera.orthographic ? 1.0f : 0.0f});
     Vector(cmd, _ScaleBiasRt, ScaleBiasRt(isFlipped));
     Vector(cmd, _GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
-    // No reflection probe sees anything.
-    for (const ShaderPropertyId probe : {unity_SpecCube0, unity_SpecCube1})
-    {
-        cmd.SetGlobalTexture(probe, DefaultTexture("black", TextureDimension::Cube));
-    }
 }
 
 void SetTimeUniforms(CommandBuffer& cmd, double t)
@@ -164,16 +167,61 @@ void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
         Vector(cmd, name, color);
     }
     cmd.SetGlobalInt(_MainLightLayerMask, static_cast<int>(light.renderingLayerMask.bits));
-    const glm::vec4 ambient = scene.ambientLight.linear().vector();
-    for (const ShaderPropertyId side :
-         {unity_AmbientSky, unity_AmbientEquator, unity_AmbientGround})
+}
+
+void SetAmbientUniforms(CommandBuffer& cmd, const RenderSettings& settings)
+{
+    const SphericalHarmonicsL2 ambient = settings.AmbientLight();
+    const std::array<glm::vec4, std::size(k_HarmonicIds)> harmonics = ambient.shaderConstants();
+    for (std::size_t i = 0; i < harmonics.size(); ++i)
     {
-        Vector(cmd, side, ambient);
+        Vector(cmd, k_HarmonicIds[i], harmonics[i]);
     }
-    // The same from all sides: of the spherical harmonics only the constant term.
-    Vector(cmd, unity_SHAr, {0.0f, 0.0f, 0.0f, ambient.r});
-    Vector(cmd, unity_SHAg, {0.0f, 0.0f, 0.0f, ambient.g});
-    Vector(cmd, unity_SHAb, {0.0f, 0.0f, 0.0f, ambient.b});
+    const bool isFlat = settings.ambientMode == AmbientMode::Flat;
+    const auto side = [&](const Color& color)
+    {
+        return (isFlat ? settings.ambientLight : color).linear().vector();
+    };
+    Vector(cmd, unity_AmbientSky, side(settings.ambientSkyColor));
+    Vector(cmd, unity_AmbientEquator, side(settings.ambientEquatorColor));
+    Vector(cmd, unity_AmbientGround, side(settings.ambientGroundColor));
+
+    const float intensity = settings.reflectionIntensity;
+    Vector(cmd, _GlossyEnvironmentColor,
+           glm::vec4(ambient(0, 0), ambient(1, 0), ambient(2, 0), 1.0f) * intensity);
+    const std::shared_ptr<const Texture>& reflection = settings.ReflectionTexture();
+    const std::shared_ptr<const Texture> black = DefaultTexture("black", TextureDimension::Cube);
+    // What shaders multiply texels by, which are linear and may be above 1.
+    const glm::vec4 decode(intensity, 1.0f, 0.0f, 0.0f);
+    cmd.SetGlobalTexture(unity_SpecCube0, reflection ? reflection : black);
+    Vector(cmd, unity_SpecCube0_HDR, decode);
+    cmd.SetGlobalTexture(_GlossyEnvironmentCubeMap, reflection ? reflection : black);
+    Vector(cmd, _GlossyEnvironmentCubeMap_HDR, decode);
+    cmd.SetGlobalTexture(unity_SpecCube1, black); // there are no probes to blend with
+}
+
+void SetFogUniforms(CommandBuffer& cmd, const RenderSettings& settings)
+{
+    static const GlobalKeyword linear("FOG_LINEAR");
+    static const GlobalKeyword exponential("FOG_EXP");
+    static const GlobalKeyword squared("FOG_EXP2");
+    if (!settings.fog)
+    {
+        return;
+    }
+    const FogMode mode = settings.fogMode;
+    cmd.EnableKeyword(mode == FogMode::Linear        ? linear
+                      : mode == FogMode::Exponential ? exponential
+                                                     : squared);
+    const double ln2 = std::log(2.0);
+    const double density = settings.fogDensity;
+    const double end = settings.fogEndDistance;
+    double depth = end - static_cast<double>(settings.fogStartDistance);
+    constexpr double k_Step = 1e-4; // metres; fog that begins and ends at once is a wall
+    depth = std::abs(depth) < k_Step ? std::copysign(k_Step, depth) : depth;
+    Vector(cmd, unity_FogParams,
+           glm::vec4(density / std::sqrt(ln2), density / ln2, -1.0 / depth, end / depth));
+    Vector(cmd, unity_FogColor, settings.fogColor.linear().vector());
 }
 
 } // namespace limn

@@ -279,6 +279,8 @@ void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
     }
     SetTimeUniforms(*cmd, request.time);
     SetLightUniforms(*cmd, *request.scene);
+    SetAmbientUniforms(*cmd, *request.scene);
+    SetFogUniforms(*cmd, *request.scene);
     SetAdditionalLightUniforms(context, *cmd, renderingData);
     context.ExecuteCommandBuffer(*cmd);
 }

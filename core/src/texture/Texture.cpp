@@ -121,13 +121,14 @@ TexelTexture::TexelTexture(std::string name, const TextureShape& shape, Graphics
 
 void TexelTexture::Append(std::vector<std::byte> texels, int slices, const std::string& part)
 {
-    const std::size_t expected = static_cast<std::size_t>(width()) *
-                                 static_cast<std::size_t>(height()) *
+    const int w = std::max(width() >> (m_LevelsOfTexels - 1), 1);
+    const int h = std::max(height() >> (m_LevelsOfTexels - 1), 1);
+    const std::size_t expected = static_cast<std::size_t>(w) * static_cast<std::size_t>(h) *
                                  static_cast<std::size_t>(slices) *
                                  static_cast<std::size_t>(BytesPerTexel(graphicsFormat()));
     if (texels.size() != expected)
     {
-        const TextureShape whole{dimension(), width(), height(), slices};
+        const TextureShape whole{dimension(), w, h, slices};
         throw ContractError("texture '" + name() + "': " + part + std::to_string(texels.size()) +
                             " bytes of texels; " +
                             (part.empty() ? SizeText(whole) : FaceSizeText(whole)) + " of " +
@@ -190,6 +191,20 @@ Cubemap::Cubemap(std::string name, int width, GraphicsFormat format, CubemapFace
                    format, sampler)
 {
     AppendFaces(std::move(faces));
+}
+
+Cubemap::Cubemap(std::string name, int width, GraphicsFormat format,
+                 std::vector<CubemapFaces> levels, SamplerState sampler)
+    : TexelTexture(std::move(name),
+                   {TextureDimension::Cube, width, width, 6, static_cast<int>(levels.size())},
+                   format, sampler)
+{
+    AppendFaces(std::move(levels.front()));
+    for (std::size_t i = 1; i < levels.size(); ++i)
+    {
+        BeginNextLevel();
+        AppendFaces(std::move(levels[i]), "level " + std::to_string(i) + ", ");
+    }
 }
 
 CubemapArray::CubemapArray(std::string name, int width, GraphicsFormat format,

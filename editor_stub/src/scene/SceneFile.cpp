@@ -6,6 +6,7 @@
 #include "unity/UnityScene.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limn/editor_stub/UnityRendererData.h>
 
@@ -119,6 +120,58 @@ void ReadPart(SceneMapReader& map, std::string_view key, SceneLoader& loader, Re
     }
 }
 
+/// Reads what lights and veils the scene besides its lights.
+void ReadRenderSettings(const YamlNode& node, SceneLoader& loader)
+{
+    SceneMapReader map(node, "renderSettings", scene_keys::k_RenderSettings, loader.diagnostics);
+    RenderSettings& settings = loader.asset.scene;
+    map.Read("ambientMode", k_AmbientModes, settings.ambientMode);
+    map.Read("ambientEquatorColor", settings.ambientEquatorColor);
+    map.Read("ambientGroundColor", settings.ambientGroundColor);
+    map.Read("ambientIntensity", settings.ambientIntensity);
+    map.Read("fog", settings.fog);
+    map.Read("fogMode", k_FogModes, settings.fogMode);
+    map.Read("fogColor", settings.fogColor);
+    map.Read("fogDensity", settings.fogDensity);
+    map.Read("fogStartDistance", settings.fogStartDistance);
+    map.Read("fogEndDistance", settings.fogEndDistance);
+    map.Read("defaultReflectionMode", k_DefaultReflectionModes, settings.defaultReflectionMode);
+    if (const YamlNode* resolution = map.Find("defaultReflectionResolution"))
+    {
+        const std::string subject = map.SubjectOf("defaultReflectionResolution");
+        const int texels = ReadInt(*resolution, subject, loader.diagnostics, {1.0, 2048.0})
+                               .value_or(settings.defaultReflectionResolution);
+        if (std::has_single_bit(static_cast<unsigned>(texels)))
+        {
+            settings.defaultReflectionResolution = texels;
+        }
+        else
+        {
+            loader.diagnostics.Error(resolution->location(),
+                                     subject + ": " + std::to_string(texels) +
+                                         " is no power of two, as 64 and 128 are");
+        }
+    }
+    map.Read("reflectionIntensity", settings.reflectionIntensity);
+    map.Finish();
+}
+
+/// Looks for the sky of a scene that is lit by one. Until it is drawn, ambientLight stands for it.
+void CheckSky(const YamlNode& settings, bool hasSky, SceneLoader& loader)
+{
+    Scene& scene = loader.asset.scene;
+    scene.ambientProbe.AddAmbientLight(scene.ambientLight.linear());
+    const bool isLit = scene.ambientMode == AmbientMode::Skybox;
+    if (!hasSky && (isLit || scene.defaultReflectionMode == DefaultReflectionMode::Skybox))
+    {
+        loader.diagnostics.Error(settings.location(),
+                                 std::string("renderSettings.") +
+                                     (isLit ? "ambientMode" : "defaultReflectionMode") +
+                                     ": Skybox, but the scene has no sky; `skybox` names a "
+                                     "material that draws one");
+    }
+}
+
 void ReadScene(const YamlNode& root, SceneLoader& loader)
 {
     SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
@@ -137,12 +190,17 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
     ReadPart(map, "light", loader, ReadLight);
     ReadPart(map, "lights", loader, ReadLights);
     map.Read("ambientLight", asset.scene.ambientLight);
+    ReadPart(map, "renderSettings", loader, ReadRenderSettings);
     ReadPart(map, "plugins", loader, ReadPlugins);     // whose shaders materials may name
     ReadPart(map, "materials", loader, ReadMaterials); // which features may name
-    if (const YamlNode* node = map.Find("skybox"))
+    const YamlNode* skybox = map.Find("skybox");
+    if (skybox != nullptr)
     {
-        asset.scene.skybox = ReadMaterialName(*node, "skybox", loader);
+        asset.scene.skybox = ReadMaterialName(*skybox, "skybox", loader);
     }
+    ReadPart(map, "renderSettings", loader,
+             [&](const YamlNode& node, SceneLoader&)
+             { CheckSky(node, skybox != nullptr, loader); });
     ReadPart(map, "renderer", loader, ReadRenderer);
     if (!map.Find("renderPipelineAsset"))
     {

@@ -147,6 +147,14 @@ private:
             return EnumSchema(k_ShadowCastingModes);
         case SceneValue::Shadows:
             return Shadows();
+        case SceneValue::RenderSettings:
+            return Map(scene_keys::k_RenderSettings);
+        case SceneValue::AmbientMode:
+            return EnumSchema(k_AmbientModes);
+        case SceneValue::FogMode:
+            return EnumSchema(k_FogModes);
+        case SceneValue::DefaultReflectionMode:
+            return EnumSchema(k_DefaultReflectionModes);
         case SceneValue::Renderer:
             return Renderer();
         case SceneValue::Features:

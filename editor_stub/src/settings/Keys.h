@@ -46,6 +46,13 @@ inline constexpr EnumEntry k_ShadowResolutionTiers[] = {
 inline constexpr EnumEntry k_ShadowCastingModes[] = {
     {"Off", 0}, {"On", 1}, {"TwoSided", 2}, {"ShadowsOnly", 3}};
 
+/// Unity: UnityEngine.Rendering.AmbientMode, UnityEngine.FogMode and
+/// UnityEngine.Rendering.DefaultReflectionMode. Custom light cannot be written in a file.
+inline constexpr EnumEntry k_AmbientModes[] = {{"Skybox", 0}, {"Trilight", 1}, {"Flat", 3}};
+inline constexpr EnumEntry k_FogModes[] = {
+    {"Linear", 1}, {"Exponential", 2}, {"ExponentialSquared", 3}};
+inline constexpr EnumEntry k_DefaultReflectionModes[] = {{"Skybox", 0}, {"Custom", 1}};
+
 /// What stands behind a key.
 enum class SceneValue
 {
@@ -79,6 +86,10 @@ enum class SceneValue
     ShadowResolutionTier,
     ShadowCastingMode,
     Shadows,
+    RenderSettings,
+    AmbientMode,
+    FogMode,
+    DefaultReflectionMode,
     Renderer,
     Features,
     Volumes,
@@ -153,7 +164,8 @@ inline constexpr SceneKey k_Scene[] = {
     {"light", Light, "The main one, infinitely far away"},
     {"shadows", Shadows, "Those of the lights that throw any"},
     {"lights", Lights, "Those besides the main one"},
-    {"ambientLight", Color},
+    {"ambientLight", Color, "From all sides; in ambientMode Trilight from above"},
+    {"renderSettings", RenderSettings, "Further light from all around, what is mirrored, fog"},
     {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
     {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
     {"renderer", Renderer,
@@ -161,6 +173,27 @@ inline constexpr SceneKey k_Scene[] = {
     {"volumes", Volumes},
     {"materials", Materials},
     {"objects", Objects}};
+
+inline constexpr ValueRange k_Intensities{0.0, 8.0};
+
+inline constexpr SceneKey k_RenderSettings[] = {
+    {"ambientMode", AmbientMode, "The same light from all sides, three colours by height, the sky"},
+    {"ambientEquatorColor", Color, "Of Trilight, from the sides"},
+    {"ambientGroundColor", Color, "Of Trilight, from below"},
+    {"ambientIntensity", Number, "Multiplies the light of the sky", k_Intensities},
+    {"fog", Bool},
+    {"fogMode", FogMode},
+    {"fogColor", Color},
+    {"fogDensity", Number, "1/metre; of the exponential modes", {0.0, 1e6}},
+    {"fogStartDistance", Number, "Metres; of Linear", k_Places},
+    {"fogEndDistance", Number, "Metres; of Linear: nothing but fog is seen from there", k_Places},
+    {"defaultReflectionMode", DefaultReflectionMode,
+     "Skybox: surfaces mirror the sky; nothing unless it is set"},
+    {"defaultReflectionResolution",
+     Integer,
+     "Texels along an edge of the mirrored sky's cube, a power of two",
+     {1.0, 2048.0}},
+    {"reflectionIntensity", Number, "Multiplies what is mirrored", k_Intensities}};
 
 inline constexpr SceneKey k_CameraPosition{"position", Vector, "", k_Places};
 inline constexpr SceneKey k_LookAt{"lookAt", Vector, "A point to look at, in place of a rotation",

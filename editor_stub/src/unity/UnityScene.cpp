@@ -1,6 +1,9 @@
 #include "unity/UnityScene.h"
 
+#include "unity/UnityRenderSettings.h"
 #include "unity/UnitySceneLoader.h"
+
+#include <algorithm>
 
 #include <algorithm>
 #include <limn/base/ReadFile.h>
@@ -63,36 +66,11 @@ const UnityInstance* ReadSettings(const UnityExpansion& expansion, UnitySceneLoa
     const UnityInstance* sun = nullptr;
     for (const UnityInstance* object : expansion.objects())
     {
-        if (object->classID != UnityClass::RenderSettings)
+        if (object->classID == UnityClass::RenderSettings)
         {
-            continue;
-        }
-        const UnityReader reader(*object, "RenderSettings", loader.notes);
-        int mode = 0;
-        reader.Read("m_AmbientMode", mode);
-        if (mode == 0)
-        {
-            // The average of the default sky, linear, which Unity bakes into new scenes.
-            loader.asset.scene.ambientLight = Color{0.18028f, 0.22571f, 0.30692f, 1.0f}.gamma();
-            reader.Read("m_IndirectSpecularColor", loader.asset.scene.ambientLight);
-            loader.asset.scene.ambientLight = loader.asset.scene.ambientLight.gamma();
-        }
-        else
-        {
-            reader.Read("m_AmbientSkyColor", loader.asset.scene.ambientLight);
-        }
-        const UnityTarget skybox = reader.Reference("m_SkyboxMaterial");
-        if (!skybox.asset.isNull())
-        {
-            loader.asset.scene.skybox =
-                loader.materials.Load(skybox.asset, reader, "m_SkyboxMaterial");
-        }
-        sun = reader.Reference("m_Sun").object;
-        bool hasFog = false;
-        reader.Read("m_Fog", hasFog);
-        if (hasFog)
-        {
-            reader.Note("m_Fog", "the fog is left out; limn does not draw it");
+            const UnityReader reader(*object, "RenderSettings", loader.notes);
+            ReadUnityRenderSettings(reader, loader.materials, loader.asset.scene);
+            sun = reader.Reference("m_Sun").object;
         }
     }
     return sun;

@@ -2,6 +2,7 @@
 
 #include "console/CacheFolder.h"
 
+#include <limn/core/DynamicGI.h>
 #include <limn/editor_stub/Overrides.h>
 
 namespace limn
@@ -113,6 +114,16 @@ RenderResult SceneView::Render(UniversalRenderPipeline& pipeline, double time, b
 void SceneView::Render(UniversalRenderPipeline& pipeline, RenderRequest& request,
                        RenderResult& result)
 {
+    if (!m_HasEnvironment && DynamicGI::NeedsEnvironment(m_Asset.scene))
+    {
+        m_HasEnvironment = true; // also where it fails: pictures without are better than none
+        Measure(request.timeline, "environment",
+                [&]
+                {
+                    DynamicGI::UpdateEnvironment(pipeline.device(), m_Renderer.shaderCompiler(),
+                                                 m_Asset.scene, request.time);
+                });
+    }
     TurnObjects(m_Asset.turns, request.time);
     request.scene = &m_Asset.scene;
     request.camera = &m_Asset.camera;

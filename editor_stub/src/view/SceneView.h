@@ -76,6 +76,7 @@ private:
     UniversalRenderer m_Renderer;
     VolumeManager m_Volumes;
     VolumeStack m_Stack;
+    bool m_HasEnvironment = false; ///< the scene has the light of its sky
 };
 
 } // namespace limn

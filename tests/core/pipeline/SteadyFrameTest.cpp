@@ -45,6 +45,30 @@ TEST_F(SteadyFrames, AreOfOneStructureAlsoWhileTimePassesAndObjectsMove)
     EXPECT_EQ(perDraw.objectToWorld[12], 0.25f);
 }
 
+TEST_F(SteadyFrames, AreOfOneStructureWhateverLightsAndVeilsThem)
+{
+    const std::uint64_t structure = SteadyStructure();
+    m_Scene.ambientMode = AmbientMode::Trilight;
+    m_Scene.reflectionIntensity = 0.5f;
+    m_Scene.fog = true; // of which the cube's shader has no variants
+    EXPECT_EQ(Render().frame->structure, structure);
+}
+
+TEST_F(SteadyFrames, AreOfAnotherStructureWhereFogComesToAShaderThatKnowsIt)
+{
+    m_Cube->renderer->sharedMaterials[0] =
+        std::make_shared<Material>(test::ShaderWithProgram("", "#pragma multi_compile_fog"));
+    const std::uint64_t clear = SteadyStructure();
+    m_Scene.fog = true;
+    const std::uint64_t veiled = SteadyStructure();
+    EXPECT_NE(veiled, clear);
+    m_Scene.fogDensity = 0.5f;
+    m_Scene.fogColor = Color::red;
+    EXPECT_EQ(Render().frame->structure, veiled);
+    m_Scene.fogMode = FogMode::Linear;
+    EXPECT_NE(Render().frame->structure, veiled);
+}
+
 TEST_F(SteadyFrames, AreOfAnotherStructureWhereAnObjectCame)
 {
     const std::uint64_t structure = SteadyStructure();

@@ -149,8 +149,44 @@ TEST(Cubemap, NamesTheFaceThatDoesNotFit)
     faces[3].clear();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 1, k_R8, faces); }),
               "texture 'sky': face -Y: 0 bytes of texels; 1x1 of R8_UNorm takes 1");
-    EXPECT_EQ(ThrownMessage<ContractError>([] { Cubemap("sky", -2, k_R8, {}); }),
+    EXPECT_EQ(ThrownMessage<ContractError>([] { Cubemap("sky", -2, k_R8, CubemapFaces()); }),
               "texture 'sky': size -2x-2; both must be at least 1");
+}
+
+/// Faces of 2x2 and of 1x1 texels.
+std::vector<CubemapFaces> TwoLevels()
+{
+    CubemapFaces large;
+    large.fill(std::vector<std::byte>(4, std::byte{7}));
+    return {large, OneByteFaces(10)};
+}
+
+TEST(Cubemap, KeepsMipLevelsOfItsOwn)
+{
+    const Cubemap texture("sky", 2, k_R8, TwoLevels());
+    EXPECT_EQ(2, texture.mipmapCount());
+    EXPECT_EQ(2, texture.levelsOfTexels());
+    std::vector<std::byte> expected(24, std::byte{7});
+    for (int face = 10; face < 16; ++face)
+    {
+        expected.push_back(std::byte(face));
+    }
+    EXPECT_EQ(expected, texture.texels());
+    EXPECT_EQ(1, Cubemap("sky", 1, k_R8, OneByteFaces(10)).levelsOfTexels());
+}
+
+TEST(Cubemap, NamesTheLevelThatDoesNotFit)
+{
+    std::vector<CubemapFaces> levels = TwoLevels();
+    levels[1][2].resize(4);
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
+              "texture 'sky': level 1, face +Y: 4 bytes of texels; 1x1 of R8_UNorm takes 1");
+    levels.push_back(levels.back());
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
+              "texture 'sky': 3 mip levels; 2x2 has 1 to 2");
+    levels.clear();
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
+              "texture 'sky': 0 mip levels; 2x2 has 1 to 2");
 }
 
 TEST(CubemapArray, KeepsItsCubesInOrder)
@@ -178,7 +214,7 @@ TEST(CubemapArray, NamesTheCubeAndFaceThatDoNotFit)
 TEST(TexelTexture, HoldsNoDepth)
 {
     EXPECT_EQ(
-        ThrownMessage<ContractError>([] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, {}); }),
+        ThrownMessage<ContractError>([] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, CubemapFaces()); }),
         "texture 'shadow': format D32_SFloat; only a RenderTexture can hold depth");
 }
 

@@ -66,6 +66,7 @@ TEST(SceneSchema, HasTheKeysThatScenesAreReadBy)
     EXPECT_EQ(KeysRead("camera: {cameraStack: [{zzz: 1}]}\n"),
               KeysOf(scene["camera"]["properties"]["cameraStack"]["items"]));
     EXPECT_EQ(KeysRead("camera: {}\nlight: {zzz: 1}\n"), KeysOf(scene["light"]));
+    EXPECT_EQ(KeysRead("camera: {}\nrenderSettings: {zzz: 1}\n"), KeysOf(scene["renderSettings"]));
     EXPECT_EQ(KeysRead("camera: {}\nrenderer: {zzz: 1}\n"), KeysOf(scene["renderer"]));
     EXPECT_EQ(KeysRead("camera: {}\nvolumes: [{profile: on.profile.yaml, zzz: 1}]\n"),
               KeysOf(scene["volumes"]["items"]));

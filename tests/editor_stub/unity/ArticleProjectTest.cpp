@@ -240,5 +240,17 @@ TEST_F(ArticleProject, HasThePostProcessingOfItsProfile)
     EXPECT_FLOAT_EQ(vignette->smoothness.value(), 0.4f);
 }
 
+TEST_F(ArticleProject, HasItsSkyAndFog)
+{
+    const Scene& scene = asset->scene;
+    EXPECT_EQ(scene.ambientMode, AmbientMode::Skybox);
+    EXPECT_EQ(scene.defaultReflectionMode, DefaultReflectionMode::Skybox);
+    EXPECT_TRUE(scene.skybox);
+    EXPECT_TRUE(scene.fog);
+    EXPECT_EQ(scene.fogMode, FogMode::ExponentialSquared);
+    EXPECT_FLOAT_EQ(scene.fogDensity, 0.05f);
+    ExpectNear(glm::vec3(scene.fogColor.vector()), {0.65080994f, 0.666729f, 0.7075472f}, 1e-6f);
+}
+
 } // namespace
 } // namespace limn::test

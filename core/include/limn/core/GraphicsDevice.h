@@ -36,6 +36,9 @@ public:
     /// device shares none.
     virtual TextureFootprint Footprint(const RenderTexture&) { return {}; }
 
+    /// Returns whether there are pictures that ReadBack could read.
+    virtual bool drawsPictures() const { return true; }
+
     /// Returns the texels of a texture that was an output of the last frame, the top row of its
     /// picture first whichever way up the texture is; waits for it.
     /// @throws ContractError if it was not

@@ -25,6 +25,7 @@ public:
         return {(bytes + 255) / 256 * 256, 256, 0};
     }
     /// @throws ContractError always: nothing was drawn
+    bool drawsPictures() const override { return false; }
     Image ReadBack(const RenderTexture& texture) override
     {
         throw ContractError("RecordingDevice draws nothing, so '" + texture.name() +

@@ -9,6 +9,7 @@
 #include <limn/core/Material.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <limn/core/Mesh.h>
+#include <limn/core/RenderSettings.h>
 #include <limn/core/Transform.h>
 #include <memory>
 #include <optional>
@@ -212,9 +213,10 @@ struct DirectionalLight
     float shadowNormalBias = 0.4f; ///< texels, along the normal
 };
 
-/// What there is to draw. Objects keep their address, so that transforms can be parents. One that
-/// was moved from can be destroyed and assigned to only.
-class Scene
+/// Objects to draw, and what lights them: `scene.fog` is Unity's RenderSettings.fog. Objects
+/// keep their address, so that transforms can be parents. One that was moved from can be destroyed
+/// and assigned to only.
+class Scene : public RenderSettings
 {
 public:
     Scene() = default;
@@ -223,13 +225,7 @@ public:
     ~Scene() = default;
 
     DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
-    std::vector<Light> additionalLights;        ///< besides the main one
-    Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f}; ///< sRGB; the same from all sides
-    /// What cameras with CameraClearFlags::Skybox see behind all objects; null = none. Its first
-    /// pass draws a ball around the camera whose POSITION is the direction in world axes; that of a
-    /// shader with six passes draws the cube's sides +Z -Z +X -X +Y -Y, one each, with TEXCOORD0
-    /// from bottom left to top right as seen from inside. Unity: RenderSettings.skybox.
-    std::shared_ptr<const Material> skybox;
+    std::vector<Light> additionalLights; ///< besides the main one
 
     /// A new object at the end of the list; the reference holds as long as the scene.
     GameObject& Add(std::string name);

@@ -91,14 +91,16 @@ private:
 /// in limn's left-handed axes, which is how Unity, Direct3D and Vulkan look a direction up.
 using CubemapFaces = std::array<std::vector<std::byte>, 6>;
 
-/// A texture whose texels come from the CPU: those of mip level 0. Where there are more, the device
-/// makes each from the one before when it uploads them, by its linear filter: of an even size the
-/// mean of 2x2 (sRGB is averaged in linear space).
+/// A texture whose texels come from the CPU: those of mip level 0, or of all of them. Where there
+/// are more, the device makes each from the one before when it uploads them, by its linear filter:
+/// of an even size the mean of 2x2 (sRGB is averaged in linear space).
 class TexelTexture : public Texture
 {
 public:
-    /// Slice by slice; in each, rows of texels, tightly packed.
+    /// Level by level, and slice by slice; in each, rows of texels, tightly packed.
     const std::vector<std::byte>& texels() const { return m_Texels; }
+    /// Returns how many levels texels() has: 1 or mipmapCount().
+    int levelsOfTexels() const { return m_LevelsOfTexels; }
 
 protected:
     TexelTexture(std::string name, const TextureShape& shape, GraphicsFormat format,
@@ -109,9 +111,12 @@ protected:
     /// @throws ContractError naming the texture, if there are not just as many bytes as that takes
     void Append(std::vector<std::byte> texels, int slices = 1, const std::string& part = {});
     void AppendFaces(CubemapFaces faces, const std::string& part = {});
+    /// Goes on with the next mip level, of which all slices are to be appended.
+    void BeginNextLevel() { ++m_LevelsOfTexels; }
 
 private:
     std::vector<std::byte> m_Texels;
+    int m_LevelsOfTexels = 1;
 };
 
 // The textures below throw ContractError naming the texture, if a size is not positive, the bytes
@@ -155,6 +160,10 @@ public:
     /// @param width  of a face, which is as high
     Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
             SamplerState sampler = {}, bool mipChain = false);
+    /// Makes mip levels that need not be smaller pictures of the first, as those of reflections.
+    /// @param levels  at least one; each half as wide as the one before, at least a texel
+    Cubemap(std::string name, int width, GraphicsFormat format, std::vector<CubemapFaces> levels,
+            SamplerState sampler = {});
 };
 
 /// Cubes of one size that a shader chooses from by number. Unity: UnityEngine.CubemapArray.

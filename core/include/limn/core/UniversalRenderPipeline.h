@@ -61,6 +61,8 @@ public:
         m_FramesOfSeveral.clear();
     }
 
+    GraphicsDevice& device() const { return *m_Device; }
+
     /// Samples a texel of the camera's colour and depth, where the camera allows them: 1, 2, 4
     /// or 8. Where the device lacks them there are fewer, with a note. Unity:
     /// UniversalRenderPipelineAsset.msaaSampleCount.

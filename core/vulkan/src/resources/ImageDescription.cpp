@@ -1,6 +1,7 @@
 #include "resources/ImageDescription.h"
 
 #include "device/Translate.h"
+#include <algorithm>
 
 namespace limn::vulkan
 {
@@ -54,12 +55,15 @@ VkImageAspectFlags Aspects(GraphicsFormat format)
                               : VK_IMAGE_ASPECT_DEPTH_BIT;
 }
 
-VkExtent3D Extent(const Texture& texture)
+VkExtent3D Extent(const Texture& texture, std::uint32_t level)
 {
     const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
-    return {static_cast<std::uint32_t>(texture.width()),
-            static_cast<std::uint32_t>(texture.height()),
-            isVolume ? static_cast<std::uint32_t>(texture.slices()) : 1};
+    const auto halved = [level](int size)
+    {
+        return std::max(static_cast<std::uint32_t>(size) >> level, 1U);
+    };
+    return {halved(texture.width()), halved(texture.height()),
+            isVolume ? halved(texture.slices()) : 1};
 }
 
 std::uint32_t LayerCount(const Texture& texture)

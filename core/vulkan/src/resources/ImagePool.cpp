@@ -61,12 +61,27 @@ UsageScope ScopeToForget(const PooledImage& image, TextureUsage last)
 void RecordCopy(UploadCommands& uploads, const PooledImage& image, const TexelTexture& texture)
 {
     const UploadedBytes bytes = uploads.staging().Upload(texture.texels());
-    VkBufferImageCopy region{};
-    region.bufferOffset = bytes.offset;
-    region.imageSubresource = {image.aspects, 0, 0, LayerCount(texture)};
-    region.imageExtent = Extent(texture);
+    const auto texel = static_cast<VkDeviceSize>(BytesPerTexel(texture.graphicsFormat()));
+    const auto levels = static_cast<std::uint32_t>(texture.levelsOfTexels());
+    std::vector<VkBufferImageCopy> regions(levels);
+    VkDeviceSize offset = bytes.offset;
+    for (std::uint32_t level = 0; level < levels; ++level)
+    {
+        VkBufferImageCopy& region = regions[level];
+        region.bufferOffset = offset;
+        region.imageSubresource = {image.aspects, level, 0, LayerCount(texture)};
+        region.imageExtent = Extent(texture, level);
+        offset += texel * region.imageExtent.width * region.imageExtent.height *
+                  region.imageExtent.depth * LayerCount(texture);
+    }
     vkCmdCopyBufferToImage(uploads.commands(), bytes.buffer, image.image.get(),
-                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, 1, &region);
+                           VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL, levels, regions.data());
+}
+
+/// Returns whether the device makes mip levels after the texels are there.
+bool HasMipsToMake(const TexelTexture& texture)
+{
+    return texture.levelsOfTexels() < texture.mipmapCount();
 }
 
 } // namespace
@@ -298,7 +313,7 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
         before.back().dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
         before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-        if (upload.texture->mipmapCount() == 1)
+        if (!HasMipsToMake(*upload.texture))
         {
             after.push_back(ScopeBarrier(*upload.image, k_TexelsCopied, read));
         }
@@ -307,7 +322,7 @@ void ImagePool::RecordUploads(UploadCommands& uploads)
     for (const Upload& upload : m_Uploads)
     {
         RecordCopy(uploads, *upload.image, *upload.texture);
-        if (upload.texture->mipmapCount() > 1)
+        if (HasMipsToMake(*upload.texture))
         {
             RecordMips(uploads.commands(), upload.image->image.get(), *upload.texture,
                        k_TexelsCopied, read);

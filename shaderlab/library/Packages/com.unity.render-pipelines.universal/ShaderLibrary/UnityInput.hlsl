@@ -12,7 +12,6 @@
 #define unity_LightmapST float4(1, 1, 0, 0)
 #define unity_DynamicLightmapST float4(1, 1, 0, 0)
 #define unity_ProbesOcclusion float4(1, 1, 1, 1)
-#define unity_SpecCube0_HDR float4(1, 1, 0, 0)
 #define unity_SpecCube1_HDR float4(1, 1, 0, 0)
 #define unity_SpecCube0_BoxMax float4(0, 0, 0, 0)
 #define unity_SpecCube0_BoxMin float4(0, 0, 0, 1)
@@ -39,10 +38,19 @@ cbuffer limn_ObjectLights
 // z: the main light lights it
 #define unity_LightData float4(0, limn_LightCount.x, 1, 0)
 
+// How the sky's reflection is decoded, by DecodeHDREnvironment.
+cbuffer limn_Reflections
+{
+    float4 unity_SpecCube0_HDR;
+    float4 _GlossyEnvironmentCubeMap_HDR;
+};
+
 TEXTURECUBE(unity_SpecCube0);
 SAMPLER(samplerunity_SpecCube0);
 TEXTURECUBE(unity_SpecCube1);
 SAMPLER(samplerunity_SpecCube1);
+TEXTURECUBE(_GlossyEnvironmentCubeMap);
+SAMPLER(sampler_GlossyEnvironmentCubeMap);
 TEXTURE2D(unity_Lightmap);
 SAMPLER(samplerunity_Lightmap);
 TEXTURE2D(unity_LightmapInd);

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <array>
+#include <glm/vec3.hpp>
+#include <limn/core/Image.h>
+#include <limn/core/SphericalHarmonicsL2.h>
+#include <limn/core/Texture.h>
+#include <vector>
+
+namespace limn
+{
+
+inline constexpr int k_CubeFaces = 6;
+
+/// A face of a cube as seen from inside: limn's axes, left-handed. The faces stand in the order of
+/// CubemapFaces.
+struct CubeFace
+{
+    glm::vec3 forward;
+    glm::vec3 right;
+    glm::vec3 up;
+};
+inline constexpr std::array<CubeFace, k_CubeFaces> k_FacesOfCube{
+    {{{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+     {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+     {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+     {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+     {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+     {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
+
+/// Light from all around a point: linear colours by direction, none below 0 or above what a half
+/// holds.
+struct CubeLight
+{
+    int width = 0;                 ///< texels along an edge of a face
+    std::vector<glm::vec3> texels; ///< face by face in CubemapFaces' order, rows from the top
+
+    explicit CubeLight(int width_ = 0);
+    std::size_t Index(int face, int x, int y) const;
+    /// Returns where the middle of a texel lies; not of unit length. x and y may lie outside of the
+    /// face, on the plane that goes on from it.
+    glm::vec3 Direction(int face, int x, int y) const;
+};
+
+/// Returns faces that were drawn, of R16G16B16A16_SFloat and one size.
+/// @param notNumbers  grows by the number of texels that have one and are black therefore
+CubeLight ReadCubeLight(const std::array<Image, k_CubeFaces>& faces, std::size_t& notNumbers);
+
+/// Returns the light on white matt surfaces of each normal: the projection on harmonics of order 2
+/// by the solid angles of the texels, and the cosine's convolution.
+/// @source R. Ramamoorthi, P. Hanrahan, "An Efficient Representation for Irradiance Environment
+///         Maps", SIGGRAPH 2001
+SphericalHarmonicsL2 ProjectLight(const CubeLight& light);
+
+/// Returns the solid angle of a texel.
+/// @param x, y  of `width` along an edge of a face
+double SolidAngle(int width, int x, int y);
+
+/// Returns the levels as R16G16B16A16_SFloat.
+std::shared_ptr<const Cubemap> MakeCubemap(const std::string& name,
+                                           const std::vector<CubeLight>& levels);
+
+} // namespace limn
