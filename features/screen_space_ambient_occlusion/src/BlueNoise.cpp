@@ -27,10 +27,10 @@ public:
         }
     }
 
-    bool isSet(int cell) const { return m_IsSet[static_cast<std::size_t>(cell)]; }
+    bool isSet(int cell) const { return m_IsSet[static_cast<std::size_t>(cell)] != 0; }
     void Set(int cell, bool isSet)
     {
-        m_IsSet[static_cast<std::size_t>(cell)] = isSet;
+        m_IsSet[static_cast<std::size_t>(cell)] = isSet ? 1 : 0;
         const double sign = isSet ? 1.0 : -1.0;
         for (int y = -k_Reach; y <= k_Reach; ++y)
         {
@@ -56,7 +56,7 @@ private:
         std::size_t found = 0;
         for (std::size_t i = 0; i < m_Crowd.size(); ++i)
         {
-            if (m_IsSet[i] == ofSet && sign * m_Crowd[i] > best)
+            if ((m_IsSet[i] != 0) == ofSet && sign * m_Crowd[i] > best)
             {
                 best = sign * m_Crowd[i];
                 found = i;
@@ -65,7 +65,7 @@ private:
         return static_cast<int>(found);
     }
 
-    std::vector<bool> m_IsSet = std::vector<bool>(k_CellCount);
+    std::vector<char> m_IsSet = std::vector<char>(k_CellCount);
     std::vector<double> m_Crowd = std::vector<double>(k_CellCount);
     std::vector<double> m_Bell;
 };

@@ -1,4 +1,5 @@
 #include "OcclusionScene.h"
+#include "golden/GoldenImage.h"
 
 #include <gmock/gmock.h>
 
@@ -79,6 +80,24 @@ TEST_F(OcclusionInTheFrameGpu, IsDarkAtTheFeetOfBoxesAndLightOnOpenGround)
     }
 }
 
+TEST_F(OcclusionInTheFrameGpu, LooksLikeTheGoldenOfClay)
+{
+    OcclusionScene scene = Boxes(320, 180);
+    for (const auto& object : scene.scene.objects())
+    {
+        object->renderer->sharedMaterials = {Plain({0.8f, 0.75f, 0.7f})};
+    }
+    scene.camera.backgroundColor = Color(0.3f, 0.45f, 0.6f, 1.0f);
+    SsaoSettings settings = Strong();
+    settings.Intensity = 1.5f;
+    settings.AfterOpaque = true;
+    settings.Samples = SsaoSamples::High;
+    OcclusionRun run(scene, settings);
+    run.Render(nullptr);
+    ExpectGolden("ambient_occlusion", SharedDevice().ReadBack(*run.result().output.rt()),
+                 HasCoarseCorners());
+}
+
 TEST_F(OcclusionInTheFrameGpu, AfterOpaqueMultipliesThePictureAndLeavesShadersAndSkyAlone)
 {
     for (const SsaoBlur blur : {SsaoBlur::High, SsaoBlur::Medium, SsaoBlur::Low})
@@ -153,6 +172,19 @@ TEST_F(OcclusionInTheFrameGpu, IsOffForACameraWhoseRendererHasItNot)
         }
     }
     EXPECT_EQ(darkened, 0);
+}
+
+TEST_F(OcclusionInTheFrameGpu, OfAnOverlayCameraIsThatOfWhatItSees)
+{
+    OcclusionScene scene = Boxes();
+    OcclusionRun alone(scene, Strong());
+    const Field wanted = alone.Color(nullptr);
+    const auto overlay = std::make_shared<Camera>(scene.camera);
+    overlay->renderType = CameraRenderType::Overlay;
+    scene.camera.cullingMask = LayerMask();
+    scene.camera.cameraStack.push_back(overlay);
+    OcclusionRun stack(scene, Strong());
+    EXPECT_EQ(CountDifferent(stack.Color(nullptr), wanted), 0);
 }
 
 TEST_F(OcclusionInTheFrameGpu, FollowsTheRenderScale)

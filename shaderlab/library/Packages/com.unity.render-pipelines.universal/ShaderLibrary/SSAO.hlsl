@@ -214,6 +214,9 @@ half4 SSAO(Varyings input) : SV_Target
     half3 normal = SampleNormal(uv, depth, density);
     half3 place = ReconstructViewPos(uv, depth);
     half sum = 0;
+#ifndef LIMN_SSAO_SAMPLES
+    UNITY_UNROLL // the table's numbers are constants then
+#endif
     for (int s = 0; s < SAMPLE_COUNT; ++s)
     {
         half3 offset = PickSamplePoint(input.texcoord, s, s, 1.0 / SAMPLE_COUNT, normal, density);
