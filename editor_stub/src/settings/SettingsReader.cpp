@@ -127,10 +127,16 @@ private:
     YamlMapReader* m_Map = nullptr;     ///< that has the field's value
 };
 
-/// Whether every MonoBehaviour's or every feature's block has the key.
-bool IsBookkeeping(std::string_view key)
+/// Fields of URP's own features that name what its package has for them, and limn has built in.
+constexpr std::pair<std::string_view, std::string_view> k_PackageResources[] = {
+    {"ScreenSpaceAmbientOcclusion", "m_Shader"},
+    {"ScreenSpaceAmbientOcclusion", "m_BlueNoise256Textures"}};
+
+/// Whether every MonoBehaviour's or every feature's block has the key, or all of this type.
+bool IsBookkeeping(std::string_view type, std::string_view key)
 {
-    return isUnityHeaderField(key) || key == "m_Active";
+    return isUnityHeaderField(key) || key == "m_Active" ||
+           std::ranges::count(k_PackageResources, std::pair(type, key)) > 0;
 }
 
 /// Whether the value is a reference, a vector or a colour: a map that is one value.
@@ -298,8 +304,8 @@ void SettingsLevel::NoteUnknown(const YamlMapReader& map)
 {
     for (const YamlEntry& entry : map.node().entries())
     {
-        const bool isKnown = IsBookkeeping(entry.key) || FindMember(m_Group, entry.key) ||
-                             IsSettingsClass(entry, m_Group);
+        const bool isKnown = IsBookkeeping(m_UnityType, entry.key) ||
+                             FindMember(m_Group, entry.key) || IsSettingsClass(entry, m_Group);
         if (!isKnown)
         {
             m_Diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +

@@ -37,7 +37,8 @@ std::string ReadGuid(const std::filesystem::path& metaFile)
 /// Scripts of the URP package, whose .meta files are in no project. (URP 14)
 constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
     {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
-    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"}};
+    {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"},
+    {"f62c9c65cf3354c93be831c8bc075510", "ScreenSpaceAmbientOcclusion"}};
 
 /// Unity passes over these files and folders.
 bool IsPassedOver(const std::string& name)

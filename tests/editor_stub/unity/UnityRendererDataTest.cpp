@@ -3,6 +3,7 @@
 
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/PostProcessRendererFeature.h>
+#include <limn/features/ScreenSpaceAmbientOcclusion.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
 
 namespace limn::test
@@ -71,6 +72,84 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
                   "26:5: Screem Space Outline.m_Settings.m_OutlineColor: left out, "
                   "ScreenSpaceOutlineRenderFeature has no such setting"}),
               Texts(result.notes));
+}
+
+TEST(UnityRendererData, ReadsAmbientOcclusionOfUrp14WithoutAWord)
+{
+    SceneFolder folder;
+    folder.Write("r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                             "f62c9c65cf3354c93be831c8bc075510, type: 3}\n"
+                                             "  m_Name: Corners\n"
+                                             "  m_EditorClassIdentifier: \n"
+                                             "  m_Active: 1\n"
+                                             "  m_Settings:\n"
+                                             "    AOMethod: 1\n"
+                                             "    Downsample: 1\n"
+                                             "    AfterOpaque: 1\n"
+                                             "    Source: 0\n"
+                                             "    NormalSamples: 2\n"
+                                             "    Intensity: 0.5\n"
+                                             "    DirectLightingStrength: 0.75\n"
+                                             "    Radius: 0.25\n"
+                                             "    Samples: 0\n"
+                                             "    BlurQuality: 2\n"
+                                             "    Falloff: 40\n"
+                                             "    SampleCount: -1\n"
+                                             "  m_BlueNoise256Textures:\n"
+                                             "  - {fileID: 2800000, guid: 36, type: 3}\n"
+                                             "  m_Shader: {fileID: 4800000, guid: 8e, type: 3}\n"));
+    AssetContext assets;
+    const UnityRendererDataLoadResult result = LoadUnityRendererData(folder / "r.asset", assets);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    EXPECT_EQ("Corners", result.renderer.features[0]->name);
+    using Settings = ScreenSpaceAmbientOcclusionSettings;
+    const Settings& settings =
+        dynamic_cast<const ScreenSpaceAmbientOcclusion&>(*result.renderer.features[0]).m_Settings;
+    EXPECT_EQ(Settings::AOMethodOptions::InterleavedGradient, settings.AOMethod);
+    EXPECT_TRUE(settings.Downsample);
+    EXPECT_TRUE(settings.AfterOpaque);
+    EXPECT_EQ(Settings::DepthSource::Depth, settings.Source);
+    EXPECT_EQ(Settings::NormalQuality::High, settings.NormalSamples);
+    EXPECT_EQ(0.5f, settings.Intensity);
+    EXPECT_EQ(0.75f, settings.DirectLightingStrength);
+    EXPECT_EQ(0.25f, settings.Radius);
+    EXPECT_EQ(Settings::AOSampleOption::High, settings.Samples);
+    EXPECT_EQ(Settings::BlurQualityOptions::Low, settings.BlurQuality);
+    EXPECT_EQ(40.0f, settings.Falloff);
+    EXPECT_EQ(std::vector<std::string>{"30:5: m_RendererFeatures: left out, the feature is not in "
+                                       "this file"},
+              Texts(result.notes))
+        << "the helper's own second reference, and nothing else";
+}
+
+TEST(UnityRendererData, ReadsAmbientOcclusionOfUrp12AsUrp14Does)
+{
+    SceneFolder folder;
+    folder.Write("r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                             "f62c9c65cf3354c93be831c8bc075510, type: 3}\n"
+                                             "  m_Name: SSAO\n"
+                                             "  m_Active: 1\n"
+                                             "  m_Shader: {fileID: 0}\n"
+                                             "  m_Settings:\n"
+                                             "    Downsample: 1\n"
+                                             "    AfterOpaque: 0\n"
+                                             "    Source: 0\n"
+                                             "    NormalSamples: 0\n"
+                                             "    Intensity: 0.5\n"
+                                             "    DirectLightingStrength: 0.25\n"
+                                             "    Radius: 0.25\n"
+                                             "    SampleCount: 4\n"));
+    AssetContext assets;
+    const UnityRendererDataLoadResult result = LoadUnityRendererData(folder / "r.asset", assets);
+    using Settings = ScreenSpaceAmbientOcclusionSettings;
+    const Settings& settings =
+        dynamic_cast<const ScreenSpaceAmbientOcclusion&>(*result.renderer.features.at(0))
+            .m_Settings;
+    EXPECT_EQ(Settings::AOMethodOptions::InterleavedGradient, settings.AOMethod);
+    EXPECT_EQ(Settings::AOSampleOption::Low, settings.Samples);
+    EXPECT_EQ(Settings::BlurQualityOptions::High, settings.BlurQuality);
+    EXPECT_EQ(100.0f, settings.Falloff);
+    EXPECT_EQ(1u, result.notes.size());
 }
 
 TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)

@@ -39,7 +39,9 @@ half4 _SSAOBlueNoiseParams; // scale, offset
 #define SAMPLE_BASEMAP_R(uv) half(SAMPLE_TEXTURE2D_X(_BlitTexture, sampler_BlitTexture, uv).r);
 #define SAMPLE_BLUE_NOISE(uv) SAMPLE_TEXTURE2D(_BlueNoiseTexture, sampler_PointRepeat, uv).a;
 
-#if defined(_SAMPLE_COUNT_HIGH)
+#if defined(LIMN_SSAO_SAMPLES) // any number, for who compares
+static const int SAMPLE_COUNT = LIMN_SSAO_SAMPLES;
+#elif defined(_SAMPLE_COUNT_HIGH)
 static const int SAMPLE_COUNT = 12;
 #elif defined(_SAMPLE_COUNT_MEDIUM)
 static const int SAMPLE_COUNT = 8;
@@ -58,7 +60,6 @@ static const half kContrast = 0.6;
 static const half kGeometryCoeff = 0.8; // normals with less than this for a cosine do not mix
 static const half kBeta = 0.004;        // what a surface hides of itself
 static const half kEpsilon = 0.0001;
-static const float SKY_DEPTH_VALUE = 0.00001;
 
 half4 PackAONormal(half ao, half3 n) { return half4(ao, n * 0.5 + 0.5); }
 half3 GetPackedNormal(half4 p) { return p.gba * 2.0 - 1.0; }
@@ -66,7 +67,14 @@ half GetPackedAO(half4 p) { return p.r; }
 half EncodeAO(half x) { return x; }
 half CompareNormal(half3 d1, half3 d2) { return smoothstep(kGeometryCoeff, 1.0, dot(d1, d2)); }
 float2 GetScreenSpacePosition(float2 uv) { return uv * SCREEN_PARAMS.xy * DOWNSAMPLE; }
-half GetRandomVal(half u, half sampleIndex) { return SSAORandomUV[(int)(u * 20 + sampleIndex)]; }
+half GetRandomVal(half u, half sampleIndex)
+{
+#ifdef LIMN_SSAO_SAMPLES
+    return frac((sampleIndex + 0.5) * (u > 0.0 ? 0.56984029 : 0.75487767)); // Roberts 2018, R2
+#else
+    return SSAORandomUV[(int)(u * 20 + sampleIndex)];
+#endif
+}
 
 // A place within the radius, on the normal's side.
 half3 PickSamplePoint(float2 uv, int sampleIndex, half sampleIndexHalf, half rcpSampleCount,
@@ -91,10 +99,28 @@ half3 PickSamplePoint(float2 uv, int sampleIndex, half sampleIndexHalf, half rcp
     return v * RADIUS * half3(pixelDensity, 1.0);
 }
 
-// The middle of a texel of the depth texture, where that is twice as large.
-#define ADJUSTED_DEPTH_UV(uv) \
-    ((uv).xy + _CameraDepthTexture_TexelSize.xy * (1.0 - DOWNSAMPLE))
-float SampleDepth(float2 uv) { return SampleSceneDepth(ADJUSTED_DEPTH_UV(uv)); }
+// Depth is taken where the texture has it, in the middle of a texel: a surface's depth beside its
+// place would make hills and hollows of a plane.
+float2 limn_SsaoTexel(float2 uv)
+{
+    float2 size = _CameraDepthTexture_TexelSize.zw;
+    return clamp(floor(uv * size), 0.0, size - 1.0);
+}
+float2 limn_SsaoMiddle(float2 uv)
+{
+    return (limn_SsaoTexel(uv) + 0.5) * _CameraDepthTexture_TexelSize.xy;
+}
+// A pixel of a picture of half the size lies where four texels meet: clearly in one of them.
+#define ADJUSTED_DEPTH_UV(uv) limn_SsaoMiddle((uv).xy + 0.25 * _CameraDepthTexture_TexelSize.xy)
+float SampleDepth(float2 uv) { return LoadSceneDepth(uint2(limn_SsaoTexel(uv))); }
+bool limn_SsaoIsSky(float rawDepth)
+{
+#if defined(UNITY_REVERSED_Z)
+    return rawDepth <= 0.0;
+#else
+    return rawDepth >= 1.0;
+#endif
+}
 float GetLinearEyeDepth(float rawDepth)
 {
 #ifdef _ORTHOGRAPHIC
@@ -117,41 +143,38 @@ half3 ReconstructViewPos(float2 uv, float linearDepth)
 #endif
 }
 
-#ifndef _SOURCE_DEPTH_LOW
-// The neighbour on one axis that goes on like this pixel: its uv and depth; w: 1 if it is ahead.
-float4 limn_SsaoNeighbour(float2 uv, float2 apart, float linearDepth)
+// Along the surface to the next texel on one axis. Which of the two: LOW the one ahead, if that
+// is no sky; MEDIUM the one whose depth is more alike; else the one on whose side two texels foretell
+// this one's depth, which is affine on planes.
+float3 limn_SsaoStep(float2 uv, float2 apart, float linearDepth, float3 place)
 {
-    float3 back = float3(uv - apart, SampleAndGetLinearEyeDepth(uv - apart));
-    float3 ahead = float3(uv + apart, SampleAndGetLinearEyeDepth(uv + apart));
-#ifdef _SOURCE_DEPTH_MEDIUM
-    bool isBack = back.z > ahead.z;
+    float2 back = uv - apart;
+    float2 ahead = uv + apart;
+#if defined(_SOURCE_DEPTH_LOW)
+    bool isBack = limn_SsaoIsSky(SampleDepth(ahead));
+#elif defined(_SOURCE_DEPTH_MEDIUM)
+    bool isBack = abs(SampleAndGetLinearEyeDepth(back) - linearDepth) <
+                  abs(SampleAndGetLinearEyeDepth(ahead) - linearDepth);
 #else
-    float fromBack = 2.0 * back.z - SampleAndGetLinearEyeDepth(uv - 2.0 * apart);
-    float fromAhead = 2.0 * ahead.z - SampleAndGetLinearEyeDepth(uv + 2.0 * apart);
-    bool isBack = abs(fromBack - linearDepth) < abs(fromAhead - linearDepth);
+    float raw = SampleDepth(uv);
+    bool isBack = abs(2.0 * SampleDepth(back) - SampleDepth(back - apart) - raw) <
+                  abs(2.0 * SampleDepth(ahead) - SampleDepth(ahead + apart) - raw);
 #endif
-    return isBack ? float4(back, 0.0) : float4(ahead, 1.0);
+    isBack = any(ahead > 1.0) || (isBack && all(back > 0.0)); // the picture ends there
+    float2 next = isBack ? back : ahead;
+    float3 way = ReconstructViewPos(next, SampleAndGetLinearEyeDepth(next)) - place;
+    return isBack ? -way : way;
 }
-#endif
 half3 ReconstructNormal(float2 uv, float linearDepth, float3 vpos, float2 pixelDensity)
 {
-#ifdef _SOURCE_DEPTH_LOW
-    return normalize(cross(ddy(vpos), ddx(vpos)));
-#else
-    float2 apart = _SourceSize.zw * 2.0 / pixelDensity;
-    float4 side = limn_SsaoNeighbour(uv, float2(apart.x, 0.0), linearDepth);
-    float4 row = limn_SsaoNeighbour(uv, float2(0.0, apart.y), linearDepth);
-    float3 across = ReconstructViewPos(side.xy, side.z) - vpos;
-    float3 along = ReconstructViewPos(row.xy, row.z) - vpos;
-    // To the camera: the two go round by which of the neighbours they are.
-    float3 normal = cross(along, across);
-    return normalize(side.w == row.w ? normal : -normal);
-#endif
+    float2 apart = _CameraDepthTexture_TexelSize.xy / pixelDensity;
+    return SafeNormalize(cross(limn_SsaoStep(uv, float2(0.0, apart.y), linearDepth, vpos),
+                               limn_SsaoStep(uv, float2(apart.x, 0.0), linearDepth, vpos)));
 }
 half3 SampleNormal(float2 uv, float linearDepth, float2 pixelDensity)
 {
 #ifdef _SOURCE_DEPTH_NORMALS
-    return SampleSceneNormals(uv);
+    return LoadSceneNormals(uint2(limn_SsaoTexel(uv)));
 #else
     return ReconstructNormal(uv, linearDepth, ReconstructViewPos(uv, linearDepth), pixelDensity);
 #endif
@@ -160,18 +183,19 @@ half3 SampleNormal(float2 uv, float linearDepth, float2 pixelDensity)
 // How much a sampled place hides of a pixel at `place`.
 half limn_SsaoHidden(half3 place, half3 normal, half depth, half3 offset)
 {
-    half3 at = place + offset;
-    half2 clip = mul((float3x3)_CameraViewProjections[0], at).xy;
-#ifdef _ORTHOGRAPHIC
-    half distance = depth;
-    half2 uv = saturate(clip * 0.5 + 0.5);
-#else
-    half distance = -dot(UNITY_MATRIX_V[2].xyz, at);
-    half2 uv = saturate(clip / distance * 0.5 + 0.5);
+    half distance = depth - dot(UNITY_MATRIX_V[2].xyz, offset); // a view looks along -z
+    half2 clip = mul(_CameraViewProjections[0], half4(place + offset, 1.0)).xy;
+#ifndef _ORTHOGRAPHIC
+    if (distance <= 0.0)
+    {
+        return 0.0; // behind the camera
+    }
+    clip /= distance;
 #endif
+    float2 uv = limn_SsaoMiddle(clip * 0.5 + 0.5);
     float raw = SampleDepth(uv);
     float there = GetLinearEyeDepth(raw);
-    bool counts = abs(distance - there) < RADIUS && raw > SKY_DEPTH_VALUE;
+    bool counts = abs(distance - there) < RADIUS && !limn_SsaoIsSky(raw);
     half3 way = ReconstructViewPos(uv, there) - place;
     half height = max(dot(way, normal) - kBeta * depth, 0.0);
     return counts ? height / (dot(way, way) + kEpsilon) : 0.0;
@@ -179,10 +203,10 @@ half limn_SsaoHidden(half3 place, half3 normal, half depth, half3 offset)
 
 half4 SSAO(Varyings input) : SV_Target
 {
-    float2 uv = input.texcoord;
+    float2 uv = ADJUSTED_DEPTH_UV(input.texcoord);
     float raw = SampleDepth(uv);
     half depth = GetLinearEyeDepth(raw);
-    if (raw < SKY_DEPTH_VALUE || depth > FALLOFF)
+    if (limn_SsaoIsSky(raw) || depth > FALLOFF)
     {
         return PackAONormal(0, half3(0, 0, 0));
     }
@@ -190,9 +214,12 @@ half4 SSAO(Varyings input) : SV_Target
     half3 normal = SampleNormal(uv, depth, density);
     half3 place = ReconstructViewPos(uv, depth);
     half sum = 0;
+#ifndef LIMN_SSAO_SAMPLES
+    UNITY_UNROLL // the table's numbers are constants then
+#endif
     for (int s = 0; s < SAMPLE_COUNT; ++s)
     {
-        half3 offset = PickSamplePoint(uv, s, s, 1.0 / SAMPLE_COUNT, normal, density);
+        half3 offset = PickSamplePoint(input.texcoord, s, s, 1.0 / SAMPLE_COUNT, normal, density);
         sum += limn_SsaoHidden(place, normal, depth, offset);
     }
     half near = 1.0 - depth / FALLOFF;
