@@ -4,8 +4,6 @@
 #include "unity/UnitySceneLoader.h"
 
 #include <algorithm>
-
-#include <algorithm>
 #include <limn/base/ReadFile.h>
 
 namespace limn
