@@ -338,6 +338,41 @@ TEST_F(CameraTexturesGpu, HaveTheSameDepthOfUnlitObjects)
     ExpectDepths(DepthErrors(Draw()));
 }
 
+TEST_F(CameraTexturesGpu, HaveTheNormalsThatANormalMapBends)
+{
+    const std::vector<std::byte> texel = {std::byte{200}, std::byte{80}, std::byte{230},
+                                          std::byte{255}};
+    const auto bumpy =
+        std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", Compiler()));
+    bumpy->EnableKeyword("_NORMALMAP");
+    bumpy->SetTexture(
+        ShaderPropertyId("_BumpMap"),
+        std::make_shared<const Texture2D>("bump", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, texel));
+    GameObject& plane = *m_Scene.objects()[0];
+    plane.renderer->sharedMaterials = {bumpy};
+    AddFullScreen(k_ShowNormals, ScriptableRenderPassInput::Normal);
+    const Field picture = Draw();
+    const MeshData& mesh = plane.renderer->mesh->data();
+    const glm::dvec3 normal(mesh.normals[0]);
+    const glm::dvec3 tangent(mesh.tangents[0]);
+    const glm::dvec3 bitangent =
+        glm::cross(normal, tangent) * static_cast<double>(mesh.tangents[0].w);
+    const glm::dvec2 slope(200 / 127.5 - 1.0, 80 / 127.5 - 1.0);
+    const glm::dvec3 bent = glm::dquat(plane.transform.localRotation) *
+                            (tangent * slope.x + bitangent * slope.y +
+                             normal * std::sqrt(1.0 - glm::dot(slope, slope)));
+    double error = 0.0;
+    ForEachInside(
+        [&](int x, int y, const Hit& hit)
+        {
+            for (int channel = 0; channel < 3 && hit.object == 0; ++channel)
+            {
+                error = std::max(error, std::abs(picture.At(x, y, channel) - bent[channel]));
+            }
+        });
+    EXPECT_LT(error, 0.0045);
+}
+
 TEST_F(CameraTexturesGpu, HaveTheNormalsThatAReferenceSays)
 {
     AddFullScreen(k_ShowNormals, ScriptableRenderPassInput::Normal);
