@@ -81,7 +81,7 @@ TEST(RenderSettingsFile, RefusesWhatIsOutOfRange)
                                   "  ambientIntensity: 9\n"
                                   "  defaultReflectionResolution: 100\n"
                                   "  fogColour: [1, 1, 1]\n"),
-                ElementsAre(HasSubstr("3:12: renderSettings.fogMode: unknown name 'Thick'"),
+                ElementsAre(HasSubstr("3:12: renderSettings.fogMode: unknown value 'Thick'"),
                             HasSubstr("4:15: renderSettings.fogDensity: -1"),
                             HasSubstr("5:19: renderSettings.fogEndDistance: 1e12"),
                             HasSubstr("6:21: renderSettings.ambientIntensity: 9"),
