@@ -60,13 +60,9 @@ TEST(StandIn, IsNotNotedWhereItIsOnlyThere)
     EXPECT_THAT(NotesOf("SampleSH(p.xyz)"), IsEmpty());
 }
 
-TEST(StandIn, IsNotNotedWhereUnitysPictureIsTheSame)
+TEST(StandIn, IsNotNotedWhereTheSkyIsReflected)
 {
-    const std::string reflection = "GlossyEnvironmentReflection(p.xyz, 0.5, 1)";
-    EXPECT_THAT(NotesOf(reflection),
-                ElementsAre("lit.shader: note: uses reflection probes, which limn does not have: "
-                            "the ambient light is what is reflected"));
-    EXPECT_THAT(NotesOf(reflection, {"_ENVIRONMENTREFLECTIONS_OFF"}), IsEmpty());
+    EXPECT_THAT(NotesOf("GlossyEnvironmentReflection(p.xyz, 0.5, 1)"), IsEmpty());
 }
 
 TEST(StandIn, IsNotedWhereAKeywordBringsItIn)

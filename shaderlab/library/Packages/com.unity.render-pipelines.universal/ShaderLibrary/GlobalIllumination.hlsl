@@ -1,5 +1,4 @@
-// Ambient light. There are no light maps and no reflection probes: what is reflected is the ambient
-// light from that side.
+// Ambient light and what surfaces reflect. There are no light maps and no reflection probes.
 #pragma once
 #ifndef UNIVERSAL_GLOBAL_ILLUMINATION_INCLUDED
 #define UNIVERSAL_GLOBAL_ILLUMINATION_INCLUDED
@@ -60,12 +59,23 @@ float3 SampleLightmap(float2 staticLightmapUV, float2 dynamicLightmapUV, float3 
     return SampleLightmap(staticLightmapUV, normalWS);
 }
 
-#if !defined(_ENVIRONMENTREFLECTIONS_OFF) // without probes it is the ambient light anywhere
-[limn_Lacks("reflection probes", "the ambient light is what is reflected")]
-#endif
+// The reflection of the scene's sky, blurred as rough surfaces do; where the scene has none, the
+// ambient light from that side.
 float3 GlossyEnvironmentReflection(float3 reflectVector, float perceptualRoughness, float occlusion)
 {
-    return SampleSH(reflectVector) * occlusion;
+#if defined(_ENVIRONMENTREFLECTIONS_OFF)
+    return _GlossyEnvironmentColor.rgb * occlusion;
+#else
+    bool hasSky = unity_SpecCube0_HDR.y > 0.0;
+    if (!hasSky)
+    {
+        return SampleSH(reflectVector) * occlusion;
+    }
+    float level = PerceptualRoughnessToMipmapLevel(perceptualRoughness);
+    float4 encoded =
+        SAMPLE_TEXTURECUBE_LOD(unity_SpecCube0, samplerunity_SpecCube0, reflectVector, level);
+    return DecodeHDREnvironment(encoded, unity_SpecCube0_HDR) * occlusion;
+#endif
 }
 float3 GlossyEnvironmentReflection(float3 reflectVector, float3 positionWS,
                                    float perceptualRoughness, float occlusion)
