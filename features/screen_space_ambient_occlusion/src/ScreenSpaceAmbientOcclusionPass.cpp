@@ -77,7 +77,7 @@ const char* Keyword(const char* setting, Enum value, const std::array<const char
 
 } // namespace
 
-void SetSsaoConstants(Material& material, const Settings& settings, const CameraData& cameraData)
+void SetSsaoConstants(CommandBuffer& cmd, const Settings& settings, const CameraData& cameraData)
 {
     // From the camera's place, along the axes of the world; in double, since far/near may be 1e9.
     glm::dmat4 view = cameraData.viewMatrix;
@@ -90,33 +90,33 @@ void SetSsaoConstants(Material& material, const Settings& settings, const Camera
         return glm::dvec3(place) / place.w;
     };
     const glm::dvec3 topLeft = point(-1.0, 1.0, -1.0);
-    const auto set = [&material](ShaderPropertyId id, const glm::dvec3& value)
+    const auto set = [&cmd](ShaderPropertyId id, const glm::dvec3& value)
     {
         const glm::vec4 element(glm::vec3(value), 0.0f);
-        material.SetVectorArray(id, {element, element}); // an eye each
+        cmd.SetGlobalVectorArray(id, {element, element}); // an eye each
     };
     set(_CameraViewTopLeftCorner, topLeft);
     set(_CameraViewXExtent, point(1.0, 1.0, -1.0) - topLeft);
     set(_CameraViewYExtent, point(-1.0, -1.0, -1.0) - topLeft);
     set(_CameraViewZExtent, point(0.0, 0.0, 1.0));
     const glm::mat4 floats(viewProjection);
-    material.SetMatrixArray(_CameraViewProjections, {floats, floats});
+    cmd.SetGlobalMatrixArray(_CameraViewProjections, {floats, floats});
     const double near = cameraData.camera->nearClipPlane;
-    material.SetVector(_ProjectionParams2,
-                       {near != 0.0 ? static_cast<float>(1.0 / near) : 0.0f, 0.0f, 0.0f, 0.0f});
+    cmd.SetGlobalVector(_ProjectionParams2,
+                        {near != 0.0 ? static_cast<float>(1.0 / near) : 0.0f, 0.0f, 0.0f, 0.0f});
 
     const bool isBlueNoise = settings.AOMethod == Settings::AOMethodOptions::BlueNoise;
     const float radius = settings.Radius * (isBlueNoise ? k_BlueNoiseRadius : 1.0f);
-    material.SetVector(_SSAOParams,
-                       {std::min(settings.Intensity, k_Largest), std::min(radius, k_Largest),
-                        1.0f / static_cast<float>(SizeDivisor(settings)),
-                        std::min(settings.Falloff, k_Largest)});
+    cmd.SetGlobalVector(_SSAOParams,
+                        {std::min(settings.Intensity, k_Largest), std::min(radius, k_Largest),
+                         1.0f / static_cast<float>(SizeDivisor(settings)),
+                         std::min(settings.Falloff, k_Largest)});
     const RenderTextureDescriptor& camera = cameraData.cameraTargetDescriptor;
     const glm::vec2 size(camera.width, camera.height);
-    material.SetVector(_SourceSize, glm::vec4(size, 1.0f / size));
+    cmd.SetGlobalVector(_SourceSize, glm::vec4(size, 1.0f / size));
     const glm::vec2 repeats =
         glm::vec2(OcclusionSize(settings, cameraData)) / static_cast<float>(k_BlueNoiseSize);
-    material.SetVector(_SSAOBlueNoiseParams, glm::vec4(repeats, 0.0f, 0.0f));
+    cmd.SetGlobalVector(_SSAOBlueNoiseParams, glm::vec4(repeats, 0.0f, 0.0f));
 }
 
 ScreenSpaceAmbientOcclusionPass::ScreenSpaceAmbientOcclusionPass(
@@ -136,42 +136,42 @@ void ScreenSpaceAmbientOcclusionPass::Setup(const Settings& settings, const Came
     ConfigureInput(settings.Source == Settings::DepthSource::DepthNormals
                        ? ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Normal
                        : ScriptableRenderPassInput::Depth);
-    SetSsaoConstants(*m_Material, settings, cameraData);
     SetKeywords(cameraData.camera->orthographic);
-    if (settings.AOMethod == Settings::AOMethodOptions::BlueNoise)
-    {
-        m_Material->SetTexture(_BlueNoiseTexture, BlueNoise());
-    }
 }
 
 void ScreenSpaceAmbientOcclusionPass::SetKeywords(bool isOrthographic)
 {
-    std::vector<std::string> wanted;
-    wanted.emplace_back(Keyword("AOMethod", m_Settings.AOMethod,
-                                std::array{"_BLUE_NOISE", "_INTERLEAVED_GRADIENT"}));
-    wanted.emplace_back(m_Settings.Source == Settings::DepthSource::DepthNormals
-                            ? "_SOURCE_DEPTH_NORMALS"
-                            : Keyword("NormalSamples", m_Settings.NormalSamples,
-                                      std::array{"_SOURCE_DEPTH_LOW", "_SOURCE_DEPTH_MEDIUM",
-                                                 "_SOURCE_DEPTH_HIGH"}));
-    wanted.emplace_back(
+    const bool isBlueNoise = m_Settings.AOMethod == Settings::AOMethodOptions::BlueNoise;
+    const std::array<std::string_view, 4> wanted{
+        Keyword("AOMethod", m_Settings.AOMethod,
+                std::array{"_BLUE_NOISE", "_INTERLEAVED_GRADIENT"}),
+        m_Settings.Source == Settings::DepthSource::DepthNormals
+            ? "_SOURCE_DEPTH_NORMALS"
+            : Keyword(
+                  "NormalSamples", m_Settings.NormalSamples,
+                  std::array{"_SOURCE_DEPTH_LOW", "_SOURCE_DEPTH_MEDIUM", "_SOURCE_DEPTH_HIGH"}),
         Keyword("Samples", m_Settings.Samples,
-                std::array{"_SAMPLE_COUNT_HIGH", "_SAMPLE_COUNT_MEDIUM", "_SAMPLE_COUNT_LOW"}));
-    if (isOrthographic)
+                std::array{"_SAMPLE_COUNT_HIGH", "_SAMPLE_COUNT_MEDIUM", "_SAMPLE_COUNT_LOW"}),
+        isOrthographic ? "_ORTHOGRAPHIC" : ""};
+    if (wanted == m_Keywords)
     {
-        wanted.emplace_back("_ORTHOGRAPHIC");
+        return;
     }
-    const std::vector<std::string> before = m_Material->shaderKeywords();
-    for (const std::string& keyword : before)
+    for (std::size_t i = 0; i < wanted.size(); ++i)
     {
-        if (std::ranges::count(wanted, keyword) == 0)
+        if (!m_Keywords[i].empty())
         {
-            m_Material->DisableKeyword(keyword);
+            m_Material->DisableKeyword(std::string(m_Keywords[i]));
+        }
+        if (!wanted[i].empty())
+        {
+            m_Material->EnableKeyword(std::string(wanted[i]));
         }
     }
-    for (const std::string& keyword : wanted)
+    m_Keywords = wanted;
+    if (isBlueNoise)
     {
-        m_Material->EnableKeyword(keyword);
+        m_Material->SetTexture(_BlueNoiseTexture, BlueNoise());
     }
 }
 
@@ -215,6 +215,7 @@ void ScreenSpaceAmbientOcclusionPass::Execute(ScriptableRenderContext& context,
                                               RenderingData& renderingData)
 {
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+    SetSsaoConstants(*cmd, m_Settings, renderingData.cameraData);
     int lastPass = 0;
     const RTHandle& last = DrawUpToLastBlur(*cmd, lastPass);
     if (m_Settings.AfterOpaque)

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
+#include <string_view>
 
 namespace limn
 {
@@ -33,6 +35,7 @@ private:
     const RTHandle& DrawUpToLastBlur(CommandBuffer& cmd, int& lastPass) const;
 
     std::shared_ptr<Material> m_Material;
+    std::array<std::string_view, 4> m_Keywords; ///< of the material; "" = none
     ScreenSpaceAmbientOcclusionSettings m_Settings;
     RTHandle m_Occlusion; ///< straight from the estimator
     RTHandle m_BlurredOnce;
@@ -42,7 +45,7 @@ private:
 
 /// Sets what SSAO.hlsl wants to know of a camera and of settings with something to draw; the blue
 /// noise is not among it.
-void SetSsaoConstants(Material& material, const ScreenSpaceAmbientOcclusionSettings& settings,
+void SetSsaoConstants(CommandBuffer& cmd, const ScreenSpaceAmbientOcclusionSettings& settings,
                       const CameraData& cameraData);
 
 } // namespace limn

@@ -19,9 +19,8 @@ public:
     {
     }
     void Create() override {}
-    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& data) override
+    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData&) override
     {
-        m_Pass.Setup(data.cameraData);
         renderer.EnqueuePass(m_Pass);
     }
 
@@ -52,11 +51,6 @@ private:
                 "core/Runtime/Utilities/Blit.hlsl\"\n" + include +
                 "universal/ShaderLibrary/SSAO.hlsl\"\nENDHLSL\n} } }"));
         }
-        void Setup(const CameraData& data)
-        {
-            m_Material->SetTexture(Shader::PropertyToID("_BlueNoiseTexture"), BlueNoise());
-            SetSsaoConstants(*m_Material, m_Settings, data);
-        }
         void OnCameraSetup(CommandBuffer&, RenderingData& data) override
         {
             RenderTextureDescriptor descriptor = data.cameraData.cameraTargetDescriptor;
@@ -71,9 +65,11 @@ private:
             RenderingUtils::ReAllocateIfNeeded(m_Target, descriptor, FilterMode::Point,
                                                TextureWrapMode::Clamp, "Floats");
         }
-        void Execute(ScriptableRenderContext& context, RenderingData&) override
+        void Execute(ScriptableRenderContext& context, RenderingData& data) override
         {
             const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
+            SetSsaoConstants(*cmd, m_Settings, data.cameraData);
+            cmd->SetGlobalTexture(Shader::PropertyToID("_BlueNoiseTexture"), BlueNoise());
             CoreUtils::SetRenderTarget(*cmd, m_Target);
             MaterialPropertyBlock properties;
             properties.SetVector(Shader::PropertyToID("_BlitScaleBias"), {1, 1, 0, 0});
