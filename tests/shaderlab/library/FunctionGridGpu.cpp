@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limn/core/BuiltinShaders.h>
 #include <limn/core/DrawError.h>
 #include <sstream>
 #include <vulkan/GpuTestDevice.h>
@@ -94,8 +95,6 @@ DrawBindings SharedBindings(CompiledFrame& frame, const PropertyLayout& layout,
                             const std::map<std::string, std::vector<float>>& globals,
                             const std::map<std::string, std::shared_ptr<const Texture2D>>& textures)
 {
-    static const std::shared_ptr<const Texture2D> white = std::make_shared<Texture2D>(
-        "white", 1, 1, GraphicsFormat::R8G8B8A8_UNorm, std::vector<std::byte>(4, std::byte{255}));
     DrawBindings bindings;
     for (const UniformBuffer& buffer : layout.buffers)
     {
@@ -108,8 +107,9 @@ DrawBindings SharedBindings(CompiledFrame& frame, const PropertyLayout& layout,
     {
         const auto sampler = texture.combinedSampler ? std::optional(SamplerState{}) : std::nullopt;
         const auto found = textures.find(texture.name);
-        bindings.textures.push_back(
-            {texture.binding, found != textures.end() ? found->second : white, sampler});
+        const std::shared_ptr<const Texture> bound =
+            found != textures.end() ? found->second : DefaultTexture("white", texture.dimension);
+        bindings.textures.push_back({texture.binding, bound, sampler});
     }
     for (const SamplerBinding& sampler : layout.samplers)
     {

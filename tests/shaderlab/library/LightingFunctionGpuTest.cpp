@@ -58,7 +58,7 @@ glm::dvec3 Direct(const Material& m, const glm::dvec3& n, const glm::dvec3& l, c
     return (m.Diffuse() + m.Specular() * Highlight(m.Roughness(), n, l, v)) * color * cosine;
 }
 
-/// Even light from all sides.
+/// Even light from all sides, and what the surroundings mirror.
 glm::dvec3 Ambient(const Material& m, const glm::dvec3& n, const glm::dvec3& v,
                    const glm::dvec3& sky)
 {
@@ -66,7 +66,7 @@ glm::dvec3 Ambient(const Material& m, const glm::dvec3& n, const glm::dvec3& v,
     const double grazing = Saturate(m.smoothness + 1.0 - m.OneMinusReflectivity());
     const double fresnel = std::pow(1.0 - Saturate(glm::dot(n, v)), 4.0);
     const glm::dvec3 reflected = m.Specular() * (1.0 - fresnel) + glm::dvec3(grazing * fresnel);
-    return sky * (m.Diffuse() + reflected / (r2 + 1.0));
+    return sky * m.Diffuse() + k_Mirrored * reflected / (r2 + 1.0);
 }
 
 } // namespace

@@ -61,13 +61,13 @@ struct Surface
     double Roughness() const { return std::max(std::pow(1 - smoothness, 2), 1.0 / 128); }
 };
 
-/// Lights.h's sky from all sides.
+/// Lights.h's sky from all sides, and its reflection.
 dvec3 Around(const Surface& s, double cosine)
 {
     const double r2 = std::max(s.Roughness() * s.Roughness(), std::pow(2.0, -14));
     const dvec3 mirrored = glm::mix(s.specular, dvec3(Saturate(s.smoothness + s.reflectivity)),
                                     std::pow(1 - cosine, 4));
-    return k_Sky * (s.diffuse + mirrored / (r2 + 1));
+    return k_Sky * s.diffuse + k_Mirrored * mirrored / (r2 + 1);
 }
 /// GGX with a fitted visibility, of a specular colour of 1.
 double Highlight(double roughness, const dvec3& n, const dvec3& v)
