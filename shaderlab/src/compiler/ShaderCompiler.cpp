@@ -23,7 +23,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 23;
+constexpr int k_CompilerVersion = 24;
 
 std::string HashName(const std::string& text)
 {

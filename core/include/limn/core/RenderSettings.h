@@ -65,9 +65,10 @@ struct RenderSettings
     float fogEndDistance = 300.0f;          ///< metres; nothing but fog is seen behind
 
     DefaultReflectionMode defaultReflectionMode = DefaultReflectionMode::Custom;
-    /// A cube whose mip levels 0 ... 6 are blurred more and more; of Custom. Null = black.
+    /// A cube whose mip levels 0 ... 6 are blurred more and more; of Custom. Null = none: URP's
+    /// shaders mirror the ambient light then, and the cube that others read is black.
     std::shared_ptr<const Texture> customReflectionTexture;
-    /// The same of Skybox, which DynamicGI::UpdateEnvironment makes; null = black, too.
+    /// The same of Skybox, which DynamicGI::UpdateEnvironment makes; null = none, too.
     /// Unity: ReflectionProbe.defaultTexture.
     std::shared_ptr<const Texture> skyReflection;
     /// Texels along an edge of skyReflection: a power of two from 1 to 2048.
@@ -83,7 +84,7 @@ struct RenderSettings
     /// Returns the ambient light of the mode that is set, as surfaces of each normal show it.
     /// Trilight is exact for normals up, sideways and down and has the parabola between.
     SphericalHarmonicsL2 AmbientLight() const;
-    /// Returns the cube that the mode mirrors; null = black.
+    /// Returns the cube that the mode mirrors; null = none.
     const std::shared_ptr<const Texture>& ReflectionTexture() const
     {
         return defaultReflectionMode == DefaultReflectionMode::Skybox ? skyReflection
