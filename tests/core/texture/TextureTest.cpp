@@ -213,9 +213,9 @@ TEST(CubemapArray, NamesTheCubeAndFaceThatDoNotFit)
 
 TEST(TexelTexture, HoldsNoDepth)
 {
-    EXPECT_EQ(
-        ThrownMessage<ContractError>([] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, CubemapFaces()); }),
-        "texture 'shadow': format D32_SFloat; only a RenderTexture can hold depth");
+    EXPECT_EQ(ThrownMessage<ContractError>(
+                  [] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, CubemapFaces()); }),
+              "texture 'shadow': format D32_SFloat; only a RenderTexture can hold depth");
 }
 
 } // namespace
