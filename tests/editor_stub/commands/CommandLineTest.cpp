@@ -260,7 +260,8 @@ TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
         expectNo({"render", file, "-o", Path("out.png")}, scene);
         expectNo({"watch", file, "-o", Path("out.png")}, scene);
         expectNo({"explain", file}, scene);
-        expectNo({"inspect", file}, "scene or volume profile; a *.scene.yaml or *.profile.yaml");
+        expectNo({"inspect", file}, "scene or volume profile or scene of Unity's; a *.scene.yaml "
+                                    "or *.profile.yaml or *.unity");
         expectNo({"set", file, "A.b=1"},
                  "scene or volume profile; a *.scene.yaml or *.profile.yaml");
         expectNo({"shader", file}, "shader; a *.shader");
