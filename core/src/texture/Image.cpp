@@ -134,11 +134,15 @@ void WritePng(const std::filesystem::path& path, const Image& image)
 
 Image ReadPng(const std::filesystem::path& path)
 {
-    const std::string bytes = ReadFile(path, k_MaxDataBytes);
+    return DecodePng(ReadFile(path, k_MaxDataBytes), path.string());
+}
+
+Image DecodePng(std::string_view bytes, const std::string& name)
+{
     PngImage png;
     const auto fail = [&]
     {
-        return AssetError(path.string(), {}, std::string("is no readable PNG: ") + png->message);
+        return AssetError(name, {}, std::string("is no readable PNG: ") + png->message);
     };
 
     if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0)
@@ -147,7 +151,7 @@ Image ReadPng(const std::filesystem::path& path)
     }
     if (std::string problem = SizeProblem(*png.get(), bytes); !problem.empty())
     {
-        throw AssetError(path.string(), {}, std::move(problem));
+        throw AssetError(name, {}, std::move(problem));
     }
     png->format = PNG_FORMAT_RGBA;
     // Without this, libpng takes a 16-bit file that does not state its gamma for linear.
