@@ -113,6 +113,9 @@ std::vector<std::byte> EncodePng(const Image& image)
     RequireWholeImage(image);
     png->width = static_cast<png_uint_32>(image.width);
     png->height = static_cast<png_uint_32>(image.height);
+    // A sixth of the time for a file that is larger by a third: 55 instead of 300 ms for a frame of
+    // 1280x720, more than all else that a processor does for it.
+    png->flags |= PNG_IMAGE_FLAG_FAST;
 
     // An upper bound, so that the image is compressed once and not a second time to learn its size.
     std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(*png.get()));

@@ -1,9 +1,12 @@
 #include "assets/PictureFile.h"
 
+#include "assets/ExrFile.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <limn/base/Diagnostic.h>
-#include <limn/base/ReadFile.h>
 #include <memory>
 #include <tiffio.h>
 
@@ -42,12 +45,22 @@ std::string EndingOf(const std::filesystem::path& path)
     throw AssetError(path.generic_string(), {}, message);
 }
 
-void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height)
+/// Memory is taken by what a file can hold, not by what it says. No packing that is read makes more
+/// texels of a byte.
+void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                 std::size_t fileBytes)
 {
+    constexpr std::uint64_t k_AnyFile = std::uint64_t{1} << 26;
+    constexpr std::uint64_t k_TexelsOfAByte = 2048;
     if (width == 0 || height == 0 || width > k_MostTexels || height > k_MostTexels)
     {
         Fail(path, "the picture has " + std::to_string(width) + "x" + std::to_string(height) +
                        " texels; 1 to " + std::to_string(k_MostTexels) + " either way are read");
+    }
+    if (std::uint64_t{width} * height > std::max(k_AnyFile, k_TexelsOfAByte * fileBytes))
+    {
+        Fail(path, "a file of " + std::to_string(fileBytes) + " bytes cannot hold a picture of " +
+                       std::to_string(width) + "x" + std::to_string(height) + " texels");
     }
 }
 
@@ -110,7 +123,7 @@ Image ReadTiff(const std::filesystem::path& path, std::string_view bytes)
     {
         Fail(path, "this is no TIFF file, or a broken one");
     }
-    RequireSize(path, width, height);
+    RequireSize(path, width, height, bytes.size());
     std::uint16_t channels = 1;
     std::uint16_t bits = 1;
     std::uint16_t layout = PLANARCONFIG_CONTIG;
@@ -168,7 +181,8 @@ Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
     {
         Fail(path, "this is no picture that limn reads, or a broken one");
     }
-    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                bytes.size());
     const std::unique_ptr<stbi_uc, void (*)(void*)> texels(
         stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
     if (!texels)
@@ -181,29 +195,73 @@ Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
                                                       static_cast<unsigned>(height))};
 }
 
+/// Radiance HDR.
+Image ReadHdr(const std::filesystem::path& path, std::string_view bytes)
+{
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    int width = 0;
+    int height = 0;
+    int channels = 0;
+    if (stbi_is_hdr_from_memory(data, size) == 0 ||
+        stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
+    {
+        Fail(path, "this is no Radiance HDR file, or a broken one");
+    }
+    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                bytes.size());
+    const std::unique_ptr<float, void (*)(void*)> texels(
+        stbi_loadf_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
+    if (!texels)
+    {
+        Fail(path, std::string("the picture is broken: ") + stbi_failure_reason());
+    }
+    const std::size_t count =
+        std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
+    Image image{width, height, GraphicsFormat::R16G16B16A16_SFloat,
+                std::vector<std::byte>(count * sizeof(std::uint16_t))};
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const std::uint16_t half = HalfOf(texels.get()[i]);
+        std::memcpy(image.texels.data() + i * sizeof(half), &half, sizeof(half));
+    }
+    return image;
+}
+
 } // namespace
+
+std::uint16_t HalfOf(float value)
+{
+    constexpr float k_Largest = 65504.0f;
+    return std::isnan(value) ? std::uint16_t{0}
+                             : glm::packHalf1x16(std::clamp(value, -k_Largest, k_Largest));
+}
 
 bool IsPictureFile(const std::filesystem::path& path)
 {
     const std::string ending = EndingOf(path);
     return std::ranges::any_of(std::initializer_list<const char*>{".png", ".tif", ".tiff", ".jpg",
-                                                                  ".jpeg", ".tga", ".bmp", ".psd"},
+                                                                  ".jpeg", ".tga", ".bmp", ".psd",
+                                                                  ".exr", ".hdr"},
                                [&](const char* known) { return ending == known; });
 }
 
-Image ReadPicture(const std::filesystem::path& path)
+Image DecodePicture(const std::filesystem::path& path, std::string_view bytes)
 {
     const std::string ending = EndingOf(path);
     if (ending == ".png")
     {
-        return ReadPng(path);
+        return DecodePng(bytes, path.generic_string());
     }
-    const std::string bytes = ReadFile(path, k_MaxDataBytes);
-    if (bytes.starts_with("version https://git-lfs"))
+    if (ending == ".exr")
     {
-        Fail(path, "this is a pointer of Git LFS in place of the picture; run 'git lfs pull'");
+        return DecodeExr(path, bytes,
+                         [&](std::uint32_t width, std::uint32_t height)
+                         { RequireSize(path, width, height, bytes.size()); });
     }
-    return ending == ".tif" || ending == ".tiff" ? ReadTiff(path, bytes) : ReadByStb(path, bytes);
+    return ending == ".hdr"                        ? ReadHdr(path, bytes)
+           : ending == ".tif" || ending == ".tiff" ? ReadTiff(path, bytes)
+                                                   : ReadByStb(path, bytes);
 }
 
 } // namespace limn

@@ -227,13 +227,13 @@ private:
         reader.Read("m_Enabled", made.enabled);
         const UnityReader mesh = ReaderOf(object, *filter);
         const UnityTarget target = mesh.Reference("m_Mesh");
-        if (target.asset.isNull())
+        if (target.isNull())
         {
             return;
         }
         if (object.isActive && made.enabled)
         {
-            made.mesh = m_Materials.LoadMesh(target.asset, mesh);
+            made.mesh = m_Materials.LoadMesh(target, mesh);
         }
         made.enabled = made.enabled && m_Hidden.count(renderer) == 0;
         reader.ReadEnum("m_CastShadows", ShadowCastingMode::ShadowsOnly, made.shadowCastingMode);
