@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     UnityNotes notes;
     UnityDatabase database(folder.path(), assets, notes);
     UnityMaterials materials(database, assets, notes);
-    const UnityInstance user;
+    const UnityInstance user{};
     test::RequireInFuzzer(materials.Load({2100000, k_FuzzGuid}, UnityReader(user, "object", notes),
                                          "m_Materials") != nullptr,
                           "no material");

@@ -8,6 +8,10 @@ namespace
 
 std::size_t CountNodes(const UnityNode& node)
 {
+    if (!node) // an object that holds nothing
+    {
+        return 1;
+    }
     std::size_t count = 1;
     test::RequireInFuzzer(node.line() >= 1, "a node without a line");
     for (const UnityNode child : node)

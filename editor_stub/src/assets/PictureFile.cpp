@@ -46,12 +46,12 @@ std::string EndingOf(const std::filesystem::path& path)
 }
 
 /// Memory is taken by what a file can hold, not by what it says. No packing that is read makes more
-/// texels of a byte.
+/// texels of a byte, but for a single colour.
 void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
                  std::size_t fileBytes)
 {
-    constexpr std::uint64_t k_AnyFile = std::uint64_t{1} << 26;
-    constexpr std::uint64_t k_TexelsOfAByte = 2048;
+    constexpr std::uint64_t k_AnyFile = std::uint64_t{1} << 20;
+    constexpr std::uint64_t k_TexelsOfAByte = 8192;
     if (width == 0 || height == 0 || width > k_MostTexels || height > k_MostTexels)
     {
         Fail(path, "the picture has " + std::to_string(width) + "x" + std::to_string(height) +

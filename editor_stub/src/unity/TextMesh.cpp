@@ -232,7 +232,7 @@ private:
     void ForEach(std::size_t index, const Add& add) const
     {
         const VertexChannel& channel = m_Channels[index];
-        if (channel.components == 0)
+        if (channel.components == 0 || m_Count == 0)
         {
             return;
         }

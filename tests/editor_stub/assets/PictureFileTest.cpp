@@ -107,7 +107,7 @@ TEST(PictureFile, IsRefusedBeforeMemoryIsTakenForASizeThatNoFileHolds)
     EXPECT_THAT(ProblemOfPicture("a.exr", ExrBytesOf(1'000'000'000, 1'000'000'000, "ABGR", {})),
                 HasSubstr("OpenEXR"));
     EXPECT_THAT(ProblemOfPicture("a.exr", ExrBytesOf(16384, 16384, "ABGR", {})),
-                HasSubstr("cannot hold a picture of 16384x16384"));
+                HasSubstr("OpenEXR"));
     EXPECT_THAT(ProblemOfPicture("a.hdr", HdrBytesOf(1'000'000, 1'000'000, {1, 1, 1, 1})),
                 testing::AnyOf(HasSubstr("texels"), HasSubstr("Radiance")));
     EXPECT_THAT(ProblemOfPicture("a.tga", TgaBytesOf(16384, 16384, {0, 0, 0, 0})),

@@ -189,10 +189,11 @@ TEST(MikkTangents, StandUprightOnACurvedMesh)
         const glm::dvec3 normal(data.normals[vertex]);
         const glm::dvec3 tangent(data.tangents[vertex]);
         const auto [alongU, alongV] = DerivativesOf(data, i / 3 * 3);
+        // A triangle near a pole leans by up to 30 degrees against the surface.
         EXPECT_NEAR(glm::dot(normal, tangent), 0.0, 1e-5);
-        EXPECT_GT(glm::dot(tangent, glm::normalize(alongU)), 0.9);
+        EXPECT_GT(glm::dot(tangent, glm::normalize(alongU)), 0.8);
         const double side = data.tangents[vertex].w;
-        EXPECT_GT(glm::dot(glm::cross(normal, tangent) * side, glm::normalize(alongV)), 0.9);
+        EXPECT_GT(glm::dot(glm::cross(normal, tangent) * side, glm::normalize(alongV)), 0.8);
     }
 }
 

@@ -292,7 +292,8 @@ TEST_F(ModelOfAnFbx, IsRefusedWithASentenceWhereItIsCutOff)
 
 TEST_F(ModelOfAFile, IsImportedAgainWhenItsMaterialsChange)
 {
-    const Importer::Options options{.cacheFolder = m_Folder / "cache"};
+    Importer::Options options;
+    options.cacheFolder = m_Folder / "cache";
     const auto colorWith = [&](const std::string& material)
     {
         m_Folder.Write("flag.mtl", "newmtl red\nKd " + material + "\n");

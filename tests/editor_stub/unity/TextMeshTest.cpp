@@ -198,6 +198,13 @@ TEST(TextMesh, IsRefusedWhereItsNumbersDoNotFit)
                     }),
                 HasSubstr("firstByte is '4000000000'"));
     EXPECT_THAT(problem([](MeshText& mesh) { mesh.channels[0][3] = 0; }), HasSubstr("vert"));
+    EXPECT_THAT(problem(
+                    [](MeshText& mesh)
+                    {
+                        mesh.vertexCount = 0;
+                        mesh.data.clear();
+                    }),
+                HasSubstr("vert"));
 }
 
 } // namespace

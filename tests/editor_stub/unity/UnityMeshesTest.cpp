@@ -60,7 +60,10 @@ protected:
     /// @param more    documents of the scene
     SceneAsset Load(const std::vector<std::string>& meshes, const std::string& more = "")
     {
-        std::string text = k_Head;
+        std::string text = k_Head + "--- !u!1 &1\nGameObject:\n  m_Name: Eye\n  m_IsActive: 1\n"
+                                    "--- !u!4 &2\nTransform:\n  m_GameObject: {fileID: 1}\n"
+                                    "  m_Father: {fileID: 0}\n--- !u!20 &3\nCamera:\n"
+                                    "  m_GameObject: {fileID: 1}\n  m_Enabled: 1\n";
         int id = 1000;
         for (const std::string& mesh : meshes)
         {
