@@ -16,7 +16,8 @@ namespace
 
 constexpr const char* k_ImportMagic = "limn import 1\n";
 
-/// Equal for equal kinds, settings and bytes. It is no defence against who wants equal ones.
+/// Returns equal names for equal kinds, settings and bytes. It is no defence against who wants
+/// equal ones.
 std::string ImportKey(const ImportKind& kind, const std::string& settings, std::string_view bytes)
 {
     XXH3_state_t state;

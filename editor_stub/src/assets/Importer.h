@@ -21,10 +21,10 @@ struct ImportedFile
     std::string_view bytes;
 };
 
-/// How files of a kind are imported.
+/// A kind of files and what imports them.
 struct ImportKind
 {
-    const char* noun;    ///< in sentences: "model"
+    const char* noun;    ///< names it in sentences: "model"
     const char* version; ///< another one whenever equal files give something else than before
     /// Takes what ImportInWorker gives it.
     std::string (*work)(std::string_view request);
@@ -45,7 +45,7 @@ public:
         /// library ends it.
         std::shared_ptr<WorkerProcess> process;
         std::filesystem::path cacheFolder; ///< empty = nothing is kept
-        /// Bytes that is kept may take. @see FileCache
+        /// The bytes that all that is kept may take; 0 = no limit.
         std::uintmax_t cacheLimit = std::uintmax_t{1} << 30;
         std::chrono::milliseconds timeLimit = std::chrono::seconds(60); ///< of a file
     };

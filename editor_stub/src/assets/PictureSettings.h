@@ -31,7 +31,7 @@ enum class PictureAlpha : std::uint8_t
     FromGrayScale ///< the mean of red, green and blue
 };
 
-/// How Unity's TextureImporter changes the texels of a file.
+/// The changes that Unity's TextureImporter makes to the texels of a file.
 struct PictureSettings
 {
     bool sRGB = true; ///< the file's colours are
@@ -41,8 +41,8 @@ struct PictureSettings
     bool isNormalMap = false; ///< normals in red and green; its alpha becomes 1
     bool flipGreenChannel = false;
     bool convertToNormalMap = false; ///< the file's grey is a height
-    /// Of a slope, whose strength is not known to be Unity's: the height from black to white,
-    /// in texels, is a hundred times as much.
+    /// The height of white above black, in hundreds of texels. Whether slopes are as strong in
+    /// Unity is not known.
     float heightScale = 0.25f;
     int maxTextureSize = 0; ///< of the longer side, in texels; 0 = any
 };

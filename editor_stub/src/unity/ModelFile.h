@@ -12,7 +12,7 @@
 namespace limn
 {
 
-/// Where a model's tangents come from. Unity: UnityEditor.ModelImporterTangents (2022.3).
+/// The source of a model's tangents. Unity: UnityEditor.ModelImporterTangents (2022.3).
 enum class ModelTangents : std::uint8_t
 {
     Import, ///< the file, where it has them
@@ -31,7 +31,7 @@ struct ModelImport
     bool preserveHierarchy = false; ///< a single top node stays below the root
     bool calculatesNormals = false;
     float normalSmoothAngle = 60.0f; ///< degrees
-    /// What is calculated is so by the rule of MikkTSpace.
+    /// Calculated ones follow the rule of MikkTSpace.
     ModelTangents tangents = ModelTangents::CalculateMikk;
     bool swapUVChannels = false; ///< the first and the second
     int fileIdsGeneration = 1;

@@ -76,7 +76,7 @@ float ComponentAt(const std::uint8_t* bytes, VertexFormat format)
     return static_cast<float>(NumberAt<std::int32_t>(bytes));
 }
 
-/// Where the numbers of one array lie.
+/// The place of the numbers of one array.
 struct VertexChannel
 {
     std::size_t stream = 0;

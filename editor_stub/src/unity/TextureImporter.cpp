@@ -143,7 +143,7 @@ TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
     return import;
 }
 
-/// What a worker gets and gives, and what is kept of a picture.
+/// The settings as they go to a worker.
 void TransferSettings(auto& stream, auto& settings)
 {
     stream.Values(settings.sRGB, settings.alpha, settings.isNormalMap, settings.flipGreenChannel,
@@ -154,6 +154,7 @@ void TransferSettings(auto& stream, auto& settings)
     }
 }
 
+/// The picture as it comes back, and is kept.
 void TransferImage(auto& stream, auto& image)
 {
     stream.Values(image.width, image.height, image.format);

@@ -16,7 +16,7 @@ namespace limn
 class ShaderCache
 {
 public:
-    /// As a FileCache takes them.
+    /// Takes what a FileCache does.
     ShaderCache(std::filesystem::path folder, std::uintmax_t limit);
 
     bool isEnabled() const { return m_Files.isEnabled(); }

@@ -10,7 +10,7 @@
 namespace limn
 {
 
-/// What a worker is to do.
+/// A piece of work for a worker.
 struct WorkerTask
 {
     /// Makes an answer of a request. It runs in the worker and sees this program as it was when the
