@@ -1,6 +1,7 @@
 #include "assets/PictureFile.h"
 
 #include "assets/ExrFile.h"
+#include "assets/HdrFile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,8 @@
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 #define STBI_NO_PNG
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_GIF
 #define STBI_NO_PIC
 #define STBI_NO_PNM
@@ -195,39 +198,6 @@ Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
                                                       static_cast<unsigned>(height))};
 }
 
-/// Radiance HDR.
-Image ReadHdr(const std::filesystem::path& path, std::string_view bytes)
-{
-    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
-    const int size = static_cast<int>(bytes.size());
-    int width = 0;
-    int height = 0;
-    int channels = 0;
-    if (stbi_is_hdr_from_memory(data, size) == 0 ||
-        stbi_info_from_memory(data, size, &width, &height, &channels) == 0)
-    {
-        Fail(path, "this is no Radiance HDR file, or a broken one");
-    }
-    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
-                bytes.size());
-    const std::unique_ptr<float, void (*)(void*)> texels(
-        stbi_loadf_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
-    if (!texels)
-    {
-        Fail(path, std::string("the picture is broken: ") + stbi_failure_reason());
-    }
-    const std::size_t count =
-        std::size_t{4} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
-    Image image{width, height, GraphicsFormat::R16G16B16A16_SFloat,
-                std::vector<std::byte>(count * sizeof(std::uint16_t))};
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        const std::uint16_t half = HalfOf(texels.get()[i]);
-        std::memcpy(image.texels.data() + i * sizeof(half), &half, sizeof(half));
-    }
-    return image;
-}
-
 } // namespace
 
 std::uint16_t HalfOf(float value)
@@ -253,13 +223,12 @@ Image DecodePicture(const std::filesystem::path& path, std::string_view bytes)
     {
         return DecodePng(bytes, path.generic_string());
     }
-    if (ending == ".exr")
+    const auto requireSize = [&](std::uint32_t width, std::uint32_t height)
     {
-        return DecodeExr(path, bytes,
-                         [&](std::uint32_t width, std::uint32_t height)
-                         { RequireSize(path, width, height, bytes.size()); });
-    }
-    return ending == ".hdr"                        ? ReadHdr(path, bytes)
+        RequireSize(path, width, height, bytes.size());
+    };
+    return ending == ".exr"                        ? DecodeExr(path, bytes, requireSize)
+           : ending == ".hdr"                      ? DecodeHdr(path, bytes, requireSize)
            : ending == ".tif" || ending == ".tiff" ? ReadTiff(path, bytes)
                                                    : ReadByStb(path, bytes);
 }

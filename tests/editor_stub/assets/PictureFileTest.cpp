@@ -91,6 +91,29 @@ TEST(PictureFile, RadianceHdrIsLinear)
               0x7bff);
 }
 
+// Eight texels of a row: runs of red, of green and of the exponent, blue as it is.
+const std::string k_PackedHdr =
+    HdrBytesOf(8, 1, {2, 2, 0, 8, 136, 128, 136, 64, 8, 0, 1, 2, 3, 4, 5, 6, 7, 136, 129});
+
+TEST(PictureFile, RadianceHdrMayBePacked)
+{
+    const Image image = DecodePicture("a.hdr", k_PackedHdr);
+    const std::vector<int> halves = HalvesOf(image);
+    ASSERT_EQ(halves.size(), 32u);
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+        EXPECT_EQ(halves[4 * i], 0x3c00);
+        EXPECT_EQ(halves[4 * i + 1], 0x3800);
+        EXPECT_EQ(halves[4 * i + 3], 0x3c00);
+    }
+    EXPECT_EQ(halves[2], 0x0000);
+    EXPECT_EQ(halves[4 * 4 + 2], 0x2800); // 4 / 128 = 2^-5
+    EXPECT_THAT(ProblemOfPicture("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_xyze\n\n-Y 1 +X 1\n1234"),
+                HasSubstr("32-bit_rle_rgbe"));
+    EXPECT_THAT(ProblemOfPicture("a.hdr", "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n+X 1 -Y 1\n1234"),
+                HasSubstr("-Y 512 +X 1024"));
+}
+
 TEST(PictureFile, TgaStandsUpright)
 {
     const Image image = DecodePicture("a.tga", TgaBytesOf(1, 2, {1, 2, 3, 4, 5, 6, 7, 8}));
@@ -122,6 +145,7 @@ TEST(PictureFile, IsRefusedWithASentenceWhereItIsCutOff)
         {"a.tif", TiffBytesOf<std::uint8_t>(2, 1, 4, {1, 2, 3, 4, 5, 6, 7, 8})},
         {"a.exr", ExrBytesOf(2, 1, "ABGR", k_ExrHalves)},
         {"a.hdr", HdrBytesOf(1, 2, {128, 64, 0, 129, 0, 0, 0, 0})},
+        {"a.hdr", k_PackedHdr}, // stb_image 2.27 never ends where it is cut off
         {"a.tga", TgaBytesOf(1, 2, {1, 2, 3, 4, 5, 6, 7, 8})},
     };
     for (const auto& [name, bytes] : files)
