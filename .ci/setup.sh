@@ -7,7 +7,7 @@ limn_build_packages=(
     glslang-dev glslang-tools spirv-tools libspirv-cross-c-shared-dev   # shaders
     libxxhash-dev libglm-dev libyaml-cpp-dev libpng-dev libtinygltf-dev nlohmann-json3-dev
     libembree-dev                                            # what a click hits
-    libassimp-dev libtiff-dev libstb-dev                     # models and pictures of Unity projects
+    libassimp-dev libtiff-dev libstb-dev libopenexr-dev      # models and pictures of Unity projects
     graphviz gnuplot-nox                                     # `limn explain --graph` and `limn report` draw with them
 )
 limn_test_packages=(

@@ -1,3 +1,4 @@
+#include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
@@ -232,7 +233,7 @@ void ImportAgainstGlslang(benchmark::State& state, const char* body)
 {
     const PassProgram program = OnlyProgram(body);
     ShaderCompilerOptions isolation;
-    isolation.process = StartCompilerProcess();
+    isolation.process = std::make_shared<WorkerProcess>();
     ShaderCompiler isolated(isolation);
     ShaderCompiler compiler;
     StepTimes times;

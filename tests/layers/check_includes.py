@@ -34,7 +34,7 @@ LIBRARIES = {
     "yaml-cpp/": ["volume"],
 }
 # What knows the operating system lies in these folders; its headers may be included there alone.
-PLATFORM = ["shaderlab/base/src/platform", "shaderlab/src/compiler"]
+PLATFORM = ["shaderlab/base/src/platform"]
 SYSTEM_HEADERS = re.compile(
     r"(sys|linux|arpa|netinet)/.*|(unistd|fcntl|poll|spawn|dlfcn|link|pthread|signal|termios|dirent|pwd|windows)\.h")
 RAW_STRING = re.compile(r'R"([^\s()]*)\(.*?\)\1"', re.DOTALL)  # HLSL text has includes of its own

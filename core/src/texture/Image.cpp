@@ -113,6 +113,9 @@ std::vector<std::byte> EncodePng(const Image& image)
     RequireWholeImage(image);
     png->width = static_cast<png_uint_32>(image.width);
     png->height = static_cast<png_uint_32>(image.height);
+    // A sixth of the time for a file that is larger by a third: 55 instead of 300 ms for a frame of
+    // 1280x720, more than all else that a processor does for it.
+    png->flags |= PNG_IMAGE_FLAG_FAST;
 
     // An upper bound, so that the image is compressed once and not a second time to learn its size.
     std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(*png.get()));
@@ -134,11 +137,15 @@ void WritePng(const std::filesystem::path& path, const Image& image)
 
 Image ReadPng(const std::filesystem::path& path)
 {
-    const std::string bytes = ReadFile(path, k_MaxDataBytes);
+    return DecodePng(ReadFile(path, k_MaxDataBytes), path.string());
+}
+
+Image DecodePng(std::string_view bytes, const std::string& name)
+{
     PngImage png;
     const auto fail = [&]
     {
-        return AssetError(path.string(), {}, std::string("is no readable PNG: ") + png->message);
+        return AssetError(name, {}, std::string("is no readable PNG: ") + png->message);
     };
 
     if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0)
@@ -147,7 +154,7 @@ Image ReadPng(const std::filesystem::path& path)
     }
     if (std::string problem = SizeProblem(*png.get(), bytes); !problem.empty())
     {
-        throw AssetError(path.string(), {}, std::move(problem));
+        throw AssetError(name, {}, std::move(problem));
     }
     png->format = PNG_FORMAT_RGBA;
     // Without this, libpng takes a 16-bit file that does not state its gamma for linear.

@@ -1,9 +1,13 @@
 #include "assets/PictureFile.h"
 
+#include "assets/ExrFile.h"
+#include "assets/HdrFile.h"
+
 #include <algorithm>
+#include <cmath>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <limn/base/Diagnostic.h>
-#include <limn/base/ReadFile.h>
 #include <memory>
 #include <tiffio.h>
 
@@ -11,6 +15,8 @@
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 #define STBI_NO_PNG
+#define STBI_NO_HDR
+#define STBI_NO_LINEAR
 #define STBI_NO_GIF
 #define STBI_NO_PIC
 #define STBI_NO_PNM
@@ -42,12 +48,22 @@ std::string EndingOf(const std::filesystem::path& path)
     throw AssetError(path.generic_string(), {}, message);
 }
 
-void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height)
+/// Memory is taken by what a file can hold, not by what it says. No packing that is read makes more
+/// texels of a byte, but for a single colour.
+void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::uint32_t height,
+                 std::size_t fileBytes)
 {
+    constexpr std::uint64_t k_AnyFile = std::uint64_t{1} << 20;
+    constexpr std::uint64_t k_TexelsOfAByte = 8192;
     if (width == 0 || height == 0 || width > k_MostTexels || height > k_MostTexels)
     {
         Fail(path, "the picture has " + std::to_string(width) + "x" + std::to_string(height) +
                        " texels; 1 to " + std::to_string(k_MostTexels) + " either way are read");
+    }
+    if (std::uint64_t{width} * height > std::max(k_AnyFile, k_TexelsOfAByte * fileBytes))
+    {
+        Fail(path, "a file of " + std::to_string(fileBytes) + " bytes cannot hold a picture of " +
+                       std::to_string(width) + "x" + std::to_string(height) + " texels");
     }
 }
 
@@ -110,7 +126,7 @@ Image ReadTiff(const std::filesystem::path& path, std::string_view bytes)
     {
         Fail(path, "this is no TIFF file, or a broken one");
     }
-    RequireSize(path, width, height);
+    RequireSize(path, width, height, bytes.size());
     std::uint16_t channels = 1;
     std::uint16_t bits = 1;
     std::uint16_t layout = PLANARCONFIG_CONTIG;
@@ -168,7 +184,8 @@ Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
     {
         Fail(path, "this is no picture that limn reads, or a broken one");
     }
-    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height));
+    RequireSize(path, static_cast<std::uint32_t>(width), static_cast<std::uint32_t>(height),
+                bytes.size());
     const std::unique_ptr<stbi_uc, void (*)(void*)> texels(
         stbi_load_from_memory(data, size, &width, &height, &channels, 4), stbi_image_free);
     if (!texels)
@@ -183,27 +200,37 @@ Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
 
 } // namespace
 
+std::uint16_t HalfOf(float value)
+{
+    constexpr float k_Largest = 65504.0f;
+    return std::isnan(value) ? std::uint16_t{0}
+                             : glm::packHalf1x16(std::clamp(value, -k_Largest, k_Largest));
+}
+
 bool IsPictureFile(const std::filesystem::path& path)
 {
     const std::string ending = EndingOf(path);
     return std::ranges::any_of(std::initializer_list<const char*>{".png", ".tif", ".tiff", ".jpg",
-                                                                  ".jpeg", ".tga", ".bmp", ".psd"},
+                                                                  ".jpeg", ".tga", ".bmp", ".psd",
+                                                                  ".exr", ".hdr"},
                                [&](const char* known) { return ending == known; });
 }
 
-Image ReadPicture(const std::filesystem::path& path)
+Image DecodePicture(const std::filesystem::path& path, std::string_view bytes)
 {
     const std::string ending = EndingOf(path);
     if (ending == ".png")
     {
-        return ReadPng(path);
+        return DecodePng(bytes, path.generic_string());
     }
-    const std::string bytes = ReadFile(path, k_MaxDataBytes);
-    if (bytes.starts_with("version https://git-lfs"))
+    const auto requireSize = [&](std::uint32_t width, std::uint32_t height)
     {
-        Fail(path, "this is a pointer of Git LFS in place of the picture; run 'git lfs pull'");
-    }
-    return ending == ".tif" || ending == ".tiff" ? ReadTiff(path, bytes) : ReadByStb(path, bytes);
+        RequireSize(path, width, height, bytes.size());
+    };
+    return ending == ".exr"                        ? DecodeExr(path, bytes, requireSize)
+           : ending == ".hdr"                      ? DecodeHdr(path, bytes, requireSize)
+           : ending == ".tif" || ending == ".tiff" ? ReadTiff(path, bytes)
+                                                   : ReadByStb(path, bytes);
 }
 
 } // namespace limn

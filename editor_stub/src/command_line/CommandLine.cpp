@@ -160,10 +160,10 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
          IntoSelection(options.selection, Kind::CtrlClick), Any},
         DeviceFlag(options.device),
         {"cache-dir", "DIR",
-         "Keep compiled shaders here, not in the user's cache folder; LIMN_CACHE_LIMIT=SIZE (512M, "
-         "0 = no limit) says how many",
+         "Keep compiled shaders, models and pictures here, not in the user's cache folder; "
+         "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many",
          Into(options.cacheFolder)},
-        Switch("no-cache", "Keep no compiled shaders", options.noCache),
+        Switch("no-cache", "Keep no compiled shaders, models and pictures", options.noCache),
         PluginFlag(options.plugins),
         PackageFlag(options.packages),
         RootFlag(options.roots)};

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <future>
 #include <limn/base/TerminalText.h>
+#include <limn/base/WorkerProcess.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
@@ -119,7 +120,7 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
         compilerOptions.cacheFolder = cacheFolder;
     }
     compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
-    compilerOptions.process = StartCompilerProcess();
+    compilerOptions.process = std::make_shared<WorkerProcess>();
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));

@@ -7,11 +7,12 @@
 namespace limn
 {
 
-/// Where limn keeps compiled shaders and pipelines: $XDG_CACHE_HOME/limn or ~/.cache/limn. "" if
-/// neither variable is set.
+/// Where limn keeps compiled shaders, pipelines and imported models and pictures:
+/// $XDG_CACHE_HOME/limn or ~/.cache/limn. "" if neither variable is set.
 std::filesystem::path DefaultCacheFolder();
 
-/// Bytes that the compiled shaders in the cache folder may take: what LIMN_CACHE_LIMIT says, else
+/// Bytes that the compiled shaders in the cache folder may take, and a quarter of those that
+/// imported models and pictures may: what LIMN_CACHE_LIMIT says, else
 /// `otherwise`. "200000", "512K", "64M", "2G" (K = 1024); "0" = no limit.
 /// @throws AssetError if the variable is anything else
 std::uintmax_t CacheLimit(std::uintmax_t otherwise);

@@ -1,6 +1,7 @@
 #include <limn/editor_stub/AssetContext.h>
 
 #include "assets/GltfBufferFiles.h"
+#include "assets/Importer.h"
 #include "assets/References.h"
 #include "plugins/LoadPlugin.h"
 #include "scene/Loader.h"
@@ -69,6 +70,11 @@ AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLo
     {
         m_Roots.Add(folder);
     }
+    Importer::Options import;
+    import.process = options.process;
+    import.cacheFolder = options.cacheFolder;
+    import.cacheLimit = 4 * options.cacheLimit;
+    m_Importer = std::make_shared<const Importer>(std::move(import));
     m_Compiler = std::make_shared<ShaderCompiler>(std::move(options));
     m_ShaderSource = std::make_shared<ShaderSource>(&ShippedShaders, m_Compiler);
     RegisterFeatures(m_Features, m_VolumeComponents);
@@ -196,25 +202,33 @@ std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem
                   [&] { return ReadTexture(path.lexically_normal()); });
 }
 
-/// Refuses the picture that is too much before it decodes it: small files may hold gigabytes.
+/// Refuses the picture that is too much, a PNG before it decodes it: small files may hold
+/// gigabytes.
 std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem::path& path)
 {
     constexpr std::uintmax_t k_Most = std::uintmax_t{4} << 30;
-    m_TexelBytes[path] = PngTexelBytes(path);
-    std::uintmax_t bytes = 0;
-    for (const auto& [unused, size] : m_TexelBytes)
+    const auto count = [&](std::uintmax_t own)
     {
-        bytes += size;
-    }
-    if (bytes > k_Most)
-    {
-        throw AssetError(path.generic_string(), {},
-                         "its texels take " + std::to_string(m_TexelBytes[path] >> 20) +
-                             " MiB, which makes " + std::to_string(bytes >> 20) +
-                             " MiB of all pictures together; at most " +
-                             std::to_string(k_Most >> 20) + " MiB are loaded; use smaller ones");
-    }
-    return ImportTexture(path);
+        std::uintmax_t bytes = own;
+        m_TexelBytes.erase(path);
+        for (const auto& [unused, size] : m_TexelBytes)
+        {
+            bytes += size;
+        }
+        m_TexelBytes[path] = own;
+        if (bytes > k_Most)
+        {
+            throw AssetError(
+                path.generic_string(), {},
+                "its texels take " + std::to_string(own >> 20) + " MiB, which makes " +
+                    std::to_string(bytes >> 20) + " MiB of all pictures together; at most " +
+                    std::to_string(k_Most >> 20) + " MiB are loaded; use smaller ones");
+        }
+    };
+    count(PngTexelBytes(path));
+    std::shared_ptr<const Texture2D> texture = ImportTexture(path, *m_Importer);
+    count(texture->texels().size());
+    return texture;
 }
 
 std::shared_ptr<const Material> AssetContext::LoadMaterial(const std::filesystem::path& path)

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assets/Importer.h"
 #include "unity/UnityObjects.h"
 
 #include <filesystem>
@@ -11,6 +12,16 @@
 namespace limn
 {
 
+/// The source of a model's tangents. Unity: UnityEditor.ModelImporterTangents (2022.3).
+enum class ModelTangents : std::uint8_t
+{
+    Import, ///< the file, where it has them
+    CalculateLegacy,
+    None,
+    CalculateMikk,
+    CalculateLegacyWithSplitTangents
+};
+
 /// The settings by which Unity imports a model, from its .meta file.
 /// Unity: UnityEditor.ModelImporter (2022.3).
 struct ModelImport
@@ -20,6 +31,9 @@ struct ModelImport
     bool preserveHierarchy = false; ///< a single top node stays below the root
     bool calculatesNormals = false;
     float normalSmoothAngle = 60.0f; ///< degrees
+    /// Calculated ones follow the rule of MikkTSpace.
+    ModelTangents tangents = ModelTangents::CalculateMikk;
+    bool swapUVChannels = false; ///< the first and the second
     int fileIdsGeneration = 1;
     /// Names of the model's objects by id, of files of the first generation.
     std::map<std::int64_t, std::string> names = {};
@@ -65,7 +79,8 @@ struct Model
 
 /// Reads .fbx, .obj and whatever else assimp reads.
 /// @throws AssetError  with one sentence, if it cannot be read
-Model LoadModel(const std::filesystem::path& path, const ModelImport& import);
+Model LoadModel(const std::filesystem::path& path, const ModelImport& import,
+                const Importer& importer = Importer());
 
 /// The prefab that Unity makes of a model: what an instance of it in a scene stands for.
 /// @param guid  of the model

@@ -1,3 +1,4 @@
+#include "assets/Importer.h"
 #include "assets/References.h"
 #include "settings/ReadValues.h"
 #include "settings/SettingsReader.h"
@@ -209,7 +210,11 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                          "no renderer in this Unity asset; one is a MonoBehaviour with a list "
                          "'m_RendererFeatures'");
     }
-    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, UnityProject(path), {}};
+    Loading loading{assets,
+                    diagnostics,
+                    {assets, {}, diagnostics},
+                    UnityProject(path, MetaFiles::Loaded, assets.importer().cacheFolder()),
+                    {}};
     UnityRendererDataLoadResult result;
     result.renderer.pipelineVersion = ProjectPipelineVersion(path, assets);
     ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);

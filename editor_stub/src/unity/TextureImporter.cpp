@@ -1,9 +1,10 @@
 #include "unity/TextureImporter.h"
 
 #include "assets/PictureFile.h"
+#include "assets/PictureSettings.h"
 
 #include <algorithm>
-#include <limn/core/Image.h>
+#include <limn/base/ByteStream.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -15,13 +16,12 @@ namespace
 struct TextureImport
 {
     bool mipChain = true;
-    bool sRGB = true;
-    bool isNormalMap = false;
-    bool flipGreenChannel = false; ///< of a normal map
+    PictureSettings picture;
     SamplerState sampler;
 };
 
-constexpr int k_NormalMap = 1;         ///< a textureType
+constexpr int k_NormalMap = 1; ///< a textureType
+constexpr int k_LargestTexture = 16384;
 constexpr float k_NoMipBias = -100.0f; ///< Unity writes it where there is none
 
 /// A number of which -1 says that there is none.
@@ -53,6 +53,64 @@ void ReadSampler(const YamlNode& node, const std::string& subject, SamplerState&
     sampler.mipMapBias = bias == k_NoMipBias ? 0.0f : bias;
 }
 
+/// Later blocks win: that of the default platform comes first.
+void ReadMaxSize(YamlMapReader& importer, AssetDiagnostics& diagnostics, int& size)
+{
+    const auto read = [&](YamlMapReader& map, int& value)
+    {
+        map.Read("maxTextureSize", value, {1.0, static_cast<double>(k_LargestTexture)});
+    };
+    size = 2048;
+    read(importer, size);
+    const YamlNode* platforms = importer.Find("platformSettings");
+    if (platforms == nullptr || !platforms->isSequence())
+    {
+        return;
+    }
+    for (const YamlNode& node : platforms->items())
+    {
+        YamlMapReader map(node, importer.SubjectOf("platformSettings"), diagnostics);
+        std::string target;
+        bool isOverridden = false;
+        map.Read("buildTarget", target);
+        map.Read("overridden", isOverridden);
+        if (target == "DefaultTexturePlatform" || (target == "Standalone" && isOverridden))
+        {
+            read(map, size);
+        }
+    }
+}
+
+void ReadPictureSettings(YamlMapReader& map, AssetDiagnostics& diagnostics,
+                         PictureSettings& settings)
+{
+    int textureType = 0;
+    map.Read("textureType", textureType);
+    settings.isNormalMap = textureType == k_NormalMap;
+    map.Read("flipGreenChannel", settings.flipGreenChannel);
+    if (const YamlNode* node = map.Find("bumpmap"))
+    {
+        YamlMapReader bumps(*node, map.SubjectOf("bumpmap"), diagnostics);
+        bumps.Read("convertToNormalMap", settings.convertToNormalMap);
+        bumps.Read("heightScale", settings.heightScale, {0.0, 1.0});
+        bumps.Read("flipGreenChannel", settings.flipGreenChannel);
+    }
+    ReadSetting(map, "alphaUsage", static_cast<int>(PictureAlpha::FromGrayScale), settings.alpha);
+    // Four bytes, that of red the lowest.
+    std::uint32_t swizzle = 0x03020100;
+    map.Read("swizzle", swizzle);
+    for (PictureSwizzle& channel : settings.swizzle)
+    {
+        const std::uint32_t source = swizzle & 0xff;
+        if (source <= static_cast<std::uint32_t>(PictureSwizzle::One))
+        {
+            channel = static_cast<PictureSwizzle>(source);
+        }
+        swizzle >>= 8;
+    }
+    ReadMaxSize(map, diagnostics, settings.maxTextureSize);
+}
+
 /// Of other keys there are dozens, about what limn does without.
 TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
 {
@@ -71,31 +129,53 @@ TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
     {
         YamlMapReader mipmaps(*node, map.SubjectOf("mipmaps"), diagnostics);
         mipmaps.Read("enableMipMap", import.mipChain);
-        mipmaps.Read("sRGBTexture", import.sRGB);
+        mipmaps.Read("sRGBTexture", import.picture.sRGB);
     }
     if (const YamlNode* node = map.Find("textureSettings"))
     {
         ReadSampler(*node, map.SubjectOf("textureSettings"), import.sampler, diagnostics);
     }
-    int textureType = 0;
-    map.Read("textureType", textureType);
-    map.Read("flipGreenChannel", import.flipGreenChannel);
-    import.isNormalMap = textureType == k_NormalMap;
-    import.sRGB = import.sRGB && !import.isNormalMap;
+    if (importer != nullptr)
+    {
+        ReadPictureSettings(map, diagnostics, import.picture);
+    }
     diagnostics.ThrowIfErrors();
     return import;
 }
 
-/// A normal is in red and green. Its alpha is 1 whatever the file has there, as shaders multiply by
-/// it: of Unity's own packing, alpha and green are what counts.
-void MakeNormals(std::vector<std::byte>& texels, bool flipsGreen)
+/// The settings as they go to a worker.
+void TransferSettings(auto& stream, auto& settings)
 {
-    for (std::size_t i = 0; i + 3 < texels.size(); i += 4)
+    stream.Values(settings.sRGB, settings.alpha, settings.isNormalMap, settings.flipGreenChannel,
+                  settings.convertToNormalMap, settings.heightScale, settings.maxTextureSize);
+    for (auto& channel : settings.swizzle)
     {
-        texels[i + 1] = flipsGreen ? ~texels[i + 1] : texels[i + 1];
-        texels[i + 3] = std::byte{255};
+        stream.Value(channel);
     }
 }
+
+/// The picture as it comes back, and is kept.
+void TransferImage(auto& stream, auto& image)
+{
+    stream.Values(image.width, image.height, image.format);
+    stream.Array(image.texels);
+}
+
+std::string ImportPicture(const ImportedFile& file)
+{
+    std::string ending;
+    PictureSettings settings;
+    ByteReader reader(file.settings);
+    reader.Value(ending);
+    TransferSettings(reader, settings);
+    Image image = ApplyPictureSettings(DecodePicture(file.path, file.bytes), settings);
+    image.texels = FlipRows(image.texels, image.height);
+    ByteWriter writer;
+    TransferImage(writer, image);
+    return writer.bytes();
+}
+
+constexpr ImportKind k_Picture{"picture", "picture 1", ImportInWorker<ImportPicture>};
 
 } // namespace
 
@@ -104,18 +184,20 @@ std::filesystem::path MetaFileOf(const std::filesystem::path& texture)
     return texture.string() + ".meta";
 }
 
-std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path)
+std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path,
+                                               const Importer& importer)
 {
     const TextureImport import = ReadTextureImport(MetaFileOf(path));
-    const Image image = ReadPicture(path);
-    const GraphicsFormat format = import.sRGB ? image.format : GraphicsFormat::R8G8B8A8_UNorm;
-    std::vector<std::byte> texels = FlipRows(image.texels, image.height);
-    if (import.isNormalMap)
-    {
-        MakeNormals(texels, import.flipGreenChannel);
-    }
+    ByteWriter settings;
+    settings.Value(path.extension().string()); // it tells how the bytes are read
+    TransferSettings(settings, import.picture);
+    const FileCache::Entry entry =
+        importer.Import(k_Picture, path, settings.bytes(), ReadForImport(k_Picture, path));
+    Image image;
+    ByteReader reader(entry.payload());
+    TransferImage(reader, image);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
-                                             format, std::move(texels), import.sampler,
+                                             image.format, std::move(image.texels), import.sampler,
                                              import.mipChain);
 }
 

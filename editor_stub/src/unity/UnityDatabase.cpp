@@ -1,5 +1,7 @@
 #include "unity/UnityDatabase.h"
 
+#include "assets/Importer.h"
+
 #include <algorithm>
 #include <limn/base/ReadFile.h>
 
@@ -97,7 +99,9 @@ const UnityHeader* FindClass(const UnityFile& file, UnityClass classID)
 
 UnityDatabase::UnityDatabase(const std::filesystem::path& root, AssetContext& assets,
                              UnityNotes& notes)
-    : m_Assets(assets), m_Notes(notes), m_Project(root / "Assets", MetaFiles::All)
+    : m_Assets(assets),
+      m_Notes(notes),
+      m_Project(root / "Assets", MetaFiles::All, assets.importer().cacheFolder())
 {
 }
 

@@ -3,6 +3,7 @@
 #include "assets/PictureFile.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
+#include "unity/TextMesh.h"
 
 #include <algorithm>
 #include <charconv>
@@ -110,7 +111,7 @@ const Model* UnityMaterials::LoadModelOf(const std::string& guid)
         const std::string meta = path->string() + ".meta";
         const std::string text = ::limn::ReadFile(meta);
         const UnityTree tree(text, meta, 1);
-        model = LoadModel(*path, ReadModelImport(tree.root()));
+        model = LoadModel(*path, ReadModelImport(tree.root()), m_Assets.importer());
     }
     catch (const AssetError& error)
     {
@@ -145,6 +146,67 @@ std::shared_ptr<const UnityFile> UnityMaterials::LoadPrefab(const std::string& g
                                  : nullptr;
 }
 
+std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityTarget& mesh,
+                                                     const UnityReader& user)
+{
+    if (mesh.object == nullptr)
+    {
+        return LoadMesh(mesh.asset, user);
+    }
+    if (mesh.object->classID != UnityClass::Mesh)
+    {
+        user.Note("m_Mesh", "it refers to an object that is no mesh, so nothing is drawn");
+        return nullptr;
+    }
+    const std::string& file = mesh.object->scope->file->name();
+    const auto [known, isNew] = m_TextMeshes.try_emplace({file, mesh.object->fileID});
+    if (isNew)
+    {
+        known->second = ReadMesh([&] { return mesh.object->fields; }, file);
+    }
+    return known->second;
+}
+
+std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::path& path,
+                                                         std::int64_t fileID,
+                                                         const UnityReader& user)
+{
+    const auto [known, isNew] = m_TextMeshes.try_emplace({path.generic_string(), fileID});
+    const std::shared_ptr<const UnityFile> file = isNew ? m_Database.LoadFile(path) : nullptr;
+    if (!file)
+    {
+        return known->second; // what is wrong with the file has been said
+    }
+    const auto header = std::ranges::find_if(
+        file->headers(), [&](const UnityHeader& h)
+        { return h.fileID == fileID && h.classID == static_cast<int>(UnityClass::Mesh); });
+    if (header == file->headers().end())
+    {
+        user.Note("m_Mesh", path.filename().string() + " has no mesh with the id " +
+                                std::to_string(fileID) + ", so nothing is drawn");
+        return nullptr;
+    }
+    return known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
+}
+
+/// Null, with a note, where it is broken.
+std::shared_ptr<const Mesh> UnityMaterials::ReadMesh(const std::function<UnityNode()>& fields,
+                                                     const std::string& file)
+{
+    try
+    {
+        return ReadTextMesh(fields(), file);
+    }
+    catch (const AssetError& error)
+    {
+        for (const Diagnostic& problem : error.diagnostics())
+        {
+            m_Notes.Add(problem.file, problem.location.line, problem.message);
+        }
+        return nullptr;
+    }
+}
+
 std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
                                                      const UnityReader& user)
 {
@@ -160,6 +222,10 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
         user.Note("m_Mesh",
                   "no file of the project has its guid " + mesh.guid + ", so nothing is drawn");
         return nullptr;
+    }
+    if (EndingOf(*path) == ".asset" || EndingOf(*path) == ".mesh" || EndingOf(*path) == ".prefab")
+    {
+        return LoadTextMesh(*path, mesh.fileID, user);
     }
     if (!IsModelFile(*path))
     {

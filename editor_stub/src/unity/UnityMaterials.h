@@ -27,13 +27,19 @@ public:
     /// The prefab of a guid, which may be a model's; null where the project has none.
     std::shared_ptr<const UnityFile> LoadPrefab(const std::string& guid);
     /// Null, with a note at `user`, where there is none.
-    std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);
+    /// @param mesh  not null
+    std::shared_ptr<const Mesh> LoadMesh(const UnityTarget& mesh, const UnityReader& user);
     /// Never null. @param path  of the reference in `user`
     std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
 
 private:
     const Model* LoadModelOf(const std::string& guid);
+    std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);
+    std::shared_ptr<const Mesh> LoadTextMesh(const std::filesystem::path& path, std::int64_t fileID,
+                                             const UnityReader& user);
+    std::shared_ptr<const Mesh> ReadMesh(const std::function<UnityNode()>& fields,
+                                         const std::string& file);
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
     std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path);
@@ -52,6 +58,8 @@ private:
     UnityNotes& m_Notes;
     std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs; ///< of models, by guid
     std::map<std::string, std::optional<Model>> m_Models;
+    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Mesh>>
+        m_TextMeshes; ///< by file and id
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_Materials;
     std::shared_ptr<const Material> m_Magenta;
 };

@@ -1,7 +1,6 @@
 #include "unity/UnityProject.h"
 
-#include <limn/base/ReadFile.h>
-#include <sstream>
+#include "unity/GuidIndex.h"
 
 namespace limn
 {
@@ -9,29 +8,11 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_GuidKey = "guid: ";
-
 bool IsLoaded(const std::filesystem::path& path)
 {
     const std::filesystem::path extension = path.extension();
     return extension == ".cs" || extension == ".shader" || extension == ".png" ||
            extension == ".mat";
-}
-
-/// The guid a .meta file gives; "" if it gives none.
-std::string ReadGuid(const std::filesystem::path& metaFile)
-{
-    std::istringstream stream(TryReadFile(metaFile).bytes);
-    std::string line;
-    while (std::getline(stream, line))
-    {
-        if (std::string_view(line).starts_with(k_GuidKey))
-        {
-            const std::size_t end = line.find_last_not_of(" \r");
-            return line.substr(k_GuidKey.size(), end + 1 - k_GuidKey.size());
-        }
-    }
-    return {};
 }
 
 /// Scripts of the URP package, whose .meta files are in no project. (URP 14)
@@ -63,25 +44,28 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
     return folder;
 }
 
-UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files)
+UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files,
+                           const std::filesystem::path& cacheFolder)
     : m_Root(UnityProjectAround(asset))
 {
-    if (!m_Root.empty())
+    if (m_Root.empty())
     {
-        Scan(files);
+        return;
     }
-}
-
-void UnityProject::Scan(MetaFiles files)
-{
+    GuidIndex guids(m_Root, cacheFolder);
     // The rest of Library is Unity's own, and may be larger than all assets.
     for (const char* folder : {"Assets", "Packages", "Library/PackageCache"})
     {
-        ScanFolder(m_Root / folder, files);
+        ScanFolder(m_Root / folder, files, guids);
+    }
+    if (files == MetaFiles::All)
+    {
+        guids.Store();
     }
 }
 
-void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles files)
+void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles files,
+                              GuidIndex& guids)
 {
     std::error_code ignored;
     const auto options = std::filesystem::directory_options::skip_permission_denied;
@@ -97,7 +81,7 @@ void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles fil
         const std::filesystem::path described = path.parent_path() / path.stem();
         if (path.extension() == ".meta" && (files == MetaFiles::All || IsLoaded(described)))
         {
-            const std::string guid = ReadGuid(path);
+            const std::string guid = guids.GuidOf(*entry);
             const auto [known, isNew] = m_Files.emplace(guid, described);
             if (!isNew && described < known->second)
             {

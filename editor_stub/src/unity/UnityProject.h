@@ -12,6 +12,8 @@ namespace limn
 /// The nearest folder above a file that has an Assets folder; "" if there is none.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
+class GuidIndex;
+
 /// Which .meta files of a project are read.
 enum class MetaFiles
 {
@@ -24,7 +26,9 @@ class UnityProject
 {
 public:
     /// The one around `asset`; without one it is empty.
-    explicit UnityProject(const std::filesystem::path& asset, MetaFiles files = MetaFiles::Loaded);
+    /// @param cacheFolder  keeps what All .meta files say; empty = nothing is kept
+    explicit UnityProject(const std::filesystem::path& asset, MetaFiles files = MetaFiles::Loaded,
+                          const std::filesystem::path& cacheFolder = {});
 
     /// The path that a .meta file belongs to, whether there is a file or not; null if no .meta file
     /// that was read has the guid.
@@ -34,8 +38,7 @@ public:
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
-    void Scan(MetaFiles files);
-    void ScanFolder(const std::filesystem::path& folder, MetaFiles files);
+    void ScanFolder(const std::filesystem::path& folder, MetaFiles files, GuidIndex& guids);
 
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;

@@ -105,13 +105,13 @@ void AddRenderer(UnitySceneLoader& loader, const UnityGameObject& object,
     reader.Read("m_Enabled", made.enabled);
     const UnityReader mesh = loader.ReaderOf(object, *filter);
     const UnityTarget target = mesh.Reference("m_Mesh");
-    if (target.asset.isNull())
+    if (target.isNull())
     {
         return;
     }
     if (object.isActive && made.enabled)
     {
-        made.mesh = loader.materials.LoadMesh(target.asset, mesh);
+        made.mesh = loader.materials.LoadMesh(target, mesh);
     }
     made.enabled = made.enabled && hidden.count(renderer) == 0;
     reader.ReadEnum("m_CastShadows", ShadowCastingMode::ShadowsOnly, made.shadowCastingMode);

@@ -2,6 +2,7 @@
 
 #include "console/CacheFolder.h"
 
+#include <limn/base/WorkerProcess.h>
 #include <limn/core/DynamicGI.h>
 #include <limn/editor_stub/Overrides.h>
 
@@ -43,7 +44,7 @@ ShaderCompilerOptions ChooseCompilerOptions(const RenderOptions& options, Consol
     result.cacheLimit = CacheLimit(result.cacheLimit);
     result.packages.insert(options.packages.begin(), options.packages.end());
     result.includeFolders.assign(options.roots.begin(), options.roots.end());
-    result.process = StartCompilerProcess();
+    result.process = std::make_shared<WorkerProcess>();
     return result;
 }
 

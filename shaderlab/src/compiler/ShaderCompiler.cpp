@@ -3,7 +3,7 @@
 #include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "compiler/CompilerProcess.h"
+#include "compiler/CompileInWorker.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/ShaderCache.h"
 #include "keywords/PassMacro.h"
@@ -247,7 +247,7 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
     {
         auto pass = std::make_shared<const ShaderProgram>(
             m_State->options.process
-                ? m_State->options.process->Compile(program, keywords, m_State->options, resolver)
+                ? CompileInWorker(program, keywords, m_State->options, resolver)
                 : CompileProgram(program, keywords, resolver));
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());

@@ -1,8 +1,12 @@
 #include "unity/ModelFile.h"
 
+#include "Paths.h"
 #include "TemporaryFolder.h"
+#include <fstream>
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>
+#include <limn/base/ReadFile.h>
+#include <limn/base/WorkerProcess.h>
 
 namespace limn::test
 {
@@ -111,6 +115,202 @@ TEST_F(ModelOfAFile, IsRefusedWhereItIsBroken)
     {
         EXPECT_THAT(error.what(), HasSubstr("pointer of Git LFS"));
     }
+}
+
+/// An FBX file of the tests' own: a node with a pivot, two polygons of a material each, colours and
+/// two sets of uv.
+class ModelOfAnFbx : public testing::Test
+{
+protected:
+    ModelOfAnFbx()
+    {
+        std::filesystem::copy_file(SourcePath("tests/fuzz/model_seeds/flag.fbx"), m_File);
+    }
+
+    Importer Isolated(bool isKept = false,
+                      std::chrono::milliseconds limit = std::chrono::minutes(1))
+    {
+        Importer::Options options;
+        options.process = std::make_shared<WorkerProcess>();
+        options.cacheFolder = isKept ? m_Folder / "cache" : std::filesystem::path();
+        options.timeLimit = limit;
+        return Importer(options);
+    }
+    std::string ProblemOf(const std::string& bytes, const Importer& importer)
+    {
+        try
+        {
+            LoadModel(m_Folder.Write("broken.fbx", bytes), {}, importer);
+        }
+        catch (const AssetError& error)
+        {
+            EXPECT_EQ(error.diagnostics().front().file, (m_Folder / "broken.fbx").generic_string());
+            return error.diagnostics().front().message;
+        }
+        return "";
+    }
+
+    TemporaryFolder m_Folder;
+    std::filesystem::path m_File = m_Folder / "Banner.fbx";
+};
+
+/// All that is drawn of a model.
+void ExpectSameModel(const Model& a, const Model& b)
+{
+    ASSERT_EQ(a.meshes.size(), b.meshes.size());
+    for (std::size_t i = 0; i < a.meshes.size(); ++i)
+    {
+        EXPECT_EQ(a.meshes[i]->name(), b.meshes[i]->name());
+        const MeshData& one = a.meshes[i]->data();
+        const MeshData& other = b.meshes[i]->data();
+        for (const VertexAttribute& attribute : VertexAttributes())
+        {
+            EXPECT_TRUE(std::ranges::equal(attribute.values(one), attribute.values(other)))
+                << attribute.array;
+        }
+        EXPECT_EQ(one.triangles, other.triangles);
+        EXPECT_EQ(one.subMeshes, other.subMeshes);
+    }
+    const std::string guid(32, 'a');
+    EXPECT_EQ(PrefabTextOf(a, guid), PrefabTextOf(b, guid));
+    ASSERT_EQ(a.materials.size(), b.materials.size());
+    for (std::size_t i = 0; i < a.materials.size(); ++i)
+    {
+        EXPECT_EQ(a.materials[i].name, b.materials[i].name);
+        EXPECT_EQ(a.materials[i].color, b.materials[i].color);
+    }
+}
+
+TEST_F(ModelOfAnFbx, HasItsOriginAtThePivotInMetres)
+{
+    const Model model = LoadModel(m_File, {});
+    ASSERT_EQ(model.nodes.size(), 1u) << "the one node at the top is the root";
+    const ModelNode& node = model.nodes.front();
+    EXPECT_EQ(node.name, "Banner");
+    // Translation (100, 0, 0) and pivot (10, 20, 30), in centimetres, x turned over.
+    EXPECT_NEAR(node.position.x, -1.1f, 1e-6f);
+    EXPECT_NEAR(node.position.y, 0.2f, 1e-6f);
+    EXPECT_NEAR(node.position.z, 0.3f, 1e-6f);
+    // 90 degrees about y, turned over with x.
+    EXPECT_NEAR(node.rotation.y, -std::sqrt(0.5f), 1e-6f);
+    EXPECT_NEAR(node.rotation.w, std::sqrt(0.5f), 1e-6f);
+    ASSERT_EQ(model.meshes.size(), 1u);
+    EXPECT_EQ(model.meshes.front()->name(), "Flag");
+    const Bounds& bounds = model.meshes.front()->bounds();
+    EXPECT_NEAR(bounds.center.x, -1.4f, 1e-6f); // 0 to 300, less 10
+    EXPECT_NEAR(bounds.extents.x, 1.5f, 1e-6f);
+    EXPECT_NEAR(bounds.center.y, 0.3f, 1e-6f); // 0 to 100, less 20
+    EXPECT_NEAR(bounds.center.z, 0.2f, 1e-6f); // 0 to 100, less 30
+    EXPECT_THAT(node.materials, testing::ElementsAre("red", "blue"));
+}
+
+TEST_F(ModelOfAnFbx, HasItsColoursUvAndTangents)
+{
+    const Model model = LoadModel(m_File, {});
+    const MeshData& data = model.meshes.at(0)->data();
+    ASSERT_EQ(data.vertices.size(), 8u);
+    ASSERT_EQ(data.subMeshes.size(), 2u);
+    EXPECT_EQ(data.subMeshes[0], (SubMesh{0, 6}));
+    EXPECT_EQ(data.subMeshes[1], (SubMesh{6, 6}));
+    ASSERT_EQ(data.colors.size(), 8u);
+    EXPECT_EQ(data.colors[data.triangles[0]], glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(data.colors[data.triangles[6]], glm::vec4(0, 0.5f, 0, 0.25f));
+    ASSERT_EQ(data.uv2.size(), 8u);
+    EXPECT_TRUE(data.uv3.empty());
+    ASSERT_EQ(data.tangents.size(), 8u);
+    for (std::size_t i = 0; i < 8; ++i)
+    {
+        const bool isFlat = data.normals[i].z > 0.99f;
+        const float second = isFlat ? 0.1f : 0.5f;
+        EXPECT_GE(data.uv2[i].x, second);
+        EXPECT_LE(data.uv2[i].x, second + 0.101f);
+        // u grows with the file's x, which is Unity's -x; v grows upwards.
+        EXPECT_LT(data.tangents[i].x, -0.7f);
+        const glm::vec3 up =
+            glm::cross(data.normals[i], glm::vec3(data.tangents[i])) * data.tangents[i].w;
+        EXPECT_GT(up.y, 0.99f);
+    }
+}
+
+TEST_F(ModelOfAnFbx, HasTheTangentsAndUvThatItsImporterSays)
+{
+    ModelImport import;
+    import.tangents = ModelTangents::None;
+    import.swapUVChannels = true;
+    const Model model = LoadModel(m_File, import);
+    const MeshData& data = model.meshes.at(0)->data();
+    EXPECT_TRUE(data.tangents.empty());
+    EXPECT_EQ(data.uv[data.triangles[0]].y > 0.05f, true) << "those of the light map";
+    const std::string meta = "ModelImporter:\n  meshes:\n    swapUVChannels: 1\n"
+                             "    globalScale: nan\n  tangentSpace:\n"
+                             "    tangentImportMode: 2\n    normalSmoothAngle: 1e9\n";
+    const ModelImport read = ReadModelImport(UnityTree(meta, "a.meta", 1).root());
+    EXPECT_EQ(read.tangents, ModelTangents::None);
+    EXPECT_TRUE(read.swapUVChannels);
+    EXPECT_EQ(read.globalScale, 1.0f);
+    EXPECT_EQ(read.normalSmoothAngle, 60.0f);
+    EXPECT_EQ(ModelImport().tangents, ModelTangents::CalculateMikk);
+}
+
+TEST_F(ModelOfAnFbx, IsTheSameFromAnotherProcessAndFromTheCache)
+{
+    const Model here = LoadModel(m_File, {});
+    ExpectSameModel(here, LoadModel(m_File, {}, Isolated()));
+    const Importer keeping = Isolated(true);
+    ExpectSameModel(here, LoadModel(m_File, {}, keeping));
+    // No worker could answer within no time: what comes is what was kept.
+    const Importer hurried = Isolated(true, std::chrono::milliseconds(1));
+    ExpectSameModel(here, LoadModel(m_File, {}, hurried));
+    ModelImport other;
+    other.globalScale = 2.0f;
+    EXPECT_NEAR(LoadModel(m_File, other, keeping).meshes.at(0)->bounds().extents.x, 3.0f, 1e-5f)
+        << "other settings are another import";
+}
+
+TEST_F(ModelOfAnFbx, CostsOnlyItselfWhereTheImporterCrashesOnIt)
+{
+    setenv("LIMN_TEST_ABORT", "broken.fbx", 1);
+    const Importer importer = Isolated();
+    unsetenv("LIMN_TEST_ABORT");
+    EXPECT_THAT(ProblemOf("x", importer),
+                HasSubstr("the model cannot be read: the importer stopped on it: Aborted (signal"));
+    EXPECT_EQ(LoadModel(m_File, {}, importer).meshes.size(), 1u);
+    EXPECT_EQ(ProblemOf("", Importer()), "the file is empty; a model is expected")
+        << "assimp ends the program on it";
+}
+
+TEST_F(ModelOfAnFbx, IsRefusedWithASentenceWhereItIsCutOff)
+{
+    const std::string whole = ReadFile(m_File);
+    const Importer importer = Isolated();
+    for (std::size_t size = 0; size < whole.size(); size += 97)
+    {
+        ProblemOf(whole.substr(0, size), importer); // a model or a sentence
+    }
+    EXPECT_NE(ProblemOf(whole.substr(0, whole.size() / 2), importer), "");
+}
+
+TEST_F(ModelOfAFile, IsImportedAgainWhenItsMaterialsChange)
+{
+    Importer::Options options;
+    options.cacheFolder = m_Folder / "cache";
+    const auto colorWith = [&](const std::string& material)
+    {
+        m_Folder.Write("flag.mtl", "newmtl red\nKd " + material + "\n");
+        const Model model =
+            LoadModel(m_Folder.Write("Flag.obj", "mtllib flag.mtl\n" + std::string(k_Obj)), {},
+                      Importer(options));
+        for (const ModelMaterial& found : model.materials)
+        {
+            if (found.name == "red")
+            {
+                return found.color.r;
+            }
+        }
+        return -1.0f;
+    };
+    EXPECT_EQ(colorWith("1 0 0"), 1.0f);
+    EXPECT_EQ(colorWith("0.5 0 0"), 0.5f);
 }
 
 } // namespace

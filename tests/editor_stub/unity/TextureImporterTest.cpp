@@ -206,5 +206,86 @@ TEST_F(TextureImporter, IsThatOfTheTextureOfAScenesMaterial)
     }
 }
 
+TEST_F(TextureImporter, SaysHowLargeATextureMayBe)
+{
+    const auto sizeWith = [&](const std::string& lines)
+    {
+        const auto texture = LoadWith(lines);
+        return std::pair(texture->width(), texture->height());
+    };
+    EXPECT_EQ(sizeWith("  maxTextureSize: 8\n"), std::pair(8, 2));
+    EXPECT_EQ(sizeWith("  maxTextureSize: 4\n"), std::pair(4, 1));
+    const std::string platforms = "  platformSettings:\n"
+                                  "  - serializedVersion: 3\n    buildTarget: Standalone\n"
+                                  "    maxTextureSize: 1\n    overridden: 0\n"
+                                  "  - buildTarget: DefaultTexturePlatform\n"
+                                  "    maxTextureSize: 2\n    overridden: 0\n";
+    EXPECT_EQ(sizeWith("  maxTextureSize: 2048\n" + platforms), std::pair(2, 1));
+    EXPECT_EQ(sizeWith("  platformSettings:\n  - buildTarget: Standalone\n"
+                       "    maxTextureSize: 4\n    overridden: 1\n"),
+              std::pair(4, 1));
+    EXPECT_THAT(ProblemsWith("  maxTextureSize: 0\n"),
+                ElementsAre(HasSubstr("5:19: TextureImporter.maxTextureSize: ")));
+}
+
+TEST_F(TextureImporter, SaysWhatItsChannelsAre)
+{
+    WritePng(m_Scene / "wood.png", {1,
+                                    1,
+                                    GraphicsFormat::R8G8B8A8_SRGB,
+                                    {std::byte{10}, std::byte{20}, std::byte{60}, std::byte{7}}});
+    const auto texelWith = [&](const std::string& lines)
+    {
+        std::vector<int> texel;
+        for (const std::byte byte : LoadWith(lines)->texels())
+        {
+            texel.push_back(std::to_integer<int>(byte));
+        }
+        return texel;
+    };
+    EXPECT_THAT(texelWith("  swizzle: 50462976\n"), ElementsAre(10, 20, 60, 7));
+    EXPECT_THAT(texelWith("  alphaUsage: 0\n"), ElementsAre(10, 20, 60, 255));
+    EXPECT_THAT(texelWith("  alphaUsage: 2\n"), ElementsAre(10, 20, 60, 30));
+    // 3 = alpha, 4 = one minus red, 8 = nothing, 9 = one; red's is the lowest byte.
+    EXPECT_THAT(texelWith("  swizzle: 151520259\n"), ElementsAre(7, 245, 0, 255));
+    EXPECT_THAT(texelWith("  textureType: 1\n"), ElementsAre(10, 20, 60, 255));
+    EXPECT_THAT(texelWith("  textureType: 1\n  flipGreenChannel: 1\n"),
+                ElementsAre(10, 235, 60, 255));
+    EXPECT_THAT(texelWith("  textureType: 1\n  bumpmap:\n    convertToNormalMap: 1\n"),
+                ElementsAre(128, 128, 255, 255));
+    EXPECT_THAT(texelWith("  alphaIsTransparency: 1\n  nPOTScale: 1\n"),
+                ElementsAre(10, 20, 60, 7));
+}
+
+TEST_F(TextureImporter, IsImportedFromTheCacheTheSame)
+{
+    std::vector<std::byte> texels;
+    for (int i = 0; i < 8 * 2 * 4; ++i)
+    {
+        texels.push_back(static_cast<std::byte>(i * 3));
+    }
+    WritePng(m_Scene / "wood.png", {8, 2, GraphicsFormat::R8G8B8A8_SRGB, texels});
+    Importer::Options options;
+    options.cacheFolder = m_Scene / "cache";
+    const auto fresh = ImportTexture(m_Scene / "wood.png");
+    const auto stored = ImportTexture(m_Scene / "wood.png", Importer(options));
+    const auto kept = ImportTexture(m_Scene / "wood.png", Importer(options));
+    EXPECT_TRUE(std::filesystem::exists(m_Scene / "cache"));
+    for (const auto& texture : {stored, kept})
+    {
+        EXPECT_EQ(texture->texels(), fresh->texels());
+        EXPECT_EQ(texture->graphicsFormat(), fresh->graphicsFormat());
+        EXPECT_EQ(texture->mipmapCount(), fresh->mipmapCount());
+    }
+}
+
+TEST_F(TextureImporter, NamesAPointerOfGitLfs)
+{
+    m_Scene.Write("wood.png", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
+    EXPECT_THAT(Problems([&] { Load(); }),
+                ElementsAre(HasSubstr("this is a pointer of Git LFS in place of the picture; run "
+                                      "'git lfs pull'")));
+}
+
 } // namespace
 } // namespace limn::test

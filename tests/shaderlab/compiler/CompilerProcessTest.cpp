@@ -1,5 +1,6 @@
 #include "ShaderTestSupport.h"
 
+#include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
@@ -24,7 +25,7 @@ const std::string k_IsolatedVertex =
 ShaderCompilerOptions IsolatedOptions(std::chrono::milliseconds limit = 30s)
 {
     ShaderCompilerOptions options;
-    options.process = StartCompilerProcess();
+    options.process = std::make_shared<WorkerProcess>();
     options.timeLimit = limit;
     return options;
 }

@@ -1,6 +1,7 @@
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
+#include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
@@ -433,7 +434,7 @@ TEST(Kernel, IsFoundAgainInTheCache)
 TEST(Kernel, CompilesInAProcessOfItsOwn)
 {
     ShaderCompilerOptions options;
-    options.process = StartCompilerProcess();
+    options.process = std::make_shared<WorkerProcess>();
     ShaderCompiler isolated(options);
     const PassProgram kernel = ParseCompute(k_Sum, "t.compute").kernels.at(0);
     EXPECT_EQ(*isolated.Compile(kernel), *CompileKernel(k_Sum));

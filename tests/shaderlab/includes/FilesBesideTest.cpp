@@ -3,6 +3,7 @@
 #include "TemporaryFolder.h"
 
 #include <gmock/gmock.h>
+#include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/EmbeddedIncludes.h>
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/ShaderCompiler.h>
@@ -41,7 +42,7 @@ TEST(FilesBeside, AreIncludedFromWhereTheyLie)
     for (const bool isIsolated : {false, true})
     {
         ShaderCompilerOptions options;
-        options.process = isIsolated ? StartCompilerProcess() : nullptr;
+        options.process = isIsolated ? std::make_shared<WorkerProcess>() : nullptr;
         ShaderCompiler compiler(options);
         for (const char* include :
              {"Tint.hlsl", "tint.HLSL", "../shaders/Tint.hlsl", "Assets/Effects/Tint.hlsl"})

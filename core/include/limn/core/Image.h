@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <limn/core/GraphicsFormat.h>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn
@@ -41,6 +43,11 @@ void WritePng(const std::filesystem::path& path, const Image& image);
 /// memory than a file of that length can fill.
 /// @throws AssetError if the file is missing or is no PNG
 Image ReadPng(const std::filesystem::path& path);
+
+/// ReadPng of a file that has been read.
+/// @param name  what errors call it
+/// @throws AssetError if the bytes are no PNG
+Image DecodePng(std::string_view bytes, const std::string& name);
 
 /// The bytes of texels that ReadPng would give, by what the file's header says; 0 for what is no
 /// file with such a header.

@@ -20,6 +20,8 @@
 namespace limn
 {
 
+class Importer;
+
 /// What plug-ins are loaded from: their files, where debuggers and profilers find them, or copies,
 /// so that the files may be built anew meanwhile.
 enum class PluginLoading
@@ -33,7 +35,10 @@ enum class PluginLoading
 class AssetContext
 {
 public:
-    /// @param options  its includeFolders are roots of references as well
+    /// @param options  its includeFolders are roots of references as well; its process imports
+    ///     models and pictures, so that a library that crashes on one costs that one only (without
+    ///     a process it costs the program), and its cacheFolder keeps what they become, up to four
+    ///     times its cacheLimit
     explicit AssetContext(ShaderCompilerOptions options = {},
                           PluginLoading pluginLoading = PluginLoading::File);
     AssetContext(const AssetContext&) = delete;
@@ -67,10 +72,11 @@ public:
     std::shared_ptr<const Mesh> Primitive(PrimitiveType type);
     /// @throws AssetError as LoadGltfMesh
     std::shared_ptr<const Mesh> LoadMesh(const std::filesystem::path& path);
-    /// A PNG file, upright on a mesh, its colours sRGB and with mip maps unless Unity's .meta file
-    /// beside it says otherwise; that one's filter, wrap modes and anisotropy.
-    /// @throws AssetError as ReadPng, for wrong values of the .meta file, and for one that a link
-    ///         has outside of the roots in which the texture lies
+    /// A picture (PNG, TIFF, JPEG, TGA, BMP, PSD, OpenEXR, Radiance HDR), upright on a mesh, its
+    /// colours sRGB and with mip maps unless Unity's .meta file beside it says otherwise; that
+    /// one's size, channels, filter, wrap modes and anisotropy.
+    /// @throws AssetError if the file is none of these, for wrong values of the .meta file, and for
+    ///         one that a link has outside of the roots in which the texture lies
     std::shared_ptr<const Texture2D> LoadTexture(const std::filesystem::path& path);
     /// A .material.yaml file: what a scene writes for one of its materials.
     /// @throws AssetError with every problem of the file
@@ -119,6 +125,7 @@ public:
     void Forget(const std::filesystem::path& path);
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
+    const Importer& importer() const { return *m_Importer; }
     /// All features that come with limn, to which a program adds its own before it loads scenes.
     FeatureRegistry& features() { return m_Features; }
     const FeatureRegistry& features() const { return m_Features; }
@@ -143,6 +150,7 @@ private:
 
     FileRoots m_Roots;
     std::shared_ptr<ShaderCompiler> m_Compiler;
+    std::shared_ptr<const Importer> m_Importer;
     FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;
     std::shared_ptr<ShaderSource> m_ShaderSource; ///< of shipped ones and those that were loaded

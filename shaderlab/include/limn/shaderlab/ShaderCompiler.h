@@ -16,14 +16,7 @@
 namespace limn
 {
 
-class CompilerProcess;
-
-/// Starts a process that compiles HLSL for this one. A crash, a hang or more than 2 GiB of memory
-/// of the HLSL compiler there is an AssetError of the pass that causes it. The process ends when
-/// nobody holds it any more.
-///
-/// It is a copy of this process (fork): call this before other threads are at work.
-std::shared_ptr<CompilerProcess> StartCompilerProcess();
+class WorkerProcess;
 
 struct ShaderCompilerOptions
 {
@@ -45,9 +38,10 @@ struct ShaderCompilerOptions
     /// Bytes that the entries of the cache folder may take; those not used for longest are removed
     /// when there are more. 0 = no limit.
     std::uintmax_t cacheLimit = std::uintmax_t{256} << 20;
-    /// This process compiles passes. If it is null, the caller's own does, and a crash of the HLSL
-    /// compiler ends it. Several compilers may share one.
-    std::shared_ptr<CompilerProcess> process = nullptr;
+    /// Workers of this process compile passes: a crash, a hang or more than 2 GiB of memory of the
+    /// HLSL compiler is an AssetError of the pass that causes it. If it is null, the caller's own
+    /// process compiles, and a crash ends it. Several compilers may share one.
+    std::shared_ptr<WorkerProcess> process = nullptr;
     /// The compilation of a pass in `process` may take so long.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
     /// Whether depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and UNITY_NEAR_CLIP_VALUE is

@@ -39,6 +39,14 @@ public:
             each(item);
         }
     }
+    /// Numbers, or structures of nothing but numbers, at once.
+    template <typename T>
+    requires std::is_trivially_copyable_v<T>
+    void Array(const std::vector<T>& items)
+    {
+        Value(static_cast<std::uint64_t>(items.size()));
+        m_Bytes.append(reinterpret_cast<const char*>(items.data()), items.size() * sizeof(T));
+    }
     const std::string& bytes() const { return m_Bytes; }
 
 private:
@@ -82,6 +90,23 @@ public:
         for (T& item : items)
         {
             each(item);
+        }
+    }
+    template <typename T>
+    requires std::is_trivially_copyable_v<T>
+    void Array(std::vector<T>& items)
+    {
+        std::uint64_t size = 0;
+        Value(size);
+        if (size > m_Bytes.size() / sizeof(T))
+        {
+            throw std::out_of_range("array");
+        }
+        items.resize(static_cast<std::size_t>(size));
+        const std::string_view raw = Take(items.size() * sizeof(T));
+        if (!raw.empty())
+        {
+            std::memcpy(static_cast<void*>(items.data()), raw.data(), raw.size());
         }
     }
     bool isAtEnd() const { return m_Bytes.empty(); }

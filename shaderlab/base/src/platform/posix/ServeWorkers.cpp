@@ -1,18 +1,13 @@
-#include "compiler/CompilerWorker.h"
+#include "platform/posix/SocketMessages.h"
 
-#include <limn/shaderlab/MissingIncludeError.h>
-#include <limn/shaderlab/UnsupportedProgramError.h>
-
-#include "compiler/ProgramCompiler.h"
-#include "compiler/WorkerMessages.h"
-#include "preprocess/GlslangSession.h"
+#include <limn/base/ByteStream.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
-#include <cstdlib>
 #include <fstream>
 #include <poll.h>
-#include <string_view>
+#include <set>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
@@ -24,53 +19,6 @@ namespace limn
 
 namespace
 {
-
-CompilerAnswer Compile(const CompilerRequest& request)
-{
-    CompilerAnswer answer;
-    const auto fail = [&](CompilerOutcome outcome, std::vector<Diagnostic> diagnostics)
-    {
-        answer.outcome = outcome;
-        answer.program.diagnostics = std::move(diagnostics);
-    };
-    const auto failAtProgram = [&](const std::string& message)
-    {
-        const PassProgram& program = request.program;
-        fail(CompilerOutcome::Failed,
-             {{Severity::Error, program.file, program.location, "program: " + message}});
-    };
-    IncludeResolver resolver(request.options, request.program.file);
-    resolver.SetFilesBeside(request.filesBeside);
-    try
-    {
-        answer.program = CompileProgram(request.program, request.keywords, resolver);
-        answer.outcome = CompilerOutcome::Compiled;
-    }
-    catch (const UnsupportedProgramError& error)
-    {
-        fail(CompilerOutcome::Unsupported, error.diagnostics());
-    }
-    catch (const MissingIncludeError& error)
-    {
-        fail(CompilerOutcome::MissingInclude, error.diagnostics());
-    }
-    catch (const AssetError& error)
-    {
-        fail(CompilerOutcome::Failed, error.diagnostics());
-    }
-    catch (const std::bad_alloc&)
-    {
-        answer.isLast = true; // what is left of the memory may be in pieces
-        failAtProgram("compiling it takes more memory than there is for it, 2 GiB at most; make "
-                      "it smaller");
-    }
-    catch (const std::exception& error)
-    {
-        failAtProgram("the HLSL compiler failed: " + std::string(error.what()));
-    }
-    answer.dependencies = resolver.dependencies();
-    return answer;
-}
 
 // The address sanitizer's shadow counts as memory, terabytes of it.
 #if defined(__SANITIZE_ADDRESS__)
@@ -93,7 +41,7 @@ rlim_t DataSize()
     return file ? pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-/// No core files, and std::bad_alloc where macros grow and grow.
+/// No core files, and std::bad_alloc where memory grows and grows.
 void LimitProcess()
 {
     constexpr rlim_t k_Memory = rlim_t{2} << 30;
@@ -121,15 +69,6 @@ void SetTimer(std::chrono::milliseconds limit)
     setitimer(ITIMER_REAL, &timer, nullptr);
 }
 
-void AbortForTest(const std::string& file)
-{
-    const char* const name = std::getenv("LIMN_TEST_ABORT");
-    if (name && *name && file.ends_with(name))
-    {
-        std::abort();
-    }
-}
-
 /// The most memory that the process has had at a time, in KiB.
 long Peak()
 {
@@ -138,15 +77,16 @@ long Peak()
     return usage.ru_maxrss;
 }
 
-bool Send(int socket, const CompilerAnswer& answer)
+using Work = std::string (*)(std::string_view);
+
+/// An exception ends the process as it ends a program.
+std::string Call(Work work, std::string_view request) noexcept
 {
-    ByteWriter writer;
-    Transfer(writer, answer);
-    return SendMessage(socket, writer.bytes());
+    return work(request);
 }
 
 /// The whole life of a worker: until the other side is gone.
-[[noreturn]] void Work(int socket)
+[[noreturn]] void ServeTasks(int socket)
 {
     constexpr long k_Growth = 512 << 10; // KiB; what is kept after that is too much to keep
     LimitProcess();
@@ -154,20 +94,21 @@ bool Send(int socket, const CompilerAnswer& answer)
     bool isLast = false;
     while (!isLast)
     {
-        const std::optional<std::string> bytes = ReceiveMessage(socket);
-        if (!bytes)
+        const std::optional<std::string> header = ReceiveMessage(socket);
+        const std::optional<std::string> request = header ? ReceiveMessage(socket) : std::nullopt;
+        if (!request)
         {
             break;
         }
-        CompilerRequest request;
-        ByteReader reader(*bytes);
-        Transfer(reader, request);
-        SetTimer(request.options.timeLimit);
-        AbortForTest(request.program.file);
-        CompilerAnswer answer = Compile(request);
+        std::uintptr_t work = 0;
+        std::int64_t timeLimit = 0;
+        ByteReader(*header).Values(work, timeLimit);
+        SetTimer(std::chrono::milliseconds(timeLimit));
+        std::string answer = Call(reinterpret_cast<Work>(work), *request);
         SetTimer(std::chrono::milliseconds(0)); // half an answer is none
-        answer.isLast = answer.isLast || Peak() > peakAtStart + k_Growth;
-        isLast = !Send(socket, answer) || answer.isLast;
+        isLast = Peak() > peakAtStart + k_Growth;
+        answer += static_cast<char>(isLast ? WorkerMessage::LastAnswer : WorkerMessage::Answer);
+        isLast = !SendMessage(socket, answer) || isLast;
     }
     _exit(0);
 }
@@ -199,35 +140,39 @@ int WaitForEnd(pid_t worker, int socket)
     const pid_t worker = fork();
     if (worker == 0)
     {
-        Work(socket);
+        ServeTasks(socket);
     }
     if (worker > 0)
     {
-        CompilerAnswer answer;
-        answer.outcome = CompilerOutcome::Ended;
-        answer.isLast = true;
-        answer.waitStatus = WaitForEnd(worker, socket);
-        Send(socket, answer);
+        const int status = WaitForEnd(worker, socket);
+        std::string message(reinterpret_cast<const char*>(&status), sizeof(status));
+        message += static_cast<char>(WorkerMessage::Ended);
+        SendMessage(socket, message);
     }
     _exit(0); // what the parent has open and registered is not the child's to finish
 }
 
 } // namespace
 
-void ServeCompiler(int requests)
+void ServeWorkers(int requests)
 {
     std::signal(SIGCHLD, SIG_IGN); // children are not waited for
     for (const int signal : {SIGINT, SIGHUP, SIGQUIT})
     {
         std::signal(signal, SIG_IGN); // they end with the program that they work for
     }
-    for (int socket; (socket = ReceiveDescriptor(requests)) >= 0; close(socket))
+    std::set<std::uint64_t> prepared{0};
+    for (SentDescriptor sent; (sent = ReceiveDescriptor(requests)).descriptor >= 0;
+         close(sent.descriptor))
     {
-        StartGlslang(); // once for all workers
+        if (prepared.insert(sent.number).second)
+        {
+            reinterpret_cast<void (*)()>(static_cast<std::uintptr_t>(sent.number))();
+        }
         if (fork() == 0)
         {
             close(requests);
-            StartWorker(socket);
+            StartWorker(sent.descriptor);
         }
     }
     _exit(0);

@@ -1,0 +1,153 @@
+#include "unity/ModelFile.h"
+
+#include <algorithm>
+#include <charconv>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Writes the objects of a model as a prefab does.
+class PrefabWriter
+{
+public:
+    PrefabWriter(const Model& model, const std::string& guid) : m_Model(model), m_Guid(guid) {}
+
+    std::string Write()
+    {
+        m_Text = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+        for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
+        {
+            m_Paths.push_back(i == 0
+                                  ? "//RootNode/root"
+                                  : m_Paths[m_Model.nodes[i].parent] + "/" + m_Model.nodes[i].name);
+        }
+        for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
+        {
+            WriteNode(i);
+        }
+        return std::move(m_Text);
+    }
+
+private:
+    /// The id of a node's GameObject or of one of its components.
+    std::int64_t IdOf(std::size_t node, UnityClass classID, std::string_view name) const
+    {
+        const std::string wanted = node == 0 ? "//RootNode" : m_Model.nodes[node].name;
+        const std::int64_t first = static_cast<std::int64_t>(classID) * 100'000;
+        const auto begin = m_Model.import.names.lower_bound(first);
+        const auto end = m_Model.import.names.lower_bound(first + 100'000);
+        const auto found =
+            std::find_if(begin, end, [&](const auto& entry) { return entry.second == wanted; });
+        if (found != end)
+        {
+            return found->first;
+        }
+        return HashedFileID(
+            "Type:" + std::string(name) + "->" + m_Paths[node] +
+            (classID == UnityClass::GameObject ? "0" : "/" + std::string(name) + "0"));
+    }
+
+    std::int64_t MeshId(std::size_t mesh) const
+    {
+        const std::string& name = m_Model.meshes[mesh]->name();
+        for (const auto& [id, known] : m_Model.import.names)
+        {
+            if (id / 100'000 == static_cast<int>(UnityClass::Mesh) && known == name)
+            {
+                return id;
+            }
+        }
+        return HashedFileID("Type:Mesh->" + name + "0");
+    }
+
+    void Begin(UnityClass classID, std::int64_t id, const char* name)
+    {
+        m_Text += "--- !u!" + std::to_string(static_cast<int>(classID)) + " &" +
+                  std::to_string(id) + "\n" + name + ":\n";
+    }
+    static std::string Number(float value)
+    {
+        char text[40];
+        const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
+        return std::string(text, end);
+    }
+    static std::string Vector(const glm::vec3& v)
+    {
+        return "{x: " + Number(v.x) + ", y: " + Number(v.y) + ", z: " + Number(v.z) + "}";
+    }
+    static std::string Own(std::int64_t id) { return "{fileID: " + std::to_string(id) + "}"; }
+    /// A name may hold anything.
+    static std::string Quoted(const std::string& name)
+    {
+        std::string text = "'";
+        for (const char letter : name)
+        {
+            text += letter == '\n' ? ' ' : letter;
+            text += letter == '\'' ? "'" : "";
+        }
+        return text + "'";
+    }
+
+    void WriteNode(std::size_t index)
+    {
+        const ModelNode& node = m_Model.nodes[index];
+        const std::int64_t object = IdOf(index, UnityClass::GameObject, "GameObject");
+        const std::int64_t transform = IdOf(index, UnityClass::Transform, "Transform");
+        Begin(UnityClass::GameObject, object, "GameObject");
+        m_Text += "  m_Layer: 0\n  m_Name: " + Quoted(node.name) + "\n  m_IsActive: 1\n";
+        Begin(UnityClass::Transform, transform, "Transform");
+        m_Text +=
+            "  m_GameObject: " + Own(object) +
+            "\n  m_LocalRotation: {x: " + Number(node.rotation.x) +
+            ", y: " + Number(node.rotation.y) + ", z: " + Number(node.rotation.z) +
+            ", w: " + Number(node.rotation.w) + "}\n  m_LocalPosition: " + Vector(node.position) +
+            "\n  m_LocalScale: " + Vector(node.scale) + "\n  m_Father: " +
+            Own(index == 0 ? 0 : IdOf(node.parent, UnityClass::Transform, "Transform")) + "\n";
+        if (node.mesh)
+        {
+            WriteRenderer(index, object);
+        }
+    }
+
+    void WriteRenderer(std::size_t index, std::int64_t object)
+    {
+        const ModelNode& node = m_Model.nodes[index];
+        Begin(UnityClass::MeshFilter, IdOf(index, UnityClass::MeshFilter, "MeshFilter"),
+              "MeshFilter");
+        m_Text += "  m_GameObject: " + Own(object) +
+                  "\n  m_Mesh: {fileID: " + std::to_string(MeshId(*node.mesh)) +
+                  ", guid: " + m_Guid + ", type: 3}\n";
+        Begin(UnityClass::MeshRenderer, IdOf(index, UnityClass::MeshRenderer, "MeshRenderer"),
+              "MeshRenderer");
+        m_Text += "  m_GameObject: " + Own(object) +
+                  "\n  m_Enabled: 1\n  m_RenderingLayerMask: 1\n  m_Materials:\n";
+        for (const std::string& material : node.materials)
+        {
+            const auto remapped = m_Model.import.materials.find(material);
+            const std::int64_t id = remapped != m_Model.import.materials.end()
+                                        ? remapped->second.fileID
+                                        : HashedFileID("Type:Material->" + material + "0");
+            m_Text +=
+                "  - {fileID: " + std::to_string(id) + ", guid: " +
+                (remapped != m_Model.import.materials.end() ? remapped->second.guid : m_Guid) +
+                ", type: 3}\n";
+        }
+    }
+
+    const Model& m_Model;
+    const std::string& m_Guid;
+    std::vector<std::string> m_Paths; ///< by node
+    std::string m_Text;
+};
+
+} // namespace
+
+std::string PrefabTextOf(const Model& model, const std::string& guid)
+{
+    return PrefabWriter(model, guid).Write();
+}
+
+} // namespace limn

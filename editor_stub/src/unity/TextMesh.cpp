@@ -1,0 +1,350 @@
+#include "unity/TextMesh.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <limits>
+#include <map>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Unity: UnityEngine.Rendering.VertexAttributeFormat (2022.3).
+enum class VertexFormat : std::uint8_t
+{
+    Float32,
+    Float16,
+    UNorm8,
+    SNorm8,
+    UNorm16,
+    SNorm16,
+    UInt8,
+    SInt8,
+    UInt16,
+    SInt16,
+    UInt32,
+    SInt32
+};
+
+std::size_t BytesOf(VertexFormat format)
+{
+    constexpr std::size_t k_Bytes[] = {4, 2, 1, 1, 2, 2, 1, 1, 2, 2, 4, 4};
+    return k_Bytes[static_cast<std::size_t>(format)];
+}
+
+template <typename T>
+T NumberAt(const std::uint8_t* bytes)
+{
+    T value;
+    std::memcpy(&value, bytes, sizeof(value));
+    return value;
+}
+
+float ComponentAt(const std::uint8_t* bytes, VertexFormat format)
+{
+    switch (format)
+    {
+    case VertexFormat::Float32:
+        return NumberAt<float>(bytes);
+    case VertexFormat::Float16:
+        return glm::unpackHalf1x16(NumberAt<std::uint16_t>(bytes));
+    case VertexFormat::UNorm8:
+        return static_cast<float>(*bytes) / 255.0f;
+    case VertexFormat::SNorm8:
+        return std::max(static_cast<float>(NumberAt<std::int8_t>(bytes)) / 127.0f, -1.0f);
+    case VertexFormat::UNorm16:
+        return static_cast<float>(NumberAt<std::uint16_t>(bytes)) / 65535.0f;
+    case VertexFormat::SNorm16:
+        return std::max(static_cast<float>(NumberAt<std::int16_t>(bytes)) / 32767.0f, -1.0f);
+    case VertexFormat::UInt8:
+        return static_cast<float>(*bytes);
+    case VertexFormat::SInt8:
+        return static_cast<float>(NumberAt<std::int8_t>(bytes));
+    case VertexFormat::UInt16:
+        return static_cast<float>(NumberAt<std::uint16_t>(bytes));
+    case VertexFormat::SInt16:
+        return static_cast<float>(NumberAt<std::int16_t>(bytes));
+    case VertexFormat::UInt32:
+        return static_cast<float>(NumberAt<std::uint32_t>(bytes));
+    case VertexFormat::SInt32:
+        break;
+    }
+    return static_cast<float>(NumberAt<std::int32_t>(bytes));
+}
+
+/// The place of the numbers of one array.
+struct VertexChannel
+{
+    std::size_t stream = 0;
+    std::size_t offset = 0;
+    VertexFormat format = VertexFormat::Float32;
+    std::size_t components = 0; ///< 0 = the mesh has no such array
+};
+
+class TextMeshReader
+{
+public:
+    TextMeshReader(const UnityNode& fields, const std::string& file)
+        : m_Fields(fields), m_File(file)
+    {
+    }
+
+    std::shared_ptr<const Mesh> Read()
+    {
+        RequireReadable();
+        const UnityNode vertices = m_Fields["m_VertexData"];
+        m_Count = Number(vertices["m_VertexCount"], k_MostVertices);
+        m_Bytes = Bytes(vertices["_typelessdata"]);
+        ReadChannels(vertices["m_Channels"]);
+        MeshData data;
+        ReadArrays(data);
+        ReadTriangles(data);
+        try
+        {
+            const std::string_view name = m_Fields["m_Name"].text();
+            return std::make_shared<const Mesh>(std::string(name), std::move(data));
+        }
+        catch (const ContractError& error)
+        {
+            Fail(m_Fields, error.what());
+        }
+    }
+
+private:
+    static constexpr std::size_t k_MostVertices = std::size_t{1} << 28;
+    static constexpr std::size_t k_MostBytes = std::size_t{1} << 30;
+
+    [[noreturn]] void Fail(const UnityNode& node, const std::string& message) const
+    {
+        throw AssetError(m_File, {node ? node.line() : m_Fields.line(), 0}, message);
+    }
+
+    /// A whole number from 0 to `most`; 0 if it is not there.
+    std::size_t Number(const UnityNode& node, std::size_t most) const
+    {
+        std::size_t value = 0;
+        const std::string_view text = node.text();
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+        if (node && (error != std::errc() || end != text.data() + text.size() || value > most))
+        {
+            Fail(node, std::string(node.key()) + " is '" + std::string(text.substr(0, 40)) +
+                           "'; a whole number from 0 to " + std::to_string(most) + " is expected");
+        }
+        return value;
+    }
+
+    std::vector<std::uint8_t> Bytes(const UnityNode& node) const
+    {
+        const auto digit = [&](char c)
+        {
+            const int value = c >= '0' && c <= '9'   ? c - '0'
+                              : c >= 'a' && c <= 'f' ? c - 'a' + 10
+                              : c >= 'A' && c <= 'F' ? c - 'A' + 10
+                                                     : -1;
+            if (value < 0)
+            {
+                Fail(node, std::string(node.key()) + " holds '" + std::string(1, c) +
+                               "'; two of 0...9 and a...f for each byte are expected");
+            }
+            return static_cast<std::uint8_t>(value);
+        };
+        const std::string_view text = node.text();
+        if (text.size() % 2 != 0)
+        {
+            Fail(node, std::string(node.key()) + " ends within a byte; the file is cut off");
+        }
+        std::vector<std::uint8_t> bytes(text.size() / 2);
+        for (std::size_t i = 0; i < bytes.size(); ++i)
+        {
+            bytes[i] = static_cast<std::uint8_t>(digit(text[2 * i]) << 4 | digit(text[2 * i + 1]));
+        }
+        return bytes;
+    }
+
+    void RequireReadable() const
+    {
+        for (const UnityNode part : m_Fields["m_CompressedMesh"])
+        {
+            const std::string_view items = part["m_NumItems"].text();
+            if (!items.empty() && items != "0")
+            {
+                Fail(part, "the mesh is compressed, which limn does not read; set Mesh Compression "
+                           "to Off in Unity and save it again");
+            }
+        }
+        if (!m_Fields["m_StreamData"]["path"].text().empty())
+        {
+            Fail(m_Fields["m_StreamData"],
+                 "the mesh's data lie in another file, which limn does not read");
+        }
+    }
+
+    void ReadChannels(const UnityNode& list)
+    {
+        for (const UnityNode item : list)
+        {
+            VertexChannel channel;
+            channel.stream = Number(item["stream"], 3);
+            channel.offset = Number(item["offset"], 255);
+            channel.format = static_cast<VertexFormat>(
+                Number(item["format"], static_cast<std::size_t>(VertexFormat::SInt32)));
+            channel.components = Number(item["dimension"], 255) & 15;
+            if (channel.components > 4)
+            {
+                Fail(item, "a vertex channel has " + std::to_string(channel.components) +
+                               " components; 0 to 4 are expected");
+            }
+            m_Channels.push_back(channel);
+        }
+        constexpr std::size_t k_Channels = 14;
+        if (m_Channels.size() != k_Channels)
+        {
+            Fail(list, "the mesh has " + std::to_string(m_Channels.size()) +
+                           " vertex channels; 14 are expected, as Unity 2018 and later save them");
+        }
+        for (const VertexChannel& channel : m_Channels)
+        {
+            const std::size_t end = channel.offset + channel.components * BytesOf(channel.format);
+            std::size_t& stride = m_Strides[channel.stream];
+            stride = channel.components > 0 ? std::max(stride, (end + 3) / 4 * 4) : stride;
+        }
+        std::size_t at = 0;
+        for (auto& [stream, stride] : m_Strides)
+        {
+            at = (at + 15) / 16 * 16; // one begins where sixteen bytes do
+            m_Starts[stream] = at;
+            at += stride * m_Count;
+        }
+        if (at > m_Bytes.size())
+        {
+            Fail(m_Fields["m_VertexData"],
+                 "the vertex data have " + std::to_string(m_Bytes.size()) + " bytes; " +
+                     std::to_string(m_Count) + " vertices take " + std::to_string(at));
+        }
+    }
+
+    /// Calls `add` with the components of each vertex, those that are missing 0.
+    template <typename Add>
+    void ForEach(std::size_t index, const Add& add) const
+    {
+        const VertexChannel& channel = m_Channels[index];
+        if (channel.components == 0 || m_Count == 0)
+        {
+            return;
+        }
+        const std::size_t stride = m_Strides.at(channel.stream);
+        const std::uint8_t* vertex = m_Bytes.data() + m_Starts.at(channel.stream) + channel.offset;
+        for (std::size_t i = 0; i < m_Count; ++i, vertex += stride)
+        {
+            glm::vec4 value(0.0f);
+            for (std::size_t c = 0; c < channel.components; ++c)
+            {
+                value[static_cast<int>(c)] =
+                    ComponentAt(vertex + c * BytesOf(channel.format), channel.format);
+            }
+            add(value);
+        }
+    }
+
+    void ReadArrays(MeshData& data) const
+    {
+        const auto toEnd = [](auto& values)
+        {
+            return [&values](const glm::vec4& value)
+            {
+                values.emplace_back(value);
+            };
+        };
+        std::vector<glm::vec4>* const sets[] = {&data.uv2, &data.uv3, &data.uv4,
+                                                &data.uv5, &data.uv6, &data.uv7};
+        ForEach(0, toEnd(data.vertices));
+        ForEach(1, toEnd(data.normals));
+        ForEach(2, toEnd(data.tangents));
+        ForEach(3, toEnd(data.colors));
+        ForEach(4, toEnd(data.uv));
+        for (std::size_t set = 0; set < std::size(sets); ++set)
+        {
+            ForEach(5 + set, toEnd(*sets[set]));
+        }
+    }
+
+    void ReadTriangles(MeshData& data) const
+    {
+        const std::vector<std::uint8_t> bytes = Bytes(m_Fields["m_IndexBuffer"]);
+        const std::size_t width = m_Fields["m_IndexFormat"].text() == "1" ? 4 : 2;
+        for (const UnityNode item : m_Fields["m_SubMeshes"])
+        {
+            const std::size_t first = Number(item["firstByte"], k_MostBytes);
+            const std::size_t count = Number(item["indexCount"], k_MostBytes);
+            const std::size_t base = Number(item["baseVertex"], k_MostVertices);
+            const std::size_t topology = Number(item["topology"], 5);
+            if (first > bytes.size() || count > (bytes.size() - first) / width)
+            {
+                Fail(item, "a sub-mesh has " + std::to_string(count) + " indices from byte " +
+                               std::to_string(first) + " on; the index buffer has " +
+                               std::to_string(bytes.size()) + " bytes");
+            }
+            const auto add = [&](std::size_t i)
+            {
+                const std::uint8_t* index = bytes.data() + first + i * width;
+                const std::size_t vertex =
+                    base + (width == 4 ? NumberAt<std::uint32_t>(index)
+                                       : std::size_t{NumberAt<std::uint16_t>(index)});
+                data.triangles.push_back(static_cast<std::uint32_t>(
+                    std::min<std::size_t>(vertex, std::numeric_limits<std::uint32_t>::max())));
+            };
+            SubMesh subMesh;
+            subMesh.indexStart = static_cast<std::uint32_t>(data.triangles.size());
+            AddTriangles(topology, count, add);
+            subMesh.indexCount =
+                static_cast<std::uint32_t>(data.triangles.size()) - subMesh.indexStart;
+            data.subMeshes.push_back(subMesh);
+            if (data.triangles.size() > k_MostBytes)
+            {
+                Fail(item, "the sub-meshes have more indices than limn takes");
+            }
+        }
+    }
+
+    template <typename Add>
+    static void AddTriangles(std::size_t topology, std::size_t count, const Add& add)
+    {
+        constexpr std::size_t k_Triangles = 0;
+        constexpr std::size_t k_Quads = 2;
+        for (std::size_t i = 0; topology == k_Triangles && i + 3 <= count; i += 3)
+        {
+            for (const std::size_t corner : {0, 1, 2})
+            {
+                add(i + corner);
+            }
+        }
+        for (std::size_t i = 0; topology == k_Quads && i + 4 <= count; i += 4)
+        {
+            for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+            {
+                add(i + corner);
+            }
+        }
+    }
+
+    const UnityNode m_Fields;
+    const std::string& m_File;
+    std::size_t m_Count = 0; ///< of vertices
+    std::vector<std::uint8_t> m_Bytes;
+    std::vector<VertexChannel> m_Channels;
+    std::map<std::size_t, std::size_t> m_Strides; ///< bytes of a vertex, by stream
+    std::map<std::size_t, std::size_t> m_Starts;  ///< of the streams
+};
+
+} // namespace
+
+std::shared_ptr<const Mesh> ReadTextMesh(const UnityNode& fields, const std::string& file)
+{
+    return TextMeshReader(fields, file).Read();
+}
+
+} // namespace limn
