@@ -164,10 +164,7 @@ std::shared_ptr<const UnityFile> UnityDatabase::LoadFile(const std::filesystem::
         }
         catch (const AssetError& error)
         {
-            for (const Diagnostic& problem : error.diagnostics())
-            {
-                m_Notes.Add(problem.file, problem.location.line, problem.message);
-            }
+            m_Notes.Add(error.diagnostics());
         }
     }
     return m_Files[path] = file;

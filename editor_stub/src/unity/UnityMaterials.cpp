@@ -115,10 +115,7 @@ const Model* UnityMaterials::LoadModelOf(const std::string& guid)
     }
     catch (const AssetError& error)
     {
-        for (const Diagnostic& problem : error.diagnostics())
-        {
-            m_Notes.Add(problem.file, problem.location.line, problem.message);
-        }
+        m_Notes.Add(error.diagnostics());
     }
     return model ? &*model : nullptr;
 }
@@ -199,10 +196,7 @@ std::shared_ptr<const Mesh> UnityMaterials::ReadMesh(const std::function<UnityNo
     }
     catch (const AssetError& error)
     {
-        for (const Diagnostic& problem : error.diagnostics())
-        {
-            m_Notes.Add(problem.file, problem.location.line, problem.message);
-        }
+        m_Notes.Add(error.diagnostics());
         return nullptr;
     }
 }
@@ -331,10 +325,7 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     }
     catch (const AssetError& error)
     {
-        for (const Diagnostic& problem : error.diagnostics())
-        {
-            m_Notes.Add(problem.file, problem.location.line, problem.message);
-        }
+        m_Notes.Add(error.diagnostics());
         return Magenta();
     }
 }
@@ -486,10 +477,7 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
             }
             catch (const AssetError& error)
             {
-                for (const Diagnostic& problem : error.diagnostics())
-                {
-                    m_Notes.Add(problem.file, problem.location.line, problem.message);
-                }
+                m_Notes.Add(error.diagnostics());
             }
         });
 }
