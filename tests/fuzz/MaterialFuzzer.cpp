@@ -1,5 +1,5 @@
 #include "FuzzSupport.h"
-#include "unity/UnityMaterials.h"
+#include "unity_scene/UnityMaterials.h"
 
 using namespace limn;
 

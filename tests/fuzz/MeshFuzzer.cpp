@@ -1,6 +1,6 @@
 #include "FuzzSupport.h"
-#include "unity/MikkTangents.h"
-#include "unity/TextMesh.h"
+#include "models/MikkTangents.h"
+#include "models/TextMesh.h"
 
 using namespace limn;
 

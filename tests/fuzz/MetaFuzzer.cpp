@@ -1,5 +1,5 @@
 #include "FuzzSupport.h"
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 #include "unity/TextureImporter.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include "FuzzSupport.h"
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 
 #include <limn/base/WorkerProcess.h>
 

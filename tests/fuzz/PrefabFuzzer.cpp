@@ -1,5 +1,5 @@
 #include "FuzzSupport.h"
-#include "unity/UnityHierarchy.h"
+#include "unity_scene/UnityHierarchy.h"
 
 using namespace limn;
 

@@ -3,7 +3,7 @@
 #include "settings/SettingsReader.h"
 #include "settings/ShadowKeys.h"
 #include "unity/RenderPipelineAsset.h"
-#include "unity/UnityScene.h"
+#include "unity_scene/UnityScene.h"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "unity/TextMesh.h"
+#include "models/TextMesh.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,4 +1,4 @@
-#include "unity/TextMesh.h"
+#include "models/TextMesh.h"
 
 #include <cstring>
 #include <gmock/gmock.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "assets/Importer.h"
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 
 namespace limn
 {

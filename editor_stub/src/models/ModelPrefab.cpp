@@ -1,4 +1,4 @@
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 
 #include <algorithm>
 #include <charconv>

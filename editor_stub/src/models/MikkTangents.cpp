@@ -1,4 +1,4 @@
-#include "unity/MikkTangents.h"
+#include "models/MikkTangents.h"
 
 #include <algorithm>
 #include <array>

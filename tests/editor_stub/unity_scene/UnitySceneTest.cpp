@@ -1,7 +1,7 @@
-#include "unity/UnityScene.h"
+#include "unity_scene/UnityScene.h"
 
 #include "TemporaryFolder.h"
-#include "unity/UnitySceneLoader.h"
+#include "unity_scene/UnitySceneLoader.h"
 #include "volume/Problems.h"
 #include <cmath>
 #include <gmock/gmock.h>

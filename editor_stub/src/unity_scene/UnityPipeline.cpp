@@ -1,5 +1,5 @@
 #include "unity/RenderPipelineAsset.h"
-#include "unity/UnitySceneLoader.h"
+#include "unity_scene/UnitySceneLoader.h"
 
 #include <charconv>
 #include <limn/editor_stub/UnityRendererData.h>

@@ -1,7 +1,7 @@
-#include "unity/UnityScene.h"
+#include "unity_scene/UnityScene.h"
 
-#include "unity/UnityRenderSettings.h"
-#include "unity/UnitySceneLoader.h"
+#include "unity_scene/UnityRenderSettings.h"
+#include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
 #include <limn/base/ReadFile.h>

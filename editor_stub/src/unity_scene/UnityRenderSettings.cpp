@@ -1,4 +1,4 @@
-#include "unity/UnityRenderSettings.h"
+#include "unity_scene/UnityRenderSettings.h"
 
 #include <algorithm>
 #include <bit>

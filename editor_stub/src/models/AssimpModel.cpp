@@ -1,6 +1,6 @@
-#include "unity/AssimpModel.h"
+#include "models/AssimpModel.h"
 
-#include "unity/MikkTangents.h"
+#include "models/MikkTangents.h"
 
 #include <algorithm>
 #include <assimp/cimport.h>

@@ -1,7 +1,7 @@
 // The article's own Unity project, where LIMN_UNITY_DIR leads to it. The numbers are those of
 // unity_project.md 10, worked out from its files by other means.
 
-#include "unity/UnityScene.h"
+#include "unity_scene/UnityScene.h"
 
 #include <cstdlib>
 #include <gmock/gmock.h>

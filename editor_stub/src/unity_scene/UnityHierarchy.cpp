@@ -1,4 +1,4 @@
-#include "unity/UnityHierarchy.h"
+#include "unity_scene/UnityHierarchy.h"
 
 #include <algorithm>
 

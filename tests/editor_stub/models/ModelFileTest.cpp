@@ -1,4 +1,4 @@
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 
 #include "Paths.h"
 #include "TemporaryFolder.h"

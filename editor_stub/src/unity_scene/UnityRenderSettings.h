@@ -1,6 +1,6 @@
 #pragma once
 
-#include "unity/UnityMaterials.h"
+#include "unity_scene/UnityMaterials.h"
 
 #include <limn/core/RenderSettings.h>
 

@@ -1,4 +1,4 @@
-#include "unity/UnitySceneLoader.h"
+#include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "unity/MikkTangents.h"
+#include "models/MikkTangents.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,4 +1,4 @@
-#include "unity/MaterialStandIn.h"
+#include "unity_scene/MaterialStandIn.h"
 
 #include "unity/UnityDatabase.h"
 #include "unity/UnityReader.h"

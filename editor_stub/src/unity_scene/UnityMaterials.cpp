@@ -1,9 +1,9 @@
-#include "unity/UnityMaterials.h"
+#include "unity_scene/UnityMaterials.h"
 
 #include "assets/PictureFile.h"
+#include "models/TextMesh.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
-#include "unity/TextMesh.h"
 
 #include <algorithm>
 #include <charconv>

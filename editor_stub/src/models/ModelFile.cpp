@@ -1,6 +1,6 @@
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 
-#include "unity/AssimpModel.h"
+#include "models/AssimpModel.h"
 
 #include <algorithm>
 #include <charconv>

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "unity/UnityHierarchy.h"
-#include "unity/UnityMaterials.h"
+#include "unity_scene/UnityHierarchy.h"
+#include "unity_scene/UnityMaterials.h"
 
 #include <limn/editor_stub/SceneFile.h>
 

@@ -1,4 +1,4 @@
-#include "unity/UnityScene.h"
+#include "unity_scene/UnityScene.h"
 
 #include "Paths.h"
 #include "TemporaryFolder.h"

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "unity/MaterialStandIn.h"
-#include "unity/ModelFile.h"
+#include "models/ModelFile.h"
 #include "unity/UnityDatabase.h"
+#include "unity_scene/MaterialStandIn.h"
 
 namespace limn
 {
