@@ -245,8 +245,10 @@ TEST_F(SkyLightGpu, IsBlackOfABlackSkyAndOfOneTexelAFace)
 
 TEST_F(SkyLightGpu, LeavesOutWhatIsNoNumberAndSaysSo)
 {
+    // Blue is a number that a half holds: what becomes of a larger one differs by driver, and
+    // CubeLight's tests have infinity.
     m_Scene.skybox = std::make_shared<Material>(
-        SkyShader("return float4(0.5, v.direction.x > 0 ? asfloat(0x7fc00000u) : 0.5, 1e6, 1);"),
+        SkyShader("return float4(0.5, v.direction.x > 0 ? asfloat(0x7fc00000u) : 0.5, 6e4, 1);"),
         "cracked");
     s_Logged.clear();
     SetLogSink([](const LogMessage& message) { s_Logged += message.text; });
@@ -257,10 +259,10 @@ TEST_F(SkyLightGpu, LeavesOutWhatIsNoNumberAndSaysSo)
               "the scene as if they were black",
               s_Logged);
     EXPECT_NEAR(0.25f, m_Scene.ambientProbe(0, 0), 1e-4f);
-    EXPECT_NEAR(65504.0f / 2.0f, m_Scene.ambientProbe(2, 0), 10.0f) << "the largest half";
+    EXPECT_NEAR(6e4f / 2.0f, m_Scene.ambientProbe(2, 0), 10.0f);
     for (const glm::vec4& texel : Texels())
     {
-        ASSERT_TRUE(texel.r >= 0.0f && texel.r <= 0.51f && texel.b <= 65504.0f);
+        ASSERT_TRUE(texel.r >= 0.0f && texel.r <= 0.51f && texel.b <= 6e4f + 16.0f);
     }
 }
 
