@@ -1,6 +1,7 @@
 #include "models/TextMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -317,14 +318,14 @@ private:
         constexpr std::size_t k_Quads = 2;
         for (std::size_t i = 0; topology == k_Triangles && i + 3 <= count; i += 3)
         {
-            for (const std::size_t corner : {0, 1, 2})
+            for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2}))
             {
                 add(i + corner);
             }
         }
         for (std::size_t i = 0; topology == k_Quads && i + 4 <= count; i += 4)
         {
-            for (const std::size_t corner : {0, 1, 2, 0, 2, 3})
+            for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2, 0, 2, 3}))
             {
                 add(i + corner);
             }
