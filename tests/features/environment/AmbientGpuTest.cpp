@@ -1,5 +1,6 @@
 #include "features/color_edges/PictureRun.h"
 
+#include <array>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 
@@ -124,7 +125,7 @@ TEST_F(AmbientGpu, HasThreeColorsByHeightInModeTrilight)
         return glm::dvec3(glm::vec3(color.linear().vector()));
     };
     const std::vector<glm::dvec3> light = Draw(TellingUrp("SampleSH(direction)"), k_Sides);
-    for (const std::size_t side : {0, 1, 4, 5, 6})
+    for (const std::size_t side : std::to_array<std::size_t>({0, 1, 4, 5, 6}))
     {
         ExpectNear(linear({0.3f, 0.8f, 0.5f}), light[side], "side " + std::to_string(side));
     }
