@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limn/base/ReadFile.h>
 #include <limn/features/Features.h>
 
@@ -31,18 +32,33 @@ bool IsModelFile(const std::filesystem::path& path)
            ending == ".ply" || ending == ".stl";
 }
 
-float NumberIn(const UnityNode& node)
+/// Reads the numbers of a file's values. One that is not finite is 0, with a note.
+class NumberReader
 {
-    float value = 0.0f;
-    const std::string_view text = node.text();
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
-}
+public:
+    NumberReader(const std::string& file, UnityNotes& notes) : m_File(file), m_Notes(notes) {}
 
-glm::vec4 VectorIn(const UnityNode& node)
-{
-    return {NumberIn(node["r"]), NumberIn(node["g"]), NumberIn(node["b"]), NumberIn(node["a"])};
-}
+    float Number(const UnityNode& node) const
+    {
+        float value = 0.0f;
+        const std::string_view text = node.text();
+        std::from_chars(text.data(), text.data() + text.size(), value);
+        if (!std::isfinite(value))
+        {
+            m_Notes.Add(m_File, node.line(), "'" + std::string(text) + "' is not finite; it is 0");
+            value = 0.0f;
+        }
+        return value;
+    }
+    glm::vec4 Vector(const UnityNode& node) const
+    {
+        return {Number(node["r"]), Number(node["g"]), Number(node["b"]), Number(node["a"])};
+    }
+
+private:
+    const std::string& m_File;
+    UnityNotes& m_Notes;
+};
 
 constexpr std::uintmax_t k_MaxGraphBytes = std::uintmax_t{1} << 26;
 
@@ -393,6 +409,7 @@ UnityShader UnityMaterials::ReadGraph(const std::filesystem::path& path, const U
 void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
                                const UnityShader& shader, Material& material)
 {
+    const NumberReader read(file, m_Notes);
     const UnityNode saved = fields["m_SavedProperties"];
     const auto idOf = [&](std::string_view name)
     {
@@ -406,7 +423,7 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
                             const ShaderPropertyId id = idOf(name);
                             if (material.HasFloat(id))
                             {
-                                material.SetFloat(id, NumberIn(value));
+                                material.SetFloat(id, read.Number(value));
                             }
                         });
     }
@@ -414,7 +431,7 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
                     [&](std::string_view name, const UnityNode& value)
                     {
                         const ShaderPropertyId id = idOf(name);
-                        const glm::vec4 numbers = VectorIn(value);
+                        const glm::vec4 numbers = read.Vector(value);
                         if (material.HasColor(id))
                         {
                             material.SetColor(id, {numbers.r, numbers.g, numbers.b, numbers.a});
@@ -430,7 +447,8 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     {
         material.SetShaderPassEnabled(pass.text(), false);
     }
-    const auto queue = static_cast<int>(NumberIn(fields["m_CustomRenderQueue"]));
+    const auto queue =
+        static_cast<int>(std::clamp(read.Number(fields["m_CustomRenderQueue"]), -1.0f, 5000.0f));
     if (fields["m_CustomRenderQueue"] && queue >= 0)
     {
         material.SetRenderQueue(queue);
@@ -450,10 +468,11 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
             {
                 return;
             }
+            const NumberReader read(file, m_Notes);
             const UnityNode scale = value["m_Scale"];
             const UnityNode offset = value["m_Offset"];
-            material.SetTextureScale(id, {NumberIn(scale["x"]), NumberIn(scale["y"])});
-            material.SetTextureOffset(id, {NumberIn(offset["x"]), NumberIn(offset["y"])});
+            material.SetTextureScale(id, {read.Number(scale["x"]), read.Number(scale["y"])});
+            material.SetTextureOffset(id, {read.Number(offset["x"]), read.Number(offset["y"])});
             const UnityReference texture = ReadUnityReference(value["m_Texture"]);
             if (texture.isNull())
             {

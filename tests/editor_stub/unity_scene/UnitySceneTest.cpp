@@ -248,6 +248,23 @@ TEST_F(ProjectOfAFewFiles, HasTheCamerasThatAreStackedOnItsOwn)
     EXPECT_EQ(hands.transform.localPosition.x, 7.0f);
 }
 
+TEST_F(ProjectOfAFewFiles, TakesNoNumberOfAMaterialThatIsNotFinite)
+{
+    Write("Assets/Red.mat",
+          "--- !u!21 &2100000\nMaterial:\n"
+          "  m_Shader: {fileID: 4800000, guid: 933532a4fcc9baf4fa0491de14d08ed7, type: 3}\n"
+          "  m_CustomRenderQueue: 1e30\n  m_SavedProperties:\n    m_Floats:\n"
+          "    - _Smoothness: inf\n    m_Colors:\n"
+          "    - _BaseColor: {r: nan, g: 0.25, b: 0, a: 1}\n",
+          "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa");
+    const SceneAsset asset = Load(k_Camera + CubeText(2, "Box", 0, k_Red));
+    const Material& material = *asset.scene.objects()[1]->renderer->sharedMaterials.front();
+    EXPECT_EQ(material.GetFloat(ShaderPropertyId("_Smoothness")), 0.0f);
+    EXPECT_EQ(material.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.25f, 0, 1}));
+    EXPECT_EQ(material.renderQueue(), 5000);
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("'inf' is not finite; it is 0")));
+}
+
 TEST_F(ProjectOfAFewFiles, NeedsACamera)
 {
     Write("Assets/Main.unity", CubeText(2, "Box", 0, k_Red));
