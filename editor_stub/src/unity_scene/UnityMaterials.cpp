@@ -490,6 +490,18 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
                         ", so the shader's own is used");
                 return;
             }
+            const int property = material.shader()->FindPropertyIndex(id.name());
+            if (property >= 0 && material.shader()
+                                         ->document()
+                                         .properties[static_cast<std::size_t>(property)]
+                                         .dimension != TextureDimension::Tex2D)
+            {
+                m_Notes.Add(file, value.line(),
+                            std::string(name) + ": " + path->filename().string() +
+                                " is no cube, volume or array, which the shader takes, so the "
+                                "shader's own is used");
+                return;
+            }
             try
             {
                 material.SetTexture(id, m_Assets.LoadTexture(*path));

@@ -1,5 +1,6 @@
 #include "unity_scene/UnityScene.h"
 
+#include "Paths.h"
 #include "TemporaryFolder.h"
 #include "unity_scene/UnitySceneLoader.h"
 #include "volume/Problems.h"
@@ -263,6 +264,26 @@ TEST_F(ProjectOfAFewFiles, TakesNoNumberOfAMaterialThatIsNotFinite)
     EXPECT_EQ(material.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.25f, 0, 1}));
     EXPECT_EQ(material.renderQueue(), 5000);
     EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("'inf' is not finite; it is 0")));
+}
+
+TEST_F(ProjectOfAFewFiles, KeepsAShadersCubeWhereAMaterialHasAPicture)
+{
+    std::filesystem::copy_file(SourcePath("tests/editor_stub/data/yard/Assets/Textures/Wood.png"),
+                               m_Folder / "Assets/Wood.png");
+    m_Folder.Write("Assets/Wood.png.meta", "guid: eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee\n");
+    m_Folder.Write(
+        "Assets/Sky.shader",
+        "Shader \"T/Sky\" { Properties { _Tex (\"\", Cube) = \"\" {} } SubShader { Pass {} } }");
+    m_Folder.Write("Assets/Sky.shader.meta", "guid: ffffffffffffffffffffffffffffffff\n");
+    Write("Assets/Red.mat",
+          "--- !u!21 &2100000\nMaterial:\n"
+          "  m_Shader: {fileID: 4800000, guid: ffffffffffffffffffffffffffffffff, type: 3}\n"
+          "  m_SavedProperties:\n    m_TexEnvs:\n    - _Tex:\n        m_Texture: {fileID: 2800000, "
+          "guid: eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee, type: 3}\n"
+          "        m_Scale: {x: 1, y: 1}\n        m_Offset: {x: 0, y: 0}\n",
+          "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa");
+    const SceneAsset asset = Load(k_Camera + CubeText(2, "Box", 0, k_Red));
+    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("_Tex: Wood.png is no cube")));
 }
 
 TEST_F(ProjectOfAFewFiles, NeedsACamera)
