@@ -81,8 +81,8 @@ double SolidAngle(int width, int x, int y)
 SphericalHarmonicsL2 ProjectLight(const CubeLight& light)
 {
     constexpr int k_Count = SphericalHarmonicsL2::k_Coefficients;
-    // Of each function the square of what makes it orthonormal, times the cosine's convolution over
-    // pi: 1, 2/3 and 1/4 for orders 0, 1 and 2.
+    // Each factor is the square of what makes its function orthonormal, times the cosine's
+    // convolution over pi, which is 1, 2/3 and 1/4 for orders 0, 1 and 2.
     constexpr double k_Pi = std::numbers::pi;
     constexpr std::array<double, k_Count> k_Scales{
         1.0 / (4.0 * k_Pi),  2.0 / (4.0 * k_Pi),   2.0 / (4.0 * k_Pi),

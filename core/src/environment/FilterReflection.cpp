@@ -169,7 +169,7 @@ std::vector<Sample> MakeSamples(double perceptualRoughness, int count, int width
         }
         const double spread = cosine2 * (alpha2 - 1.0) + 1.0;
         const double density = alpha2 / (4.0 * k_Pi * spread * spread); // in directions mirrored
-        // Of the picture whose texels are just as large as what the sample stands for, or larger.
+        // This level's texels are just as large as what the sample stands for, or larger.
         const double level = std::ceil(0.5 * std::log2(1.0 / (count * density * texel)));
         const double side = std::sqrt(std::max(1.0 - z * z, 0.0));
         const double angle = 2.0 * k_Pi * RadicalInverse(static_cast<std::uint32_t>(i));

@@ -191,7 +191,7 @@ void SetAmbientUniforms(CommandBuffer& cmd, const RenderSettings& settings)
            glm::vec4(ambient(0, 0), ambient(1, 0), ambient(2, 0), 1.0f) * intensity);
     const std::shared_ptr<const Texture>& reflection = settings.ReflectionTexture();
     const std::shared_ptr<const Texture> black = DefaultTexture("black", TextureDimension::Cube);
-    // What shaders multiply texels by, which are linear and may be above 1; all 0 tells them that
+    // Shaders multiply texels, which are linear and may be above 1, by this; all 0 tells them that
     // there is no reflection.
     const glm::vec4 decode = reflection ? glm::vec4(intensity, 1.0f, 0.0f, 0.0f) : glm::vec4(0.0f);
     cmd.SetGlobalTexture(unity_SpecCube0, reflection ? reflection : black);

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// Where limn keeps compiled shaders, pipelines and imported models and pictures:
+/// Returns the folder of compiled shaders, pipelines and imported models and pictures:
 /// $XDG_CACHE_HOME/limn or ~/.cache/limn. "" if neither variable is set.
 std::filesystem::path DefaultCacheFolder();
 

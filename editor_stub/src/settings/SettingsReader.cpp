@@ -132,7 +132,7 @@ constexpr std::pair<std::string_view, std::string_view> k_PackageResources[] = {
     {"ScreenSpaceAmbientOcclusion", "m_Shader"},
     {"ScreenSpaceAmbientOcclusion", "m_BlueNoise256Textures"}};
 
-/// Whether every MonoBehaviour's or every feature's block has the key, or all of this type.
+/// Returns whether every MonoBehaviour's or feature's block has the key, or all of this type.
 bool IsBookkeeping(std::string_view type, std::string_view key)
 {
     return isUnityHeaderField(key) || key == "m_Active" ||

@@ -101,7 +101,7 @@ bool IsOwnScript(const UnityInstance& component, const UnityProject& project)
     return path != nullptr && path->extension() == ".cs";
 }
 
-/// Says why a picture has nothing in it but its background.
+/// Notes why a picture has nothing in it but its background, if it has not.
 void NoteEmptyPicture(UnitySceneLoader& loader)
 {
     std::size_t scripts = 0;

@@ -11,7 +11,7 @@ namespace limn::vulkan
 /// Of a texel; 1 but for render textures.
 std::uint32_t SampleCount(const Texture& texture);
 VkImageAspectFlags Aspects(GraphicsFormat format);
-/// Of a mip level. A 3D texture's slices are its depth.
+/// Returns the texels of a mip level. A 3D texture's slices are its depth.
 VkExtent3D Extent(const Texture& texture, std::uint32_t level = 0);
 /// Every other texture's slices are layers.
 std::uint32_t LayerCount(const Texture& texture);

@@ -54,7 +54,7 @@ struct ScreenSpaceAmbientOcclusionSettings
     AOSampleOption Samples = AOSampleOption::Medium;
     BlurQualityOptions BlurQuality = BlurQualityOptions::High;
     float Falloff = 100.0f; ///< metres from the camera, not negative; 0 = no pass
-    /// What URP up to 12 has in place of AOMethod and Samples; -1 = nothing. Create turns it into
+    /// URP up to 12 has this in place of AOMethod and Samples; -1 = none. Create turns it into
     /// these.
     int SampleCount = -1;
 
