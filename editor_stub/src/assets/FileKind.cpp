@@ -118,6 +118,31 @@ std::string NoneOf(std::initializer_list<FileKind> kinds)
     return "no " + nouns + "; a " + endings + " file is expected";
 }
 
+/// Returns the file of one of these kinds beside a missing one whose name is most like it; "" if
+/// there is none.
+std::string NearestFile(const std::filesystem::path& missing, std::initializer_list<FileKind> kinds)
+{
+    std::vector<std::string> names;
+    std::error_code error;
+    const std::filesystem::path folder = missing.parent_path();
+    for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+         !error && entry != end; entry.increment(error))
+    {
+        std::string name = entry->path().filename().string();
+        const bool isWanted = std::ranges::any_of(
+            k_NamedKinds, [&](const NamedKind& named)
+            { return name.ends_with(named.ending) && std::ranges::count(kinds, named.kind) > 0; });
+        if (isWanted)
+        {
+            names.push_back(std::move(name));
+        }
+    }
+    std::ranges::sort(names);
+    const std::string_view nearest =
+        NearestName(missing.filename().string(), {names.begin(), names.end()});
+    return nearest.empty() ? "" : (folder / nearest).generic_string();
+}
+
 } // namespace
 
 FileKind FileKindOf(const std::filesystem::path& file)
@@ -146,6 +171,13 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
         return std::ranges::find(kinds, kind) != kinds.end();
     };
     std::error_code ignored;
+    const std::string nearest =
+        std::filesystem::exists(file, ignored) ? "" : NearestFile(file, kinds);
+    if (!nearest.empty())
+    {
+        throw AssetError(file.generic_string(), {},
+                         "there is no such file; did you mean '" + nearest + "'?");
+    }
     if (!std::filesystem::is_regular_file(file, ignored) &&
         (isWanted(FileKind::Shader) || !std::filesystem::is_directory(file / "Assets", ignored)))
     {

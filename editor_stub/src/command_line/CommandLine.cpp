@@ -33,7 +33,7 @@ struct CommandLine
     InspectOptions inspect;
     SetOptions set;
     ReportCommandOptions report;
-    NewOptions newFeature;
+    NewOptions newFiles;
     PortOptions port;
     std::string kind; ///< of what is new, of a schema's files
     std::vector<std::string> schemaPlugins;
@@ -203,8 +203,10 @@ Verb InspectVerb(InspectOptions& options)
     return {"inspect",
             "Show parameters and settings: value, default, range, whether it is set",
             [&options](Console& console) { return RunInspect(options, console); },
-            {Argument("SCENE|PROFILE",
-                      "A scene as for 'limn render', a volume profile or a renderer asset",
+            {Argument("FILE|NAME",
+                      "A scene as for 'limn render', a volume profile, a renderer asset or a "
+                      "material; or the name of a volume component, of a feature's type or of a "
+                      "shader, whose defaults are shown",
                       Into(options.file)),
              Switch("json", "Print JSON", options.json), PluginFlag(options.plugins),
              RootFlag(options.roots)}};
@@ -282,6 +284,11 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
 
 Verb SetVerb(SetOptions& options)
 {
+    Flag edits = Argument("NAME.path=VALUE",
+                          "Such as ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
+                          "one number, and += -= *= start from the one that there is",
+                          Into(options.edits, CheckAssignment), AtLeastOnce);
+    edits.unless = "undo";
     return {"set",
             "Change values of a volume profile, or of the features of a scene or a Unity renderer, "
             "in place, and not a character besides",
@@ -290,8 +297,11 @@ Verb SetVerb(SetOptions& options)
                       "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer "
                       ".asset",
                       Into(options.file)),
-             Argument("NAME.path=VALUE", "Such as ScreenSpaceOutline.m_OutlineWidth=4",
-                      Into(options.edits, CheckAssignment), AtLeastOnce),
+             std::move(edits),
+             Switch("undo",
+                    "Bring back the text from before the last change by 'limn set'; once more "
+                    "brings the change again",
+                    options.undo),
              PluginFlag(options.plugins)}};
 }
 
@@ -337,17 +347,29 @@ Verb ShaderVerb(ShaderOptions& options)
          {"print", "json"}}};
 }
 
-Verb NewVerb(CommandLine& line)
+Verb NewVerb(NewOptions& options)
 {
+    Flag folder = NewFolderFlag(options.folder);
+    folder.times = AtMostOnce;
+    folder.help = "Of a feature: a new or empty folder";
     return {"new",
-            "Write the folder of a render feature that builds and draws at once",
-            [&line](Console& console) { return RunNew(line.newFeature, console); },
-            {Argument("feature", "What to write: feature", Into(line.kind)),
-             Argument("NAME", "Of its classes, such as DepthFog", Into(line.newFeature.name)),
-             NewFolderFlag(line.newFeature.folder),
+            "Write a scene, a volume profile or a material to start from, or the folder of a "
+            "render feature that builds and draws at once",
+            [&options](Console& console) { return RunNew(options, console); },
+            {Argument("scene|profile|material|feature",
+                      "What to write: scene, profile, material or feature", Into(options.kind)),
+             Argument("NAME",
+                      "The file, hero for hero.scene.yaml; of a feature its classes' name, "
+                      "such as DepthFog",
+                      Into(options.name)),
+             Argument("CONTENT",
+                      "Of a profile its volume components, StrokeOutline without any; of a "
+                      "material its shader, \"Universal Render Pipeline/Lit\" without one",
+                      Into(options.contents), Any),
+             std::move(folder),
              {"style", "urp14|unity6",
-              "Of the code: urp14, as in Unity 2022 (default), or unity6: a render graph",
-              Into(line.newFeature.style)}}};
+              "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
+              Into(options.style)}}};
 }
 
 Verb PortVerb(PortOptions& options)
@@ -443,7 +465,7 @@ void FillTable(FlagTable& table, CommandLine& line)
                    SetVerb(line.set),
                    SchemaVerb(line),
                    ShaderVerb(line.shader),
-                   NewVerb(line),
+                   NewVerb(line.newFiles),
                    PortVerb(line.port),
                    DoctorVerb(line.doctorDevice),
                    CompletionVerb(table, line.shell),

@@ -27,14 +27,17 @@ int RunWatch(const RenderOptions& options, Console& console);
 /// `limn inspect`, as the command line has it.
 struct InspectOptions
 {
-    std::string file; ///< a scene, a profile, or a renderer, pipeline or material of Unity's
+    /// A scene, a profile, or a renderer, pipeline or material of Unity's; or the name of a volume
+    /// component, a feature's type or a shader.
+    std::string file;
     bool json = false;
     std::vector<std::string> plugins; ///< modules with features of other people
     std::vector<std::string> roots;
 };
 
 /// Prints what the file sets: the parameters of volumes' components and the settings of features,
-/// each with value, default and range. Needs no device and compiles nothing.
+/// each with value, default and range; or what can be set of a component, feature or shader. Needs
+/// no device and compiles nothing.
 /// @return ExitCode::Done
 /// @throws AssetError
 int RunInspect(const InspectOptions& options, Console& console);
@@ -82,14 +85,16 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
 struct SetOptions
 {
     std::string file;               ///< a scene, or a profile or renderer of limn's or Unity's form
-    std::vector<std::string> edits; ///< "NAME.path=value"
+    std::vector<std::string> edits; ///< "NAME.path=value"; empty with `undo`
     std::vector<std::string> plugins; ///< modules with features of other people
+    bool undo = false;
 };
 
 /// Changes a profile's parameters, or the settings of a scene's or renderer's features, in place,
-/// all of them or none, and prints what they were.
+/// all of them or none, and prints what they were. With `undo` it brings back the text from before
+/// the last change of the file, which it keeps in the user's cache folder.
 /// @return an ExitCode
-/// @throws AssetError as SetScalars and SetFeatureSettings do
+/// @throws AssetError as SetScalars and SetFeatureSettings do, and where nothing can be undone
 int RunSet(const SetOptions& options, Console& console);
 
 /// Prints the JSON Schema (draft 2020-12) of one kind of file.
@@ -121,18 +126,22 @@ struct ShaderOptions
 /// @throws AssetError if a path is missing or something cannot be written
 int RunShader(const ShaderOptions& options, Console& console);
 
-/// `limn new feature`, as the command line has it.
+/// `limn new`, as the command line has it.
 struct NewOptions
 {
-    std::string name;
-    std::string folder; ///< made, if it is not there
-    std::string style;  ///< urp14 ("" as well): Execute; unity6: RecordRenderGraph
+    std::string kind;                  ///< "feature", "scene", "profile" or "material"
+    std::string name;                  ///< of a feature's classes, or of the file
+    std::vector<std::string> contents; ///< a profile's components, or the material's one shader
+    std::string folder;                ///< of a feature: made, if it is not there
+    std::string style; ///< of a feature: urp14 ("" as well): Execute; unity6: RecordRenderGraph
 };
 
-/// Writes the folder of a render feature that builds and draws at once: component, feature, pass,
-/// shader, scene, test.
-/// @return an ExitCode: WrongUsage for a name that cannot be a class
-/// @throws AssetError if a file cannot be written, or the folder is not empty
+/// Writes the folder of a render feature that builds and draws at once (component, feature, pass,
+/// shader, scene, test), or a scene with its profile, a profile or a material. No file is replaced.
+/// @return an ExitCode: WrongUsage for a name that cannot be a class, and for options of other
+/// kinds
+/// @throws AssetError if a file cannot be written or is there already, the folder is not empty, or
+///     a component or shader is unknown
 int RunNew(const NewOptions& options, Console& console);
 
 /// `limn port`, as the command line has it.

@@ -86,6 +86,14 @@ InspectReport InspectUnity(const UnityAsset& asset, AssetContext& assets, Consol
     return report;
 }
 
+/// Returns whether a word that is no file may be a name: it has no ending that files have.
+bool MayBeName(const std::string& word)
+{
+    std::error_code ignored;
+    return !std::filesystem::exists(word, ignored) && FileKindOf(word) == FileKind::Unknown &&
+           std::filesystem::path(word).extension().empty();
+}
+
 InspectReport Inspect(const InspectOptions& options, Console& console)
 {
     const std::string& file = options.file;
@@ -96,6 +104,10 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
     for (const std::string& plugin : options.plugins)
     {
         assets.LoadPlugin(plugin);
+    }
+    if (MayBeName(file))
+    {
+        return InspectName(file, assets);
     }
     if (FileKindOf(file) == FileKind::UnityScene)
     {

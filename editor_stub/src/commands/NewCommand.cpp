@@ -2,9 +2,12 @@
 
 #include "assets/FeatureFolder.h"
 #include "console/Texts.h"
+#include "new_files/NewFiles.h"
 
 #include <algorithm>
 #include <limn/base/EmbeddedFile.h>
+#include <limn/base/WriteFile.h>
+#include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
 #include <map>
@@ -77,11 +80,11 @@ std::string FileName(std::string_view file, const std::string& name)
     return result.starts_with("Name") ? name + result.substr(4) : result;
 }
 
-} // namespace
-
-int RunNew(const NewOptions& options, Console& console)
+int NewFeature(const NewOptions& options, Console& console)
 {
-    const std::string problem = NameProblem(options.name);
+    const std::string problem = options.folder.empty()
+                                    ? "a feature needs '-o DIR', a new or empty folder"
+                                    : NameProblem(options.name);
     if (!problem.empty())
     {
         console.Error(problem);
@@ -95,6 +98,111 @@ int RunNew(const NewOptions& options, Console& console)
     }
     WriteFeatureFolder(options.folder, files, console);
     return static_cast<int>(ExitCode::Done);
+}
+
+/// Returns "a/hero.scene.yaml" for "a/hero" and for itself.
+std::string WithEnding(std::string name, const std::string& kind)
+{
+    const std::string ending = "." + kind + ".yaml";
+    return name.ends_with(ending) ? name : name + ending;
+}
+
+void RequireAbsent(const std::string& file)
+{
+    std::error_code ignored;
+    if (std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+    {
+        throw AssetError(file, {},
+                         "the file is there already, and stays as it is; take another "
+                         "name");
+    }
+}
+
+/// Returns the components that were asked for, or that of the exact outline.
+std::vector<std::string> ComponentsOf(const std::vector<std::string>& wanted,
+                                      const VolumeComponentRegistry& known)
+{
+    std::vector<Diagnostic> problems;
+    for (const std::string& name : wanted)
+    {
+        if (!known.Find(name))
+        {
+            problems.push_back({Severity::Error,
+                                name,
+                                {},
+                                "unknown volume component " + UnknownName(name, known.names())});
+        }
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
+    return wanted.empty() ? std::vector<std::string>{"StrokeOutline"} : wanted;
+}
+
+std::string MaterialText(const std::vector<std::string>& contents, AssetContext& assets)
+{
+    const std::string name = contents.empty() ? "Universal Render Pipeline/Lit" : contents.front();
+    const std::shared_ptr<const Shader> shader = assets.FindShader(name);
+    if (!shader)
+    {
+        throw AssetError(name, {}, "unknown shader " + assets.shaderSource()->UnknownShader(name));
+    }
+    return NewMaterial(*shader);
+}
+
+int NewYamlFile(const NewOptions& options, Console& console)
+{
+    const std::size_t allowed = options.kind == "profile"    ? options.contents.size()
+                                : options.kind == "material" ? 1
+                                                             : 0;
+    if (!options.folder.empty() || !options.style.empty() || options.contents.size() > allowed)
+    {
+        console.Error(!options.folder.empty()
+                          ? "NAME may have a folder in front; -o is for features"
+                      : !options.style.empty() ? "--style is for features"
+                      : allowed == 1           ? "a material has one shader; quote its name"
+                                     : "'" + options.contents[0] + "' is one word too many");
+        return static_cast<int>(ExitCode::WrongUsage);
+    }
+    AssetContext assets;
+    const std::string file = WithEnding(options.name, options.kind);
+    std::vector<NewFile> files;
+    if (options.kind == "material")
+    {
+        files.push_back({file, MaterialText(options.contents, assets)});
+    }
+    else
+    {
+        const bool isScene = options.kind == "scene";
+        const std::string profile =
+            isScene
+                ? file.substr(0, file.size() - std::string("scene.yaml").size()) + "profile.yaml"
+                : file;
+        const VolumeComponentRegistry& known = assets.volumeComponents();
+        files.push_back({profile, NewProfile(ComponentsOf(options.contents, known), known)});
+        if (isScene)
+        {
+            files.push_back({file, NewScene(std::filesystem::path(profile).filename().string())});
+        }
+    }
+    for (const NewFile& newFile : files)
+    {
+        RequireAbsent(newFile.name);
+    }
+    for (const NewFile& newFile : files)
+    {
+        WriteFile(newFile.name, newFile.text);
+        console.Result(newFile.name);
+    }
+    return static_cast<int>(ExitCode::Done);
+}
+
+} // namespace
+
+int RunNew(const NewOptions& options, Console& console)
+{
+    return options.kind == "feature" ? NewFeature(options, console) : NewYamlFile(options, console);
 }
 
 } // namespace limn

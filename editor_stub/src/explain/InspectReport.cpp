@@ -261,6 +261,11 @@ std::string ToText(const InspectReport& report)
         AppendLine(text, report.kind + " '" + report.asset->name + "': " + report.asset->type);
         AppendValues(text, report.asset->values);
     }
+    for (const InspectedGroup& shader : report.shaders)
+    {
+        AppendLine(text, "shader '" + shader.type + "'");
+        AppendValues(text, shader.values);
+    }
     for (const InspectedGroup& feature : report.features)
     {
         AppendLine(text, "feature '" + feature.name + "': " + feature.type +
@@ -277,6 +282,18 @@ std::string ToJson(const InspectReport& report)
     if (report.kind == "profile")
     {
         json["components"] = JsonList(report.volumes.at(0).components, ComponentJson);
+        return JsonText(json);
+    }
+    if (report.kind == "name")
+    {
+        json["components"] = Json::array();
+        for (const InspectedVolume& volume : report.volumes)
+        {
+            json["components"] = JsonList(volume.components, ComponentJson);
+        }
+        json["features"] = JsonList(report.features, SettingsJson);
+        json["shaders"] = JsonList(report.shaders, [](const InspectedGroup& shader)
+                                   { return AsJson(shader, "properties"); });
         return JsonText(json);
     }
     if (report.kind == "scene")

@@ -35,11 +35,18 @@ struct InspectedVolume
 /// What a file sets.
 struct InspectReport
 {
-    std::string kind; ///< "scene", "profile", "renderer", "pipeline" or "material"
-    std::optional<InspectedGroup> asset; ///< the values of the last three
+    /// "scene", "profile", "renderer", "pipeline" or "material"; "name" for what is no file.
+    std::string kind;
+    std::optional<InspectedGroup> asset; ///< the values of a renderer, pipeline or material
     std::vector<InspectedVolume> volumes;
     std::vector<InspectedGroup> features;
+    std::vector<InspectedGroup> shaders;
 };
+
+/// Returns the defaults of the volume component, the type of feature and the shader of this name,
+/// as many of them as there are. `Strokes` finds what `StrokesRendererFeature` finds.
+/// @throws AssetError with the nearest name, if there is none of them
+InspectReport InspectName(const std::string& name, AssetContext& assets);
 
 std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
                                            const VolumeComponentRegistry& registry);

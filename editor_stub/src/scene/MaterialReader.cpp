@@ -339,12 +339,26 @@ void ReadMaterials(const YamlNode& node, SceneLoader& loader)
         loader.diagnostics.Error(node.location(),
                                  "materials: found " + node.Describe() +
                                      "; names with their properties are expected: {wood: "
-                                     "{_BaseColor: \"#a9743f\"}}");
+                                     "{_BaseColor: \"#a9743f\"}, oak: oak.material.yaml}");
     }
     for (const YamlEntry& entry : node.entries())
     {
         loader.materials.emplace(entry.key, SceneMaterial{&entry.value, false, nullptr});
     }
+}
+
+/// Returns a material that the scene writes, or that of the .material.yaml file that it names.
+static std::shared_ptr<const Material> ReadSceneMaterial(const std::string& name,
+                                                         const YamlNode& node, SceneLoader& loader)
+{
+    References& references = loader.references;
+    if (node.isScalar() && node.scalar().ends_with(".material.yaml"))
+    {
+        return references.Read(node, "material '" + name + "'",
+                               [&references](const std::filesystem::path& path)
+                               { return references.assets().LoadMaterial(path); });
+    }
+    return ReadMaterial(name, node, references, loader.diagnostics);
 }
 
 void CheckUnusedMaterials(SceneLoader& loader)
@@ -354,7 +368,7 @@ void CheckUnusedMaterials(SceneLoader& loader)
     {
         if (!material.isRead)
         {
-            ReadMaterial(name, *material.node, loader.references, loader.diagnostics);
+            ReadSceneMaterial(name, *material.node, loader);
         }
     }
     loader.references.decodesPictures = true;
@@ -390,8 +404,7 @@ std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std
     if (!found->isRead)
     {
         found->isRead = true;
-        found->material =
-            ReadMaterial(node.scalar(), *found->node, loader.references, loader.diagnostics);
+        found->material = ReadSceneMaterial(node.scalar(), *found->node, loader);
     }
     return found->material;
 }

@@ -156,7 +156,7 @@ Path DescribedPath(const SettingName& root, const Path& keys)
     return path;
 }
 
-std::string Joined(const Path& path)
+std::string PathText(const Path& path)
 {
     return ValuePath{"", path}.KeysText();
 }
@@ -282,12 +282,12 @@ public:
 
     std::string Edit(const ValueAssignment& edit, std::vector<ScalarChange>& changes)
     {
-        m_Source = edit.path + "=" + edit.value;
+        m_Source = edit.Text();
         const ValuePath path = ValuePath::Split(edit.path, m_Blocks.names());
         YamlSplicer splicer(m_Text, edit.path, m_Diagnostics);
         for (const FeatureBlock* block : Named(path.name))
         {
-            EditBlock(*block, path, edit.value, splicer, changes);
+            EditBlock(*block, path, edit, splicer, changes);
         }
         m_Diagnostics.ThrowIfErrors();
         std::string result = splicer.Result();
@@ -361,51 +361,92 @@ private:
         return feature;
     }
 
-    void EditBlock(const FeatureBlock& block, const ValuePath& path, const std::string& text,
+    void EditBlock(const FeatureBlock& block, const ValuePath& path, const ValueAssignment& edit,
                    YamlSplicer& splicer, std::vector<ScalarChange>& changes)
     {
-        const YamlNode typed = ParseTypedValue(text, m_Source);
-        const auto wanted = Wanted(block, path, typed);
-        const SettingName root = DescribedSettings(*wanted);
+        const auto current = Current(block);
+        const SettingName root = DescribedSettings(*current);
         const Path described = DescribedPath(root, path.keys);
         const bool isActive = described.empty();
+        const std::string before = TextOf(*current, PathText(described), m_Blocks);
+        const auto [whole, member] = WithoutMember(path, root, before);
+        const std::string text = edit.NewValue(before, member, m_Source);
+        const YamlNode typed = ParseTypedValue(text, m_Source);
+        const auto wanted = Wanted(block, whole, typed);
         SettingText setting(described);
         DescribeFeature(*wanted, setting);
-        const std::string subject = block.name + "." + (isActive ? "active" : Joined(described));
+        const std::string subject = block.name + "." + (isActive ? "active" : PathText(described));
         const YamlNode* active = block.map.Find(block.activeKey());
         const std::optional<YamlNode> old = !isActive
                                                 ? FindSetting(block, root, described, m_Diagnostics)
                                             : active ? std::optional(*active)
                                                      : std::nullopt;
-        if (!old)
+        if (!block.unityType.empty() && (!old || setting.isReference))
         {
-            m_Diagnostics.Error(block.map.location(),
-                                subject +
-                                    ": the file does not set it; only values that are in the "
-                                    "file can be set, so add a line '" +
-                                    path.keys.back() + ": " + text + "' by hand");
+            m_Diagnostics.Error(old ? old->location() : block.map.location(),
+                                subject + (old ? ": Unity's assets name files by guid; choose it "
+                                                 "in Unity"
+                                               : ": the file does not have it; Unity adds it when "
+                                                 "the feature is saved in its inspector"));
             return;
         }
-        if (setting.isReference && !block.unityType.empty())
-        {
-            m_Diagnostics.Error(old->location(), subject + ": Unity's assets name files by guid; "
-                                                           "choose it in Unity");
-            return;
-        }
-        const auto current = Current(block);
-        const std::string before =
-            setting.isReference ? old->scalar() : TextOf(*current, Joined(described), m_Blocks);
-        const std::string after =
-            setting.isReference ? typed.scalar() : TextOf(*wanted, Joined(described), m_Blocks);
-        changes.push_back({subject, before, after});
         const bool isUnityText = setting.isNumbers || !block.unityType.empty();
         const std::string fresh = !isUnityText ? text
                                   : isActive   ? (wanted->isActive() ? "1" : "0")
                                                : setting.unityText;
-        if (before != after)
+        const std::string after =
+            setting.isReference ? typed.scalar() : TextOf(*wanted, PathText(described), m_Blocks);
+        if (!old)
+        {
+            changes.push_back({subject, "not set", after});
+            AddSetting(block.map, isActive ? Path{block.activeKey()} : described, fresh, splicer);
+            return;
+        }
+        changes.push_back({subject, setting.isReference ? old->scalar() : before, after});
+        if (changes.back().before != after)
         {
             splicer.Replace(*old, ParseTypedValue(fresh, m_Source), fresh);
         }
+    }
+
+    /// Returns the path to the whole value, and the number of it that the path named, or "".
+    static std::pair<ValuePath, std::string> WithoutMember(ValuePath path, const SettingName& root,
+                                                           const std::string& valueText)
+    {
+        const std::vector<std::string> members = MembersOfValue(valueText);
+        const std::string last = path.keys.back();
+        const Path outer(path.keys.begin(), path.keys.end() - 1);
+        const bool isSetting = DescribedPath(root, outer) != DescribedPath(root, path.keys);
+        if (outer.empty() || isSetting || std::ranges::find(members, last) == members.end())
+        {
+            return {std::move(path), ""};
+        }
+        path.keys.pop_back();
+        return {std::move(path), last};
+    }
+
+    /// Adds what a feature's block lacks of the path, and the value behind it.
+    static void AddSetting(const YamlNode& block, const Path& path, const std::string& value,
+                           YamlSplicer& splicer)
+    {
+        const YamlNode* map = &block;
+        std::size_t depth = 0;
+        for (; depth + 1 < path.size(); ++depth)
+        {
+            const YamlNode* inner = map->Find(path[depth]);
+            inner = inner ? inner : map->Find(PlainSpelling(path[depth]));
+            if (!inner)
+            {
+                break;
+            }
+            map = inner;
+        }
+        std::string text = value;
+        for (std::size_t i = path.size() - 1; i > depth; --i)
+        {
+            text = "{" + path[i] + ": " + text + "}";
+        }
+        splicer.Insert(*map, path[depth], text);
     }
 
     /// An alias (*) repeats a value elsewhere.
@@ -437,10 +478,10 @@ private:
 
 std::vector<ScalarChange> SetFeatureSettings(const std::filesystem::path& path,
                                              std::span<const ValueAssignment> edits,
-                                             AssetContext& assets)
+                                             AssetContext& assets, FileEdit* written)
 {
     const FileLock lock(path);
-    const std::string text = ReadYamlText(path);
+    std::string text = ReadYamlText(path);
     std::string edited = text;
     std::vector<ScalarChange> changes;
     std::vector<Diagnostic> problems;
@@ -462,6 +503,10 @@ std::vector<ScalarChange> SetFeatureSettings(const std::filesystem::path& path,
     if (edited != text)
     {
         ReplaceContent(path, text, edited);
+        if (written)
+        {
+            *written = {std::move(text), std::move(edited)};
+        }
     }
     return changes;
 }

@@ -164,7 +164,13 @@ private:
         case SceneValue::Colliders:
             return ListSchema(Collider());
         case SceneValue::Materials:
-            return {{"type", "object"}, {"additionalProperties", MaterialSchema()}};
+            return {{"type", "object"},
+                    {"additionalProperties",
+                     {{"anyOf",
+                       {MaterialSchema(),
+                        {{"type", "string"},
+                         {"pattern", "\\.material\\.yaml$"},
+                         {"description", "A material file"}}}}}}};
         case SceneValue::Objects:
             return ListSchema({{"$ref", "#/$defs/object"}});
         }

@@ -149,4 +149,43 @@ TEST_F(Inspect, AMissingFileIsNamed)
     EXPECT_EQ((folder / "no.profile.yaml").string() + ": error: there is no such file\n", run.err);
 }
 
+TEST(InspectName, ShowsTheDefaultsOfAComponentAndOfTheFeatureOfItsName)
+{
+    const CommandRun run = RunCommand({"inspect", "StrokeOutline", "--json"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    const auto json = nlohmann::json::parse(run.out);
+    const auto width = Named(json["components"].at(0)["parameters"], "m_OutlineWidth");
+    EXPECT_EQ(width["default"], width["value"]);
+    EXPECT_EQ("pixels", width["unit"]);
+    EXPECT_EQ("StrokeOutlineRendererFeature", json["features"].at(0)["type"]);
+    EXPECT_THAT(Named(json["features"].at(0)["settings"], "m_LayerMask")["value"], "Everything");
+}
+
+TEST(InspectName, ShowsThePropertiesOfAShader)
+{
+    const CommandRun run = RunCommand({"inspect", "Universal Render Pipeline/Lit"});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(run.out, testing::ContainsRegex("_Smoothness +0.5 +Range\\(0, 1\\)"));
+}
+
+TEST(InspectName, OffersTheNearestName)
+{
+    for (const auto& [wrong, right] :
+         {std::pair("StrokOutline", "StrokeOutline"),
+          std::pair("Universal Render Pipeline/Lid", "Universal Render Pipeline/Lit")})
+    {
+        const CommandRun run = RunCommand({"inspect", wrong});
+        EXPECT_EQ(1, run.exitCode);
+        EXPECT_THAT(run.err, testing::HasSubstr("did you mean '" + std::string(right) + "'?"));
+    }
+}
+
+TEST_F(Inspect, OffersTheNearestFile)
+{
+    const CommandRun run = Run("onn.profile.yaml");
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err,
+                testing::HasSubstr("did you mean '" + (folder / "on.profile.yaml").string()));
+}
+
 } // namespace limn::test

@@ -3,6 +3,7 @@
 #include "core/FileSizeLimit.h"
 
 #include <gmock/gmock.h>
+#include <limn/features/Features.h>
 #include <set>
 
 // What is written is built and drawn by tests/consumer.
@@ -120,6 +121,82 @@ TEST(NewCommand, RefusesANameThatIsNoClass)
     EXPECT_EQ("error: limn has a feature of the name 'WideOutline'; take another\n",
               RunNewFeature("WideOutline", "fog").err);
     EXPECT_FALSE(std::filesystem::exists("fog"));
+}
+
+TEST(NewFile, IsASceneInWhichAnObjectIsOutlined)
+{
+    const WorkingFolder working;
+    const CommandRun run = RunCommand({"new", "scene", "hero"});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ("hero.profile.yaml\nhero.scene.yaml\n", run.out);
+    const CommandRun explained = RunCommand({"explain", "hero.scene.yaml", "--object", "Sphere"});
+    EXPECT_EQ(0, explained.exitCode);
+    EXPECT_EQ("", explained.err);
+    EXPECT_THAT(explained.out, testing::HasSubstr("Outline"));
+    EXPECT_EQ(0,
+              RunCommand({"set", "hero.profile.yaml", "StrokeOutline.m_OutlineWidth=6"}).exitCode);
+}
+
+TEST(NewFile, HoldsEveryComponentWithValuesThatAreRead)
+{
+    const WorkingFolder working;
+    VolumeComponentRegistry components;
+    RegisterVolumeComponents(components);
+    std::vector<std::string> words{"new", "profile", "all.profile.yaml"};
+    for (const std::string_view name : components.names())
+    {
+        words.emplace_back(name);
+    }
+    ASSERT_EQ(0, RunCommand(words).exitCode);
+    const CommandRun inspected = RunCommand({"inspect", "all.profile.yaml"});
+    EXPECT_EQ(0, inspected.exitCode);
+    EXPECT_EQ("", inspected.err);
+    for (const std::string_view name : components.names())
+    {
+        EXPECT_THAT(inspected.out, testing::HasSubstr("  " + std::string(name) + "\n"));
+    }
+}
+
+TEST(NewFile, IsAMaterialOfEveryShaderThatDrawsWithIt)
+{
+    const WorkingFolder working;
+    int count = 0;
+    for (const std::string_view shader : ShippedShaders().names())
+    {
+        const std::string name = "m" + std::to_string(++count);
+        ASSERT_EQ(0, RunCommand({"new", "material", name, std::string(shader)}).exitCode) << shader;
+        working.folder.Write("a.scene.yaml", "camera: {}\nmaterials: {a: " + name +
+                                                 ".material.yaml}\n"
+                                                 "objects: [{name: A, mesh: cube, material: a}]\n");
+        const CommandRun run = RunCommand({"inspect", "a.scene.yaml"});
+        EXPECT_EQ(0, run.exitCode) << shader << ": " << run.err;
+    }
+    EXPECT_GT(count, 20);
+}
+
+TEST(NewFile, ReplacesNothing)
+{
+    const WorkingFolder working;
+    working.folder.Write("hero.profile.yaml", "# mine\n");
+    const CommandRun run = RunCommand({"new", "scene", "hero"});
+    EXPECT_EQ(1, run.exitCode);
+    EXPECT_THAT(run.err, testing::HasSubstr("hero.profile.yaml: error: the file is there already"));
+    EXPECT_EQ("# mine\n", ReadText("hero.profile.yaml"));
+    EXPECT_FALSE(std::filesystem::exists("hero.scene.yaml"));
+}
+
+TEST(NewFile, RefusesWhatBelongsToOtherKindsAndUnknownNames)
+{
+    const WorkingFolder working;
+    EXPECT_EQ(2, RunCommand({"new", "scene", "a", "-o", "b"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"new", "scene", "a", "Bloom"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"new", "material", "a", "B", "C"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"new", "feature", "Fog"}).exitCode);
+    const CommandRun component = RunCommand({"new", "profile", "a", "Blom"});
+    EXPECT_EQ(1, component.exitCode);
+    EXPECT_THAT(component.err, testing::HasSubstr("did you mean 'Bloom'?"));
+    EXPECT_EQ(1, RunCommand({"new", "material", "a", "Nothing/Such"}).exitCode);
+    EXPECT_TRUE(std::filesystem::is_empty("."));
 }
 
 } // namespace limn::test

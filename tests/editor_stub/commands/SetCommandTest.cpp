@@ -49,10 +49,37 @@ TEST(LimnSet, LeavesTheFileIfOneOfTheValuesIsWrong)
     EXPECT_EQ(text, ReadText(file));
 }
 
+TEST(LimnSet, UndoesTheLastChangeAndBringsItBack)
+{
+    const TemporaryFolder folder;
+    setenv("XDG_CACHE_HOME", (folder / "cache").c_str(), 1);
+    const std::string text = "Bloom: {intensity: 1} # mine\n";
+    const auto file = folder.Write("a.profile.yaml", text);
+    const CommandRun nothing = RunCommand({"set", file.string(), "--undo"});
+    EXPECT_EQ(1, nothing.exitCode);
+    EXPECT_THAT(nothing.err, testing::HasSubstr("no change of this file"));
+
+    ASSERT_EQ(0, RunCommand({"set", file.string(), "Bloom.intensity=2"}).exitCode);
+    const std::string changed = ReadText(file);
+    EXPECT_EQ(0, RunCommand({"set", file.string(), "--undo"}).exitCode);
+    EXPECT_EQ(text, ReadText(file));
+    EXPECT_EQ(0, RunCommand({"set", file.string(), "--undo"}).exitCode);
+    EXPECT_EQ(changed, ReadText(file));
+
+    const std::string other = "Bloom: {intensity: 3}\n";
+    folder.Write("a.profile.yaml", other);
+    const CommandRun stale = RunCommand({"set", file.string(), "--undo"});
+    EXPECT_EQ(1, stale.exitCode);
+    EXPECT_THAT(stale.err, testing::HasSubstr("changed since"));
+    EXPECT_EQ(other, ReadText(file));
+    unsetenv("XDG_CACHE_HOME");
+}
+
 TEST(LimnSet, OfAMissingFileIsBadInputAndOfAWrongFormWrongUsage)
 {
     EXPECT_EQ(1, RunCommand({"set", "/nowhere.yaml", "A.b=1"}).exitCode);
     EXPECT_EQ(2, RunCommand({"set", "/nowhere.yaml", "nonsense"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"set", "/nowhere.yaml"}).exitCode);
 }
 
 TEST(LimnSchema, OfProfilesHoldsRangeDefaultAndBothSpellings)

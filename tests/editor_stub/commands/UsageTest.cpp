@@ -204,8 +204,8 @@ TEST(Usage, FlagsAreWrittenAsGnuHasThem)
         EXPECT_EQ(1, run.exitCode) << testing::PrintToString(args);
         EXPECT_EQ("no: error: there is no such file\n", run.err);
     }
-    EXPECT_EQ("--json: error: there is no such file\n",
-              RunCommand({"inspect", "--", "--json"}).err);
+    EXPECT_THAT(RunCommand({"inspect", "--", "--json"}).err,
+                testing::StartsWith("--json: error: there is no such file"));
     ExpectWrongUsage(Render({"-qv"}),
                      "error: --quiet and --verbose exclude each other\n" + k_RenderUsage);
     ExpectWrongUsage(Render({"-qz"}), "error: unknown option '-z'\n" + k_RenderUsage);
@@ -285,17 +285,17 @@ TEST(Usage, AFileMayHaveAVerbsName)
 {
     const CommandRun run = RunCommand({"inspect", "set"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ("set: error: there is no such file\n", run.err);
+    EXPECT_THAT(run.err, testing::StartsWith("set: error: there is no such file"));
 }
 
 TEST(Usage, ColourIsUsedWhereItIsAskedFor)
 {
     EXPECT_EQ("\033[31merror\033[0m: unknown option '--frob'\n" + k_RenderUsage,
               RunCommand({"render", "--color", "always", "--frob"}).err);
-    EXPECT_EQ("set: \033[31merror\033[0m: there is no such file\n",
-              RunCommand({"--color=always", "inspect", "set"}).err);
-    EXPECT_EQ("set: error: there is no such file\n",
-              RunCommand({"--color=never", "inspect", "set"}).err);
+    EXPECT_THAT(RunCommand({"--color=always", "inspect", "set"}).err,
+                testing::StartsWith("set: \033[31merror\033[0m: there is no such file"));
+    EXPECT_THAT(RunCommand({"--color=never", "inspect", "set"}).err,
+                testing::StartsWith("set: error: there is no such file"));
 }
 
 TEST(ExitCode, IsThatOfABugForAnythingButBadInputAndBadMachines)

@@ -95,15 +95,24 @@ TEST_F(SettingsEdit, SwitchesAFeature)
 TEST_F(SettingsEdit, LeavesTheFileIfOneOfTheValuesIsWrong)
 {
     const auto path = folder.Write("a.scene.yaml", k_Scene);
-    EXPECT_THAT(
-        ProblemsOf(path,
-                   {"A.b.width=3", "A.b.width=11", "A.b.widht=1", "C.width=1", "A.b.beside=true"}),
-        ElementsAre("A.b.m_Width: 11 is outside [0, 10]",
-                    "A.b: unknown setting 'widht'; did you mean 'width'?",
-                    "unknown feature 'C' (known: A.b, FlatFeature)",
-                    "5:7: A.b.beside: the file does not set it; only values that are in the "
-                    "file can be set, so add a line 'beside: true' by hand"));
+    EXPECT_THAT(ProblemsOf(path, {"A.b.width=3", "A.b.width=11", "A.b.widht=1", "C.width=1"}),
+                ElementsAre("A.b.m_Width: 11 is outside [0, 10]",
+                            "A.b: unknown setting 'widht'; did you mean 'width'?",
+                            "unknown feature 'C' (known: A.b, FlatFeature)"));
     EXPECT_EQ(k_Scene, ReadText(path));
+}
+
+TEST_F(SettingsEdit, AddsWhatTheBlockOfTheFeatureLacks)
+{
+    const auto path = folder.Write("a.scene.yaml", k_Scene);
+    const std::vector<ScalarChange> changes = Set(path, {"A.b.beside=true", "A.b.width+=1"});
+    EXPECT_EQ("not set", changes.at(0).before);
+    EXPECT_EQ("2.5", changes.at(1).after);
+    std::string expected = k_Scene;
+    expected.replace(expected.find("1.50"), 4, "2.5");
+    const std::string last = "      layers: 64\n";
+    expected.insert(expected.find(last) + last.size(), "      beside: true\n");
+    EXPECT_EQ(expected, ReadText(path));
 }
 
 TEST_F(SettingsEdit, LeavesAFileWhereAnAliasRepeatsTheValue)

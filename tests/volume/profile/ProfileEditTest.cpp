@@ -137,13 +137,58 @@ TEST(EditVolumeProfile, RefusesNamesAndValuesThatAreWrongAllAtOnce)
                             "Mixed.flag: found 'maybe'; true or false is expected"));
 }
 
-TEST(EditVolumeProfile, RefusesAParameterThatTheFileDoesNotSet)
+TEST(EditVolumeProfile, AddsWhatTheFileLacksInItsOwnStyle)
 {
-    EXPECT_THAT(ProblemsOf(k_Text, {"Mixed.whole=3", "TestVolume.param=1"}),
-                ElementsAre("7:8: Mixed.whole: the file does not set it; only values that are in "
-                            "the file can be set, so add a line 'whole: 3' by hand",
-                            "TestVolume.param: the file has no 'TestVolume'; only values that are "
-                            "in the file can be set"));
+    EXPECT_EQ(With(k_Text, "0.50]}", "0.50], whole: 3}"), Edit(k_Text, {"Mixed.whole=3"}));
+    EXPECT_EQ(std::string(k_Text) + "TestVolume:\n  param: 1\n",
+              Edit(k_Text, {"TestVolume.param=1"}));
+    // As a line behind the last one, indented and spelt as the lines there.
+    EXPECT_EQ("ScreenSpaceOutline:\r\n   enable: true # on\r\n   outlineWidth: 4\r\nMixed: {}\r\n",
+              Edit("ScreenSpaceOutline:\r\n   enable: true # on\r\nMixed: {}\r\n",
+                   {k_Outline + "m_OutlineWidth=4"}));
+    EXPECT_EQ("ScreenSpaceOutline:\n  m_Enable: true\n  m_OutlineWidth: 4",
+              Edit("ScreenSpaceOutline:\n  m_Enable: true", {k_Outline + "outlineWidth=4"}));
+    EXPECT_EQ("Mixed:\n  number: 2\nTestVolume: {param: 1}\n",
+              Edit("Mixed:\nTestVolume: {param: 1}\n", {"Mixed.number=2"}));
+    EXPECT_EQ("Mixed: {number: 2}\n", Edit("Mixed: {}\n", {"Mixed.number=2"}));
+    EXPECT_EQ("{Mixed: {number: 2}}\n", Edit("{}\n", {"Mixed.number=2"}));
+    EXPECT_EQ("Mixed: {number: 1, active: false}\n",
+              Edit("Mixed: {number: 1}\n", {"Mixed.active=false"}));
+}
+
+TEST(EditVolumeProfile, AddsNothingToAFileOfUnitys)
+{
+    const std::string text =
+        ContentOf(test::SourcePath("tests/volume/data/SampleSceneProfile.asset"));
+    EXPECT_THAT(ProblemsOf(text, {"Mixed.whole=3"}),
+                ElementsAre(testing::HasSubstr("Mixed.whole: the file does not have it; Unity")));
+}
+
+TEST(EditVolumeProfile, ChangesOneNumberOfAColour)
+{
+    EXPECT_EQ(With(k_Text, "g: 1.0", "g: 0.5"), Edit(k_Text, {k_Outline + "m_OutlineColor.g=0.5"}));
+    EXPECT_EQ(With(k_Text, "[0, 0, 0.50]", "[0, 0, 0.75]"), Edit(k_Text, {"Mixed.tint.b+=0.25"}));
+    EXPECT_THAT(
+        ProblemsOf(k_Text, {k_Outline + "outlineColor.q=1"}),
+        ElementsAre(testing::AllOf(testing::HasSubstr("m_OutlineColor"), testing::HasSubstr("'q'"),
+                                   testing::HasSubstr("did you mean 'r'?"))));
+}
+
+TEST(EditVolumeProfile, StartsFromTheNumberThatThereIs)
+{
+    EXPECT_EQ(With(k_Text, "4.0   #", "4.1   #"),
+              Edit(k_Text, {k_Outline + "m_OutlineWidth+=0.1"}));
+    EXPECT_EQ(With(k_Text, "4.0   #", "1.5   #"),
+              Edit(k_Text, {k_Outline + "m_OutlineWidth-=2.5"}));
+    EXPECT_EQ(With(k_Text, "4.0   #", "10   #"), Edit(k_Text, {k_Outline + "m_OutlineWidth*=2.5"}));
+    // Of what the file lacks, from the default: TestComponents.h has 3 for the width.
+    EXPECT_EQ("ScreenSpaceOutline: {m_OutlineWidth: 5}\n",
+              Edit("ScreenSpaceOutline: {}\n", {k_Outline + "m_OutlineWidth+=2"}));
+    EXPECT_THAT(
+        ProblemsOf(k_Text,
+                   {k_Outline + "m_OutlineWidth*=9", k_Outline + "enable+=1", "Mixed.number+=x"}),
+        ElementsAre("ScreenSpaceOutline.m_OutlineWidth: 36 is outside [1, 10]",
+                    "+= needs numbers; the value is true", "+= needs numbers; the value is 'x'"));
 }
 
 TEST(EditVolumeProfile, RefusesWhatAnAliasRepeats)
@@ -276,9 +321,10 @@ TEST(EditVolumeProfile, ReachesIntoAnObject)
     EXPECT_EQ("Nested: {m_Object: {m_Size: {m_OverrideState: 0, m_Value: 2}}}\n",
               EditNested("Nested: {m_Object: {m_Size: {m_OverrideState: 0, m_Value: 1}}}\n",
                          "Nested.m_Object.m_Size=2"));
-    EXPECT_THAT(Problems([] { EditNested("Nested: {object: {}}\n", "Nested.object.size=2"); }),
-                ElementsAre("1:18: Nested.m_Object.m_Size: the file does not set it; only values "
-                            "that are in the file can be set, so add a line 'm_Size: 2' by hand"));
+    EXPECT_EQ("Nested: {object: {size: 2}}\n",
+              EditNested("Nested: {object: {}}\n", "Nested.object.size=2"));
+    EXPECT_EQ("Nested: {m_Object: {m_Size: 2}}\n",
+              EditNested("Nested: {}\n", "Nested.object.size=2"));
     EXPECT_THAT(Problems([] { EditNested("Nested: {}\n", "Nested.object.sze=2"); }),
                 ElementsAre("Nested.m_Object: unknown parameter 'sze'; did you mean 'size'?"));
 }

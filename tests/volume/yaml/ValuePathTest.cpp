@@ -53,6 +53,19 @@ TEST(ValueAssignment, EndsItsPathAtTheFirstEqualsSign)
     EXPECT_EQ("", ValueAssignment::Parse("a.b=", "x").value);
 }
 
+TEST(ValueAssignment, KnowsSignsInFrontOfTheEqualsSign)
+{
+    for (const char sign : {'+', '-', '*'})
+    {
+        const std::string text = std::string("a.b") + sign + "=2";
+        const ValueAssignment assignment = ValueAssignment::Parse(text, "x");
+        EXPECT_EQ("a.b", assignment.path);
+        EXPECT_EQ(sign, assignment.sign);
+        EXPECT_EQ(text, assignment.Text());
+    }
+    EXPECT_EQ('=', ValueAssignment::Parse("a.b=+2", "x").sign);
+}
+
 TEST(ValueAssignment, RefusesATextOfAnotherForm)
 {
     for (const char* text : {"", "a=1", "a.b", ".b=1", "a.=1", "a=b.c"})

@@ -55,12 +55,12 @@ std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
     return found;
 }
 
-/// The parameter of an edit, with its new value.
-class Wanted
+/// What an edit names: a parameter, and perhaps one number of its value.
+class Target
 {
 public:
-    Wanted(const ValueAssignment& edit, const VolumeComponentRegistry& registry)
-        : m_Source(edit.path + "=" + edit.value)
+    Target(const ValueAssignment& edit, const VolumeComponentRegistry& registry)
+        : m_Edit(edit), m_Source(edit.Text())
     {
         AssetDiagnostics diagnostics(m_Source);
         const ValuePath wanted = ValuePath::Split(edit.path, registry.names());
@@ -72,7 +72,14 @@ public:
         {
             subject += "." + name;
         }
-        parameter->ReadYaml(ParseTypedValue(edit.value, m_Source), subject, diagnostics);
+    }
+
+    /// Gives the parameter the edit's value, which may depend on the one that it has.
+    void SetNewValue()
+    {
+        AssetDiagnostics diagnostics(m_Source);
+        const std::string text = m_Edit.NewValue(parameter->ValueText(), m_Member, m_Source);
+        parameter->ReadYaml(ParseTypedValue(text, m_Source), subject, diagnostics);
         ThrowWithoutPlaces(diagnostics);
     }
 
@@ -105,17 +112,25 @@ private:
             path.push_back(known->name());
             parameter = known;
         }
-        if (found.size() < wanted.keys.size())
+        const std::size_t rest = wanted.keys.size() - found.size();
+        const std::vector<std::string> members =
+            parameter ? MembersOfValue(parameter->ValueText()) : std::vector<std::string>();
+        if (rest == 1 &&
+            std::find(members.begin(), members.end(), wanted.keys.back()) != members.end())
         {
-            ReportUnknown(wanted.keys[found.size()], found, diagnostics);
+            m_Member = wanted.keys.back();
+        }
+        else if (rest > 0)
+        {
+            ReportUnknown(wanted.keys[found.size()], found, members, diagnostics);
         }
     }
 
     void ReportUnknown(const std::string& name, const std::vector<VolumeParameter*>& found,
-                       AssetDiagnostics& diagnostics) const
+                       const std::vector<std::string>& members, AssetDiagnostics& diagnostics) const
     {
         std::string owner = component;
-        std::vector<std::string> names;
+        std::vector<std::string> names = members;
         std::span<VolumeParameter* const> parameters = m_Component->parameters();
         for (const VolumeParameter* outer : found)
         {
@@ -145,7 +160,9 @@ private:
         without.ThrowIfErrors();
     }
 
+    const ValueAssignment& m_Edit;
     std::string m_Source;
+    std::string m_Member; ///< "r"; "": the whole value
     std::unique_ptr<VolumeComponent> m_Component;
     BoolParameter m_Active{nullptr, "active", true};
 };
@@ -202,37 +219,71 @@ const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isU
     return isWrapped ? value->Find("m_Value") : value;
 }
 
-/// The node that holds the parameter's value; an error if there is none.
-const YamlNode* FindValue(const std::optional<YamlNode>& component, bool isUnity,
-                          const Wanted& wanted, AssetDiagnostics& diagnostics)
+/// How far a file goes along an edit's path.
+struct Reached
 {
-    if (!component)
+    const YamlNode* value; ///< of the parameter; null if the file does not have it
+    const YamlNode* map;   ///< otherwise the innermost map, or Null, that there is
+    std::size_t depth;     ///< names of the path that lead there
+};
+
+Reached Follow(const YamlNode& component, bool isUnity, const Target& target)
+{
+    const YamlNode* map = &component;
+    for (std::size_t i = 0; i < target.path.size(); ++i)
     {
-        diagnostics.Error({}, wanted.subject + ": the file has no '" + wanted.component +
-                                  "'; only values that are in the file can be set");
-        return nullptr;
-    }
-    const YamlNode* value = &*component;
-    SourceLocation place = component->location();
-    for (const std::string& name : wanted.path)
-    {
-        place = value->location();
-        value = FindEntry(*value, name, isUnity);
-        if (!value)
+        const YamlNode* found = FindEntry(*map, target.path[i], isUnity);
+        if (!found)
         {
-            diagnostics.Error(place, wanted.subject +
-                                         ": the file does not set it; only values that are in "
-                                         "the file can be set, so add a line '" +
-                                         name + ": " + wanted.parameter->ValueText() + "' by hand");
-            return nullptr;
+            return {nullptr, map, i};
         }
+        map = found;
     }
-    return value;
+    return {map, nullptr, target.path.size()};
+}
+
+/// Returns whether the file spells m_Width as width.
+bool IsPlainlySpelt(const YamlNode& component, const std::string& name)
+{
+    bool isPlain = false;
+    for (const YamlEntry& entry : component.entries())
+    {
+        if (entry.key.starts_with("m_"))
+        {
+            return false;
+        }
+        isPlain = isPlain || entry.key != "active";
+    }
+    return isPlain && PlainSpelling(name) != name;
+}
+
+/// Adds what the file lacks of the path, and the value behind it.
+void AddValue(const std::optional<YamlNode>& component, const YamlNode& root,
+              const Reached& reached, const Target& target, YamlSplicer& splicer)
+{
+    const auto spelt = [&](const std::string& name)
+    {
+        return component && IsPlainlySpelt(*component, name) ? PlainSpelling(name) : name;
+    };
+    std::string text = target.parameter->ValueText();
+    for (std::size_t i = target.path.size() - 1; i > reached.depth; --i)
+    {
+        text = "{" + spelt(target.path[i]) + ": " + text + "}";
+    }
+    const std::string key = spelt(target.path[reached.depth]);
+    if (component)
+    {
+        splicer.Insert(*reached.map, key, text);
+    }
+    else
+    {
+        splicer.Append(root, target.component, key, text);
+    }
 }
 
 /// Throws unless the new text is a good profile that differs from the old one in what was replaced.
 void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
-                 const std::string& file, const YamlSplicer& splicer, const YamlNode& place,
+                 const std::string& file, const YamlSplicer& splicer, SourceLocation place,
                  const std::string& subject, const VolumeComponentRegistry& registry)
 {
     ParseVolumeProfile(text, file, registry, AnyLayer());
@@ -244,7 +295,7 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
     }
     if (count != splicer.count())
     {
-        throw AssetError(file, place.location(),
+        throw AssetError(file, place,
                          subject + ": other values repeat this one by an alias (*), and would "
                                    "change as well; change it by hand");
     }
@@ -253,34 +304,45 @@ void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
 std::string EditOne(const std::string& text, const std::string& file, const ValueAssignment& edit,
                     const VolumeComponentRegistry& registry, std::vector<ScalarChange>& changes)
 {
-    const Wanted wanted(edit, registry);
+    Target target(edit, registry);
     const ProfileText profile(text, file);
     const bool isUnity = profile.asset.has_value();
     AssetDiagnostics diagnostics(file);
-    const std::optional<YamlNode> component = FindComponent(profile, wanted.component);
-    const YamlNode* value = FindValue(component, isUnity, wanted, diagnostics);
-    diagnostics.ThrowIfErrors();
-
-    const std::string fresh =
-        isUnity ? wanted.parameter->UnityText() : wanted.parameter->ValueText();
-    YamlSplicer splicer(text, wanted.subject, diagnostics);
-    // A value that says the same in another way stays as it is written.
-    AssetDiagnostics ignored(file);
-    const auto old = registry.Create(wanted.component);
-    const std::vector<VolumeParameter*> current = FindAlong(*old, wanted.path);
-    BoolParameter active{nullptr, "active", true};
-    VolumeParameter& before = current.empty() ? active : *current.back();
-    const bool isRead = before.ReadYaml(*value, wanted.subject, ignored);
-    const bool isSame = isRead && before.ValueText() == wanted.parameter->ValueText();
-    changes.push_back({wanted.subject, isRead ? before.ValueText() : value->Describe(),
-                       wanted.parameter->ValueText()});
-    if (!isSame)
+    const std::optional<YamlNode> component = FindComponent(profile, target.component);
+    const Reached reached = component ? Follow(*component, isUnity, target) : Reached{};
+    if (!reached.value && isUnity)
     {
-        splicer.Replace(*value, ParseYaml(fresh, file).front(), fresh);
+        throw AssetError(file, component ? component->location() : SourceLocation{},
+                         target.subject + ": the file does not have it; Unity adds it when the " +
+                             (component ? "parameter" : "component") + " is set in its inspector");
+    }
+    AssetDiagnostics ignored(file);
+    const bool isRead =
+        reached.value && target.parameter->ReadYaml(*reached.value, target.subject, ignored);
+    const std::string old = target.parameter->ValueText();
+    target.SetNewValue();
+    const std::string fresh = target.parameter->ValueText();
+    changes.push_back({target.subject,
+                       !reached.value ? "not set"
+                       : isRead       ? old
+                                      : reached.value->Describe(),
+                       fresh});
+    YamlSplicer splicer(text, target.subject, diagnostics);
+    if (!reached.value)
+    {
+        AddValue(component, profile.documents.front(), reached, target, splicer);
+    }
+    // A value that says the same in another way stays as it is written.
+    else if (!isRead || old != fresh)
+    {
+        const std::string written = isUnity ? target.parameter->UnityText() : fresh;
+        splicer.Replace(*reached.value, ParseYaml(written, file).front(), written);
     }
     diagnostics.ThrowIfErrors();
     std::string result = splicer.Result();
-    CheckResult(profile.documents, result, file, splicer, *value, wanted.subject, registry);
+    CheckResult(profile.documents, result, file, splicer,
+                reached.value ? reached.value->location() : SourceLocation{}, target.subject,
+                registry);
     return result;
 }
 
@@ -320,16 +382,19 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
 
 std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
                                      std::span<const ValueAssignment> edits,
-                                     const VolumeComponentRegistry& registry)
+                                     const VolumeComponentRegistry& registry, FileEdit* written)
 {
     std::vector<ScalarChange> changes;
     const FileLock lock(path);
-    const std::string text = ReadYamlText(path);
-    const std::string edited =
-        EditVolumeProfile(text, path.generic_string(), edits, registry, &changes);
+    std::string text = ReadYamlText(path);
+    std::string edited = EditVolumeProfile(text, path.generic_string(), edits, registry, &changes);
     if (edited != text)
     {
         ReplaceContent(path, text, edited);
+        if (written)
+        {
+            *written = {std::move(text), std::move(edited)};
+        }
     }
     return changes;
 }

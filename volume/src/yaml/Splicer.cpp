@@ -334,6 +334,85 @@ void YamlSplicer::FillIn(const YamlNode& null, const std::string& freshText)
     AddAt(line.substr(colon + 1, 0), " " + freshText);
 }
 
+void YamlSplicer::Insert(const YamlNode& map, const std::string& key, const std::string& valueText)
+{
+    const std::string line = key + ": " + valueText;
+    const std::size_t begin = std::min(OffsetOf(m_Text, map.location()), m_Text.size());
+    const auto indentation = [](int column)
+    {
+        return std::string(static_cast<std::size_t>(column - 1), ' ');
+    };
+    if (map.isNull())
+    {
+        AddLineBehind(begin, indentation(map.location().column + 2) + line);
+        return;
+    }
+    if (m_Text.substr(begin).starts_with('{'))
+    {
+        const std::string_view flow = FlowExtent(map);
+        const std::size_t end = flow.substr(0, flow.size() - 1).find_last_not_of(" \t");
+        if (!flow.empty())
+        {
+            AddAt(flow.substr(end + 1, 0), (map.entries().empty() ? "" : ", ") + line);
+            return;
+        }
+    }
+    const std::span<const YamlEntry> entries = map.entries();
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
+    {
+        const std::string_view extent = OneLineExtent(entry->value);
+        if (!extent.empty() && !m_Text.substr(begin).starts_with('{'))
+        {
+            AddLineBehind(static_cast<std::size_t>(extent.data() - m_Text.data()),
+                          indentation(entry->keyLocation.column) + line);
+            return;
+        }
+    }
+    Refuse(map, "the file does not set it; add a line '" + line + "' by hand");
+}
+
+void YamlSplicer::Append(const YamlNode& root, const std::string& name, const std::string& key,
+                         const std::string& valueText)
+{
+    const std::size_t begin = std::min(OffsetOf(m_Text, root.location()), m_Text.size());
+    if (m_Text.substr(begin).starts_with('{'))
+    {
+        Insert(root, name, "{" + key + ": " + valueText + "}");
+        return;
+    }
+    const std::string end(EndOfLine());
+    AddAt(m_Text.substr(m_Text.size()), (m_Text.ends_with('\n') ? "" : end) + name + ":" + end +
+                                            "  " + key + ": " + valueText + end);
+}
+
+std::string_view YamlSplicer::OneLineExtent(const YamlNode& value) const
+{
+    if (value.isScalar())
+    {
+        return Extent(value);
+    }
+    const std::string_view rest =
+        m_Text.substr(std::min(OffsetOf(m_Text, value.location()), m_Text.size()));
+    const bool isFlow = rest.starts_with('{') || rest.starts_with('[');
+    return isFlow ? FlowExtent(value) : std::string_view();
+}
+
+void YamlSplicer::AddLineBehind(std::size_t place, const std::string& line)
+{
+    const std::size_t newline = m_Text.find('\n', place);
+    if (newline == std::string_view::npos)
+    {
+        AddAt(m_Text.substr(m_Text.size()), std::string(EndOfLine()) + line);
+        return;
+    }
+    AddAt(m_Text.substr(newline + 1, 0), line + std::string(EndOfLine()));
+}
+
+std::string_view YamlSplicer::EndOfLine() const
+{
+    return m_Text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
+}
+
 std::string YamlSplicer::Result() const
 {
     std::vector<Splice> splices = m_Splices;

@@ -1,6 +1,9 @@
 #include <limn/volume/ProfileEdit.h>
 
 #include <algorithm>
+#include <charconv>
+#include <limn/volume/YamlRead.h>
+#include <optional>
 
 namespace limn
 {
@@ -17,6 +20,40 @@ bool HasPrefix(std::string_view text, std::string_view name)
 bool IsPath(std::string_view text)
 {
     return text.find('.') != std::string_view::npos && text.front() != '.' && text.back() != '.';
+}
+
+/// Returns what stands before "=", "+=", "-=" or "*=".
+std::string_view PathBefore(std::string_view text, std::size_t equals)
+{
+    const bool hasSign =
+        equals > 0 && std::string_view("+-*").find(text[equals - 1]) != std::string_view::npos;
+    return text.substr(0, equals - (hasSign ? 1 : 0));
+}
+
+std::optional<double> NumberIn(const std::string& text)
+{
+    double number = 0.0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
+}
+
+/// Returns the number that the assignment's sign makes of the one that there is.
+std::string Sum(const std::string& current, const ValueAssignment& assignment,
+                const std::string& file)
+{
+    const std::optional<double> old = NumberIn(current);
+    const std::optional<double> operand = NumberIn(assignment.value);
+    if (!old || !operand)
+    {
+        throw AssetError(file, {},
+                         std::string{assignment.sign} + "= needs numbers; the value is " +
+                             (old ? "'" + assignment.value + "'" : current));
+    }
+    const double result = assignment.sign == '+'   ? *old + *operand
+                          : assignment.sign == '-' ? *old - *operand
+                                                   : *old * *operand;
+    return NumberText(static_cast<double>(static_cast<float>(result)));
 }
 
 } // namespace
@@ -69,7 +106,7 @@ YamlNode ValuePath::AsMap(YamlNode value) const
 std::string ValueAssignment::FormProblem(std::string_view text)
 {
     const std::size_t equals = text.find('=');
-    const bool isGood = equals != std::string_view::npos && IsPath(text.substr(0, equals));
+    const bool isGood = equals != std::string_view::npos && IsPath(PathBefore(text, equals));
     return isGood ? "" : "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4";
 }
 
@@ -81,7 +118,51 @@ ValueAssignment ValueAssignment::Parse(std::string_view text, const std::string&
         throw AssetError(file, {}, problem);
     }
     const std::size_t equals = text.find('=');
-    return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
+    const std::string_view path = PathBefore(text, equals);
+    return {std::string(path), std::string(text.substr(equals + 1)),
+            path.size() < equals ? text[equals - 1] : '='};
+}
+
+std::string ValueAssignment::Text() const
+{
+    return path + (sign == '=' ? "=" : std::string{sign, '='}) + value;
+}
+
+std::string ValueAssignment::NewValue(const std::string& current, const std::string& member,
+                                      const std::string& file) const
+{
+    if (member.empty())
+    {
+        return sign == '=' ? value : Sum(current, *this, file);
+    }
+    std::string text;
+    const YamlNode whole = ParseYaml(current, file).front();
+    for (const YamlEntry& entry : whole.entries())
+    {
+        const std::string& old = entry.value.scalar();
+        const std::string fresh =
+            entry.key != member ? old : (sign == '=' ? value : Sum(old, *this, file));
+        text += (text.empty() ? "" : ", ") + entry.key + ": " + fresh;
+    }
+    return "{" + text + "}";
+}
+
+std::vector<std::string> MembersOfValue(const std::string& valueText)
+{
+    std::vector<std::string> members;
+    if (valueText.starts_with('{'))
+    {
+        const YamlNode value = ParseYaml(valueText, "").front();
+        for (const YamlEntry& entry : value.entries())
+        {
+            if (!entry.value.isScalar() || !NumberIn(entry.value.scalar()))
+            {
+                return {};
+            }
+            members.push_back(entry.key);
+        }
+    }
+    return members;
 }
 
 YamlNode ParseTypedValue(const std::string& value, const std::string& file)

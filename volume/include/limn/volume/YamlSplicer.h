@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// Replaces scalars of a YAML text and leaves every other byte as it is.
+/// Replaces scalars of a YAML text, adds lines, and leaves every other byte as it is.
 class YamlSplicer
 {
 public:
@@ -21,7 +21,17 @@ public:
     /// @param freshText  `fresh` on one line
     void Replace(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
 
-    /// The scalars replaced so far.
+    /// Adds a key to a map of the text: as a line in the style of the lines there, or within the
+    /// braces. A problem is an error in the diagnostics.
+    /// @param map        of the text; a Null that belongs to a key may become a map
+    /// @param valueText  on one line
+    void Insert(const YamlNode& map, const std::string& key, const std::string& valueText);
+
+    /// Adds a map of one key behind everything else of a text whose root is a map.
+    void Append(const YamlNode& root, const std::string& name, const std::string& key,
+                const std::string& valueText);
+
+    /// The scalars replaced and the lines added so far.
     std::size_t count() const { return m_Splices.size(); }
     std::string Result() const;
 
@@ -47,6 +57,12 @@ private:
     void FillIn(const YamlNode& null, const std::string& freshText);
     /// The characters of a list or map in brackets; empty if it is not one on one line.
     std::string_view FlowExtent(const YamlNode& node) const;
+
+    /// The characters of a value on one line; empty if it takes more.
+    std::string_view OneLineExtent(const YamlNode& value) const;
+    /// Adds a line behind the one that a place is in.
+    void AddLineBehind(std::size_t place, const std::string& line);
+    std::string_view EndOfLine() const; ///< "\n" or "\r\n", as the text has it
 
     std::string_view m_Text;
     std::string m_Subject;
