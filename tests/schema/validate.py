@@ -43,7 +43,7 @@ GOOD = {
         "{type: capsule, radius: 1, height: 3, direction: y}]}]}",
         "{camera: {}, materials: {a: {shader: x.shader, renderQueue: 3000, _Width: 2, "
         "_Tint: '#12aBcd', _Other: [1, 0, 0], _Offset: {x: 1, y: 2, z: 3, w: 4}, "
-        "_Map: wood.png, _Bump: bump}, b: }}",
+        "_Map: wood.png, _Bump: bump}, b: , oak: oak.material.yaml}}",
     ],
 }
 # What is broken, and the path at which a validator has to say so.

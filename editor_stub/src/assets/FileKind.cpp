@@ -119,27 +119,32 @@ std::string NoneOf(std::initializer_list<FileKind> kinds)
 }
 
 /// Returns the file of one of these kinds beside a missing one whose name is most like it; "" if
-/// there is none.
+/// there is none. Of names with the same ending only what stands before it counts.
 std::string NearestFile(const std::filesystem::path& missing, std::initializer_list<FileKind> kinds)
 {
-    std::vector<std::string> names;
-    std::error_code error;
     const std::filesystem::path folder = missing.parent_path();
-    for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
-         !error && entry != end; entry.increment(error))
+    const std::string name = missing.filename().string();
+    std::string nearest;
+    for (const NamedKind& named : k_NamedKinds)
     {
-        std::string name = entry->path().filename().string();
-        const bool isWanted = std::ranges::any_of(
-            k_NamedKinds, [&](const NamedKind& named)
-            { return name.ends_with(named.ending) && std::ranges::count(kinds, named.kind) > 0; });
-        if (isWanted)
+        const std::string ending = name.ends_with(named.ending) ? named.ending : "";
+        std::vector<std::string> names;
+        std::error_code error;
+        for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+             !error && entry != end && std::ranges::count(kinds, named.kind) > 0;
+             entry.increment(error))
         {
-            names.push_back(std::move(name));
+            const std::string other = entry->path().filename().string();
+            if (other.ends_with(named.ending))
+            {
+                names.push_back(other.substr(0, other.size() - ending.size()));
+            }
         }
+        std::ranges::sort(names);
+        const std::string_view found =
+            NearestName(name.substr(0, name.size() - ending.size()), {names.begin(), names.end()});
+        nearest = nearest.empty() && !found.empty() ? std::string(found) + ending : nearest;
     }
-    std::ranges::sort(names);
-    const std::string_view nearest =
-        NearestName(missing.filename().string(), {names.begin(), names.end()});
     return nearest.empty() ? "" : (folder / nearest).generic_string();
 }
 

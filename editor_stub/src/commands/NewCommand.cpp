@@ -82,8 +82,9 @@ std::string FileName(std::string_view file, const std::string& name)
 
 int NewFeature(const NewOptions& options, Console& console)
 {
-    const std::string problem = options.folder.empty()
-                                    ? "a feature needs '-o DIR', a new or empty folder"
+    const std::string problem =
+        options.folder.empty()      ? "a feature needs '-o DIR', a new or empty folder"
+        : !options.contents.empty() ? "'" + options.contents[0] + "' is one word too many"
                                     : NameProblem(options.name);
     if (!problem.empty())
     {

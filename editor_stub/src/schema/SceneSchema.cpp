@@ -164,13 +164,7 @@ private:
         case SceneValue::Colliders:
             return ListSchema(Collider());
         case SceneValue::Materials:
-            return {{"type", "object"},
-                    {"additionalProperties",
-                     {{"anyOf",
-                       {MaterialSchema(),
-                        {{"type", "string"},
-                         {"pattern", "\\.material\\.yaml$"},
-                         {"description", "A material file"}}}}}}};
+            return {{"type", "object"}, {"additionalProperties", NamedMaterialSchema()}};
         case SceneValue::Objects:
             return ListSchema({{"$ref", "#/$defs/object"}});
         }
@@ -182,6 +176,15 @@ private:
         Json schema = Map(scene_keys::k_Camera);
         schema["type"] = {"object", "null"};
         return schema;
+    }
+
+    /// A material as a scene's map of materials has it, or the name of a file with one.
+    static Json NamedMaterialSchema()
+    {
+        const Json file{{"type", "string"},
+                        {"pattern", "\\.material\\.yaml$"},
+                        {"description", "A .material.yaml file"}};
+        return {{"if", {{"type", "string"}}}, {"then", file}, {"else", MaterialSchema()}};
     }
 
     static Json Shadows()

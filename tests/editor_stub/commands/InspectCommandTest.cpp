@@ -144,9 +144,10 @@ TEST_F(Inspect, WithoutAFileIsWrongUsage)
 
 TEST_F(Inspect, AMissingFileIsNamed)
 {
-    const CommandRun run = Run("no.profile.yaml");
+    const CommandRun run = Run("missing.profile.yaml");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ((folder / "no.profile.yaml").string() + ": error: there is no such file\n", run.err);
+    EXPECT_EQ((folder / "missing.profile.yaml").string() + ": error: there is no such file\n",
+              run.err);
 }
 
 TEST(InspectName, ShowsTheDefaultsOfAComponentAndOfTheFeatureOfItsName)

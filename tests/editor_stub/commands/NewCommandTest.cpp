@@ -192,6 +192,7 @@ TEST(NewFile, RefusesWhatBelongsToOtherKindsAndUnknownNames)
     EXPECT_EQ(2, RunCommand({"new", "scene", "a", "Bloom"}).exitCode);
     EXPECT_EQ(2, RunCommand({"new", "material", "a", "B", "C"}).exitCode);
     EXPECT_EQ(2, RunCommand({"new", "feature", "Fog"}).exitCode);
+    EXPECT_EQ(2, RunCommand({"new", "feature", "Fog", "x", "-o", "d"}).exitCode);
     const CommandRun component = RunCommand({"new", "profile", "a", "Blom"});
     EXPECT_EQ(1, component.exitCode);
     EXPECT_THAT(component.err, testing::HasSubstr("did you mean 'Bloom'?"));

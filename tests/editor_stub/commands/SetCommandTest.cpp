@@ -122,7 +122,7 @@ TEST(LimnSchema, OfMaterialsIsWhatAScenesMaterialsHave)
     EXPECT_EQ("limn material", schema["title"]);
     EXPECT_EQ("A shader's name or a .shader file", schema["properties"]["shader"]["description"]);
     const auto scene = nlohmann::json::parse(RunCommand({"schema", "scene"}).out);
-    const auto& inScenes = scene["properties"]["materials"]["additionalProperties"];
+    const auto& inScenes = scene["properties"]["materials"]["additionalProperties"]["else"];
     EXPECT_EQ(inScenes["properties"], schema["properties"]);
     EXPECT_EQ(inScenes["additionalProperties"], schema["additionalProperties"]);
 }
