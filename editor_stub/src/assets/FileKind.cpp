@@ -118,36 +118,6 @@ std::string NoneOf(std::initializer_list<FileKind> kinds)
     return "no " + nouns + "; a " + endings + " file is expected";
 }
 
-/// Returns the file of one of these kinds beside a missing one whose name is most like it; "" if
-/// there is none. Of names with the same ending only what stands before it counts.
-std::string NearestFile(const std::filesystem::path& missing, std::initializer_list<FileKind> kinds)
-{
-    const std::filesystem::path folder = missing.parent_path();
-    const std::string name = missing.filename().string();
-    std::string nearest;
-    for (const NamedKind& named : k_NamedKinds)
-    {
-        const std::string ending = name.ends_with(named.ending) ? named.ending : "";
-        std::vector<std::string> names;
-        std::error_code error;
-        for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
-             !error && entry != end && std::ranges::count(kinds, named.kind) > 0;
-             entry.increment(error))
-        {
-            const std::string other = entry->path().filename().string();
-            if (other.ends_with(named.ending))
-            {
-                names.push_back(other.substr(0, other.size() - ending.size()));
-            }
-        }
-        std::ranges::sort(names);
-        const std::string_view found =
-            NearestName(name.substr(0, name.size() - ending.size()), {names.begin(), names.end()});
-        nearest = nearest.empty() && !found.empty() ? std::string(found) + ending : nearest;
-    }
-    return nearest.empty() ? "" : (folder / nearest).generic_string();
-}
-
 } // namespace
 
 FileKind FileKindOf(const std::filesystem::path& file)
@@ -168,6 +138,36 @@ FileKind FileKindOf(const std::filesystem::path& file)
     return KindOfContent(file);
 }
 
+std::string NearestFile(const std::filesystem::path& missing)
+{
+    const std::string name = missing.filename().string();
+    const std::string ending = name.substr(std::min(name.find('.'), name.size()));
+    const std::string stem = name.substr(0, name.size() - ending.size());
+    std::vector<std::string> alike;  // the stems of names with the same ending
+    std::vector<std::string> others; // names whose last part is the same
+    std::error_code error;
+    const std::filesystem::path folder = missing.parent_path();
+    for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
+         !error && entry != end; entry.increment(error))
+    {
+        const std::filesystem::path file = entry->path().filename();
+        const std::string other = file.string();
+        if (!ending.empty() && other.ends_with(ending))
+        {
+            alike.push_back(other.substr(0, other.size() - ending.size()));
+        }
+        else if (!ending.empty() && file.extension() == missing.extension())
+        {
+            others.push_back(other);
+        }
+    }
+    std::ranges::sort(alike);
+    std::ranges::sort(others);
+    const std::string_view near = NearestName(stem, {alike.begin(), alike.end()});
+    return !near.empty() ? std::string(near) + ending
+                         : std::string(NearestName(name, {others.begin(), others.end()}));
+}
+
 void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKind> kinds,
                  const std::string& verb)
 {
@@ -176,12 +176,12 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
         return std::ranges::find(kinds, kind) != kinds.end();
     };
     std::error_code ignored;
-    const std::string nearest =
-        std::filesystem::exists(file, ignored) ? "" : NearestFile(file, kinds);
+    const std::string nearest = std::filesystem::exists(file, ignored) ? "" : NearestFile(file);
     if (!nearest.empty())
     {
         throw AssetError(file.generic_string(), {},
-                         "there is no such file; did you mean '" + nearest + "'?");
+                         "there is no such file; did you mean '" +
+                             (file.parent_path() / nearest).generic_string() + "'?");
     }
     if (!std::filesystem::is_regular_file(file, ignored) &&
         (isWanted(FileKind::Shader) || !std::filesystem::is_directory(file / "Assets", ignored)))

@@ -28,6 +28,10 @@ enum class FileKind
 /// a YAML file begins with.
 FileKind FileKindOf(const std::filesystem::path& file);
 
+/// Returns the name of the file beside a missing one that may be meant: one of the same ending
+/// whose name is nearly the same; "" if there is none.
+std::string NearestFile(const std::filesystem::path& missing);
+
 /// @param verb  "render", "inspect": who wants to read the file
 /// @throws AssetError that says what the file is and which verb takes it, if it is known to be of
 ///     none of these kinds, or neither its name nor its content says of which. Unity's assets pass

@@ -1,5 +1,7 @@
 #include "assets/References.h"
 
+#include "assets/FileKind.h"
+
 #include <algorithm>
 #include <limn/features/Features.h>
 
@@ -69,6 +71,21 @@ void References::Report(const YamlNode& node, std::string_view subject, const As
     m_Diagnostics.Error(node.location(), std::string(subject) + ": " + which +
                                              " cannot be used; see the errors of that file");
     m_Failures.push_back({node.location(), error.diagnostics()});
+}
+
+bool References::isThere(const std::filesystem::path& path, const std::string& text,
+                         const YamlNode& node, std::string_view subject)
+{
+    std::error_code ignored;
+    const std::string nearest = std::filesystem::exists(path, ignored) ? "" : NearestFile(path);
+    if (!nearest.empty())
+    {
+        m_Diagnostics.Error(
+            node.location(),
+            std::string(subject) + ": there is no file '" + text + "'; did you mean '" +
+                (std::filesystem::path(text).parent_path() / nearest).generic_string() + "'?");
+    }
+    return nearest.empty();
 }
 
 void References::ThrowIfErrors() const

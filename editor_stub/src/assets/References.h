@@ -40,7 +40,7 @@ public:
         try
         {
             const std::filesystem::path path = text ? Resolve(*text) : std::filesystem::path();
-            return text && isAllowed(path, node, subject)
+            return text && isAllowed(path, node, subject) && isThere(path, *text, node, subject)
                        ? load(path)
                        : decltype(load(std::filesystem::path()))();
         }
@@ -60,6 +60,11 @@ public:
     /// Whether a reference may lead to this file; an error at the node if not.
     bool isAllowed(const std::filesystem::path& path, const YamlNode& node,
                    std::string_view subject);
+
+    /// Returns whether a file is there, or no other has a name like its; else adds an error with
+    /// the name that may be meant.
+    bool isThere(const std::filesystem::path& path, const std::string& text, const YamlNode& node,
+                 std::string_view subject);
 
     /// @throws AssetError with every error so far, those of a file behind the first reference to it
     void ThrowIfErrors() const;

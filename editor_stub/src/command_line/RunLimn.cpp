@@ -65,7 +65,9 @@ ExitCode ExitCodeOf(Console& console)
     }
     catch (const AssetError& error)
     {
-        console.Print(error.diagnostics());
+        // Tools that read the messages get a line each.
+        console.isOnTerminal() ? console.PrintWithSource(error.diagnostics())
+                               : console.Print(error.diagnostics());
         return ExitCode::BadInput;
     }
     catch (const DrawError& error)

@@ -104,6 +104,11 @@ void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
     }
 }
 
+bool Console::isOnTerminal() const
+{
+    return isTerminal(m_Err);
+}
+
 void Console::Note(std::string_view sentence)
 {
     Say(Severity::Note, Sentence(sentence));

@@ -41,6 +41,7 @@ public:
     void Print(const std::vector<Diagnostic>& diagnostics);
     /// Each with the line of its file that it is about and a caret, where the file can be read.
     void PrintWithSource(const std::vector<Diagnostic>& diagnostics);
+    bool isOnTerminal() const;               ///< where people read what goes to `err`
     void Note(std::string_view sentence);    ///< "note: sentence"
     void Warning(std::string_view sentence); ///< "warning: sentence"
     void Error(std::string_view text);       ///< "error: text", which may have several lines

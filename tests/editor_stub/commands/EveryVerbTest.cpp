@@ -42,7 +42,7 @@ const Verb k_Verbs[] = {
     {"new",
      "new scene|profile|material|feature NAME [CONTENT ...]",
      "scene|profile|material|feature and NAME are missing",
-     {"profile", "made"},
+     {},
      {}},
     {"port", "port FILE.cs ... -o DIR", "FILE.cs and -o DIR are missing", {}, {}},
     {"doctor", "doctor", "", {}, {"x"}},

@@ -181,6 +181,15 @@ TEST(InspectName, OffersTheNearestName)
     }
 }
 
+TEST_F(Inspect, OffersTheNearestFileForAReference)
+{
+    folder.Write("t.scene.yaml",
+                 "camera: {}\nvolumes: [{name: Room, profile: onn.profile.yaml}]\n");
+    EXPECT_THAT(Run("t.scene.yaml").err,
+                HasSubstr("t.scene.yaml:2:33: error: volume 'Room'.profile: there is no file "
+                          "'onn.profile.yaml'; did you mean 'on.profile.yaml'?"));
+}
+
 TEST_F(Inspect, OffersTheNearestFile)
 {
     const CommandRun run = Run("onn.profile.yaml");

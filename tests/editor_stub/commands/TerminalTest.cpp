@@ -27,9 +27,14 @@ TEST(ATerminal, HasHelpWrappedToItsWidth)
               "        A *.profile.yaml, a *.scene.yaml, or a Unity\n"
               "        VolumeProfile or renderer .asset\n"
               "  NAME.path=VALUE ...\n"
-              "        Such as ScreenSpaceOutline.m_OutlineWidth=4\n"
+              "        Such as ScreenSpaceOutline.m_OutlineWidth=4;\n"
+              "        m_OutlineColor.r=1 changes one number, and += -= *=\n"
+              "        start from the one that there is\n"
               "\n"
               "options:\n"
+              "      --undo\n"
+              "        Bring back the text from before the last change by\n"
+              "        'limn set'; once more brings the change again\n"
               "      --plugin FILE.so ...\n"
               "        Load features, volume components and shaders from a\n"
               "        module, whose code runs\n"
@@ -61,9 +66,9 @@ TEST(ATerminal, ShowsNoColourToWhomeverWantsNone)
     EXPECT_EQ("error" + k_Rest, Terminal(80).With("TERM", "dumb").Run({"rendr"}));
     EXPECT_EQ(k_Red + k_Rest, Terminal(80).With("NO_COLOR", "").Run({"rendr"}));
     EXPECT_EQ("set: error: there is no such file\n",
-              Terminal(80).Run({"inspect", "set", "--color", "never"}));
+              Terminal(80).Run({"explain", "set", "--color", "never"}));
     EXPECT_EQ("set: " + k_Red + ": there is no such file\n",
-              Terminal(80).With("NO_COLOR", "1").Run({"inspect", "set", "--color", "always"}));
+              Terminal(80).With("NO_COLOR", "1").Run({"explain", "set", "--color", "always"}));
 }
 
 TEST(ATerminal, IsNotCommandedByNamesInFiles)
@@ -89,13 +94,23 @@ TEST(ATerminal, IsNotCommandedByAShaderThatIsPrinted)
         << "a file stays what it is";
 }
 
+TEST(ATerminal, ShowsTheLineOfAFileThatIsWrong)
+{
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.Write("a.profile.yaml", "Bloom:\n  intensty: 1 # glow\n").generic_string();
+    const std::vector<std::string> words{"inspect", file, "--color", "never"};
+    EXPECT_THAT(Terminal(200).Run(words), testing::EndsWith("\n  intensty: 1 # glow\n  ^\n"));
+    EXPECT_THAT(RunCommand(words).err, testing::EndsWith("did you mean 'intensity'?\n"));
+}
+
 TEST(APipe, HasPlainTextEightyColumnsWide)
 {
     const std::string limn = "'" + LimnExecutable() + "' ";
     EXPECT_EQ("error" + k_Rest, RunInPipe(limn + "rendr 2>&1"));
     EXPECT_EQ(RunCommand({"help", "shader"}).out, RunInPipe(limn + "help shader"));
     EXPECT_EQ("set: " + k_Red + ": there is no such file\n",
-              RunInPipe(limn + "--color always inspect set 2>&1"));
+              RunInPipe(limn + "--color always explain set 2>&1"));
 }
 
 TEST(Completion, GivesBashVerbsOptionsAndValues)

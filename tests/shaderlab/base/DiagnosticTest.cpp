@@ -109,6 +109,13 @@ TEST(NearestName, FindsNothingBeyondAThirdOfTheLength)
     EXPECT_EQ(NearestName("a", {}), "");
 }
 
+TEST(NearestName, FindsTheOnlyNameThatGoesOn)
+{
+    EXPECT_EQ("StrokeOutlineFeature", NearestName("Stroke", {"StrokeOutlineFeature", "Bloom"}));
+    EXPECT_EQ("", NearestName("Stroke", {"StrokeOutlineFeature", "StrokesOfAPainter"}));
+    EXPECT_EQ("", NearestName("Str", {"StrokeOutlineFeature"})) << "too few letters";
+}
+
 TEST(UnknownName, AsksOnlyWhereSomethingIsNear)
 {
     EXPECT_EQ(UnknownName("Culll", {"Cull", "Blend"}), "'Culll'; did you mean 'Cull'?");

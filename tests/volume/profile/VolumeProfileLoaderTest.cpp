@@ -53,6 +53,34 @@ TEST_F(LoadOwnProfile, OverridesWhatIsNamedAndNothingElse)
     EXPECT_THAT(result.notes, IsEmpty());
 }
 
+TEST_F(LoadOwnProfile, NamesTheCauseOfCommonSyntaxErrors)
+{
+    const std::string component = "ScreenSpaceOutline:\n";
+    EXPECT_THAT(
+        ProblemsIn(component + "\tm_Enable: true\n"),
+        ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
+    EXPECT_THAT(ProblemsIn(component + "  m_Enable:true\n  m_OutlineWidth: 4\n"),
+                ElementsAre("2:11: not valid YAML: a space is missing behind the ':'"));
+    EXPECT_THAT(ProblemsIn(component + "  m_OutlineColor: {r: 1 g: 0, b: 0}\n"),
+                ElementsAre("2:24: not valid YAML: a ',' is missing between two values here"));
+    EXPECT_THAT(ProblemsIn(component + "m_Enable: true\n"),
+                ElementsAre(testing::HasSubstr("2:1: 'm_Enable' is a parameter of "
+                                               "ScreenSpaceOutline; put spaces in front")));
+}
+
+TEST_F(LoadOwnProfile, NotesAColourThatLooksLikeBytes)
+{
+    const auto notesOf = [this](const std::string& color)
+    {
+        return Load("ScreenSpaceOutline: {m_OutlineColor: " + color + "}\n").notes.size();
+    };
+    EXPECT_EQ(1u, notesOf("{r: 255, g: 128, b: 0}"));
+    EXPECT_EQ(1u, notesOf("[0, 0, 255]"));
+    EXPECT_EQ(0u, notesOf("[1, 1, 1]"));
+    EXPECT_EQ(0u, notesOf("[47.9, 2, 0]")) << "light beyond white";
+    EXPECT_EQ(0u, notesOf("'#ffffff'"));
+}
+
 TEST_F(LoadOwnProfile, TakesPlainSpellingsAndActive)
 {
     const VolumeProfileLoadResult result = Load("ScreenSpaceOutline:\n"

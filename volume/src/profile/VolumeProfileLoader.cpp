@@ -27,6 +27,19 @@ void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
     map.Finish();
 }
 
+/// Returns whether a component, which may be null, has a parameter of this name in a spelling.
+bool HasParameter(const VolumeComponent* component, const std::string& name)
+{
+    if (component == nullptr)
+    {
+        return false;
+    }
+    const std::span<const VolumeParameter* const> parameters = component->parameters();
+    return std::any_of(parameters.begin(), parameters.end(),
+                       [&name](const VolumeParameter* known)
+                       { return known->name() == name || PlainSpelling(known->name()) == name; });
+}
+
 std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& documents,
                                               const VolumeComponentRegistry& registry,
                                               AssetDiagnostics& diagnostics,
@@ -45,15 +58,23 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
                                                "; a profile begins with a component's name, "
                                                "'ScreenSpaceOutline:'");
     }
+    const VolumeComponent* last = nullptr;
+    std::string above;
     for (const YamlEntry& entry : root.entries())
     {
         if (!registry.Find(entry.key))
         {
-            diagnostics.Error(entry.keyLocation, "unknown volume component " +
-                                                     UnknownName(entry.key, registry.names()));
+            diagnostics.Error(
+                entry.keyLocation,
+                HasParameter(last, entry.key)
+                    ? "'" + entry.key + "' is a parameter of " + above +
+                          "; put spaces in front of it, so that it stands below '" + above + ":'"
+                    : "unknown volume component " + UnknownName(entry.key, registry.names()));
             continue;
         }
         VolumeComponent& component = profile->Add(registry.Create(entry.key));
+        last = &component;
+        above = entry.key;
         ReadComponent(entry, component, diagnostics, context);
     }
     return profile;

@@ -16,31 +16,128 @@ namespace limn
 namespace
 {
 
-/// yaml-cpp's words for a syntax error, put so that a person finds the spot.
-void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
-                       AssetDiagnostics& diagnostics)
+using SyntaxLines = std::vector<std::pair<int, std::string_view>>; ///< with their numbers
+
+struct SyntaxProblem
 {
-    SourceLocation location = builder.ToLocation(e.mark);
+    SourceLocation location;
+    std::string message;
+};
+
+/// Returns the place of a tab that indents one of the lines, and the line with it.
+std::optional<SyntaxProblem> FindTab(const SyntaxLines& lines)
+{
+    for (const auto& [number, line] : lines)
+    {
+        const std::size_t blank = line.find_first_not_of(' ');
+        if (blank != std::string_view::npos && line[blank] == '\t')
+        {
+            return SyntaxProblem{{number, static_cast<int>(blank) + 1},
+                                 "a tab indents this line; YAML takes spaces only"};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns the place of "key:value", which YAML takes for a text without a key.
+std::optional<SyntaxProblem> FindKeyWithoutSpace(const SyntaxLines& lines)
+{
+    constexpr std::string_view k_Letters =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+    for (const auto& [number, line] : lines)
+    {
+        const std::size_t first = line.find_first_not_of(" -");
+        const std::size_t colon = line.find_first_not_of(k_Letters, std::min(first, line.size()));
+        if (first < colon && colon + 1 < line.size() && line[colon] == ':' &&
+            std::string_view(" \r/:").find(line[colon + 1]) == std::string_view::npos)
+        {
+            return SyntaxProblem{{number, static_cast<int>(colon) + 1},
+                                 "a space is missing behind the ':'"};
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns the place of "r: 1 g: 0" within braces, where a comma is missing.
+std::optional<SyntaxProblem> FindMissingComma(const SyntaxLines& lines)
+{
+    for (const auto& [number, line] : lines)
+    {
+        const std::size_t open = line.find('{');
+        for (std::size_t colon = line.find(": ", std::min(open, line.size()));
+             colon != std::string_view::npos; colon = line.find(": ", colon + 1))
+        {
+            const std::size_t next = line.find_first_of(",:{}[]", colon + 1);
+            const std::size_t blank =
+                next == std::string_view::npos ? next : line.find_last_of(' ', next);
+            if (blank != std::string_view::npos && line[next] == ':' && blank > colon + 1)
+            {
+                return SyntaxProblem{{number, static_cast<int>(blank) + 1},
+                                     "a ',' is missing between two values here"};
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+/// Returns the lines from one to another, with their numbers.
+SyntaxLines LinesFrom(std::string_view text, int firstLine, int from, int to)
+{
+    SyntaxLines lines;
+    for (int number = firstLine; number <= to && !text.empty(); ++number)
+    {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        if (number >= from)
+        {
+            lines.emplace_back(number, text.substr(0, end));
+        }
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Returns yaml-cpp's words for a syntax error, put so that a person finds the spot.
+SyntaxProblem InWords(const YAML::Exception& e, const YamlTreeBuilder& builder)
+{
+    const SourceLocation location = builder.ToLocation(e.mark);
     const YamlContent* innermost = builder.innermost();
-    std::string message = e.msg;
     if (e.msg == YAML::ErrorMsg::END_OF_MAP || e.msg == YAML::ErrorMsg::END_OF_SEQ)
     {
-        message = "this line does not belong to what is above it; check its indentation";
+        return {location, "this line does not belong to what is above it; check its indentation"};
     }
-    else if (e.msg == YAML::ErrorMsg::MAP_VALUE)
+    if (e.msg == YAML::ErrorMsg::MAP_VALUE)
     {
-        message = "a ':' is out of place; check the indentation and the line above, or put the "
-                  "text in quotes";
+        return {location, "a ':' is out of place; check the indentation and the line above, or put "
+                          "the text in quotes"};
     }
-    else if ((e.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW ||
-              e.msg == YAML::ErrorMsg::END_OF_MAP_FLOW) &&
-             innermost)
+    if ((e.msg == YAML::ErrorMsg::END_OF_SEQ_FLOW || e.msg == YAML::ErrorMsg::END_OF_MAP_FLOW) &&
+        innermost)
     {
-        location = innermost->location;
-        message = innermost->kind == YamlKind::Map ? "the '{' here is not closed by a '}'"
-                                                   : "the '[' here is not closed by a ']'";
+        return {innermost->location, innermost->kind == YamlKind::Map
+                                         ? "the '{' here is not closed by a '}'"
+                                         : "the '[' here is not closed by a ']'"};
     }
-    diagnostics.Error(location, "not valid YAML: " + message);
+    return {location, e.msg};
+}
+
+/// Adds a syntax error, with its cause where it is one of those that people meet often.
+void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
+                       std::string_view text, int firstLine, AssetDiagnostics& diagnostics)
+{
+    const SyntaxProblem problem = InWords(e, builder);
+    const int line = problem.location.line;
+    const SyntaxLines lines = LinesFrom(text, firstLine, line - 1, line);
+    std::optional<SyntaxProblem> cause = FindTab(lines);
+    if (!cause && e.msg == YAML::ErrorMsg::MAP_VALUE)
+    {
+        cause = FindKeyWithoutSpace(lines);
+    }
+    if (!cause && e.msg == YAML::ErrorMsg::END_OF_MAP_FLOW)
+    {
+        cause = FindMissingComma(LinesFrom(text, firstLine, line, line));
+    }
+    const SyntaxProblem& found = cause ? *cause : problem;
+    diagnostics.Error(found.location, "not valid YAML: " + found.message);
 }
 
 /// A key that is longer than YAML allows ends a map, as yaml-cpp sees it.
@@ -117,7 +214,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
     catch (const YAML::Exception& e)
     {
         CheckKeyLength(e, text, file, firstLine);
-        ReportSyntaxError(e, builder, diagnostics);
+        ReportSyntaxError(e, builder, text, firstLine, diagnostics);
     }
     diagnostics.ThrowIfErrors();
     const bool isEmpty = std::all_of(builder.documents.begin(), builder.documents.end(),

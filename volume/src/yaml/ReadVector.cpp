@@ -110,6 +110,21 @@ std::optional<glm::vec4> ReadVector(const YamlNode& node, int count, std::string
                   : std::nullopt;
 }
 
+/// Returns whether a colour looks as if it was written in numbers from 0 to 255.
+static bool AreBytes(const Channels& channels)
+{
+    float most = 0.0f;
+    for (const float channel : {channels[0], channels[1], channels[2]})
+    {
+        if (channel != std::floor(channel) || channel > 255.0f || channel < 0.0f)
+        {
+            return false;
+        }
+        most = std::max(most, channel);
+    }
+    return most > 32.0f;
+}
+
 std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
                                AssetDiagnostics& diagnostics, ValueRange range)
 {
@@ -128,6 +143,13 @@ std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
     {
         isGood = ReadHex(node.scalar(), channels) ||
                  RefuseShape(node, subject, diagnostics, k_ColorForms);
+    }
+    if (isGood && AreBytes(channels))
+    {
+        diagnostics.Note(node.location(), std::string(subject) +
+                                              ": the numbers of a colour go from 0 to 1, and more "
+                                              "is light beyond white; if these are from 0 to 255, "
+                                              "divide them or write \"#RRGGBB\"");
     }
     return isGood ? std::optional(Color{channels[0], channels[1], channels[2], channels[3]})
                   : std::nullopt;

@@ -174,6 +174,26 @@ AssetError::AssetError(std::string file, SourceLocation location, std::string me
 {
 }
 
+/// Returns the only known name that begins with one of at least four letters; "" if several do.
+static std::string_view OnlyLonger(std::string_view name,
+                                   const std::vector<std::string_view>& known)
+{
+    constexpr std::size_t k_Fewest = 4;
+    std::string_view longer;
+    for (const std::string_view candidate : known)
+    {
+        if (name.size() >= k_Fewest && candidate.starts_with(name))
+        {
+            if (!longer.empty())
+            {
+                return {};
+            }
+            longer = candidate;
+        }
+    }
+    return longer;
+}
+
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known)
 {
     std::string_view nearest;
@@ -196,7 +216,7 @@ std::string_view NearestName(std::string_view name, const std::vector<std::strin
             nearest = candidate;
         }
     }
-    return nearest;
+    return nearest.empty() ? OnlyLonger(name, known) : nearest;
 }
 
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known)

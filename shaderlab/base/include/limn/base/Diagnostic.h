@@ -82,9 +82,9 @@ public:
 /// neighbours that changed places are one mistake. Takes time and memory of a.size() * b.size().
 std::size_t EditDistance(std::string_view a, std::string_view b);
 
-/// The known name closest to `name` by edit distance (case-insensitive), or "" if none is near
-/// enough to be what was meant (distance at most a third of the length, at least 1). Names of more
-/// than 64 bytes are near to none.
+/// Returns the known name closest to `name` by edit distance (case-insensitive), or else the only
+/// one that begins with it, or "" if none is near enough to be what was meant (distance at most a
+/// third of the length, at least 1). Names of more than 64 bytes are near to none.
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
 
 /// "'outlneWidth'; did you mean 'outlineWidth'?" for messages about unknown names; where nothing is
