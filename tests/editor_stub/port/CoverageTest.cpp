@@ -114,8 +114,7 @@ public:
                " types of Unity 2022.3, URP 14 and 17 that features work with, " +
                std::to_string(m_All[0]) + " are the same here, " + std::to_string(m_All[1]) +
                " differ, " + std::to_string(m_All[2]) + " are left out on purpose and " +
-               std::to_string(m_All[3]) +
-               " are missing: [the list of them](COVERAGE.md).";
+               std::to_string(m_All[3]) + " are missing: [the list of them](COVERAGE.md).";
     }
 
     /// How many members have a sentence of a header.
