@@ -3,12 +3,13 @@
 with what the page shows.
 
 usage: run.py REPOSITORY BUILD_TREE PAGE        (PAGE: from the repository, e.g. samples/guide/frame.md)
+       run.py REPOSITORY --links                (checks the links of all pages and runs nothing)
 
 How a page is written:
 
 * The blocks marked sh run in their order, as one bash script, with `limn` on the PATH. A block marked
-  "sh fails" must fail. README.md and commands.md run in a folder that has samples/, features/ and the
-  program at its place, as limn's own folder; all others begin in an empty one.
+  "sh fails" must fail. The pages of IN_LIMNS_FOLDER run in a folder that has samples/, features/ and
+  the program at its place, as limn's own folder; all others begin in an empty one.
 * A block behind a line that is `FILE`: (in those quotes) is written to that file. Behind `FILE`, added
   at its end: it is appended.
 * A block marked text without such a line is what the sh block before it prints, on both streams. There,
@@ -30,7 +31,7 @@ import tempfile
 
 from png import difference
 
-IN_LIMNS_FOLDER = ("README.md", "samples/guide/commands.md")
+IN_LIMNS_FOLDER = ("README.md", "samples/guide/commands.md", "samples/selection/README.md")
 # Written by CI and by whoever clones limn, not here.
 NOT_RUN = ("samples/run.sh", "tests/run.sh")
 MOST_BYTES_OF_README = 10_000
@@ -220,11 +221,25 @@ class Page:
                     shutil.copy(drawn[0], shown)
 
 
+def check_all_links(repository):
+    problems = []
+    for folder in [repository, *(entry for entry in repository.iterdir() if entry.is_dir())]:
+        if folder.name in ("build", "out", ".git"):
+            continue
+        for path in folder.glob("*.md") if folder == repository else folder.rglob("*.md"):
+            page = Page(repository, repository, str(path.relative_to(repository)))
+            page.check_links()
+            problems += page.problems
+    if problems:
+        sys.exit("\n".join(problems))
+
+
 def main():
+    if sys.argv[2] == "--links":
+        return check_all_links(pathlib.Path(sys.argv[1]))
     repository, build, name = pathlib.Path(sys.argv[1]), pathlib.Path(sys.argv[2]), sys.argv[3]
     page = Page(repository, build, name)
     page.check_size()
-    page.check_links()
     page.check_quotes()
     if name == "README.md":
         page.check_first_commands()
