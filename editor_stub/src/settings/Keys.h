@@ -385,7 +385,7 @@ inline constexpr SceneKey k_Capsule[] = {
     k_Radius, k_Height,  {"direction", Axis, "The axis along which the capsule lies"}};
 inline constexpr SceneKey k_MeshCollider[] = {
     k_Type, k_Enabled,
-    Required({"mesh", Mesh, "A convex mesh: a built-in one, or the path of a model file"})};
+    Required({"mesh", Mesh, "A convex mesh: a built-in one, or the path of a .gltf or .glb file"})};
 
 /// The first is what a collider without a type is.
 inline constexpr std::array<ColliderShape, 4> k_ColliderShapes{
@@ -409,7 +409,7 @@ inline constexpr SceneKey k_Object[] = {
     k_Rotation,
     k_Scale,
     {"turn", Vector, "A rotation in Euler degrees a second on top of `rotation`, for `--time`"},
-    {"mesh", Mesh, "A built-in mesh, or the path of a model file"},
+    {"mesh", Mesh, "A built-in mesh, or the path of a .gltf or .glb file"},
     {"children", Objects, "Objects whose position, rotation and scale are relative to this one"}};
 
 } // namespace scene_keys
