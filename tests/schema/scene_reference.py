@@ -128,8 +128,11 @@ def page(schema):
         name = shape["if"]["properties"]["type"]["const"]
         text += section(f"volumes.colliders, {name}", shape["then"], 3)
     material = keys["materials"]["additionalProperties"]
-    text += section("materials", material, said="Any other key is a property of the shader: a number, a colour, "
-                    "four numbers or a texture.")
+    said = "Any other key is a property of the shader: a number, a colour, four numbers or a texture."
+    if "else" in material:  # a map, or the path of a file with one
+        said += " In place of the map a `.material.yaml` file may stand, by its path."
+        material = material["else"]
+    text += section("materials", material, said=said)
     text += section("objects", schema["$defs"]["object"])
     text += section("renderer", keys["renderer"])
     for feature in keys["renderer"]["properties"]["features"]["items"]["allOf"]:
