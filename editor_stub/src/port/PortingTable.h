@@ -26,7 +26,8 @@ struct PortEntry
     std::string result; ///< the type that a member gives; "T" = its type argument; "" = unsaid
 };
 
-/// editor_stub/src/port/porting.txt: rows of README.md, and each member's verdict.
+/// editor_stub/src/port/porting.txt: rows of samples/porting/DIFFERENCES.md, and each member's
+/// verdict.
 class PortingTable
 {
 public:

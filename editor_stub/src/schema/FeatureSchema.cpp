@@ -104,7 +104,9 @@ public:
     {
         const Group group = std::move(m_Groups.back());
         m_Groups.pop_back();
-        AddProperty(Map(), group.name, group.schema);
+        Json schema = group.schema;
+        schema["description"] = "Settings that belong together";
+        AddProperty(Map(), group.name, schema);
     }
     void Field(const FieldInfo& field, FieldValue value) override
     {
@@ -133,6 +135,12 @@ private:
     std::string m_Header;
 };
 
+Json WithDescription(Json schema, const char* text)
+{
+    schema["description"] = text;
+    return schema;
+}
+
 } // namespace
 
 Json FeatureSchema(const FeatureRegistry& features)
@@ -143,14 +151,20 @@ Json FeatureSchema(const FeatureRegistry& features)
     {
         const std::string name(type);
         types.push_back(name);
-        Json map = MapSchema(
-            {{"type", {{"const", name}}}, {"name", TextSchema()}, {"active", BoolSchema()}});
+        Json map = MapSchema({{"type", {{"const", name}}},
+                              {"name", WithDescription(TextSchema(), "A name, by which messages "
+                                                                     "and `--set` call it")},
+                              {"active", WithDescription(BoolSchema(), "Lets the feature add its "
+                                                                       "passes; on unless it is "
+                                                                       "set")}});
+        map["properties"]["type"]["description"] = "The feature's class";
         SchemaInspector inspector(map);
         DescribeFeature(*features.Create(type), inspector);
         Json isThisType{{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}};
         schema["allOf"].push_back({{"if", std::move(isThisType)}, {"then", std::move(map)}});
     }
-    schema["properties"]["type"] = {{"enum", std::move(types)}};
+    schema["properties"]["type"] = {{"enum", std::move(types)},
+                                    {"description", "The feature's class"}};
     return schema;
 }
 

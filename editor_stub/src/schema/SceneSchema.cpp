@@ -71,10 +71,7 @@ public:
         {
             const std::string name(key.name);
             Json value = Value(key);
-            if (!key.description.empty())
-            {
-                value["description"] = std::string(key.description);
-            }
+            value["description"] = std::string(key.description);
             schema["properties"][name] = std::move(value);
             if (key.isRequired)
             {
@@ -201,10 +198,7 @@ private:
                           : std::is_same_v<Value, glm::vec2> ? VectorSchema(2, range)
                           : std::is_same_v<Value, glm::vec3> ? VectorSchema(3, range)
                                                              : EnumSchema(k_SoftShadowQualities);
-            if (!text.empty())
-            {
-                schema["description"] = std::string(text);
-            }
+            schema["description"] = std::string(text);
             AddProperty(map, name, schema);
         };
         VisitShadowSettings(settings, add);
@@ -225,7 +219,9 @@ private:
 
     Json Collider() const
     {
-        Json schema{{"type", "object"}, {"properties", {{"type", ColliderTypeSchema()}}}};
+        Json type = ColliderTypeSchema();
+        type["description"] = std::string(scene_keys::k_Type.description);
+        Json schema{{"type", "object"}, {"properties", {{"type", std::move(type)}}}};
         for (const ColliderShape& shape : scene_keys::k_ColliderShapes)
         {
             Json isThis{{"properties", {{"type", {{"const", std::string(shape.type)}}}}}};
@@ -275,10 +271,12 @@ Json MaterialSchema()
                                   "a texture"}};
     Json shader = TextSchema();
     shader["description"] = "A shader's name or a .shader file";
-    return {{"type", {"object", "null"}},
-            {"properties",
-             {{"shader", std::move(shader)}, {"renderQueue", IntegerSchema(k_RenderQueues)}}},
-            {"additionalProperties", std::move(property)}};
+    Json renderQueue = IntegerSchema(k_RenderQueues);
+    renderQueue["description"] = "The place in the order of drawing; -1 takes the shader's own";
+    return {
+        {"type", {"object", "null"}},
+        {"properties", {{"shader", std::move(shader)}, {"renderQueue", std::move(renderQueue)}}},
+        {"additionalProperties", std::move(property)}};
 }
 
 Json MaterialFileSchema()

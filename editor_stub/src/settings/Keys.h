@@ -101,8 +101,8 @@ struct SceneKey
 {
     std::string_view name;
     SceneValue value;
-    std::string_view description = "";
-    ValueRange range = {}; ///< of a number, or of each of a vector
+    std::string_view description = ""; ///< for readers and editors; a test wants one of each key
+    ValueRange range = {};             ///< of a number, or of each of a vector
     bool isRequired = false;
 };
 using SceneKeys = std::span<const SceneKey>;
@@ -134,86 +134,115 @@ inline constexpr ValueRange k_LightLimits{0.0, 8.0};
 inline constexpr ValueRange k_PipelineVersions{7.0, 17.0};
 inline constexpr ValueRange k_ClipPlanes{-k_MaxDistance, k_MaxDistance};
 
-inline constexpr SceneKey k_Position{"position", Vector};
+inline constexpr SceneKey k_Position{"position", Vector,
+                                     "The position in metres; x right, y up, z forward"};
 inline constexpr SceneKey k_Rotation{"rotation", Vector,
-                                     "Euler angles in degrees, applied z, x, y"};
-inline constexpr SceneKey k_Scale{"scale", Scale};
+                                     "Euler angles in degrees, applied in the order z, x, y"};
+inline constexpr SceneKey k_Scale{"scale", Scale,
+                                  "The scale along each axis, or one number for all three"};
 
 inline constexpr SceneKey k_Scene[] = {
-    {"size", Size, "Width and height in pixels"},
-    {"msaaSampleCount", MsaaQuality, "Samples a pixel"},
-    {"supportsHDR", Bool, "Cameras with allowHDR draw into an HDR colour; on unless it is set"},
+    {"size", Size, "Width and height of the picture in pixels; 1280 and 720 unless it is set"},
+    {"msaaSampleCount", MsaaQuality,
+     "The number of samples a pixel: 1, 2, 4 or 8, or these names; 1 unless it is set"},
+    {"supportsHDR", Bool,
+     "Lets cameras with allowHDR draw into an HDR colour; on unless it is set"},
     {"hdrColorBufferPrecision", HdrPrecision,
-     "Bits a pixel of an HDR colour: 32 of them hold no alpha, and fewer steps; 64 unless it is "
+     "The bits of a pixel of an HDR colour: 32 hold no alpha and fewer steps; 64 unless it is "
      "set"},
-    {"renderScale", Number, "The size that cameras draw in, as a share of the picture's",
+    {"renderScale", Number,
+     "The size in which cameras draw, as a share of the picture's size; 1 unless it is set",
      k_RenderScales},
-    {"maxAdditionalLightsCount", Integer, "How many of `lights` light an object: the brightest",
+    {"maxAdditionalLightsCount", Integer,
+     "How many of `lights` light an object; limn takes the brightest; 4 unless it is set",
      k_LightLimits},
     {"renderPipelineAsset", Text,
-     "Unity's, for its m_MSAA, m_SupportsHDR, m_HDRColorBufferPrecision, m_RenderScale, "
-     "m_AdditionalLightsPerObjectLimit and shadows in place of these keys"},
+     "The path of Unity's pipeline asset, whose m_MSAA, m_SupportsHDR, "
+     "m_HDRColorBufferPrecision, m_RenderScale, m_AdditionalLightsPerObjectLimit and shadows are "
+     "used in place of these keys"},
     {"pipelineVersion", Integer,
      "The major version of URP that the features were written for; below 12 the camera's colour "
-     "brings its depth along. Unless it is set, that of the Unity project which "
-     "renderPipelineAsset or the renderer lies in; else 14",
+     "brings its depth along. Unless it is set, limn takes that of the Unity project in which "
+     "renderPipelineAsset or the renderer lies, or else 14",
      k_PipelineVersions},
-    {"layers", LayerNames},
-    {"renderingLayers", LayerNames},
-    Required({"camera", Camera}),
-    {"light", Light, "The main one, infinitely far away"},
-    {"shadows", Shadows, "Those of the lights that throw any"},
-    {"lights", Lights, "Those besides the main one"},
-    {"ambientLight", Color, "From all sides; in ambientMode Trilight from above"},
-    {"renderSettings", RenderSettings, "Further light from all around, what is mirrored, fog"},
-    {"skybox", Text, "One of the materials, which a camera with clearFlags Skybox sees behind all"},
-    {"plugins", Texts, "Modules with features of your own, *.so; their code runs"},
+    {"layers", LayerNames, "Names for layers by their index, for example `{6: Furniture}`"},
+    {"renderingLayers", LayerNames,
+     "Names for rendering layers by their index, for example `{8: Selected}`"},
+    Required({"camera", Camera, "The camera that draws the picture"}),
+    {"light", Light, "The main light, which is infinitely far away"},
+    {"shadows", Shadows, "Settings for the shadows of all lights that throw any"},
+    {"lights", Lights, "The lights besides the main one"},
+    {"ambientLight", Color,
+     "The colour of the light from all sides; in ambientMode Trilight of the light from above"},
+    {"renderSettings", RenderSettings, "Light from all around, what surfaces mirror, and fog"},
+    {"skybox", Text,
+     "The name of a material, which a camera with clearFlags Skybox sees behind everything"},
+    {"plugins", Texts, "Modules (*.so) with features of your own; their code runs"},
     {"renderer", Renderer,
-     "A map with `features`, or the path of Unity's renderer: a UniversalRendererData .asset"},
-    {"volumes", Volumes},
-    {"materials", Materials},
-    {"objects", Objects}};
+     "A map with `features`, or the path of Unity's renderer, a UniversalRendererData .asset"},
+    {"volumes", Volumes, "Volumes, which put profiles into the scene"},
+    {"materials", Materials, "Materials by their names, which objects use"},
+    {"objects", Objects, "The objects to draw"}};
 
 inline constexpr ValueRange k_Intensities{0.0, 8.0};
 
 inline constexpr SceneKey k_RenderSettings[] = {
-    {"ambientMode", AmbientMode, "The same light from all sides, three colours by height, the sky"},
-    {"ambientEquatorColor", Color, "Of Trilight, from the sides"},
-    {"ambientGroundColor", Color, "Of Trilight, from below"},
-    {"ambientIntensity", Number, "Multiplies the light of the sky", k_Intensities},
-    {"fog", Bool},
-    {"fogMode", FogMode},
-    {"fogColor", Color},
-    {"fogDensity", Number, "1/metre; of the exponential modes", {0.0, 1e6}},
-    {"fogStartDistance", Number, "Metres; of Linear", k_Places},
-    {"fogEndDistance", Number, "Metres; of Linear: nothing but fog is seen from there", k_Places},
+    {"ambientMode", AmbientMode,
+     "Flat: one colour from all sides; Trilight: three colours by height; Skybox: the sky's light"},
+    {"ambientEquatorColor", Color, "The colour of Trilight from the sides"},
+    {"ambientGroundColor", Color, "The colour of Trilight from below"},
+    {"ambientIntensity", Number, "A factor for the light of the sky", k_Intensities},
+    {"fog", Bool, "Draws fog; off unless it is set"},
+    {"fogMode", FogMode, "The curve by which fog thickens; ExponentialSquared unless it is set"},
+    {"fogColor", Color, "The colour of the fog"},
+    {"fogDensity", Number, "The density of the exponential modes, in 1/metre", {0.0, 1e6}},
+    {"fogStartDistance", Number, "The distance in metres at which Linear fog begins", k_Places},
+    {"fogEndDistance", Number, "The distance in metres from which on Linear fog hides everything",
+     k_Places},
     {"defaultReflectionMode", DefaultReflectionMode,
-     "Skybox: surfaces mirror the sky; nothing unless it is set"},
+     "Skybox: surfaces mirror the sky; they mirror nothing unless it is set"},
     {"defaultReflectionResolution",
      Integer,
-     "Texels along an edge of the mirrored sky's cube, a power of two",
+     "The texels along an edge of the mirrored sky's cube, a power of two",
      {1.0, 2048.0}},
-    {"reflectionIntensity", Number, "Multiplies what is mirrored", k_Intensities}};
+    {"reflectionIntensity", Number, "A factor for what is mirrored", k_Intensities}};
 
-inline constexpr SceneKey k_CameraPosition{"position", Vector, "", k_Places};
+inline constexpr SceneKey k_CameraPosition{
+    "position", Vector, "The position in metres; x right, y up, z forward", k_Places};
 inline constexpr SceneKey k_LookAt{"lookAt", Vector, "A point to look at, in place of a rotation",
                                    k_Places};
-inline constexpr SceneKey k_Orthographic{"orthographic", Bool};
+inline constexpr SceneKey k_Orthographic{"orthographic", Bool,
+                                         "Draws without perspective; off unless it is set"};
 inline constexpr SceneKey k_OrthographicSize{
-    "orthographicSize", Number, "Half the picture's height in metres", {1e-4, k_MaxDistance}};
+    "orthographicSize",
+    Number,
+    "Half the height of an orthographic picture in metres; 5 unless it is set",
+    {1e-4, k_MaxDistance}};
 // Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
 inline constexpr SceneKey k_FieldOfView{
-    "fieldOfView", Number, "Vertical, in degrees", {0.01, 179.0}};
-inline constexpr SceneKey k_NearClipPlane{"nearClipPlane", Number, "", k_ClipPlanes};
-inline constexpr SceneKey k_FarClipPlane{"farClipPlane", Number, "", k_ClipPlanes};
-inline constexpr SceneKey k_CullingMask{"cullingMask", Layers};
-inline constexpr SceneKey k_VolumeLayerMask{"volumeLayerMask", Layers};
-inline constexpr SceneKey k_VolumeTrigger{"volumeTrigger", Vector};
+    "fieldOfView",
+    Number,
+    "The vertical field of view in degrees; 60 unless it is set",
+    {0.01, 179.0}};
+inline constexpr SceneKey k_NearClipPlane{
+    "nearClipPlane", Number,
+    "The distance in metres at which the view begins; 0.3 unless it is set", k_ClipPlanes};
+inline constexpr SceneKey k_FarClipPlane{
+    "farClipPlane", Number, "The distance in metres at which the view ends; 1000 unless it is set",
+    k_ClipPlanes};
+inline constexpr SceneKey k_CullingMask{
+    "cullingMask", Layers, "The layers whose objects are drawn; Everything unless it is set"};
+inline constexpr SceneKey k_VolumeLayerMask{
+    "volumeLayerMask", Layers, "The layers whose volumes count; Default unless it is set"};
+inline constexpr SceneKey k_VolumeTrigger{
+    "volumeTrigger", Vector,
+    "The point from which volumes are measured; the camera's position unless it is set"};
 inline constexpr SceneKey k_TransparencySortMode{
     "transparencySortMode", TransparencySortMode,
-    "What objects' distances are, by which they are sorted; Default is as the lens has it"};
+    "The distance by which transparent objects are sorted; Default is as the lens has it"};
 inline constexpr SceneKey k_TransparencySortAxis{
-    "transparencySortAxis", Vector, "Of CustomAxis: away from the viewer, in the world", k_Places};
+    "transparencySortAxis", Vector,
+    "The axis of CustomAxis, in the world, pointing away from the viewer", k_Places};
 
 inline constexpr SceneKey k_Camera[] = {
     k_CameraPosition,
@@ -224,11 +253,13 @@ inline constexpr SceneKey k_Camera[] = {
     k_FieldOfView,
     k_NearClipPlane,
     k_FarClipPlane,
-    {"clearFlags", ClearFlags},
-    {"backgroundColor", Color},
-    {"renderPostProcessing", Bool, "What features ask before they add effects"},
-    {"allowHDR", Bool},
-    {"allowMSAA", Bool, "Several samples a pixel, if the scene's msaaSampleCount says so"},
+    {"clearFlags", ClearFlags,
+     "What is behind all objects: the sky, the backgroundColor, or what was there before; "
+     "SolidColor unless it is set"},
+    {"backgroundColor", Color, "The colour behind all objects"},
+    {"renderPostProcessing", Bool, "Lets features add effects to the picture; on unless it is set"},
+    {"allowHDR", Bool, "Draws into an HDR colour if the scene supportsHDR; on unless it is set"},
+    {"allowMSAA", Bool, "Draws with the scene's msaaSampleCount; on unless it is set"},
     k_CullingMask,
     k_VolumeLayerMask,
     k_VolumeTrigger,
@@ -245,51 +276,67 @@ inline constexpr SceneKey k_OverlayCamera[] = {
     k_FieldOfView,
     k_NearClipPlane,
     k_FarClipPlane,
-    {"clearDepth", Bool, "What was drawn before hides nothing of it; on unless it is set"},
+    {"clearDepth", Bool,
+     "Lets nothing that was drawn before hide what this camera draws; on unless it is set"},
     {"renderPostProcessing", Bool,
-     "Effects over all that is drawn so far; off unless it is set, other than the camera's own"},
+     "Adds effects over all that is drawn so far; off unless it is set, unlike the camera's own"},
     k_CullingMask,
     k_VolumeLayerMask,
     k_VolumeTrigger,
     k_TransparencySortMode,
     k_TransparencySortAxis};
 
-inline constexpr SceneKey k_ShadowKind{"shadows", LightShadows};
+inline constexpr SceneKey k_LightColor{"color", Color, "The colour of the light"};
+inline constexpr SceneKey k_LightIntensity{
+    "intensity", Number, "A factor for the colour; 1 unless it is set", {0.0, 1e6}};
+inline constexpr SceneKey k_ShadowKind{
+    "shadows", LightShadows, "The kind of shadows that the light throws; None unless it is set"};
 inline constexpr SceneKey k_ShadowStrength{
-    "shadowStrength", Number, "The share of its light that shadows take", {0.0, 1.0}};
-inline constexpr SceneKey k_SoftShadowQuality{"softShadowQuality", LightShadowQuality};
-inline constexpr SceneKey k_UsePipelineSettings{"usePipelineSettings", Bool,
-                                                "For the biases, in place of those that follow"};
+    "shadowStrength", Number, "The share of the light that its shadows take", {0.0, 1.0}};
+inline constexpr SceneKey k_SoftShadowQuality{
+    "softShadowQuality", LightShadowQuality,
+    "How wide the rims of the light's soft shadows are; UsePipelineSettings takes the scene's"};
+inline constexpr SceneKey k_UsePipelineSettings{
+    "usePipelineSettings", Bool,
+    "Takes the biases of the scene's shadows in place of those that follow; on unless it is set"};
 inline constexpr SceneKey k_ShadowBias{
-    "shadowBias", Number, "Texels of the shadow map, along the light", {0.0, 10.0}};
+    "shadowBias", Number, "The bias along the light, in texels of the shadow map", {0.0, 10.0}};
 inline constexpr SceneKey k_ShadowNormalBias{
-    "shadowNormalBias", Number, "Texels of the shadow map, along the normal", {0.0, 10.0}};
+    "shadowNormalBias",
+    Number,
+    "The bias along the normal, in texels of the shadow map",
+    {0.0, 10.0}};
 
-inline constexpr SceneKey k_Light[] = {k_Rotation,
-                                       {"color", Color},
-                                       {"intensity", Number, "", {0.0, 1e6}},
-                                       k_ShadowKind,
-                                       k_ShadowStrength,
-                                       k_SoftShadowQuality,
-                                       k_UsePipelineSettings,
-                                       k_ShadowBias,
-                                       k_ShadowNormalBias};
+inline constexpr SceneKey k_Light[] = {
+    k_Rotation,        k_LightColor,        k_LightIntensity,      k_ShadowKind,
+    k_ShadowStrength,  k_SoftShadowQuality, k_UsePipelineSettings, k_ShadowBias,
+    k_ShadowNormalBias};
 
 inline constexpr SceneKey k_AdditionalLight[] = {
-    {"type", LightType},
+    {"type", LightType, "The kind of light; Point unless it is set"},
     k_Position,
     k_Rotation,
-    {"color", Color},
-    {"intensity", Number, "", {0.0, 1e6}},
-    {"range", Number, "Metres from which on it lights nothing", k_Lengths},
-    {"spotAngle", Number, "Where a spot's light ends, degrees across", {1.0, 179.0}},
-    {"innerSpotAngle", Number, "Up to where a spot's light is full, degrees across", {0.0, 179.0}},
+    k_LightColor,
+    k_LightIntensity,
+    {"range", Number, "The distance in metres from which on the light lights nothing", k_Lengths},
+    {"spotAngle", Number, "The angle of a spot's whole cone in degrees", {1.0, 179.0}},
+    {"innerSpotAngle",
+     Number,
+     "The angle in degrees within which a spot's light is full",
+     {0.0, 179.0}},
     k_ShadowKind,
     k_ShadowStrength,
     k_SoftShadowQuality,
-    {"shadowNearPlane", Number, "Metres to where its shadow map's depth begins", {0.01, 10.0}},
-    {"additionalLightsShadowResolutionTier", ShadowResolutionTier},
-    {"shadowResolution", Integer, "Of tier Custom: texels of the shadow map", {16.0, 8192.0}},
+    {"shadowNearPlane",
+     Number,
+     "The distance in metres from which on things throw shadows",
+     {0.01, 10.0}},
+    {"additionalLightsShadowResolutionTier", ShadowResolutionTier,
+     "Which of the scene's shadow resolutions the light has; High unless it is set"},
+    {"shadowResolution",
+     Integer,
+     "The texels along a side of the shadow map of tier Custom",
+     {16.0, 8192.0}},
     k_UsePipelineSettings,
     k_ShadowBias,
     k_ShadowNormalBias};
@@ -297,54 +344,73 @@ inline constexpr SceneKey k_AdditionalLight[] = {
 /// A renderer has one of these.
 inline constexpr SceneKey k_Renderer[] = {
     {"rendererData", Text,
-     "The path of a UniversalRendererData .asset of Unity's; `renderer: X.asset` says the same"},
-    {"features", Features, "In the order in which they add their passes"}};
+     "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` says the same"},
+    {"features", Features, "The features, in the order in which they add their passes"}};
 
 inline constexpr SceneKey k_Volume[] = {
-    {"name", Text},
-    {"enabled", Bool},
-    {"isGlobal", Bool},
-    {"priority", Number, "The higher one wins"},
-    {"weight", Number, "", {0.0, 1.0}},
-    {"blendDistance", Number, "Metres", k_Lengths},
-    {"layer", Layer},
-    Required({"profile", Text, "A *.profile.yaml or a Unity .asset file"}),
+    {"name", Text, "A name, by which `limn explain` calls the volume"},
+    {"enabled", Bool, "Lets the volume count; on unless it is set"},
+    {"isGlobal", Bool,
+     "Makes the volume count everywhere, not only in its colliders; on unless it "
+     "is set"},
+    {"priority", Number,
+     "The order of volumes: the one with the higher priority wins; 0 unless it "
+     "is set"},
+    {"weight", Number, "A factor for the volume's effect; 1 unless it is set", {0.0, 1.0}},
+    {"blendDistance", Number,
+     "The distance in metres outside the colliders within which the effect fades; 0 unless it is "
+     "set",
+     k_Lengths},
+    {"layer", Layer, "The volume's layer, which the camera's volumeLayerMask must have"},
+    Required({"profile", Text, "The path of a *.profile.yaml or a Unity .asset file"}),
     k_Position,
     k_Rotation,
     k_Scale,
-    {"colliders", Colliders}};
+    {"colliders", Colliders, "The shapes in which a volume counts that is not global"}};
 
-inline constexpr SceneKey k_Type{"type", ColliderType};
-inline constexpr SceneKey k_Enabled{"enabled", Bool};
-inline constexpr SceneKey k_Center{"center", Vector};
-inline constexpr SceneKey k_Radius{"radius", Number, "Metres", k_Lengths};
-inline constexpr SceneKey k_Height{"height", Number, "Metres", k_Lengths};
+inline constexpr SceneKey k_Type{"type", ColliderType, "The shape; box unless it is set"};
+inline constexpr SceneKey k_Enabled{"enabled", Bool,
+                                    "Lets the collider count; on unless it is set"};
+inline constexpr SceneKey k_Center{"center", Vector,
+                                   "The middle of the shape, relative to the volume"};
+inline constexpr SceneKey k_Radius{"radius", Number, "The radius in metres", k_Lengths};
+inline constexpr SceneKey k_Height{"height", Number, "The height in metres, with both caps",
+                                   k_Lengths};
 
-inline constexpr SceneKey k_Box[] = {k_Type, k_Enabled, k_Center, {"size", Vector}};
+inline constexpr SceneKey k_Box[] = {
+    k_Type, k_Enabled, k_Center, {"size", Vector, "The lengths of the edges in metres"}};
 inline constexpr SceneKey k_Sphere[] = {k_Type, k_Enabled, k_Center, k_Radius};
-inline constexpr SceneKey k_Capsule[] = {k_Type,   k_Enabled, k_Center,
-                                         k_Radius, k_Height,  {"direction", Axis}};
-inline constexpr SceneKey k_MeshCollider[] = {k_Type, k_Enabled, Required({"mesh", Mesh})};
+inline constexpr SceneKey k_Capsule[] = {
+    k_Type,   k_Enabled, k_Center,
+    k_Radius, k_Height,  {"direction", Axis, "The axis along which the capsule lies"}};
+inline constexpr SceneKey k_MeshCollider[] = {
+    k_Type, k_Enabled,
+    Required({"mesh", Mesh, "A convex mesh: a built-in one, or the path of a .gltf or .glb file"})};
 
 /// The first is what a collider without a type is.
 inline constexpr std::array<ColliderShape, 4> k_ColliderShapes{
     {{"box", k_Box}, {"sphere", k_Sphere}, {"capsule", k_Capsule}, {"mesh", k_MeshCollider}}};
 
 inline constexpr SceneKey k_Object[] = {
-    Required({"name", Text}),
-    {"active", Bool},
-    {"layer", Layer},
-    {"renderingLayerMask", Layers},
-    {"material", Text},
-    {"materials", Texts},
-    {"shadowCastingMode", ShadowCastingMode},
-    {"bakeOutlineNormals", Bool, "Gives the mesh what TranslucentOutlineHull goes by"},
-    k_Position,
+    Required({"name", Text, "The object's name, which `--select` and `--object` take"}),
+    {"active", Bool, "Draws the object and its children; on unless it is set"},
+    {"layer", Layer,
+     "The layer, by name or index; children take it over; Default unless it is set"},
+    {"renderingLayerMask", Layers,
+     "The rendering layers; children take them over; Default unless it is set"},
+    {"material", Text, "The name of the material; children take it over"},
+    {"materials", Texts, "A material's name for each sub-mesh, in place of `material`"},
+    {"shadowCastingMode", ShadowCastingMode,
+     "Whether the object throws shadows and is seen itself; On unless it is set"},
+    {"bakeOutlineNormals", Bool,
+     "Bakes smooth normals into the mesh, which hardened hulls such as TranslucentOutlineHull "
+     "need"},
+    {"position", Vector, "The position in metres, relative to the parent"},
     k_Rotation,
     k_Scale,
-    {"turn", Vector, "Euler degrees a second on top of the rotation"},
-    {"mesh", Mesh},
-    {"children", Objects}};
+    {"turn", Vector, "A rotation in Euler degrees a second on top of `rotation`, for `--time`"},
+    {"mesh", Mesh, "A built-in mesh, or the path of a .gltf or .glb file"},
+    {"children", Objects, "Objects whose position, rotation and scale are relative to this one"}};
 
 } // namespace scene_keys
 

@@ -18,32 +18,38 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
 {
     constexpr ValueRange k_Share{0.0, 1.0};
     constexpr ValueRange k_Bias{0.0, 10.0};
-    visit("m_MainLightShadowsSupported", s.mainLightShadowsSupported, ValueRange{}, "");
-    visit("m_MainLightShadowmapResolution", s.mainLightShadowmapResolution,
-          ValueRange{64.0, 8192.0}, "Texels along a side of the shadow map");
-    visit("m_AdditionalLightShadowsSupported", s.additionalLightShadowsSupported, ValueRange{},
-          "Of spots and points");
-    visit("m_AdditionalLightsShadowmapResolution", s.additionalLightsShadowmapResolution,
-          ValueRange{64.0, 8192.0}, "Texels along a side of the shadow map of spots and points");
     constexpr ValueRange k_Tier{16.0, 8192.0};
+    visit("m_MainLightShadowsSupported", s.mainLightShadowsSupported, ValueRange{},
+          "Lets the main light throw shadows");
+    visit("m_MainLightShadowmapResolution", s.mainLightShadowmapResolution,
+          ValueRange{64.0, 8192.0}, "The texels along a side of the main light's shadow map");
+    visit("m_AdditionalLightShadowsSupported", s.additionalLightShadowsSupported, ValueRange{},
+          "Lets spots and points throw shadows");
+    visit("m_AdditionalLightsShadowmapResolution", s.additionalLightsShadowmapResolution,
+          ValueRange{64.0, 8192.0},
+          "The texels along a side of the shadow map that spots and points share");
     visit("m_AdditionalLightsShadowResolutionTierLow", s.additionalLightsShadowResolutionTierLow,
-          k_Tier, "Texels along a side of a light's square on it");
+          k_Tier, "The texels along a side of the square of a light of tier Low on that map");
     visit("m_AdditionalLightsShadowResolutionTierMedium",
-          s.additionalLightsShadowResolutionTierMedium, k_Tier, "");
+          s.additionalLightsShadowResolutionTierMedium, k_Tier, "The same for tier Medium");
     visit("m_AdditionalLightsShadowResolutionTierHigh", s.additionalLightsShadowResolutionTierHigh,
-          k_Tier, "");
+          k_Tier, "The same for tier High");
     visit("m_ShadowDistance", s.shadowDistance, ValueRange{0.0, 1e9},
-          "Metres from the camera to where shadows end");
-    visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0}, "");
+          "The distance in metres from the camera at which shadows end");
+    visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0},
+          "The number of cascades: parts of the distance, each with a shadow map of its own");
     visit("m_Cascade2Split", s.cascade2Split, k_Share,
-          "Where the first of two cascades ends, as a share of the distance");
-    visit("m_Cascade3Split", s.cascade3Split, k_Share, "Where the first two of three end");
-    visit("m_Cascade4Split", s.cascade4Split, k_Share, "Where the first three of four end");
+          "The end of the first of two cascades, as a share of the distance");
+    visit("m_Cascade3Split", s.cascade3Split, k_Share,
+          "The ends of the first two of three cascades");
+    visit("m_Cascade4Split", s.cascade4Split, k_Share,
+          "The ends of the first three of four cascades");
     visit("m_CascadeBorder", s.cascadeBorder, k_Share,
           "The share of the distance over which shadows fade");
-    visit("m_ShadowDepthBias", s.shadowDepthBias, k_Bias, "Texels, along the light");
-    visit("m_ShadowNormalBias", s.shadowNormalBias, k_Bias, "Texels, along the normal");
-    visit("m_SoftShadowsSupported", s.softShadowsSupported, ValueRange{}, "");
+    visit("m_ShadowDepthBias", s.shadowDepthBias, k_Bias, "The bias along the light, in texels");
+    visit("m_ShadowNormalBias", s.shadowNormalBias, k_Bias, "The bias along the normal, in texels");
+    visit("m_SoftShadowsSupported", s.softShadowsSupported, ValueRange{},
+          "Lets shadows of lights with soft shadows be soft");
     visit("m_SoftShadowQuality", s.softShadowQuality, ValueRange{},
           "How wide the rims of soft shadows are");
 }

@@ -102,7 +102,7 @@ public:
                m_Details;
     }
 
-    /// For README.md.
+    /// Returns the sentence behind the table of DIFFERENCES.md.
     std::string Sentence() const
     {
         int all = 0;
@@ -114,8 +114,7 @@ public:
                " types of Unity 2022.3, URP 14 and 17 that features work with, " +
                std::to_string(m_All[0]) + " are the same here, " + std::to_string(m_All[1]) +
                " differ, " + std::to_string(m_All[2]) + " are left out on purpose and " +
-               std::to_string(m_All[3]) +
-               " are missing: [the list of them](samples/porting/COVERAGE.md).";
+               std::to_string(m_All[3]) + " are missing: [the list of them](COVERAGE.md).";
     }
 
     /// How many members have a sentence of a header.
@@ -197,18 +196,18 @@ void ExpectText(const std::string& path, const std::string& text)
 
 } // namespace
 
-TEST(Coverage, IsTheOneOfTheTableAndTheReadme)
+TEST(Coverage, IsTheOneOfTheTableAndOfTheDifferences)
 {
     const std::vector<UnityType> types = ReadUnityTypes();
     ASSERT_GT(types.size(), 60u);
     const Coverage coverage(types);
     ExpectText(SourcePath("samples/porting/COVERAGE.md"), coverage.Document());
-    const std::string path = SourcePath("README.md");
-    std::string readme = ReadText(path);
-    const std::size_t begin = readme.find("Of the ", readme.find("| Unity, C# | limn, C++ |"));
+    const std::string path = SourcePath("samples/porting/DIFFERENCES.md");
+    std::string page = ReadText(path);
+    const std::size_t begin = page.find("Of the ", page.find("| Unity, C# | limn, C++ |"));
     ASSERT_NE(begin, std::string::npos);
-    readme.replace(begin, readme.find('\n', begin) - begin, coverage.Sentence());
-    ExpectText(path, readme);
+    page.replace(begin, page.find('\n', begin) - begin, coverage.Sentence());
+    ExpectText(path, page);
 }
 
 TEST(Coverage, TakesTheFirstSentenceOfAMembersDocLine)

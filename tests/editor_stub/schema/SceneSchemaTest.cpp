@@ -55,7 +55,45 @@ Keys KeysOf(const Json& map)
     return keys;
 }
 
+/// Collects the keys of a schema that have no description: of all maps in it, but for the parts of
+/// a value such as the `r` of a colour, which stand in an `anyOf`.
+void AddUndescribed(const Json& schema, const std::string& place, std::vector<std::string>& keys)
+{
+    if (!schema.is_structured())
+    {
+        return;
+    }
+    if (schema.is_object() && schema.contains("properties"))
+    {
+        for (const auto& [key, value] : schema["properties"].items())
+        {
+            const std::string text = value.value("description", "");
+            if (text.empty() || text.back() == '.')
+            {
+                keys.push_back(place + "." + key);
+            }
+        }
+    }
+    for (const auto& [key, value] : schema.items())
+    {
+        if (key != "anyOf" && key != "if")
+        {
+            AddUndescribed(value, place + "." + key, keys);
+        }
+    }
+}
+
 } // namespace
+
+TEST(SceneSchema, DescribesEachKey)
+{
+    std::vector<std::string> keys;
+    AddUndescribed(SchemaOfScenes(), "", keys);
+    EXPECT_THAT(keys, testing::IsEmpty());
+    const Json broken = Json::parse(R"({"items": {"properties": {"a": {"description": ""}}}})");
+    AddUndescribed(broken, "", keys);
+    EXPECT_THAT(keys, testing::ElementsAre(".items.a"));
+}
 
 TEST(SceneSchema, HasTheKeysThatScenesAreReadBy)
 {
