@@ -27,15 +27,12 @@ std::string ReasonOf(const RenderReport& report,
                 continue;
             }
             const FilterVerdict verdict = Judge(item.filter, filter->filtering, filter->drawing);
-            const bool isIdle = filter->feature < report.features.size() &&
-                                report.features[filter->feature].passes == 0;
-            if (verdict == FilterVerdict::Drawn && !isIdle)
+            reason = verdict == FilterVerdict::Drawn ? ObstacleOf(report, *filter)
+                                                     : std::string(ToString(verdict));
+            if (reason.empty())
             {
                 return "";
             }
-            reason = verdict == FilterVerdict::Drawn
-                         ? WhyIdle(report, report.features[filter->feature])
-                         : std::string(ToString(verdict));
         }
     }
     return reason;
@@ -53,18 +50,6 @@ ARenderer& ARenderer::OnLayer(int index)
 ARenderer& ARenderer::WithRenderingLayer(int index)
 {
     renderingLayerMask = renderingLayerMask | RenderingLayerMask::FromIndex(index);
-    return *this;
-}
-
-ARenderer& ARenderer::WithQueue(int renderQueue)
-{
-    queue = renderQueue;
-    return *this;
-}
-
-ARenderer& ARenderer::At(const glm::vec3& worldPosition)
-{
-    position = worldPosition;
     return *this;
 }
 
@@ -129,49 +114,49 @@ TestFrame TestScene::Render()
 CheckResult DrawnBy(const TestFrame& frame, std::string_view feature, std::string_view renderer)
 {
     const RenderReport& report = frame.result.report;
-    bool isKnown = std::ranges::any_of(report.passes, [&](const ExecutedPassReport& pass)
-                                       { return pass.name.name() == feature; });
-    std::string idle;
-    for (const FeatureReport& one : report.features)
+    const auto isNamed = [&](const auto& one)
     {
-        if (one.name.name() == feature)
+        return one.name.name() == feature;
+    };
+    const auto own = std::ranges::find_if(report.features, isNamed);
+    const bool isFeature = own != report.features.end();
+    if (!isFeature && std::ranges::none_of(report.passes, isNamed))
+    {
+        throw ContractError("the frame has no feature or pass '" + std::string(feature) + "'");
+    }
+    std::vector<const DrawRenderersReport*> filters;
+    for (const DrawRenderersReport* filter : DecidingFilters(report))
+    {
+        const bool isOther =
+            filter->feature >= report.features.size() || !isNamed(report.features[filter->feature]);
+        if (!isOther || filter->pass.name() == feature)
         {
-            isKnown = true;
-            idle = one.passes == 0 ? WhyIdle(report, one) : "";
+            filters.push_back(filter);
         }
     }
-    std::vector<const DrawRenderersReport*> filters = DecidingFilters(report);
-    const auto isOther = [&](const DrawRenderersReport* filter)
-    {
-        const bool isOfFeature = filter->feature < report.features.size() &&
-                                 report.features[filter->feature].name.name() == feature;
-        return !isOfFeature && filter->pass.name() != feature;
-    };
-    filters.erase(std::remove_if(filters.begin(), filters.end(), isOther), filters.end());
+    const std::string idle = isFeature ? WhyIdle(report, *own) : "";
+    const std::string start = "drawn by " + std::string(feature) + ": " + std::string(renderer);
     bool isFound = false;
     for (const auto& object : frame.scene->objects())
     {
-        if (!object->renderer || object->name != renderer)
+        if (object->renderer && object->name == renderer)
         {
-            continue;
-        }
-        isFound = true;
-        const std::string reason = !filters.empty() ? ReasonOf(report, filters, frame.seen, *object)
-                                   : !idle.empty()  ? idle
-                                                    : "it asks for no renderers";
-        if (isKnown && !reason.empty())
-        {
-            return {false, "drawn by " + std::string(feature) + ": " + object->name +
-                               " is left out: " + reason};
+            isFound = true;
+            const std::string reason = !filters.empty()
+                                           ? ReasonOf(report, filters, frame.seen, *object)
+                                       : idle.empty() ? "it asks for no renderers"
+                                                      : idle;
+            if (!reason.empty())
+            {
+                return {false, start + " is left out: " + reason};
+            }
         }
     }
-    if (!isFound || !isKnown)
+    if (!isFound)
     {
-        throw ContractError(isKnown ? "the scene has no renderer '" + std::string(renderer) + "'"
-                                    : "the frame has no feature or pass '" + std::string(feature) +
-                                          "'");
+        throw ContractError("the scene has no renderer '" + std::string(renderer) + "'");
     }
-    return {true, "drawn by " + std::string(feature) + ": " + std::string(renderer)};
+    return {true, start};
 }
 
 } // namespace limn

@@ -37,4 +37,14 @@ std::string WhyIdle(const RenderReport& report, const FeatureReport& feature)
     return why;
 }
 
+std::string ObstacleOf(const RenderReport& report, const DrawRenderersReport& filter)
+{
+    if (filter.feature >= report.features.size() || report.features[filter.feature].passes > 0)
+    {
+        return "";
+    }
+    const std::string why = WhyIdle(report, report.features[filter.feature]);
+    return why.empty() ? "it adds no pass" : why;
+}
+
 } // namespace limn

@@ -123,13 +123,11 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
             {
                 continue;
             }
-            const FeatureReport* feature =
-                draw->feature < report.features.size() ? &report.features[draw->feature] : nullptr;
             explained.draws.push_back(
                 {draw->pass.name(), item.material->name(),
-                 Judge(item.filter, draw->filtering, draw->drawing),
-                 feature && feature->passes == 0 ? WhyIdle(report, *feature) : "",
-                 feature ? feature->name.name() : ""});
+                 Judge(item.filter, draw->filtering, draw->drawing), ObstacleOf(report, *draw),
+                 draw->feature < report.features.size() ? report.features[draw->feature].name.name()
+                                                        : ""});
         }
     }
     return explained;

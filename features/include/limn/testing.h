@@ -51,9 +51,9 @@ struct ARenderer
     /// Adds a rendering layer to those that it has. @throws ContractError outside 0...31
     ARenderer& WithRenderingLayer(int index);
     /// @param renderQueue  of its material, 0...5000
-    ARenderer& WithQueue(int renderQueue);
+    ARenderer& WithQueue(int renderQueue) { return queue = renderQueue, *this; }
     /// @param worldPosition  metres
-    ARenderer& At(const glm::vec3& worldPosition);
+    ARenderer& At(const glm::vec3& worldPosition) { return position = worldPosition, *this; }
 
     std::string name;
     int layer = 0;

@@ -83,8 +83,8 @@ TEST(Usage, HelpNamesEveryVerbAndTheExitCodes)
     const CommandRun run = RunCommand({"help"});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
-    for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader",
-                             "new", "port", "doctor", "completion", "help", "version"})
+    for (const char* verb : {"render", "watch", "inspect", "explain", "check", "set", "schema",
+                             "shader", "new", "port", "doctor", "completion", "help", "version"})
     {
         EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(verb) + " "));
     }

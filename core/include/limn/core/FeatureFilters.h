@@ -17,4 +17,8 @@ std::vector<const DrawRenderersReport*> DecidingFilters(const RenderReport& repo
 /// nothing.
 std::string WhyIdle(const RenderReport& report, const FeatureReport& feature);
 
+/// Returns why nothing that this filter takes is drawn: its feature adds no pass. "" if it adds
+/// one, and for the renderer's own filters.
+std::string ObstacleOf(const RenderReport& report, const DrawRenderersReport& filter);
+
 } // namespace limn
