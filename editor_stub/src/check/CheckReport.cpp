@@ -19,7 +19,7 @@ std::size_t FailedCount(const std::vector<Expectation>& expectations)
         std::ranges::count_if(expectations, [](const Expectation& one) { return !one.holds(); }));
 }
 
-/// Text within a tag's attribute or between tags. OneLine has taken out what XML cannot have.
+/// Text within a tag's attribute or between tags. OneLine has taken out most that XML cannot have.
 std::string Escaped(const std::string& text)
 {
     std::string escaped;
@@ -32,7 +32,7 @@ std::string Escaped(const std::string& text)
                    : c == '\'' ? "&apos;"
                                : std::string(1, c);
     }
-    return escaped;
+    return Replaced(Replaced(escaped, "\xEF\xBF\xBE", "\\uFFFE"), "\xEF\xBF\xBF", "\\uFFFF");
 }
 
 std::string PlaceOf(const Expectation& one, const std::string& file)

@@ -86,14 +86,6 @@ std::vector<bool> CommonSubsequence(const std::vector<std::string>& a,
     return inA;
 }
 
-/// "; did you mean 'X'?", or nothing.
-std::string Hint(const std::string& name, const std::vector<std::string>& known)
-{
-    const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
-    return nearest.empty() || nearest == name ? ""
-                                              : "; did you mean '" + std::string(nearest) + "'?";
-}
-
 bool IsAbout(const std::string& item, const LeftOut& one)
 {
     return !item.empty() &&
@@ -101,6 +93,13 @@ bool IsAbout(const std::string& item, const LeftOut& one)
 }
 
 } // namespace
+
+std::string NearestHint(const std::string& name, const std::vector<std::string>& known)
+{
+    const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
+    return nearest.empty() || nearest == name ? ""
+                                              : "; did you mean '" + std::string(nearest) + "'?";
+}
 
 NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<std::string>& items,
                                 const DrawnFacts& facts, ListKind kind)
@@ -122,7 +121,7 @@ NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<st
     }
     for (const std::string& item : items)
     {
-        if (!IsAny(objects.Find(item)))
+        if (objects.Find(item).empty())
         {
             result.lines.push_back("- " + item + "  no object has this name");
         }
@@ -151,7 +150,8 @@ NameDifference CompareNames(const std::vector<std::string>& items,
     {
         if (i < items.size() && !inItems[i])
         {
-            const std::string hint = IsListed(actual, items[i]) ? "" : Hint(items[i], actual);
+            const std::string hint =
+                IsListed(actual, items[i]) ? "" : NearestHint(items[i], actual);
             result.lines.push_back("- " + items[i++] + "  " + words.missing + hint);
         }
         else if (j < actual.size() && !inActual[j])
@@ -192,7 +192,7 @@ NameDifference CompareLeftOut(const std::vector<std::string>& items,
             result.lines.push_back(
                 isFound ? "+ " + item + "  left out, but not expected: " + found->reason
                         : "- " + item + "  expected to be left out, but it is not" +
-                              Hint(item, passes));
+                              NearestHint(item, passes));
         }
         else
         {

@@ -134,7 +134,7 @@ private:
         for (std::size_t i = 0; items && i < items->size(); ++i)
         {
             const ListItem& item = (*items)[i];
-            if (m_Unknown == UnknownObjects::AreErrors && !IsAny(m_Facts.objects().Find(item.text)))
+            if (m_Unknown == UnknownObjects::AreErrors && m_Facts.objects().Find(item.text).empty())
             {
                 m_Diagnostics.Error(item.location,
                                     map.SubjectOf(key) + ": unknown object with a mesh " +
@@ -156,13 +156,9 @@ private:
         const std::vector<std::string> passes = m_Facts.PassesOf(entry.key);
         const auto pass = [&](const YamlEntry& one)
         {
-            if (passes.empty() || IsKnown(one, "pass of '" + entry.key + "'", passes))
-            {
-                YamlMapReader own(one.value, map.SubjectOf("passes") + "." + one.key,
-                                  m_Diagnostics);
-                Renderers(own, entry.key, one.key);
-                own.Finish();
-            }
+            YamlMapReader own(one.value, map.SubjectOf("passes") + "." + one.key, m_Diagnostics);
+            Renderers(own, entry.key, one.key, passes.empty() ? "" : Absence(one.key, passes));
+            own.Finish();
         };
         Each(map.Find("passes"), map.SubjectOf("passes"), pass);
         map.Finish();
@@ -175,17 +171,24 @@ private:
         {
             passes.push_back(pass.name.name());
         }
-        if (IsKnown(entry, "pass", passes))
-        {
-            YamlMapReader map(entry.value, "passes." + entry.key, m_Diagnostics);
-            Renderers(map, std::nullopt, entry.key);
-            map.Finish();
-        }
+        YamlMapReader map(entry.value, "passes." + entry.key, m_Diagnostics);
+        Renderers(map, std::nullopt, entry.key, Absence(entry.key, passes));
+        map.Finish();
+    }
+
+    /// Returns a line about a pass that does not run; "" if it does. A frame without it may be what
+    /// is wrong, so this is no error of the file.
+    static std::string Absence(const std::string& pass, const std::vector<std::string>& known)
+    {
+        return std::ranges::find(known, pass) != known.end()
+                   ? ""
+                   : "- " + pass + "  no pass of this name runs" + NearestHint(pass, known);
     }
 
     /// What a feature or a pass draws.
+    /// @param absence  of the pass
     void Renderers(YamlMapReader& map, const std::optional<std::string>& feature,
-                   const std::optional<std::string>& pass)
+                   const std::optional<std::string>& pass, const std::string& absence = "")
     {
         for (const char* key : {"drawn", "drawnAtLeast", "notDrawn"})
         {
@@ -198,7 +201,7 @@ private:
                     kind == "drawn"          ? ListKind::Exact
                     : kind == "drawnAtLeast" ? ListKind::AtLeast
                                              : ListKind::None);
-                result.diff = difference.lines;
+                result.diff = absence.empty() ? difference.lines : std::vector{absence};
                 result.truth = difference.truth;
             }
         }
@@ -380,10 +383,6 @@ private:
         const std::vector<ExplainedTexture>& all = m_Facts.explanation().frame.textures;
         std::vector<std::string> names;
         std::ranges::transform(all, std::back_inserter(names), &ExplainedTexture::name);
-        if (!IsKnown(entry, "texture", names))
-        {
-            return;
-        }
         YamlMapReader map(entry.value, "textures." + entry.key, m_Diagnostics);
         const auto check = [&](const char* key, const auto& textOf)
         {
@@ -402,7 +401,12 @@ private:
                     result.truth.push_back(textOf(texture));
                 }
             }
-            if (std::ranges::find(result.truth, *wanted) == result.truth.end())
+            if (result.truth.empty())
+            {
+                result.diff = {"- " + entry.key + "  the frame has no texture of this name" +
+                               NearestHint(entry.key, names)};
+            }
+            else if (std::ranges::find(result.truth, *wanted) == result.truth.end())
             {
                 result.diff = {"- " + *wanted + "  expected",
                                "+ " + Joined(result.truth, ", ") + "  found"};

@@ -163,7 +163,6 @@ private:
 ObjectNames::ObjectNames(const std::vector<ExplainedObject>& objects)
     : m_Root(std::make_unique<Node>())
 {
-    std::set<std::string> names;
     std::vector<Node*> places;
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
@@ -173,7 +172,12 @@ ObjectNames::ObjectNames(const std::vector<ExplainedObject>& objects)
         path.push_back(objects[i].name);
         for (const std::string& name : path)
         {
-            names.insert(name);
+            m_HasSlashes = m_HasSlashes || name.find('/') != std::string::npos;
+            std::vector<std::size_t>& on = m_PlacesOf[name];
+            if (on.empty() || on.back() != i)
+            {
+                on.push_back(i);
+            }
             place = &place->Child(name);
             place->all.push_back(i);
         }
@@ -193,30 +197,44 @@ ObjectNames::ObjectNames(const std::vector<ExplainedObject>& objects)
                               ? (*part)->PathText()
                               : places[i]->PathText());
     }
-    m_Names.assign(names.begin(), names.end());
 }
 
 ObjectNames::~ObjectNames() = default;
 
-RendererSet ObjectNames::FindName(std::string_view name) const
+std::vector<std::size_t> ObjectNames::FindName(std::string_view name) const
 {
-    RendererSet found(m_Paths.size());
+    std::vector<std::size_t> found;
     const bool isFromTop = name.starts_with('/');
     const std::string words = (isFromTop ? "" : "/") + std::string(name) + "/";
+    const auto check = [&](std::size_t renderer)
+    {
+        const std::string& path = m_Paths[renderer];
+        if (isFromTop ? path.starts_with(words) : path.find(words) != std::string::npos)
+        {
+            found.push_back(renderer);
+        }
+    };
+    std::string_view last = name.substr(0, std::min(name.size(), name.rfind("/#")));
+    last.remove_prefix(last.rfind('/') + 1); // of -1 as well
+    const auto places = m_PlacesOf.find(last);
+    if (!m_HasSlashes && places != m_PlacesOf.end())
+    {
+        std::ranges::for_each(places->second, check);
+        return found;
+    }
     for (std::size_t i = 0; i < m_Paths.size() && !name.empty(); ++i)
     {
-        found[i] =
-            isFromTop ? m_Paths[i].starts_with(words) : m_Paths[i].find(words) != std::string::npos;
+        check(i);
     }
     return found;
 }
 
 bool ObjectNames::IsTakenAway(std::string_view item) const
 {
-    return item.starts_with("not ") && !IsAny(FindName(item));
+    return item.starts_with("not ") && FindName(item).empty();
 }
 
-RendererSet ObjectNames::Find(std::string_view item) const
+std::vector<std::size_t> ObjectNames::Find(std::string_view item) const
 {
     return FindName(IsTakenAway(item) ? item.substr(4) : item);
 }
@@ -226,11 +244,10 @@ RendererSet ObjectNames::Evaluate(const std::vector<std::string>& items) const
     RendererSet result(m_Paths.size());
     for (const std::string& item : items)
     {
-        const RendererSet named = Find(item);
         const bool isIn = !IsTakenAway(item);
-        for (std::size_t i = 0; i < named.size(); ++i)
+        for (const std::size_t renderer : Find(item))
         {
-            result[i] = named[i] ? isIn : result[i];
+            result[renderer] = isIn;
         }
     }
     return result;
@@ -239,7 +256,11 @@ RendererSet ObjectNames::Evaluate(const std::vector<std::string>& items) const
 std::string ObjectNames::UnknownSentence(std::string_view item) const
 {
     const std::string_view name = IsTakenAway(item) ? item.substr(4) : item;
-    std::set<std::string> known(m_Names.begin(), m_Names.end());
+    std::set<std::string> known;
+    for (const auto& [each, places] : m_PlacesOf)
+    {
+        known.insert(each);
+    }
     const auto slashes = std::ranges::count(name, '/');
     for (const std::string& path : m_Paths) // all that have as many names as this one
     {
@@ -274,10 +295,8 @@ std::string ObjectNames::Spell(const Node& node) const
     for (std::size_t i = node.path.size(); i-- > 0;)
     {
         name = node.path[i] + (name.empty() ? "" : "/") + name;
-        const RendererSet found = FindName(name);
-        const auto count = static_cast<std::size_t>(std::ranges::count(found, true));
         const bool isNumber = i + 1 == node.path.size() && name.starts_with('#');
-        if (!isNumber && count == node.all.size()) // which it finds always
+        if (!isNumber && FindName(name).size() == node.all.size()) // which it finds always
         {
             return name;
         }
@@ -289,25 +308,28 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
                                           const RendererSet& wanted) const
 {
     std::vector<std::string> kept;
+    RendererSet listed(m_Paths.size());
     for (std::string& item : items)
     {
-        const RendererSet named = Find(item);
-        const RendererSet before = Evaluate(kept);
+        const std::vector<std::size_t> named = Find(item);
         const bool isTakenAway = IsTakenAway(item);
         bool hasWanted = false;
         bool takesAway = false;
-        for (std::size_t i = 0; i < named.size(); ++i)
+        for (const std::size_t renderer : named)
         {
-            hasWanted = hasWanted || (named[i] && wanted[i]);
-            takesAway = takesAway || (named[i] && before[i]);
+            hasWanted = hasWanted || wanted[renderer];
+            takesAway = takesAway || listed[renderer];
         }
         if (isTakenAway ? takesAway && !hasWanted : hasWanted)
         {
+            for (const std::size_t renderer : named)
+            {
+                listed[renderer] = !isTakenAway;
+            }
             kept.push_back(std::move(item));
         }
     }
     items = std::move(kept);
-    const RendererSet listed = Evaluate(items);
     const std::vector<std::string> more =
         Fixer(*this, listed, wanted).Fix(*m_Root, Fixer::State::AsListed);
     items.insert(items.end(), more.begin(), more.end());
@@ -354,11 +376,6 @@ void ObjectNames::Describe(const Node& node, const RendererSet& members, const R
             Describe(*child, members, others, names);
         }
     }
-}
-
-bool IsAny(const RendererSet& set)
-{
-    return std::ranges::find(set, true) != set.end();
 }
 
 } // namespace limn

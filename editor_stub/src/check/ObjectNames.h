@@ -30,7 +30,7 @@ public:
     std::size_t count() const { return m_Paths.size(); }
 
     /// Returns the renderers that one item of a list is about; none for an unknown name.
-    RendererSet Find(std::string_view item) const;
+    std::vector<std::size_t> Find(std::string_view item) const;
     /// Returns the renderers that a list stands for.
     RendererSet Evaluate(const std::vector<std::string>& items) const;
     /// "'Lampp'; did you mean 'Lamp'?"
@@ -49,17 +49,16 @@ private:
     class Fixer;
 
     bool IsTakenAway(std::string_view item) const; ///< "not NAME"
-    RendererSet FindName(std::string_view name) const;
+    std::vector<std::size_t> FindName(std::string_view name) const;
     std::string Spell(const Node& node) const;
     void Describe(const Node& node, const RendererSet& members, const RendererSet& others,
                   std::vector<std::string>& names) const;
 
     std::unique_ptr<Node> m_Root;
     std::vector<std::string> m_Paths; ///< "/Room/Sofa/Back/", of each renderer
-    std::vector<std::string> m_Names; ///< of all objects, each once
+    /// The renderers on whose path each name is, in their order.
+    std::map<std::string, std::vector<std::size_t>, std::less<>> m_PlacesOf;
+    bool m_HasSlashes = false; ///< within the name of an object
 };
-
-/// Returns whether any renderer is in the set.
-bool IsAny(const RendererSet& set);
 
 } // namespace limn

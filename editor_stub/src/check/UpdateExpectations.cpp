@@ -318,13 +318,21 @@ std::string UpdateExpectations(const std::string& text, const std::string& file,
     std::size_t done = 0;
     for (const Expectation& one : expectations)
     {
-        const std::optional<Extent> extent =
-            one.holds() ? std::optional<Extent>() : finder.Find(one.value);
         if (one.holds())
         {
             continue;
         }
-        if (!extent || extent->begin < done || one.value.location().line < one.location.line)
+        if (!one.isList && one.truth.empty())
+        {
+            diagnostics.Error(one.location, one.name + ": the frame has no texture of this name; "
+                                                       "take the entry out");
+            continue;
+        }
+        const std::optional<Extent> extent = finder.Find(one.value);
+        const SourceLocation value = one.value.location();
+        const bool isBefore =
+            std::pair(value.line, value.column) < std::pair(one.location.line, one.location.column);
+        if (!extent || extent->begin < done || isBefore)
         {
             diagnostics.Error(one.location, one.name + ": cannot be written anew, since an alias "
                                                        "stands for it; write it out");

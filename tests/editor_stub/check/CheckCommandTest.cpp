@@ -40,7 +40,8 @@ constexpr const char* k_Scene =
     "  - {name: Lamp, mesh: cube, layer: Selectable, renderingLayerMask: [Default, Selected]}\n"
     "  - {name: Rug, mesh: cube, layer: Selectable}\n"
     "  - {name: Off, mesh: cube, layer: Selectable, renderingLayerMask: Selected, active: false}\n"
-    "  - {name: 'A<&\"B', mesh: cube}\n";
+    "  - {name: 'A<&\"B', mesh: cube}\n"
+    "  - {name: \"no\\uFFFFcharacter\", mesh: cube}\n";
 
 const std::string k_Good =
     "features:\n"
@@ -272,7 +273,6 @@ TEST_F(CheckCommand, NamesEveryProblemOfTheFileAtOnce)
         "e.yaml:5:5: error: features.Outline: unknown key 'notdrawn'; did you mean 'notDrawn'?\n"
         "e.yaml:6:19: error: features.Outline.drawnAtLeast: found 'Sofa'; a list is expected, such "
         "as [Sofa, Lamp], or [] for none\n"
-        "e.yaml:7:14: error: unknown pass of 'Outline' 'Outlines'; did you mean 'Outline'?\n"
         "e.yaml:10:5: error: values[0]: unknown parameter 'm_OutlineWidht'; did you mean "
         "'m_OutlineWidth'?\n"
         "e.yaml:11:5: error: values[0]: unknown volume component 'ScreenSpaceOutlin'; did you mean "
@@ -282,7 +282,7 @@ TEST_F(CheckCommand, NamesEveryProblemOfTheFileAtOnce)
         "are 'Component.parameter: value'\n"
         "e.yaml:14:9: error: values[1].at: found 'kamera'; camera or {x: 0, y: 1, z: 0} is "
         "expected\n"
-        "e.yaml:15:12: error: unknown texture 'limn_Outpt'; did you mean 'limn_Output'?\n"
+        "e.yaml:15:26: error: textures.limn_Output: unknown key 'sise'; did you mean 'size'?\n"
         "e.yaml:16:1: error: expectations: unknown key 'ordr'; did you mean 'order'?\n",
         Printed("features:\n"
                 "  Outlin: {drawn: [Sofa]}\n"
@@ -298,9 +298,28 @@ TEST_F(CheckCommand, NamesEveryProblemOfTheFileAtOnce)
                 "    ScreenSpaceOutline.m_OutlineWidth: 400\n"
                 "    tolerence: 3\n"
                 "  - at: kamera\n"
-                "textures: {limn_Outpt: {size: 1x1}}\n"
+                "textures: {limn_Output: {sise: 1x1}}\n"
                 "ordr: []\n",
                 1));
+}
+
+TEST_F(CheckCommand, FailsForPassesAndTexturesThatTheFrameDoesNotHave)
+{
+    const std::string text = "features: {Outline: {passes: {Outlines: {notDrawn: [Rug]}}}}\n"
+                             "passes: {Blur: {drawn: []}}\n"
+                             "textures: {limn_Outpt: {size: 1x1}}\n";
+    EXPECT_EQ("e.yaml:1:42: features.Outline.passes.Outlines.notDrawn\n"
+              "  - Outlines  no pass of this name runs; did you mean 'Outline'?\n"
+              "e.yaml:2:17: passes.Blur.drawn\n"
+              "  - Blur  no pass of this name runs\n"
+              "e.yaml:3:25: textures.limn_Outpt.size\n"
+              "  - limn_Outpt  the frame has no texture of this name; did you mean 'limn_Output'?\n"
+              "3 expectations, 3 failed\n",
+              Printed(text, 1));
+    EXPECT_THAT(Printed(text, 1, {"--update"}), HasSubstr("e.yaml:3:25: error: "));
+    EXPECT_EQ(text, ReadText(m_Folder / "e.yaml"));
+    EXPECT_THAT(Printed("passes: {Blur: {drawn: []}}\n", 1, {"--update"}),
+                HasSubstr("e.yaml:1:17: error: passes.Blur.drawn: cannot be written anew; "));
 }
 
 TEST_F(CheckCommand, RefusesFilesThatExpectNothingOrAreNone)
@@ -374,7 +393,10 @@ TEST_F(CheckCommand, UpdatesListsWithDashesAndMapsWithKeys)
 TEST_F(CheckCommand, UpdateLeavesAFileWithErrorsOrAliasesAlone)
 {
     for (const std::string text : {"features: {Outlin: {drawn: []}}\n",
-                                   "features: {Outline: {drawn: &a [Rug], drawnAtLeast: *a}}\n"})
+                                   "features: {Outline: {drawn: &a [Rug], drawnAtLeast: *a}}\n",
+                                   "features: {Outline: {notDrawn: &a [Rug], drawnAtLeast: *a}}\n",
+                                   "values: [{at: camera, ScreenSpaceOutline.m_OutlineWidth: &w "
+                                   "4}, {at: [0, 0, 5], ScreenSpaceOutline.m_OutlineWidth: *w}]\n"})
     {
         EXPECT_THAT(Printed(text, 1, {"--update"}), HasSubstr("e.yaml:1:"));
         EXPECT_EQ(text, ReadText(m_Folder / "e.yaml"));
@@ -433,7 +455,7 @@ TEST_F(CheckCommand, WritesNeitherOverTheSceneNorOverTheExpectations)
 TEST_F(CheckCommand, WritesJUnitThatAParserOfXmlReads)
 {
     Expect("features:\n"
-           "  Outline: {drawnAtLeast: ['A<&\"B'], notDrawn: [Rug]}\n");
+           "  Outline: {drawnAtLeast: ['A<&\"B', \"no\\uFFFFcharacter\"], notDrawn: [Rug]}\n");
     const std::string file = (m_Folder / "results.xml").string();
     EXPECT_EQ(1, Check({"--junit", file}).exitCode);
     const std::string script =

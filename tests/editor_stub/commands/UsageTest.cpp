@@ -150,7 +150,7 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
                      "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
     ExpectWrongUsage(
         {"-v", "frobnicate"},
-        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
+        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, check, "
         "report, set, schema, shader, new, port, doctor, completion, help, version)\n" +
             k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},
