@@ -313,14 +313,15 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
     {
         const std::vector<std::size_t> named = Find(item);
         const bool isTakenAway = IsTakenAway(item);
-        bool hasWanted = false;
+        std::size_t wantedCount = 0;
         bool takesAway = false;
         for (const std::size_t renderer : named)
         {
-            hasWanted = hasWanted || wanted[renderer];
+            wantedCount += wanted[renderer] ? 1 : 0;
             takesAway = takesAway || listed[renderer];
         }
-        if (isTakenAway ? takesAway && !hasWanted : hasWanted)
+        if (isTakenAway ? takesAway && wantedCount == 0
+                        : wantedCount > 0 && 2 * wantedCount >= named.size())
         {
             for (const std::size_t renderer : named)
             {

@@ -66,7 +66,9 @@ int RunCheck(const CheckOptions& options, Console& console)
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     const bool isNew = options.isUpdate && !IsThere(options.expectations);
     const std::string text = isNew ? "" : ReadYamlText(options.expectations);
-    SceneFacts facts(LoadForRendering(rendering, assets), assets);
+    SceneAsset asset = LoadForRendering(rendering, assets);
+    console.Print(asset.notes);
+    SceneFacts facts(std::move(asset), assets);
     std::set<std::filesystem::path> inputs = assets.reachedFiles();
     const std::string own[] = {options.isUpdate ? options.expectations : "", options.junit};
     RequireOwnFiles(own, inputs);

@@ -74,6 +74,8 @@ TEST(ObjectNamesOfAScene, AreFixedWithTheShortestNamesThatAreClear)
                 ElementsAre("Sofa", "not Sofa/Shadow"));
     EXPECT_THAT(names.Fix({"Back", "Seat"}, {true, true, false, false, false}),
                 ElementsAre("Back", "Seat")); // as somebody has written it
+    EXPECT_THAT(names.Fix({"Sofa", "Bulb"}, {false, false, true, false, true}),
+                ElementsAre("Bulb", "Sofa/Shadow")); // less than half of the Sofa
     EXPECT_THAT(names.Fix({"Sofa", "not Sofa/Shadow"}, {false, false, false, false, false}),
                 IsEmpty());
 }
