@@ -30,6 +30,7 @@ struct CommandLine
     RenderOptions render; ///< of report as well
     ShaderOptions shader;
     ExplainOptions explain;
+    CheckOptions check;
     InspectOptions inspect;
     SetOptions set;
     ReportCommandOptions report;
@@ -135,6 +136,14 @@ Flag NewFolderFlag(std::string& folder)
     return {"output", "DIR", "A new or empty folder", Into(folder, CheckFolder), Once, 'o'};
 }
 
+Flag SelectFlag(RenderOptions& options)
+{
+    return {"select", "NAME,...",
+            "Select the objects of these names, each with what hangs below it, and no others: they "
+            "get the rendering layer that outline features look for; \"\" selects nothing",
+            IntoSelection(options.selection, SelectionStep::Kind::Select), Any};
+}
+
 /// The flags that `render` and `watch` have in common.
 std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, CheckText check)
 {
@@ -147,10 +156,7 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
         ProfileFlag(options.profile),
         SetFlag(options.overrides),
-        {"select", "NAME,...",
-         "Select the objects of these names, each with what hangs below it, and no others: they "
-         "get the rendering layer that outline features look for; \"\" selects nothing",
-         IntoSelection(options.selection, Kind::Select), Any},
+        SelectFlag(options),
         {"click", "X,Y[@SECONDS]",
          "Select what is seen at this pixel, counted from the top left, as a whole, or nothing; at "
          "time 0 or at SECONDS; after what stands before it",
@@ -241,6 +247,40 @@ Verb ExplainVerb(ExplainOptions& options)
              PackageFlag(options.rendering.packages),
              RootFlag(options.rendering.roots)},
             {{"object", "pixel"}, {"pixel", "graph"}}};
+}
+
+Verb CheckVerb(CheckOptions& options)
+{
+    RenderOptions& rendering = options.rendering;
+    return {"check",
+            "Compare what a scene draws with what a file expects: objects of each feature, volume "
+            "values, passes, textures, what is left out; for CI, without a device",
+            [&options](Console& console)
+            {
+                InProject(options.rendering);
+                return RunCheck(options, console);
+            },
+            {Argument("SCENE", k_SceneHelp, Into(rendering.scene)),
+             Argument("EXPECT.yaml",
+                      "The expectations; samples/guide/testing.md explains them, --update writes "
+                      "the first",
+                      Into(options.expectations, CheckOutput)),
+             SceneFlag(rendering),
+             Switch("update",
+                    "Write the values that do not hold anew, and nothing besides: only comments "
+                    "within them are lost; a file that is not there is written in full",
+                    options.isUpdate),
+             {"junit", "FILE", "Write the results as JUnit XML, which CI shows as tests",
+              Into(options.junit, CheckOutput)},
+             Switch("json", "Print the results as JSON", options.json),
+             SizeFlag(rendering),
+             ProfileFlag(rendering.profile),
+             SetFlag(rendering.overrides),
+             SelectFlag(rendering),
+             PluginFlag(rendering.plugins),
+             PackageFlag(rendering.packages),
+             RootFlag(rendering.roots)},
+            {{"update", "junit"}, {"update", "json"}}};
 }
 
 Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
@@ -461,6 +501,7 @@ void FillTable(FlagTable& table, CommandLine& line)
                    WatchVerb(line.render),
                    InspectVerb(line.inspect),
                    ExplainVerb(line.explain),
+                   CheckVerb(line.check),
                    ReportVerb(line.render, line.report),
                    SetVerb(line.set),
                    SchemaVerb(line),

@@ -59,6 +59,22 @@ struct ExplainOptions
 /// @throws VulkanError where a pixel is asked about
 int RunExplain(const ExplainOptions& options, Console& console);
 
+/// `limn check`, as the command line has it.
+struct CheckOptions
+{
+    RenderOptions rendering;
+    std::string expectations; ///< the file that states them
+    std::string junit;        ///< file for the results as JUnit XML; "": none
+    bool json = false;
+    bool isUpdate = false; ///< write what does not hold anew
+};
+
+/// Compares a scene's frame with what a file expects of it, and prints what differs. Needs no
+/// device.
+/// @return an ExitCode: BadInput if an expectation does not hold
+/// @throws AssetError, also for unknown names in the expectations; nothing is then written
+int RunCheck(const CheckOptions& options, Console& console);
+
 /// `limn report`, as the command line has it.
 struct ReportCommandOptions
 {

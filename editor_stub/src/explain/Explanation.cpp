@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limn/core/Culling.h>
+#include <limn/core/FeatureFilters.h>
 #include <limn/core/RecordingDevice.h>
 #include <limn/volume/VolumeManager.h>
 #include <set>
@@ -89,41 +90,6 @@ ItemsOfObjects Group(const CullingResults& culled)
     return items;
 }
 
-/// The filters that decide what is drawn. Where a feature has told its own, its DrawRenderers calls
-/// are about objects that it has already chosen.
-std::vector<const DrawRenderersReport*> DecidingFilters(const RenderReport& report)
-{
-    std::vector<const DrawRenderersReport*> filters;
-    for (const DrawRenderersReport& draw : report.draws)
-    {
-        if (draw.feature == DrawRenderersReport::k_NoFeature ||
-            std::ranges::find(report.filters, draw.feature, &DrawRenderersReport::feature) ==
-                report.filters.end())
-        {
-            filters.push_back(&draw);
-        }
-    }
-    for (const DrawRenderersReport& filter : report.filters)
-    {
-        filters.push_back(&filter);
-    }
-    return filters;
-}
-
-/// What a feature said while it added no pass, without its name in front.
-std::string WhyIdle(const RenderReport& report, const FeatureReport& feature)
-{
-    const std::string prefix = feature.name.name() + ": ";
-    std::string why;
-    for (std::size_t i = 0; i < feature.noteCount; ++i)
-    {
-        std::string note = report.notes.at(feature.firstNote + i);
-        note.erase(0, note.starts_with(prefix) ? prefix.size() : 0);
-        why += (why.empty() ? "" : "; ") + note;
-    }
-    return why;
-}
-
 std::vector<ExplainedIdle> FindIdleFeatures(const RenderReport& report)
 {
     std::vector<ExplainedIdle> idle;
@@ -157,12 +123,11 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
             {
                 continue;
             }
-            const bool isIdle = draw->feature < report.features.size() &&
-                                report.features[draw->feature].passes == 0;
             explained.draws.push_back(
                 {draw->pass.name(), item.material->name(),
-                 Judge(item.filter, draw->filtering, draw->drawing),
-                 isIdle ? WhyIdle(report, report.features[draw->feature]) : ""});
+                 Judge(item.filter, draw->filtering, draw->drawing), ObstacleOf(report, *draw),
+                 draw->feature < report.features.size() ? report.features[draw->feature].name.name()
+                                                        : ""});
         }
     }
     return explained;

@@ -15,7 +15,8 @@ struct ExplainedDraw
     std::string pass; ///< or the feature's name, where it does not draw by DrawRenderers
     std::string material;
     FilterVerdict verdict = FilterVerdict::Drawn;
-    std::string obstacle; ///< why the feature draws nothing, though its filter takes the object
+    std::string obstacle;  ///< why the feature draws nothing, though its filter takes the object
+    std::string feature{}; ///< "": a pass of the renderer's own
 
     bool isDrawn() const { return verdict == FilterVerdict::Drawn && obstacle.empty(); }
 };

@@ -27,6 +27,11 @@ const Verb k_Verbs[] = {
     {"watch", "watch SCENE -o FILE", "SCENE and -o FILE are missing", {}, {"s", "-o", "o", "x"}},
     {"inspect", "inspect FILE|NAME", "FILE|NAME is missing", {"s.scene.yaml"}, {"s", "x"}},
     {"explain", "explain SCENE", "SCENE is missing", {"s.scene.yaml"}, {"s", "x"}},
+    {"check",
+     "check SCENE EXPECT.yaml",
+     "SCENE and EXPECT.yaml are missing",
+     {"s.scene.yaml", "e.yaml"},
+     {"s", "e", "x"}},
     {"report", "report SCENE|DIR ... -o DIR", "SCENE|DIR and -o DIR are missing", {}, {}},
     {"set",
      "set FILE NAME.path=VALUE ...",
@@ -190,6 +195,7 @@ TEST_F(EveryVerb, NamesTheFileThatIsNotThere)
                               {"watch", "no.scene.yaml", "-o", "o.png"},
                               {"inspect", "no.scene.yaml"},
                               {"explain", "no.scene.yaml"},
+                              {"check", "no.scene.yaml", "e.yaml"},
                               {"set", "no.scene.yaml", "A.b=1"},
                               {"shader", "no.scene.yaml"},
                               {"port", "no.scene.yaml", "-o", "d"}})
@@ -216,6 +222,7 @@ TEST_F(EveryVerb, TellsAFileOfAnotherKindByWhatTakesIt)
         {"inspect", {"a.shader"}, shader},
         {"explain", {"a.shader"}, shader},
         {"explain", {"p.profile.yaml"}, profile},
+        {"check", {"e.yaml", "a.shader"}, shader},
         {"set", {"A.b=1", "a.shader"}, shader},
         {"shader", {"s.scene.yaml"}, scene},
         {"shader", {"p.profile.yaml"}, profile}};
@@ -223,7 +230,7 @@ TEST_F(EveryVerb, TellsAFileOfAnotherKindByWhatTakesIt)
     {
         Words args = given;
         const std::string file = args.back();
-        if (verb == "set")
+        if (verb == "set" || verb == "check")
         {
             std::swap(args[0], args[1]);
         }

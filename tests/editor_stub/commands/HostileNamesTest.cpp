@@ -34,6 +34,9 @@ TEST_F(HostileNames, ReachNoStreamAsTheyAre)
         {"explain", "s.scene.yaml", "--json"},
         {"explain", "s.scene.yaml", "--object", k_Hostile},
         {"explain", "s.scene.yaml", "--object", k_Hostile, "-v"},
+        {"check", "s.scene.yaml", "e.yaml", "--update"}, // which writes the names
+        {"check", "s.scene.yaml", "e.yaml", "--junit", "j.xml"},
+        {"check", "s.scene.yaml", "e.yaml", "--json"},
         {"shader", shader},
         {"shader", shader, "--json"},
         {"shader", shader, "--variants"},
@@ -59,6 +62,7 @@ TEST_F(HostileNames, ReachNoStreamAsTheyAreInErrors)
 {
     const std::vector<std::vector<std::string>> runs{
         {"explain", "s.scene.yaml", "--object", k_Hostile + "!"},
+        {"check", "s.scene.yaml", k_Hostile},
         {"inspect", k_Hostile},
         {"shader", k_Hostile},
         {"render", k_Hostile, "-o", "o.png"},

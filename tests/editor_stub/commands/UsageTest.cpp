@@ -83,8 +83,8 @@ TEST(Usage, HelpNamesEveryVerbAndTheExitCodes)
     const CommandRun run = RunCommand({"help"});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
-    for (const char* verb : {"render", "watch", "inspect", "explain", "set", "schema", "shader",
-                             "new", "port", "doctor", "completion", "help", "version"})
+    for (const char* verb : {"render", "watch", "inspect", "explain", "check", "set", "schema",
+                             "shader", "new", "port", "doctor", "completion", "help", "version"})
     {
         EXPECT_THAT(run.out, HasSubstr("\n  " + std::string(verb) + " "));
     }
@@ -150,7 +150,7 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
                      "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
     ExpectWrongUsage(
         {"-v", "frobnicate"},
-        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, "
+        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, check, "
         "report, set, schema, shader, new, port, doctor, completion, help, version)\n" +
             k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},

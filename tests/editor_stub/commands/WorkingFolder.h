@@ -25,7 +25,8 @@ public:
     TemporaryFolder folder;
 };
 
-/// Shader, profile and scene that refer to each other by bare names, written into `folder`.
+/// Shader, profile, scene and expectations that refer to each other by bare names, written into
+/// `folder`.
 inline void WriteProject(const TemporaryFolder& folder)
 {
     folder.Write("a.shader", "Shader \"A\"\n"
@@ -53,6 +54,7 @@ inline void WriteProject(const TemporaryFolder& folder)
                                  "volumes: [{name: All, profile: p.profile.yaml}]\n"
                                  "materials: {m: {shader: a.shader}}\n"
                                  "objects: [{name: Piece, mesh: cube, material: m}]\n");
+    folder.Write("e.yaml", "order: [Draw Opaque Objects, Draw Transparent Objects, Final Blit]\n");
 }
 
 } // namespace limn::test

@@ -1,0 +1,259 @@
+#include "check/Differences.h"
+
+#include "check/Expectations.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limn/base/Diagnostic.h>
+#include <limn/base/Text.h>
+
+namespace limn
+{
+
+namespace
+{
+
+bool IsListed(const std::vector<std::string>& names, const std::string& name)
+{
+    return std::ranges::find(names, name) != names.end();
+}
+
+void AddOnce(std::vector<std::string>& names, const std::string& name)
+{
+    if (!IsListed(names, name))
+    {
+        names.push_back(name);
+    }
+}
+
+/// Adds a line for each group of renderers that are missing for the same reason.
+void AddMissing(const ObjectNames& objects, const RendererSet& missing, const RendererSet& asked,
+                const DrawnFacts& facts, std::vector<std::string>& lines)
+{
+    std::vector<std::string> reasons;
+    for (std::size_t i = 0; i < missing.size(); ++i)
+    {
+        if (missing[i])
+        {
+            AddOnce(reasons, facts.reasons[i]);
+        }
+    }
+    for (const std::string& reason : reasons)
+    {
+        RendererSet members(missing.size());
+        RendererSet others(missing.size());
+        for (std::size_t i = 0; i < missing.size(); ++i)
+        {
+            members[i] = missing[i] && facts.reasons[i] == reason;
+            others[i] = !missing[i] && (asked[i] || facts.drawn[i]);
+        }
+        for (const std::string& name : objects.Describe(members, others))
+        {
+            lines.push_back("- " + name + "  expected, but left out: " + reason);
+        }
+    }
+}
+
+/// The names of one list, each with whether it is among those that both lists have in one order.
+std::vector<bool> CommonSubsequence(const std::vector<std::string>& a,
+                                    const std::vector<std::string>& b, std::vector<bool>& inB)
+{
+    std::vector<std::vector<std::size_t>> length(a.size() + 1,
+                                                 std::vector<std::size_t>(b.size() + 1));
+    for (std::size_t i = a.size(); i-- > 0;)
+    {
+        for (std::size_t j = b.size(); j-- > 0;)
+        {
+            length[i][j] = a[i] == b[j] ? length[i + 1][j + 1] + 1
+                                        : std::max(length[i + 1][j], length[i][j + 1]);
+        }
+    }
+    std::vector<bool> inA(a.size());
+    inB.assign(b.size(), false);
+    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();)
+    {
+        if (a[i] == b[j])
+        {
+            inA[i++] = true;
+            inB[j++] = true;
+        }
+        else
+        {
+            length[i + 1][j] >= length[i][j + 1] ? ++i : ++j;
+        }
+    }
+    return inA;
+}
+
+bool IsAbout(const std::string& item, const LeftOut& one)
+{
+    return !item.empty() &&
+           (item == one.pass || item == one.reason || item == one.pass + ": " + one.reason);
+}
+
+} // namespace
+
+std::string NearestHint(const std::string& name, const std::vector<std::string>& known)
+{
+    const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
+    return nearest.empty() || nearest == name ? ""
+                                              : "; did you mean '" + std::string(nearest) + "'?";
+}
+
+NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<std::string>& items,
+                                const DrawnFacts& facts, ListKind kind)
+{
+    NameDifference result;
+    const RendererSet asked = objects.Evaluate(items);
+    RendererSet missing(asked.size());
+    RendererSet extra(asked.size());
+    RendererSet wanted(asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i)
+    {
+        missing[i] = kind != ListKind::None && asked[i] && !facts.drawn[i];
+        extra[i] = kind == ListKind::Exact  ? facts.drawn[i] && !asked[i]
+                   : kind == ListKind::None ? facts.drawn[i] && asked[i]
+                                            : false;
+        wanted[i] = kind == ListKind::Exact  ? facts.drawn[i]
+                    : kind == ListKind::None ? asked[i] && !facts.drawn[i]
+                                             : asked[i] && facts.drawn[i];
+    }
+    for (const std::string& item : items)
+    {
+        if (objects.Find(item).empty())
+        {
+            result.lines.push_back("- " + item + "  no object has this name");
+        }
+    }
+    AddMissing(objects, missing, asked, facts, result.lines);
+    RendererSet others(asked.size());
+    for (std::size_t i = 0; i < asked.size(); ++i)
+    {
+        others[i] = !extra[i] && (kind == ListKind::None ? facts.drawn[i] : asked[i]);
+    }
+    for (const std::string& name : objects.Describe(extra, others))
+    {
+        result.lines.push_back("+ " + name + "  drawn, but not expected");
+    }
+    result.truth = result.lines.empty() ? items : objects.Fix(items, wanted);
+    return result;
+}
+
+NameDifference CompareNames(const std::vector<std::string>& items,
+                            const std::vector<std::string>& actual, const NameWords& words)
+{
+    NameDifference result;
+    std::vector<bool> inActual;
+    const std::vector<bool> inItems = CommonSubsequence(items, actual, inActual);
+    for (std::size_t i = 0, j = 0; i < items.size() || j < actual.size();)
+    {
+        if (i < items.size() && !inItems[i])
+        {
+            const std::string hint =
+                IsListed(actual, items[i]) ? "" : NearestHint(items[i], actual);
+            result.lines.push_back("- " + items[i++] + "  " + words.missing + hint);
+        }
+        else if (j < actual.size() && !inActual[j])
+        {
+            if (words.kind == ListKind::Exact)
+            {
+                result.lines.push_back("+ " + actual[j] + "  " + words.extra);
+            }
+            ++j;
+        }
+        else
+        {
+            result.truth.push_back(items[i]);
+            ++i;
+            ++j;
+        }
+    }
+    result.truth = words.kind == ListKind::Exact ? actual : result.truth;
+    return result;
+}
+
+NameDifference CompareLeftOut(const std::vector<std::string>& items,
+                              const std::vector<LeftOut>& actual, ListKind kind)
+{
+    NameDifference result;
+    std::vector<std::string> passes;
+    for (const LeftOut& one : actual)
+    {
+        AddOnce(passes, one.pass);
+    }
+    for (const std::string& item : items)
+    {
+        const auto found =
+            std::ranges::find_if(actual, [&](const LeftOut& one) { return IsAbout(item, one); });
+        const bool isFound = found != actual.end();
+        if (isFound == (kind == ListKind::None))
+        {
+            result.lines.push_back(
+                isFound ? "+ " + item + "  left out, but not expected: " + found->reason
+                        : "- " + item + "  expected to be left out, but it is not" +
+                              NearestHint(item, passes));
+        }
+        else
+        {
+            result.truth.push_back(item);
+        }
+    }
+    std::vector<std::string> named; // several things of one pass are one item
+    for (const LeftOut& one : actual)
+    {
+        const bool isExpected =
+            std::ranges::any_of(items, [&](const std::string& item) { return IsAbout(item, one); });
+        if (kind == ListKind::Exact && !isExpected)
+        {
+            result.lines.push_back("+ " + one.pass + (one.pass.empty() ? "" : ": ") + one.reason +
+                                   "  left out, but not expected");
+            AddOnce(named, one.pass.empty() ? one.reason : one.pass);
+        }
+    }
+    result.truth.insert(result.truth.end(), named.begin(), named.end());
+    return result;
+}
+
+bool IsSameValue(std::string_view a, std::string_view b, std::optional<double> tolerance)
+{
+    const auto takeNumber = [](std::string_view& text)
+    {
+        double number = 0.0;
+        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+        const bool isNumber =
+            !text.empty() && (isDigit(text[0]) || text[0] == '-' || text[0] == '.');
+        if (!isNumber || error != std::errc())
+        {
+            return std::optional<double>();
+        }
+        text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+        return std::optional(number);
+    };
+    bool isInWord = false;
+    while (!a.empty() && !b.empty())
+    {
+        const auto one = isInWord ? std::nullopt : takeNumber(a);
+        const auto other = isInWord ? std::nullopt : takeNumber(b);
+        if (one && other)
+        {
+            const double most =
+                tolerance.value_or(1e-6 * std::max(std::abs(*one), std::abs(*other)));
+            if (!(std::abs(*one - *other) <= most))
+            {
+                return false;
+            }
+            continue;
+        }
+        if (one || other || a.front() != b.front())
+        {
+            return false;
+        }
+        isInWord = isLetter(a.front()) || isDigit(a.front());
+        a.remove_prefix(1);
+        b.remove_prefix(1);
+    }
+    return a.empty() && b.empty();
+}
+
+} // namespace limn

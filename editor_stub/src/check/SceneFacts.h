@@ -1,0 +1,65 @@
+#pragma once
+
+#include "check/ObjectNames.h"
+
+#include <limn/editor_stub/AssetContext.h>
+#include <limn/editor_stub/SceneFile.h>
+#include <limn/volume/VolumeManager.h>
+#include <optional>
+#include <set>
+
+namespace limn
+{
+
+/// What one or several filters do with each renderer of a scene.
+struct DrawnFacts
+{
+    RendererSet drawn;
+    std::vector<std::string> reasons; ///< why a renderer is not drawn; "" where it is
+};
+
+/// Everything that expectations ask about a scene's frame, found out without a Vulkan device.
+class SceneFacts
+{
+public:
+    /// @lifetime  keeps `assets` by reference
+    /// @throws AssetError for a shader with errors
+    SceneFacts(SceneAsset asset, AssetContext& assets);
+
+    const Explanation& explanation() const { return m_Explanation; }
+    const ObjectNames& objects() const { return m_Objects; }
+    const std::vector<std::string>& features() const { return m_Features; }
+    const LayerNames& layers() const { return m_Layers; }
+    AssetContext& assets() const { return m_Assets; }
+
+    /// Returns the passes that ask for renderers, each once: those of a feature, or those of the
+    /// frame where it is nothing.
+    std::vector<std::string> PassesOf(const std::optional<std::string>& feature) const;
+
+    /// @param feature  nothing: of any, and the renderer's own passes
+    /// @param pass     nothing: any of the feature's
+    DrawnFacts Drawn(const std::optional<std::string>& feature,
+                     const std::optional<std::string>& pass) const;
+
+    /// Returns the blended component; null for a name that is not registered.
+    /// @param position  world, metres; nothing: where the camera takes its volumes
+    std::unique_ptr<VolumeComponent> Blend(const std::string& component,
+                                           const std::optional<glm::vec3>& position);
+    /// Returns the names of the volumes that set the value there, "" for none.
+    std::string SourcesOf(const std::string& component, const std::string& parameter,
+                          const std::optional<glm::vec3>& position);
+
+private:
+    std::string ReasonOf(const ExplainedObject& object, const std::optional<std::string>& feature,
+                         const std::optional<std::string>& pass) const;
+
+    AssetContext& m_Assets;
+    std::vector<Volume> m_Volumes;
+    LayerNames m_Layers;
+    std::vector<std::string> m_Features; ///< names, the renderer's order
+    Explanation m_Explanation;
+    ObjectNames m_Objects;
+    VolumeManager m_Manager;
+};
+
+} // namespace limn

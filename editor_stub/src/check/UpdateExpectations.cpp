@@ -1,0 +1,358 @@
+#include "check/UpdateExpectations.h"
+
+#include "check/Differences.h"
+#include "console/Texts.h"
+
+#include <algorithm>
+#include <limn/base/TerminalText.h>
+
+namespace limn
+{
+
+namespace
+{
+
+constexpr std::size_t k_Width = 100; ///< columns of a written line
+
+/// Text that YAML reads back as this text, in brackets as well.
+std::string Quoted(const std::string& text)
+{
+    const auto isPlain = [](char c)
+    {
+        return isLetter(c) || isDigit(c) || c == ' ' || c == '-' || c == '.' || c == '/' ||
+               c == '(' || c == ')' || static_cast<unsigned char>(c) >= 0x80;
+    };
+    if (!text.empty() && (isLetter(text.front()) || isDigit(text.front())) && text.back() != ' ' &&
+        std::ranges::all_of(text, isPlain) && !IsIn(text, {"null", "Null", "NULL"}))
+    {
+        return text;
+    }
+    std::string quoted = "\"";
+    for (const char c : text)
+    {
+        constexpr const char* k_Digits = "0123456789ABCDEF";
+        const auto byte = static_cast<unsigned char>(c);
+        if (byte < 0x20 || byte == 0x7F)
+        {
+            quoted += std::string("\\x") + k_Digits[byte / 16] + k_Digits[byte % 16];
+            continue;
+        }
+        quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
+    }
+    return quoted + '"';
+}
+
+/// "[a, b]", in lines of `width` columns.
+std::string FlowList(const std::vector<std::string>& items, std::size_t column, std::size_t indent)
+{
+    std::string text = "[";
+    ++column;
+    for (std::size_t i = 0; i < items.size(); ++i)
+    {
+        const std::string item = Quoted(items[i]) + (i + 1 < items.size() ? "," : "");
+        if (i > 0 && column + 1 + item.size() > k_Width)
+        {
+            text += "\n" + std::string(indent, ' ');
+            column = indent;
+        }
+        else if (i > 0)
+        {
+            text += " ";
+            ++column;
+        }
+        text += item;
+        column += item.size();
+    }
+    return text + "]";
+}
+
+std::string BlockList(const std::vector<std::string>& items, std::size_t indent)
+{
+    std::string text;
+    for (const std::string& item : items)
+    {
+        text += (text.empty() ? "- " : "\n" + std::string(indent, ' ') + "- ") + Quoted(item);
+    }
+    return text;
+}
+
+/// A part of the file's text.
+struct Extent
+{
+    std::size_t begin = 0;
+    std::size_t end = 0;
+};
+
+/// Finds where the values of a YAML text begin and end.
+class ExtentFinder
+{
+public:
+    explicit ExtentFinder(const std::string& text) : m_Text(text) {}
+
+    /// Nothing for a value whose place is not that of its first character.
+    std::optional<Extent> Find(const YamlNode& node) const
+    {
+        const std::optional<std::size_t> begin = OffsetOf(node.location());
+        if (!begin || *begin >= m_Text.size())
+        {
+            return std::nullopt;
+        }
+        const char first = m_Text[*begin];
+        if (node.isScalar())
+        {
+            return Extent{*begin,
+                          first == '"' || first == '\'' ? EndOfQuote(*begin) : EndOfPlain(*begin)};
+        }
+        return first == '[' || first == '{'        ? Extent{*begin, EndOfFlow(*begin)}
+               : node.isSequence() && first != '-' ? std::optional<Extent>()
+                                                   : Extent{*begin, EndOfBlock(*begin)};
+    }
+
+    std::size_t ColumnOf(std::size_t offset) const
+    {
+        const std::size_t line = offset == 0 ? std::string::npos : m_Text.rfind('\n', offset - 1);
+        return offset - (line == std::string::npos ? 0 : line + 1);
+    }
+
+private:
+    std::optional<std::size_t> OffsetOf(SourceLocation location) const
+    {
+        std::size_t begin = 0;
+        for (int line = 1; line < location.line; ++line)
+        {
+            begin = m_Text.find('\n', begin);
+            if (begin == std::string::npos)
+            {
+                return std::nullopt;
+            }
+            ++begin;
+        }
+        return begin + static_cast<std::size_t>(location.column - 1);
+    }
+
+    std::size_t EndOfQuote(std::size_t begin) const
+    {
+        const char quote = m_Text[begin];
+        for (std::size_t i = begin + 1; i < m_Text.size(); ++i)
+        {
+            if (quote == '"' && m_Text[i] == '\\')
+            {
+                ++i;
+            }
+            else if (m_Text[i] == quote)
+            {
+                const bool isDoubled = quote == '\'' && m_Text.compare(i, 2, "''") == 0;
+                if (!isDoubled)
+                {
+                    return i + 1;
+                }
+                ++i;
+            }
+        }
+        return m_Text.size();
+    }
+
+    /// Of a word in brackets or behind a key, on one line.
+    std::size_t EndOfPlain(std::size_t begin) const
+    {
+        std::size_t end = begin;
+        while (end < m_Text.size() && m_Text[end] != '\n' && m_Text[end] != ',' &&
+               m_Text[end] != ']' && m_Text[end] != '}' &&
+               !(m_Text[end] == '#' && isBlank(m_Text[end - 1])))
+        {
+            ++end;
+        }
+        while (end > begin && isBlank(m_Text[end - 1]))
+        {
+            --end;
+        }
+        return end;
+    }
+
+    std::size_t EndOfFlow(std::size_t begin) const
+    {
+        int depth = 0;
+        for (std::size_t i = begin; i < m_Text.size();)
+        {
+            const char c = m_Text[i];
+            const char before = i == 0 ? ' ' : m_Text[i - 1];
+            const bool isStart = isBlank(before) || IsIn({&before, 1}, {"[", "{", ",", ":"});
+            if ((c == '"' || c == '\'') && isStart)
+            {
+                i = EndOfQuote(i);
+                continue;
+            }
+            if (c == '#' && isBlank(before))
+            {
+                i = std::min(m_Text.find('\n', i), m_Text.size());
+                continue;
+            }
+            depth += c == '[' || c == '{' ? 1 : c == ']' || c == '}' ? -1 : 0;
+            ++i;
+            if (depth == 0)
+            {
+                return i;
+            }
+        }
+        return m_Text.size();
+    }
+
+    /// Of a list with dashes, or a map of one key a line: the end of its last line that is no
+    /// comment.
+    std::size_t EndOfBlock(std::size_t begin) const
+    {
+        const std::size_t column = ColumnOf(begin);
+        const bool isList = m_Text[begin] == '-';
+        std::size_t end = LineEnd(begin);
+        for (std::size_t line = end; line < m_Text.size();)
+        {
+            const std::size_t start = line + 1;
+            const std::size_t word = m_Text.find_first_not_of(" \r", start);
+            if (word == std::string::npos)
+            {
+                break;
+            }
+            const bool isEmpty = m_Text[word] == '\n' || m_Text[word] == '#';
+            const std::size_t indent = word - start;
+            if (!isEmpty &&
+                (indent < column || (isList && indent == column && m_Text[word] != '-')))
+            {
+                break;
+            }
+            line = LineEnd(start);
+            end = isEmpty ? end : line;
+        }
+        while (end > begin && isBlank(m_Text[end - 1]))
+        {
+            --end;
+        }
+        return end;
+    }
+
+    std::size_t LineEnd(std::size_t at) const
+    {
+        return std::min(m_Text.find('\n', at), m_Text.size());
+    }
+
+    const std::string& m_Text;
+};
+
+/// Writes the sections of a file.
+class FullWriter
+{
+public:
+    explicit FullWriter(SceneFacts& facts) : m_Facts(facts) {}
+
+    std::string Write()
+    {
+        Features();
+        Values();
+        std::vector<std::string> passes;
+        for (const ExecutedPassReport& pass : m_Facts.explanation().report.passes)
+        {
+            passes.push_back(pass.name.name());
+        }
+        List("", "order", passes);
+        Textures();
+        List("", "leftOut",
+             CompareLeftOut({}, m_Facts.explanation().frame.leftOut, ListKind::Exact).truth);
+        return std::move(m_Text);
+    }
+
+private:
+    void List(const std::string& indent, const std::string& key,
+              const std::vector<std::string>& items)
+    {
+        const std::string start = indent + key + ": ";
+        m_Text += start + FlowList(items, start.size(), indent.size() + 2) + "\n";
+    }
+
+    void Features()
+    {
+        m_Text += m_Facts.features().empty() ? "" : "features:\n";
+        for (const std::string& feature : m_Facts.features())
+        {
+            const DrawnFacts facts = m_Facts.Drawn(feature, std::nullopt);
+            m_Text += "  " + Quoted(feature) + ":\n";
+            List("    ", "drawn", m_Facts.objects().Fix({}, facts.drawn));
+        }
+    }
+
+    void Values()
+    {
+        const std::vector<VolumeParameterTrace>& all = m_Facts.explanation().volumes.parameters;
+        m_Text += all.empty() ? "" : "values:\n  - at: camera\n";
+        for (const VolumeParameterTrace& one : all)
+        {
+            m_Text += "    " + one.component + "." + one.parameter + ": " + one.valueText() + "\n";
+        }
+    }
+
+    void Textures()
+    {
+        std::vector<std::string> known;
+        for (const ExplainedTexture& texture : m_Facts.explanation().frame.textures)
+        {
+            if (texture.isDrawn && std::ranges::find(known, texture.name) == known.end())
+            {
+                m_Text += (known.empty() ? "textures:\n  " : "  ") + Quoted(texture.name) +
+                          ": {size: " + texture.size + ", format: " + texture.format +
+                          ", samples: " + std::to_string(texture.samples) + "}\n";
+                known.push_back(texture.name);
+            }
+        }
+    }
+
+    SceneFacts& m_Facts;
+    std::string m_Text;
+};
+
+} // namespace
+
+std::string UpdateExpectations(const std::string& text, const std::string& file,
+                               const std::vector<Expectation>& expectations)
+{
+    const ExtentFinder finder(text);
+    AssetDiagnostics diagnostics(file);
+    std::string result;
+    std::size_t done = 0;
+    for (const Expectation& one : expectations)
+    {
+        if (one.holds())
+        {
+            continue;
+        }
+        if (!one.isList && one.truth.empty())
+        {
+            diagnostics.Error(one.location, one.name + ": the frame has no texture of this name; "
+                                                       "take the entry out");
+            continue;
+        }
+        const std::optional<Extent> extent = finder.Find(one.value);
+        const SourceLocation value = one.value.location();
+        const bool isBefore =
+            std::pair(value.line, value.column) < std::pair(one.location.line, one.location.column);
+        if (!extent || extent->begin < done || isBefore)
+        {
+            diagnostics.Error(one.location, one.name + ": cannot be written anew, since an alias "
+                                                       "stands for it; write it out");
+            continue;
+        }
+        const std::size_t column = finder.ColumnOf(extent->begin);
+        const bool isBlock = text[extent->begin] == '-' && one.isList && !one.truth.empty();
+        result += text.substr(done, extent->begin - done);
+        result += isBlock      ? BlockList(one.truth, column)
+                  : one.isList ? FlowList(one.truth, column, column + 1)
+                               : one.truth.front();
+        done = extent->end;
+    }
+    diagnostics.ThrowIfErrors();
+    return result + text.substr(done);
+}
+
+std::string FullExpectations(SceneFacts& facts, const std::string& head)
+{
+    return "# " + OneLine(head) + "\n" + FullWriter(facts).Write();
+}
+
+} // namespace limn
