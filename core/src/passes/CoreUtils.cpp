@@ -75,6 +75,16 @@ std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> sha
     return std::make_shared<Material>(std::move(shader));
 }
 
+std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath)
+{
+    std::shared_ptr<const Shader> shader = Shader::Find(shaderPath);
+    if (!shader)
+    {
+        throw ContractError("CreateEngineMaterial: there is no shader '" + shaderPath + "'");
+    }
+    return CreateEngineMaterial(std::move(shader));
+}
+
 void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties, int shaderPassId)
 {

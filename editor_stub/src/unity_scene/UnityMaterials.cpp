@@ -107,6 +107,16 @@ void SetKeywordsOf(const MaterialStandIn& standIn, Material& material)
     }
 }
 
+/// Returns why there is nothing behind a reference.
+/// @param guid  what the reference names: "the texture's guid"
+std::string AbsenceOf(const UnityReference& reference, const std::string& guid)
+{
+    return FindKnownAsset(reference).kind == UnityPackageAsset::Other
+               ? "limn does not have this asset, which is built into Unity (fileID " +
+                     std::to_string(reference.fileID) + ")"
+               : "no file of the project has " + guid + " " + reference.guid;
+}
+
 } // namespace
 
 const Model* UnityMaterials::LoadModelOf(const std::string& guid)
@@ -229,8 +239,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     const Model* model = path != nullptr ? LoadModelOf(mesh.guid) : nullptr;
     if (path == nullptr)
     {
-        user.Note("m_Mesh",
-                  "no file of the project has its guid " + mesh.guid + ", so nothing is drawn");
+        user.Note("m_Mesh", AbsenceOf(mesh, "its guid") + ", so nothing is drawn");
         return nullptr;
     }
     if (EndingOf(*path) == ".asset" || EndingOf(*path) == ".mesh" || EndingOf(*path) == ".prefab")
@@ -298,8 +307,7 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
     const std::filesystem::path* file = m_Database.Find(reference.guid);
     if (file == nullptr)
     {
-        user.Note(path, "no file of the project has the material's guid " + reference.guid +
-                            ", so it is magenta");
+        user.Note(path, AbsenceOf(reference, "the material's guid") + ", so it is magenta");
         return Magenta();
     }
     if (IsModelFile(*file))
@@ -385,8 +393,7 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {m_Assets.FindShader(shipped->name)};
     }
     m_Notes.Add(material, 0,
-                "no file of the project has its shader's guid " + reference.guid +
-                    ", so what it is on is magenta");
+                AbsenceOf(reference, "its shader's guid") + ", so what it is on is magenta");
     return {nullptr};
 }
 
@@ -481,13 +488,12 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
             const std::filesystem::path* path = m_Database.Find(texture.guid);
             if (path == nullptr || !IsPictureFile(*path))
             {
-                m_Notes.Add(
-                    file, value.line(),
-                    std::string(name) + ": " +
-                        (path == nullptr
-                             ? "no file of the project has the texture's guid " + texture.guid
-                             : path->filename().string() + " is no picture that limn reads") +
-                        ", so the shader's own is used");
+                m_Notes.Add(file, value.line(),
+                            std::string(name) + ": " +
+                                (path == nullptr ? AbsenceOf(texture, "the texture's guid")
+                                                 : path->filename().string() +
+                                                       " is no picture that limn reads") +
+                                ", so the shader's own is used");
                 return;
             }
             const int property = material.shader()->FindPropertyIndex(id.name());

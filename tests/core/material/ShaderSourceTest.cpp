@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/Debug.h>
 #include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalRenderer.h>
@@ -85,6 +86,9 @@ TEST(ShaderSource, IsWhatFindAsksInItsScope)
         std::make_shared<ShaderSource>(&BuiltinShaders, SourceCompiler()));
     EXPECT_NE(Shader::Find("Universal Render Pipeline/Unlit"), nullptr);
     EXPECT_EQ(Shader::Find("Universal Render Pipeline/Unlot"), nullptr);
+    EXPECT_EQ(CoreUtils::CreateEngineMaterial("Universal Render Pipeline/Unlit")->shader(),
+              Shader::Find("Universal Render Pipeline/Unlit"));
+    EXPECT_THROW(CoreUtils::CreateEngineMaterial("Universal Render Pipeline/Unlot"), ContractError);
     EXPECT_THAT(Warnings::text(), HasSubstr("'Universal Render Pipeline/Unlot'; did you mean "
                                             "'Universal Render Pipeline/Unlit'?"));
 }

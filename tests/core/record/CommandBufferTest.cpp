@@ -273,7 +273,8 @@ TEST_F(CommandBuffers, ClearWhatCoreUtilsIsAskedTo)
 
 TEST(CoreUtils, RefusesAMaterialWithoutAShader)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { CoreUtils::CreateEngineMaterial(nullptr); }),
+    EXPECT_EQ(test::ThrownMessage<ContractError>(
+                  [] { CoreUtils::CreateEngineMaterial(std::shared_ptr<const Shader>()); }),
               "CreateEngineMaterial: no shader is assigned");
 }
 

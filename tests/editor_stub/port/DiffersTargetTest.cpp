@@ -125,7 +125,7 @@ void ExpectCubesByName()
 void ExpectEngineMaterialsToHaveAShader()
 {
     EXPECT_NE(CoreUtils::CreateEngineMaterial(DiffersShader()), nullptr);
-    EXPECT_THROW(CoreUtils::CreateEngineMaterial(nullptr), ContractError);
+    EXPECT_THROW(CoreUtils::CreateEngineMaterial(std::shared_ptr<const Shader>()), ContractError);
 }
 
 void ExpectDestroyToLetGo()

@@ -33,6 +33,9 @@ void SetViewport(CommandBuffer& cmd, const RTHandle& target);
 /// A material for a pass of one's own.
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
+/// The same of Shader::Find(shaderPath).
+/// @throws ContractError that names the shader, if there is none of this name
+std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath);
 
 /// Draws one triangle over the whole of the bound target: three vertices, of which the shader's
 /// vertex function sees SV_VertexID only.
