@@ -85,15 +85,16 @@ bool RefersTo(const RenderState& state, const std::string& property)
            std::ranges::any_of(state.targets, isInBlend);
 }
 
-/// Returns true if the pass may read the property in some variant: its text has the name.
+/// Returns true if the pass may read the property in some variant: its text or a tag has the name.
 bool Names(const ShaderLabPass& pass, const std::string& property)
 {
-    const auto isIn = [&](const SourceChunk& chunk)
+    const auto isIn = [&](const std::string& text)
     {
-        return chunk.text.find(property) != std::string::npos;
+        return text.find(property) != std::string::npos;
     };
     return RefersTo(pass.state, property) ||
-           (pass.program && std::ranges::any_of(pass.program->chunks, isIn));
+           std::ranges::any_of(pass.tags.items, isIn, &ShaderTag::value) ||
+           (pass.program && std::ranges::any_of(pass.program->chunks, isIn, &SourceChunk::text));
 }
 
 } // namespace

@@ -101,6 +101,18 @@ TEST_F(UndeclaredProperty, IsNotNotedWhereACommandOfThePassReadsIt)
     EXPECT_THAT(Notes(), IsEmpty());
 }
 
+TEST_F(UndeclaredProperty, IsNotNotedWhereATagOfThePassReadsIt)
+{
+    const auto material = AddCube(
+        test::ShaderWithProgram("", "Texture2D _Mask;", "_Mask.Load(0)",
+                                "Tags { \"LimnFullScreen\" = \"0 0 0 0 where _Mask is 0 within "
+                                "_Reach texels\" }"),
+        "Paint");
+    material->SetTexture("_Mask", test::Target("Mask"));
+    material->SetFloat("_Reach", 2.0f);
+    EXPECT_THAT(Notes(), IsEmpty());
+}
+
 TEST_F(UndeclaredProperty, IsNoneThatGoesWithATexture)
 {
     const auto material =
