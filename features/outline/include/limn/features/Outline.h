@@ -78,7 +78,7 @@ public:
     /// @param device    must outlive this
     /// @param settings  of the feature, for as long as it lives
     explicit Outline(GraphicsDevice& device, Settings settings = {})
-        : RenderSetup(device), m_Component(profile().Add<Component>())
+        : RenderSetup(device), m_Component(profile().template Add<Component>())
     {
         m_Component.m_Enable.Override(true);
         auto feature = std::make_unique<Feature>(std::move(settings));
