@@ -85,6 +85,17 @@ const ShaderDatabase& ShippedShaders()
     return AllShaders().all;
 }
 
+std::shared_ptr<const Shader> FindShippedShader(std::string_view name,
+                                                const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    std::shared_ptr<const Shader> shader = Shader::Find(name, ShippedShaders(), compiler);
+    if (!shader)
+    {
+        throw ContractError("limn has no shader " + ShippedShaders().UnknownShader(name));
+    }
+    return shader;
+}
+
 void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentRegistry& components,
                const Plugin* older)
 {

@@ -3,6 +3,7 @@
 one of half a metre, a metre left and right of the middle, 16 pixels a metre.
 
 usage: check_picture.py PNG
+       check_picture.py PNG EXPECTED   whether the two are the same but for how devices round
 """
 import math
 import struct
@@ -35,7 +36,20 @@ def read_png(path):
     return rows
 
 
+def compare(rows, expected):
+    assert [len(row) for row in rows] == [len(row) for row in expected], "sizes differ"
+    differing = sum(
+        max(abs(a - b) for a, b in zip(row[x : x + 4], other[x : x + 4])) > 2
+        for row, other in zip(rows, expected)
+        for x in range(0, len(row), 4)
+    )
+    assert differing <= len(rows), f"{differing} pixels differ"
+
+
 def main():
+    if len(sys.argv) == 3:
+        compare(read_png(sys.argv[1]), read_png(sys.argv[2]))
+        return
     rows = read_png(sys.argv[1])
     assert (len(rows), len(rows[0])) == (32, 64 * 4), "the picture is not 64x32"
     checked = {}

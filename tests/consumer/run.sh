@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Installs a build tree into an empty folder, then configures, builds and runs a project that finds
-# it there. Usage: run.sh BUILD_TREE SOURCE_OF_THE_PROJECT CXX_COMPILER static|shared
-# (which libraries are to be in the build tree). With static libraries only that project is built:
-# what else is tried here differs in nothing then.
+# Installs a build tree into an empty folder, then configures, builds and runs projects that find it
+# there: samples/guide/program and core_only. Usage: run.sh BUILD_TREE THIS_FOLDER CXX_COMPILER
+# static|shared (which libraries are to be in the build tree). With static libraries only these are
+# built: what else is tried here differs in nothing then.
 set -euo pipefail
 folder=$1/installed
 trap 'rm -rf "$folder"' EXIT
@@ -29,10 +29,60 @@ for library in shaderlab core volume features vulkan editor_stub; do
         { echo "liblimn_$library.$extension was not installed" >&2; exit 1; }
 done
 
-cmake -S "$2" -B "$folder/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
-    -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" >/dev/null
-cmake --build "$folder/build" >/dev/null
-"$folder/build/consumer"
+"$2/installed.sh" "$folder/prefix"
+
+tests=$2
+compiler=$3
+# configure SOURCE BUILD OPTIONS...
+configure()
+{
+    cmake -S "$1" -B "$2" -G Ninja -DCMAKE_CXX_COMPILER="$compiler" --no-warn-unused-cli "${@:3}" "${needless[@]}"
+}
+# Who wants the core alone needs nothing of what lies above it.
+above=()
+for package in yaml-cpp Vulkan embree TIFF OpenEXR; do
+    above+=("-DCMAKE_DISABLE_FIND_PACKAGE_$package=ON")
+done
+configure "$tests/core_only" "$folder/core_only" -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    "${above[@]}" >/dev/null
+cmake --build "$folder/core_only" >/dev/null
+"$folder/core_only/core_only"
+
+# A component that limn does not have is named, with those that it has.
+mkdir "$folder/unknown"
+echo 'cmake_minimum_required(VERSION 3.24)
+project(unknown LANGUAGES C CXX)
+find_package(limn REQUIRED COMPONENTS core volumes)' > "$folder/unknown/CMakeLists.txt"
+if configure "$folder/unknown" "$folder/unknown/build" -DCMAKE_PREFIX_PATH="$folder/prefix" \
+    >"$folder/out" 2>&1; then
+    echo "run.sh: a component that limn does not have was found" >&2
+    exit 1
+fi
+tr -s '\n ' ' ' <"$folder/out" |
+    grep -qF "limn has no component 'volumes'; its components are base, shaderlab, core, volume, features," ||
+    { cat "$folder/out" >&2; exit 1; }
+
+# The sample program, which has 20 lines, finds limn where it is installed and where it was built.
+program=$tests/../../samples/guide/program
+lines=$(sed -n '/^int main/,/^}/p' "$program/main.cpp" | grep -vcE '^ *(//.*)?$')
+[ "$lines" -le 20 ] || { echo "run.sh: main of samples/guide/program has $lines lines" >&2; exit 1; }
+draw() # FOLDER OPTION
+{
+    configure "$program" "$1" "$2" >/dev/null
+    cmake --build "$1" >/dev/null
+    (cd "$1" && LIMN_DEVICE=software XDG_CACHE_HOME=$folder/cache ./torus) 2>"$folder/notes"
+    [ ! -s "$folder/notes" ] || { cat "$folder/notes" >&2; exit 1; }
+    python3 "$tests/check_picture.py" "$1/torus.png" "$program/torus.png"
+}
+draw "$folder/program" "-DCMAKE_PREFIX_PATH=$folder/prefix"
+draw "$folder/of_build" "-Dlimn_DIR=$1"
+# Where nothing can be written it says so, and ends with 1.
+mkdir "$folder/nowhere" "$folder/nowhere/torus.png"
+code=0
+(cd "$folder/nowhere" && LIMN_DEVICE=software XDG_CACHE_HOME=$folder/cache ../program/torus) \
+    2>"$folder/notes" || code=$?
+[ $code = 1 ] && grep -q '^error: torus.png: ' "$folder/notes" ||
+    { echo "run.sh: exit code $code:" >&2; cat "$folder/notes" >&2; exit 1; }
 "$folder/prefix/bin/limn" --version
 [ "$4" = shared ] || exit 0
 

@@ -45,7 +45,7 @@ TEST(Features, EveryShippedShaderIsFoundByItsName)
     {
         EXPECT_EQ(name, FindShippedShader(name, compiler)->name());
     }
-    EXPECT_EQ(nullptr, FindShippedShader("Nope", compiler));
+    EXPECT_THROW(FindShippedShader("Nope", compiler), ContractError);
 }
 
 TEST(Features, ShippedShadersAreReadOnce)

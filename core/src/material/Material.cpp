@@ -26,6 +26,22 @@ const ShaderProperty* FindProperty(const Shader& shader, const std::string& name
     return it == properties.end() ? nullptr : &*it;
 }
 
+/// Returns true for a property of the shader, and for what goes with a texture of it: X_ST is set
+/// for shaders that do not read it, too.
+bool isDeclared(const Shader& shader, std::string_view name)
+{
+    if (shader.FindPropertyIndex(name) >= 0)
+    {
+        return true;
+    }
+    const auto goesWith = [&](std::string_view suffix)
+    {
+        return name.ends_with(suffix) &&
+               shader.FindPropertyIndex(name.substr(0, name.size() - suffix.size())) >= 0;
+    };
+    return goesWith("_ST") || goesWith("_HDR") || goesWith("_TexelSize");
+}
+
 /// @param property  null = it is declared nowhere
 bool isHdr(const ShaderProperty* property)
 {
@@ -402,6 +418,10 @@ void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
         RequireFinite(value, id, "material '" + m_Name + "': ");
     }
     const ShaderPropertyValue* now = m_Values.Find(id);
+    if (now == nullptr && !isDeclared(*m_Shader, id.name()))
+    {
+        m_Undeclared.push_back(id);
+    }
     if (now == nullptr || !HasSameBytes(*now, value))
     {
         m_Values.Set(id, std::move(value));

@@ -289,6 +289,7 @@ bool ScriptableRenderContext::Reads(const Texture& texture) const
 
 FrameCommands ScriptableRenderContext::TakeCommands()
 {
+    m_Recorder->End();
     m_Recorder->Begin(m_Report->notes, m_Origin);
     return std::exchange(m_Frame, {});
 }

@@ -39,6 +39,8 @@ public:
 
     /// Of a frame, which may have several.
     void BeginCamera();
+    /// Ends a frame, see DrawResolver::End.
+    void End() { m_Resolver.End(); }
 
     void SetGlobal(const SetGlobalCommand& command);
     void SetKeyword(const SetKeywordCommand& command);

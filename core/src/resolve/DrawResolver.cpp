@@ -60,6 +60,43 @@ constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "
                                               {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
                                               {"_CameraOpaqueTexture", "gray", "gray", "400"}};
 
+/// Returns true if a command of the state, as `Cull [_Cull]`, takes its value from the property.
+bool RefersTo(const RenderState& state, const std::string& property)
+{
+    const auto isIn = [&](const auto&... values)
+    {
+        return ((values.property == property) || ...);
+    };
+    const auto isInFace = [&](const StencilFaceState& face)
+    {
+        return isIn(face.compare, face.pass, face.fail, face.zFail);
+    };
+    const auto isInBlend = [&](const PassBlendState& blend)
+    {
+        return isIn(blend.writeMask, blend.sourceColorBlendMode, blend.destinationColorBlendMode,
+                    blend.sourceAlphaBlendMode, blend.destinationAlphaBlendMode,
+                    blend.colorBlendOperation, blend.alphaBlendOperation);
+    };
+    const PassStencilState& stencil = state.stencil;
+    return isIn(state.cull, state.zTest, state.zWrite, state.zClip, state.offsetFactor,
+                state.offsetUnits, state.alphaToMask, state.conservative, stencil.reference,
+                stencil.readMask, stencil.writeMask) ||
+           isInFace(stencil.front) || isInFace(stencil.back) ||
+           std::ranges::any_of(state.targets, isInBlend);
+}
+
+/// Returns true if the pass may read the property in some variant: its text or a tag has the name.
+bool Names(const ShaderLabPass& pass, const std::string& property)
+{
+    const auto isIn = [&](const std::string& text)
+    {
+        return text.find(property) != std::string::npos;
+    };
+    return RefersTo(pass.state, property) ||
+           std::ranges::any_of(pass.tags.items, isIn, &ShaderTag::value) ||
+           (pass.program && std::ranges::any_of(pass.program->chunks, isIn, &SourceChunk::text));
+}
+
 } // namespace
 
 const ShaderPropertyValue* PropertySources::Find(ShaderPropertyId id) const
@@ -110,6 +147,32 @@ void DrawResolver::Begin(std::vector<std::string>& notes)
     EraseUnused(m_States);
     EraseUnused(m_Shared);
     EraseUnused(m_Bound);
+    EraseUnused(m_Undeclared);
+}
+
+void DrawResolver::End()
+{
+    for (const auto& [key, undeclared] : m_Undeclared)
+    {
+        const std::string& name = key.second.name();
+        const Shader& shader = *undeclared.shader;
+        if (!undeclared.isUsed || undeclared.isRead ||
+            std::ranges::any_of(shader.subShader().passes,
+                                [&](const ShaderLabPass& pass) { return Names(pass, name); }))
+        {
+            continue;
+        }
+        std::vector<std::string_view> known;
+        for (const ShaderProperty& property : shader.document().properties)
+        {
+            known.push_back(property.name);
+        }
+        const std::string_view nearest = NearestName(name, known);
+        m_Notes->push_back(
+            "material '" + undeclared.material + "': '" + name + "' was set, but shader '" +
+            shader.name() + "' has no such property and nothing that was drawn reads it" +
+            (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
+    }
 }
 
 PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
@@ -223,6 +286,42 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
     return ids;
 }
 
+bool DrawResolver::Reads(const ProgramIds& ids, ShaderPropertyId property)
+{
+    const auto isBuffer = [&](const BufferPlaces& buffer)
+    {
+        return buffer.id == property ||
+               std::ranges::find(buffer.members, property, &UniformPlace::id) !=
+                   buffer.members.end();
+    };
+    const auto isIn = [&](const std::vector<ShaderPropertyId>& list)
+    {
+        return std::ranges::find(list, property) != list.end();
+    };
+    return std::ranges::any_of(ids.buffers, isBuffer) || isIn(ids.textures) ||
+           isIn(ids.storageTextures) ||
+           std::ranges::find(ids.samplers, property, &SamplerSource::texture) !=
+               ids.samplers.end() ||
+           std::ranges::find(ids.storageBuffers, property, &StoragePlace::id) !=
+               ids.storageBuffers.end();
+}
+
+void DrawResolver::FollowUndeclared(const ProgramIds& ids, const Material& material)
+{
+    for (const ShaderPropertyId property : material.undeclared())
+    {
+        const auto [place, isNew] = m_Undeclared.try_emplace({material.shader()->id(), property});
+        Undeclared& undeclared = place->second;
+        if (isNew)
+        {
+            undeclared.shader = material.shader();
+            undeclared.material = material.name();
+        }
+        undeclared.isUsed = true;
+        undeclared.isRead = undeclared.isRead || Reads(ids, property);
+    }
+}
+
 DrawResolver::ProgramIds& DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
                                               const std::string& shader)
 {
@@ -249,6 +348,10 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
                                                         const PropertySources& sources,
                                                         std::vector<std::byte>& uniformData)
 {
+    if (sources.material != nullptr)
+    {
+        FollowUndeclared(ids, *sources.material);
+    }
     m_Building.uniforms.clear();
     m_Building.textures.clear();
     m_Building.samplers.clear();

@@ -57,6 +57,10 @@ public:
     ///               and those of the passes themselves
     void Begin(std::vector<std::string>& notes);
 
+    /// Ends a frame: gives the notes a sentence for each property that was set on a material and
+    /// that its shader's passes do not name and that nothing drawn with it has read.
+    void End();
+
     /// The bindings of a draw; equal ones of draws without a block of their own are shared. Where
     /// the frame before bound the same at this point, it is the same object.
     /// @param globalsVersion  grows whenever `sources.globals` changes, and with each frame
@@ -116,6 +120,9 @@ private:
         std::vector<ShaderPropertyId> storageTextures;
         bool isUsed = false; ///< in this frame
     };
+    static bool Reads(const ProgramIds& ids, ShaderPropertyId property);
+    /// Sees which of the material's undeclared properties the program reads.
+    void FollowUndeclared(const ProgramIds& ids, const Material& material);
     static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const std::string& shader);
     ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader);
@@ -174,6 +181,15 @@ private:
         bool isUsed = false;      ///< in this frame
         std::uint64_t camera = 0; ///< the last one that did
     };
+    /// A property that was set on materials of a shader whose Properties block lacks it.
+    struct Undeclared
+    {
+        std::shared_ptr<const Shader> shader;
+        std::string material; ///< the first one drawn
+        bool isRead = false;  ///< by a program, in any frame so far
+        bool isUsed = false;  ///< in this frame
+    };
+    std::map<std::pair<std::uint64_t, ShaderPropertyId>, Undeclared> m_Undeclared; ///< by shader
     std::uint64_t m_Camera = 0;
     std::unordered_map<std::uint64_t, Bound> m_Bound; ///< by the texture's id
     struct SharedNote

@@ -40,6 +40,7 @@ struct CommandLine
     std::vector<std::string> schemaPlugins;
     std::string doctorDevice;
     std::string helpVerb; ///< "": of limn itself
+    bool wantsManPage = false;
     std::string shell;
 };
 
@@ -444,7 +445,7 @@ Verb CompletionVerb(const FlagTable& table, std::string& shell)
             {Argument("bash|zsh|fish", "For bash: source <(limn completion bash)", Into(shell))}};
 }
 
-Verb HelpVerb(const FlagTable& table, std::string& name)
+Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
 {
     const auto store = [&](const std::string& text)
     {
@@ -453,13 +454,18 @@ Verb HelpVerb(const FlagTable& table, std::string& name)
     };
     const auto print = [&](Console& console)
     {
+        if (wantsManPage)
+        {
+            return Print(ManPage(table), console);
+        }
         const Verb& verb = name.empty() ? table.limn : *table.Find(name);
         return Print(HelpText(table, verb, TerminalWidth(console.out())), console);
     };
     return {"help",
             "Print this, or what a verb takes",
             print,
-            {Argument("VERB", "What to explain", store, AtMostOnce)}};
+            {Argument("VERB", "What to explain", store, AtMostOnce),
+             Switch("man", "Print the man page, which has all verbs, in troff", wantsManPage)}};
 }
 
 Verb VersionVerb()
@@ -510,7 +516,7 @@ void FillTable(FlagTable& table, CommandLine& line)
                    PortVerb(line.port),
                    DoctorVerb(line.doctorDevice),
                    CompletionVerb(table, line.shell),
-                   HelpVerb(table, line.helpVerb),
+                   HelpVerb(table, line.helpVerb, line.wantsManPage),
                    VersionVerb()};
 }
 

@@ -116,7 +116,8 @@ std::string ZshScript(const FlagTable& table)
            cases +
            "    esac\n"
            "}\n"
-           "compdef _limn limn\n";
+           // It is sourced, or it is the body of a function that zsh loads at the first Tab.
+           "if [ \"$funcstack[1]\" = _limn ]; then _limn; else compdef _limn limn; fi\n";
 }
 
 std::string FishScript(const FlagTable& table)

@@ -13,10 +13,6 @@ namespace
 
 using Rows = std::vector<std::pair<std::string, std::string>>;
 
-constexpr const char* k_ExitCodes =
-    "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
-    "wrong usage, 3 the machine lacks something, 70 a bug in limn.";
-
 /// Two columns. What is too long for the left one has a line of its own.
 std::string TableText(const std::string& title, const Rows& rows, std::size_t width)
 {

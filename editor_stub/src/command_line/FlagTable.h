@@ -10,7 +10,11 @@
 namespace limn
 {
 
-// The command line is a table. Parsing, help, completion and complaints all go by it.
+// The command line is a table. Parsing, help, completion, the man page and complaints all go by it.
+
+inline constexpr const char* k_ExitCodes =
+    "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
+    "wrong usage, 3 the machine lacks something, 70 a bug in limn.";
 
 enum class Times
 {
@@ -87,6 +91,9 @@ std::string UsageText(const FlagTable& table, const Verb& verb);
 /// Returns what `limn help VERB` prints, or `limn help` for the table's `limn`.
 /// @param width  columns that a line may have
 std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width);
+
+/// Returns the man page limn(1) in troff, with every verb and flag.
+std::string ManPage(const FlagTable& table);
 
 /// A script that makes a shell complete verbs, flags, and values where there are only a few; other
 /// words are completed as file names.

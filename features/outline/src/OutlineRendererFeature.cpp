@@ -11,12 +11,7 @@ std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& rend
     {
         throw ContractError("the renderer has no shader compiler; UniversalRenderer has one");
     }
-    std::shared_ptr<const Shader> shader = FindShippedShader(name, compiler);
-    if (!shader)
-    {
-        throw ContractError("limn has no shader '" + std::string(name) + "'");
-    }
-    return shader;
+    return FindShippedShader(name, compiler);
 }
 
 } // namespace limn

@@ -44,8 +44,7 @@ void OutlineSettings::Describe(Inspector& inspector)
 
 FilteringSettings OutlineSettings::filtering() const
 {
-    return FilteringSettings(ToRenderQueueRange(m_RenderQueueRange), m_LayerMask,
-                             RenderingLayerMask::FromIndex(m_RenderingLayerMask));
+    return FilteringSettings(ToRenderQueueRange(m_RenderQueueRange), m_LayerMask, renderingLayer());
 }
 
 void DescribeGrouping(Inspector& inspector, OutlineGrouping& grouping)

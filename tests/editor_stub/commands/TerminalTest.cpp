@@ -1,6 +1,7 @@
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
+#include <sstream>
 
 namespace limn::test
 {
@@ -129,6 +130,29 @@ TEST(Completion, GivesBashVerbsOptionsAndValues)
     EXPECT_EQ("profile\n", complete("limn schema p", 2));
     EXPECT_EQ("explain\n", complete("limn help ex", 2));
     EXPECT_EQ("\n", complete("limn render s.scene", 2)) << "left to the names of files";
+}
+
+TEST(ManPage, HasEveryVerbWithItsFlags)
+{
+    const std::string page = RunCommand({"help", "--man"}).out;
+    EXPECT_THAT(page, testing::StartsWith(".TH LIMN 1 "));
+    EXPECT_THAT(page, testing::HasSubstr("\n.SH NAME\nlimn \\- "));
+    for (const char* verb : {"render", "watch", "inspect", "explain", "report", "set", "schema",
+                             "shader", "new", "port", "doctor", "completion", "help", "version"})
+    {
+        EXPECT_THAT(page, testing::HasSubstr("\n.SS limn " + std::string(verb) + " "));
+    }
+    EXPECT_THAT(page, testing::HasSubstr("\n.TP\n.B \\-o, \\-\\-output FILE\nThe PNG file to "
+                                         "write; \\- is stdout\n"));
+    std::istringstream lines(page);
+    for (std::string line; std::getline(lines, line);)
+    {
+        EXPECT_FALSE(line.starts_with('\'')) << "a request to troff: " << line;
+        EXPECT_TRUE(!line.starts_with('.') || line.starts_with(".TH ") ||
+                    line.starts_with(".SH ") || line.starts_with(".SS ") || line == ".TP" ||
+                    line.starts_with(".B "))
+            << line;
+    }
 }
 
 TEST(Completion, GivesZshAndFishEveryVerbAndOption)

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <limn/base/Diagnostic.h>
 #include <memory>
-#include <ranges>
 #include <span>
 #include <string>
 #include <type_traits>
@@ -14,6 +13,18 @@ namespace limn
 {
 
 class GraphicsDevice;
+
+namespace detail
+{
+
+/// A vector, an array or a span: elements that lie one behind the other.
+template <typename Data>
+concept Contiguous = requires(const Data& data)
+{
+    std::span(std::data(data), std::size(data));
+};
+
+} // namespace detail
 
 /// Elements that shaders read and kernels write. As a Texture it is a description: the device makes
 /// its buffer, all zeros, when a frame first uses it, and frees it some frames after the last owner
@@ -59,14 +70,14 @@ public:
     /// The elements from the first on, before whatever is executed next; what lies behind them
     /// stays. Wins over what a kernel wrote there before.
     /// @throws ContractError if they are more than there are, or the buffer is released
-    template <std::ranges::contiguous_range Data>
+    template <detail::Contiguous Data>
     void SetData(const Data& data)
     {
         Set(PartOf(data));
     }
     /// @param managedBufferStartIndex, count  which of `data`
     /// @param graphicsBufferStartIndex        where they go, in elements of `data`
-    template <std::ranges::contiguous_range Data>
+    template <detail::Contiguous Data>
     void SetData(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                  int count)
     {
@@ -105,13 +116,13 @@ public:
         std::span<const std::byte> bytes; ///< of `data`
         std::size_t offset = 0;           ///< bytes of the buffer
     };
-    template <std::ranges::contiguous_range Data>
+    template <detail::Contiguous Data>
     static Part PartOf(const Data& data)
     {
         return {std::as_bytes(Elements(data)), 0};
     }
     /// @throws ContractError if one is negative, or `data` has not as many
-    template <std::ranges::contiguous_range Data>
+    template <detail::Contiguous Data>
     static Part PartOf(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                        int count)
     {
@@ -147,9 +158,9 @@ private:
     template <typename Data>
     static auto Elements(const Data& data)
     {
-        using Element = std::ranges::range_value_t<Data>;
-        static_assert(std::is_trivially_copyable_v<Element>);
-        return std::span<const Element>(std::ranges::data(data), std::ranges::size(data));
+        const std::span elements(std::data(data), std::size(data));
+        static_assert(std::is_trivially_copyable_v<typename decltype(elements)::value_type>);
+        return elements;
     }
     static void ExpectPart(int from, int to, int count, std::size_t available);
     void Put(std::span<const std::byte> bytes, std::size_t offset);

@@ -26,8 +26,9 @@ enum class MaterialPropertyType
 };
 
 /// A shader with values for its properties, the defaults of its Properties block to begin with.
-/// Values of names that the shader does not have are kept and do nothing, as in Unity.
-/// Unity: UnityEngine.Material (2022.3).
+/// Values of names that the shader does not have are kept and do nothing, as in Unity; the report
+/// of a frame that draws with the material names those that were set in it. Unity:
+/// UnityEngine.Material (2022.3).
 class Material
 {
 public:
@@ -89,6 +90,9 @@ public:
     }
     const MaterialPropertyBlock& values() const { return m_Values; } ///< that were set, or declared
     bool hasBuffers() const { return m_Values.hasBuffers(); }
+    /// Names that were set and that the shader's Properties block lacks; its programs may read
+    /// them.
+    const std::vector<ShaderPropertyId>& undeclared() const { return m_Undeclared; }
     /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
     void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
     void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);
@@ -239,6 +243,7 @@ private:
     std::string m_Name;
     std::shared_ptr<const Shader> m_Shader;
     MaterialPropertyBlock m_Values;
+    std::vector<ShaderPropertyId> m_Undeclared;
     std::vector<std::string> m_Keywords;               ///< sorted
     std::vector<std::string> m_DisabledPasses;         ///< LightModes in lower case
     std::map<std::string, std::string> m_OverrideTags; ///< by tag in lower case

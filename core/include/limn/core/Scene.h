@@ -183,9 +183,14 @@ struct MeshRenderer
     }
 };
 
-/// Unity: UnityEngine.GameObject (2022.3).
+/// An object of a scene. It cannot be copied: `auto object = scene.Add("x")` would change a copy
+/// that is in no scene; write `GameObject&`. Unity: UnityEngine.GameObject (2022.3).
 struct GameObject
 {
+    GameObject() = default;
+    GameObject(const GameObject&) = delete;
+    GameObject& operator=(const GameObject&) = delete;
+
     std::string name;
     int layer = 0; ///< 0...31
     bool activeSelf = true;

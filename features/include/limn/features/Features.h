@@ -18,11 +18,9 @@ void RegisterVolumeComponents(VolumeComponentRegistry& registry);
 /// Every shader that comes with limn, of core's and of the features', or with a loaded plug-in.
 const ShaderDatabase& ShippedShaders();
 
-/// One of ShippedShaders(); null for any other name.
-inline std::shared_ptr<const Shader>
-FindShippedShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& compiler)
-{
-    return Shader::Find(name, ShippedShaders(), compiler);
-}
+/// Returns one of ShippedShaders(), never null.
+/// @throws ContractError for any other name, with the nearest one
+std::shared_ptr<const Shader> FindShippedShader(std::string_view name,
+                                                const std::shared_ptr<ShaderCompiler>& compiler);
 
 } // namespace limn

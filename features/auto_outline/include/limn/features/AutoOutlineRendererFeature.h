@@ -27,6 +27,9 @@ struct AutoOutlineSettings : OutlineSettings
 class AutoOutlineRendererFeature final : public ScriptableRendererFeature
 {
 public:
+    using Component = AutoOutline;
+    using Settings = AutoOutlineSettings;
+
     AutoOutlineRendererFeature();
     explicit AutoOutlineRendererFeature(AutoOutlineSettings settings);
     ~AutoOutlineRendererFeature() override;

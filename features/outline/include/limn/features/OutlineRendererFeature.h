@@ -17,18 +17,21 @@ std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& rend
 
 /// A technique as a feature: draws with its pass while a volume switches its component on, and says
 /// why where it does not.
-/// @tparam Component  derives from OutlineComponent; registered under the name of its class
-/// @tparam Settings   derives from OutlineSettings
+/// @tparam ItsComponent  derives from OutlineComponent; registered under the name of its class
+/// @tparam ItsSettings   derives from OutlineSettings
 /// @tparam Pass       a ScriptableRenderPass with
 ///                    static constexpr const char* k_Shader: the name of its shader;
 ///                    Pass(const std::string& featureName, const Settings&,
 ///                         std::shared_ptr<const Shader>);
 ///                    std::string Setup(const Component&, RenderingData&): why nothing is drawn, or
 ///                    "" after which the pass is enqueued
-template <typename Component, typename Settings, typename Pass>
+template <typename ItsComponent, typename ItsSettings, typename Pass>
 class OutlineRendererFeature : public ScriptableRendererFeature
 {
 public:
+    using Component = ItsComponent;
+    using Settings = ItsSettings;
+
     OutlineRendererFeature() = default;
     explicit OutlineRendererFeature(Settings settings) : m_Settings(std::move(settings)) {}
 

@@ -31,6 +31,14 @@ struct OutlineSettings
     LayerMask m_LayerMask = LayerMask::Everything();
     int m_RenderingLayerMask = 0; ///< an index 0...31, not bits, as in the article's feature
 
+    /// Returns the rendering layer of that index, for a renderer to be outlined:
+    /// `renderer.renderingLayerMask = settings.renderingLayer()`.
+    /// @throws ContractError if m_RenderingLayerMask is outside 0...31
+    RenderingLayerMask renderingLayer() const
+    {
+        return RenderingLayerMask::FromIndex(m_RenderingLayerMask);
+    }
+
     void Describe(Inspector& inspector);
     /// @throws ContractError if m_RenderingLayerMask or m_RenderQueueRange is outside its range
     FilteringSettings filtering() const;

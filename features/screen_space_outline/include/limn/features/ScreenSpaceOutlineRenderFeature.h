@@ -10,6 +10,7 @@ namespace limn
 {
 
 class OutlineDrawingRenderPass;
+class ScreenSpaceOutline;
 
 /// When, with which shader and around which objects the outline is drawn.
 /// @source nscTechArt/URP-Screen-Space-Outline, ScreenSpaceOutlineSettings (Unity 2022.3)
@@ -37,6 +38,9 @@ struct ScreenSpaceOutlineSettings
 class ScreenSpaceOutlineRenderFeature final : public ScriptableRendererFeature
 {
 public:
+    using Component = ScreenSpaceOutline;
+    using Settings = ScreenSpaceOutlineSettings;
+
     ScreenSpaceOutlineRenderFeature();
     explicit ScreenSpaceOutlineRenderFeature(ScreenSpaceOutlineSettings settings);
     ~ScreenSpaceOutlineRenderFeature() override;

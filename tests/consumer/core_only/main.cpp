@@ -1,9 +1,10 @@
 #include <iostream>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/PrimitiveMesh.h>
 #include <limn/core/RecordingDevice.h>
-#include <limn/limn.h>
-#include <limn/vulkan/VulkanDevice.h>
+#include <limn/core/UniversalRenderPipeline.h>
 
-// A public header must not drag these in.
+// A public header must not drag these in, and a layer above core is not there.
 #if defined(VULKAN_H_) || defined(YAML_CPP_API) || defined(SPIRV_CROSS_HPP)
 #error "an implementation detail reaches the user"
 #endif
@@ -15,7 +16,7 @@ int main()
     Scene scene;
     scene.Add("Cube").renderer = MeshRenderer{
         CreatePrimitive(PrimitiveType::Cube),
-        {std::make_shared<Material>(FindShippedShader("Universal Render Pipeline/Lit", compiler))}};
+        {std::make_shared<Material>(FindBuiltinShader("Universal Render Pipeline/Lit", compiler))}};
     Camera camera;
     camera.transform.localPosition = {0.0f, 0.0f, -3.0f};
     RecordingDevice device;
