@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limn/base/EmbeddedFile.h>
+#include <limn/base/TerminalText.h>
 #include <limn/volume/ProfileEdit.h>
 #include <limn/volume/YamlRead.h>
 
