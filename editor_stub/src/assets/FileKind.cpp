@@ -140,6 +140,12 @@ FileKind FileKindOf(const std::filesystem::path& file)
 
 std::string NearestFile(const std::filesystem::path& missing)
 {
+    std::error_code unknown;
+    if (std::filesystem::symlink_status(missing, unknown).type() !=
+        std::filesystem::file_type::not_found)
+    {
+        return ""; // a link that leads nowhere, or a file that cannot be looked at
+    }
     const std::string name = missing.filename().string();
     const std::string ending = name.substr(std::min(name.find('.'), name.size()));
     const std::string stem = name.substr(0, name.size() - ending.size());

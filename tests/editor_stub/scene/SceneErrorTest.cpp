@@ -61,8 +61,8 @@ TEST(SceneErrors, NameABinaryFile)
 TEST(SceneErrors, NameAWrongOrderOfTransparentObjects)
 {
     SceneFolder folder;
-    EXPECT_EQ((Lines{"2:25: camera.transparencySortMode: unknown value 'Custom' (known: Default, "
-                     "Perspective, Orthographic, CustomAxis)",
+    EXPECT_EQ((Lines{"2:25: camera.transparencySortMode: unknown value 'Custom'; did you mean "
+                     "'CustomAxis'?",
                      "3:25: camera.transparencySortAxis: it has no direction; a vector other than "
                      "0 is expected",
                      "4:40: camera.cameraStack[0].transparencySortMode: 7 is none of Default 0, "
