@@ -149,6 +149,11 @@ std::string NearestFile(const std::filesystem::path& missing)
     const std::string name = missing.filename().string();
     const std::string ending = name.substr(std::min(name.find('.'), name.size()));
     const std::string stem = name.substr(0, name.size() - ending.size());
+    constexpr std::size_t k_FewestLetters = 3; // every shorter name is near to every other
+    if (stem.size() < k_FewestLetters)
+    {
+        return "";
+    }
     std::vector<std::string> alike;  // the stems of names with the same ending
     std::vector<std::string> others; // names whose last part is the same
     std::error_code error;
