@@ -18,21 +18,21 @@ enum class TextureUsage
     RandomWrite ///< read and written by a kernel
 };
 
-/// A texture as a frame leaves it.
+/// The state in which a frame leaves a texture.
 struct TextureState
 {
     std::weak_ptr<const Texture> texture;
     TextureUsage usage = TextureUsage::Undefined;
     bool isFilled = false; ///< it holds something
     bool isPlaced = false; ///< the last frame that used it had it in shared memory
-    /// Every texel of it has these values, in the aspects that `flags` names; where nobody has read
-    /// them, they may not be in the image yet.
+    /// The values that every texel of the texture has, in the aspects that `flags` names. If
+    /// nothing has read them yet, they may not be in the image.
     ClearCommand constant;
     bool isPending = false;                  ///< `constant` is not in the image
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 };
 
-/// A buffer as a frame leaves it.
+/// The state in which a frame leaves a buffer.
 struct BufferState
 {
     std::weak_ptr<const GraphicsBuffer> buffer;
@@ -41,8 +41,8 @@ struct BufferState
     ShaderStage readers = ShaderStage::None; ///< that read it since
 };
 
-/// The state of the textures that frames drew into, and of buffers, on a device: all that one frame
-/// leaves to the next.
+/// The state of the textures that frames drew into, and of buffers, on a device. It is all that one
+/// frame leaves to the next.
 struct TextureStates
 {
     std::unordered_map<std::uint64_t, TextureState> textures; ///< by Texture::id
@@ -62,19 +62,20 @@ struct TextureStates
     bool isLast = false;
 };
 
-/// Before the pass: the texture goes from one use to another and everything written is visible.
+/// A barrier before a pass that changes the use of a texture and makes everything written visible.
 struct TextureBarrier
 {
     std::shared_ptr<const Texture> texture;
     TextureUsage before = TextureUsage::Undefined;
     TextureUsage after = TextureUsage::Undefined;
-    /// ShaderRead: which functions may read it until the next barrier; None = all.
+    /// The shader stages that may read the texture until the next barrier, for ShaderRead; None =
+    /// all.
     ShaderStage readers = ShaderStage::None;
 
     bool operator==(const TextureBarrier&) const = default;
 };
 
-/// Before the pass: what functions did with the buffer is done.
+/// A barrier before a pass that waits until the earlier uses of a buffer are done.
 struct BufferBarrier
 {
     std::shared_ptr<const GraphicsBuffer> buffer;
@@ -104,11 +105,12 @@ struct ColorAttachment
     LoadOp load = LoadOp::Load;
     StoreOp store = StoreOp::Store;
     Color clearColor; ///< linear
-    /// Where the average of several samples goes at the pass's end: to what readers of this texture
-    /// see, if it is the texture itself, or to another one of its format with one sample a texel.
-    /// Null = nowhere; `load` and `store` are about the samples alone.
+    /// Receives the average of the samples at the pass's end, or null if nothing does. It is
+    /// `texture` itself, whose readers then see the average, or another texture of its format with
+    /// one sample per texel. `load` and `store` concern the samples only.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
-    /// The mip levels behind the first are made at the pass's end: of `resolve`, or else `texture`.
+    /// If true, the mip levels behind the first are made at the pass's end: those of `resolve`, or
+    /// else of `texture`.
     bool generatesMips = false;
 
     bool operator==(const ColorAttachment&) const = default;
@@ -123,18 +125,19 @@ struct DepthAttachment
     StoreOp stencilStore = StoreOp::Store;
     float clearDepth = 1.0f; ///< 1 = far, see ClearCommand
     int clearStencil = 0;
-    /// As ColorAttachment::resolve, with the first sample of depth and stencil.
+    /// Receives the first sample of depth and stencil at the pass's end, as
+    /// ColorAttachment::resolve does.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
 
     bool operator==(const DepthAttachment&) const = default;
 };
 
-/// Inside a pass only these remain of the recorded commands.
+/// The recorded commands that remain inside a pass.
 using PassCommand = std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand,
                                  EndSampleCommand, DispatchCommand>;
 
-/// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering. Or dispatches
-/// that do not mind each other.
+/// A run of commands on one set of attachments, which becomes one vkCmdBeginRendering/EndRendering,
+/// or a run of dispatches that are independent of each other.
 struct CompiledRenderPass
 {
     std::string name; ///< the innermost sample it began in, or ""
@@ -142,25 +145,27 @@ struct CompiledRenderPass
     std::vector<BufferBarrier> bufferBarriers;
     std::vector<ColorAttachment> colors;
     std::optional<DepthAttachment> depth;
-    /// What dispatches wrote whose mip levels behind the first are made at the pass's end.
+    /// The textures that dispatches wrote and whose mip levels behind the first are made at the
+    /// pass's end.
     std::vector<std::shared_ptr<const RenderTexture>> mips;
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;
     std::size_t place = 0; ///< among what was recorded, with what is left out
 
-    /// Whether it has dispatches, and no attachments.
+    /// Returns whether the pass has dispatches and no attachments.
     bool isCompute() const { return colors.empty() && !depth; }
-    /// Its name and those of all samples in it, each once; passes that were recorded apart may be
-    /// one.
+    /// Returns its name and those of all samples in it, each once. Passes that were recorded
+    /// separately may be merged into one.
     std::vector<std::string> SampleNames() const;
-    /// All of them: "Draw Opaque Objects + Outline".
+    /// Returns all names in one line: "Draw Opaque Objects + Outline".
     std::string Title() const;
-    /// Writes the title over another text, in its memory.
+    /// Replaces `title` by the title, and reuses its memory.
     void WriteTitle(std::string& title) const;
 };
 
-/// Where a texture lies in memory that it shares with others, which hold nothing while it does.
+/// The place of a texture in memory that it shares with other textures, which hold nothing while it
+/// does.
 struct PlacedTexture
 {
     std::shared_ptr<const RenderTexture> texture;
@@ -171,7 +176,7 @@ struct PlacedTexture
     bool operator==(const PlacedTexture&) const = default;
 };
 
-/// Something recorded that the frame does without.
+/// Something recorded that the frame leaves out.
 struct LeftOut
 {
     std::string pass;                      ///< the innermost sample it was recorded in, or ""
@@ -182,7 +187,7 @@ struct LeftOut
     bool operator==(const LeftOut&) const = default;
 };
 
-/// A frame ready to run: the device adds nothing to it and leaves nothing out.
+/// A frame that is ready to run: the device adds nothing to it and leaves nothing out.
 struct CompiledFrame : FrameTables
 {
     std::vector<CompiledRenderPass> passes;
@@ -192,9 +197,9 @@ struct CompiledFrame : FrameTables
     std::vector<LeftOut> leftOut;
     std::vector<std::string> notes; ///< sentences for the user
     TextureStates states;           ///< of the textures once it has run
-    /// Equal numbers other than 0, of frames for one device: they differ in uniformData (not its
-    /// size), in instances, perDraw (not their number) and in what objects hold at most, and start
-    /// from equal states.
+    /// A number other than 0 that is equal for frames of one device which differ only in
+    /// uniformData (not its size), in instances and perDraw (not their number) and in the most that
+    /// objects hold, and which start from equal states.
     std::uint64_t structure = 0;
 };
 
