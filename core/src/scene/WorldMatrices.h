@@ -8,27 +8,30 @@
 namespace limn
 {
 
-/// The transform's own part of its world matrix.
+/// Returns the transform's own part of its world matrix.
 glm::dmat4 LocalMatrix(const Transform& transform);
 
-/// World matrices of many transforms: each parent is worked out once, so that n of them take O(n)
-/// however long their chains are. Valid while none of them changes.
+/// Computes the world matrices of many transforms: each parent is computed once, so that n of them
+/// take O(n) however long their chains are. The matrices are valid while none of the transforms
+/// changes.
 class WorldMatrices
 {
 public:
-    /// The same as Transform::worldMatrix.
-    /// @throws ContractError if the parents form a circle
+    /// Returns the same as Transform::worldMatrix.
+    /// @throws ContractError if the parents form a cycle
     glm::dmat4 Of(const Transform& transform);
+    /// Returns the world matrix of the transform's parent.
     /// @pre it has a parent
     const glm::dmat4& OfParent(const Transform& transform);
-    /// What OfParent gave for a transform with this parent; null if it was not asked.
+    /// Returns the result of OfParent for a transform with this parent; null if it was not called
+    /// for one.
     const glm::dmat4* FindParent(const Transform* parent) const
     {
         const auto found = m_Parents.find(parent);
         return found != m_Parents.end() && found->second.round == m_Round ? &found->second.world
                                                                           : nullptr;
     }
-    /// Begins anew with what has changed; the memory stays.
+    /// Begins anew after transforms have changed; the memory stays.
     void Clear();
 
 private:

@@ -7,26 +7,26 @@
 namespace limn
 {
 
-/// Draws the shadow map of spots and points and gives it to shaders, in frames in which something
-/// that receives such shadows is seen and something throws them: a square for each spot and for
-/// each of a point's six sides.
+/// Draws the shadow map of spot and point lights and sets it for shaders, in frames in which
+/// something that receives such shadows is seen and something throws them. It has a square for each
+/// spot light and for each of a point light's six sides.
 /// Unity: UnityEngine.Rendering.Universal.Internal.AdditionalLightsShadowCasterPass (URP 14).
 class AdditionalLightsShadowCasterPass final : public ScriptableRenderPass
 {
 public:
     AdditionalLightsShadowCasterPass();
 
-    /// Finds out what throws shadows onto what is seen.
+    /// Finds what throws shadows onto what is seen.
     /// @return whether the pass has anything to draw; else shaders need no shadows
     bool Setup(const RenderingData& renderingData);
 
-    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    /// Removes the shadows from here on, as at the beginning of a frame.
     static void Forget(CommandBuffer& cmd);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    /// What a square of the map sees.
+    /// The part of a scene that a square of the map sees.
     struct Slice
     {
         std::size_t light = 0;  ///< of LightData::additionalLights
