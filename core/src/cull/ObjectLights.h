@@ -23,7 +23,7 @@ public:
 
     /// Begins a camera.
     /// @param lights  the lights that shaders get
-    /// @param limit  the number of them that an object may have, 0...8
+    /// @param limit   the number of them that an object may have, 0...8
     void Begin(std::span<const Light* const> lights, int limit);
 
     /// Returns whether lights must be chosen; else all objects have all lights.

@@ -10,7 +10,7 @@ namespace limn
 /// Finds the lights besides the main one that reach into the camera's view, as many as shaders have
 /// room for. It costs nothing for a scene without such lights.
 /// @param lights  set to the lights that are found
-/// @param notes  receives a sentence about lights beyond that number
+/// @param notes   receives a sentence about lights beyond that number
 void FindAdditionalLights(const Scene& scene, const CameraData& camera,
                           std::vector<const Light*>& lights, std::vector<std::string>& notes);
 

@@ -33,7 +33,7 @@ public:
                const RenderTextureDescriptor& camera, std::vector<std::string>& notes);
 
     /// Makes the textures that are made at this place global for draws that follow.
-    /// @param next  the event of the next pass, or one behind all
+    /// @param next   the event of the next pass, or one behind all
     /// @param color  the camera's colour at this place
     void BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
                     const ScriptableRenderer::PassPlace& place, const RTHandle& color);

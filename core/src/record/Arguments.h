@@ -18,7 +18,7 @@ void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderP
 void ExpectSubMesh(const Mesh& mesh, int subMesh);
 
 /// Returns the place of an indirect command's arguments.
-/// @param call  the name of the command, for messages
+/// @param call   the name of the command, for messages
 /// @param count  the number of uint
 /// @throws ContractError if the buffer is null or made for something else, or they do not lie in it
 ///     at a multiple of 4 bytes

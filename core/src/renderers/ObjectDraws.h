@@ -32,12 +32,12 @@ std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettin
 
 /// Makes batches of what rows draw. Draws that may change places become one batch, at the place of
 /// the first, whatever lies between them; others only if they are consecutive.
-/// @param items  in the order in which they are drawn
-/// @param runs  all of them
+/// @param items     in the order in which they are drawn
+/// @param runs      all of them
 /// @param passesOf  by ClassRun::passes: the passes that each of its rows draws, in this order
 /// @param commutes  by pass: passes with equal numbers other than 0 give the same picture in any
 ///     order
-/// @param rows  the batches' rows of the table are appended to it
+/// @param rows      the batches' rows of the table are appended to it
 /// @return the batches in the order in which they are drawn, valid until the thread's next call
 std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
                                          const std::vector<std::vector<std::uint32_t>>& passesOf,

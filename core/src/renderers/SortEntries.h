@@ -21,7 +21,7 @@ struct SortEntry
 
 /// Sorts by key, then by the lowest bits of the state; the sort is stable. Digits in which all are
 /// equal take no time.
-/// @param spare  has room for as many
+/// @param spare      has room for as many
 /// @param stateBits  the number of bits of the state that count
 void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits = 32);
 /// Sorts words by their bits from `firstBit` on, in the same way.
@@ -91,8 +91,8 @@ inline int DistanceKeyBits(SortingCriteria criteria)
 }
 
 /// Returns the part of the order that RenderQueue and the distances decide.
-/// @param queue  0...5000
-/// @param distance  as SortDistance returns it
+/// @param queue          0...5000
+/// @param distance       as SortDistance returns it
 /// @param materialIndex  among the renderer's materials
 inline std::uint64_t SortKey(SortingCriteria criteria, int queue, float distance,
                              std::uint16_t materialIndex)

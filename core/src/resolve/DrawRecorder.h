@@ -33,7 +33,7 @@ public:
     }
 
     /// Begins a frame.
-    /// @param notes  receives sentences for the user
+    /// @param notes   receives sentences for the user
     /// @param origin  the point to which positions are relative on the device
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 

@@ -17,12 +17,12 @@ struct BatchOrder
 {
     /// The rank of each class in the order of OptimizeStateChanges.
     std::vector<std::uint32_t> ranks;
-    /// For each class the first class that draws the same, once layers and masks have been
+    /// The first class that draws the same as a class, by class, once layers and masks have been
     /// filtered.
     std::vector<std::uint32_t> firsts;
     int rankBits = 0; ///< the number of bits that the ranks take
-    /// For each class a number for what filtering looks at. Many classes share one, since they
-    /// differ only in the mesh.
+    /// A number by class for what filtering looks at. Many classes share one, since they differ
+    /// only in the mesh.
     std::vector<std::uint32_t> looks;
     std::vector<std::uint32_t> classOfLook; ///< one of them
 

@@ -18,7 +18,7 @@ struct ShadowSquares
 /// Places squares next to each other, the largest first; among equal ones, those of earlier
 /// requests come first. All of them are halved as often as needed until they fit. Requests whose
 /// squares would become smaller than their least get none; the smallest are dropped first.
-/// @param size  texels along a side of the map, of which a power of two is used
+/// @param size    texels along a side of the map, of which a power of two is used
 /// @param result  receives each request's squares in turn; of width 0 if there is no room
 /// @source Unity: AdditionalLightsShadowCasterPass's layout of its atlas (URP 14)
 void PlaceShadowSquares(std::span<const ShadowSquares> requests, int size,

@@ -11,7 +11,7 @@ namespace limn
 class RenderTargetResolver
 {
 public:
-    /// @param frame  the frame, whose last commands give what is bound
+    /// @param frame    the frame, whose last commands give what is bound
     /// @param globals  where names that are no temporary textures are looked up
     RenderTargetResolver(const FrameCommands& frame, const MaterialPropertyBlock& globals)
         : m_Frame(frame), m_Globals(globals)

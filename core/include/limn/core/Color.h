@@ -72,7 +72,7 @@ struct Color
     }
     /// Returns the RGB colour of a hue, saturation and value.
     /// @param h, s, v  0...1
-    /// @param hdr  if false, no component is above 1
+    /// @param hdr      if false, no component is above 1
     static Color HSVToRGB(float h, float s, float v, bool hdr = true);
     static void RGBToHSV(const Color& rgbColor, float& h, float& s, float& v);
 

@@ -176,7 +176,7 @@ public:
     /// to the indices, and 0. The device does not check them (Mesh::GetIndexCount, GetIndexStart
     /// and GetBaseVertex return those of a sub-mesh).
     /// @param bufferWithArgs  made with GraphicsBuffer::Target::IndirectArguments
-    /// @param argsOffset  the place of the first count, in bytes: a multiple of 4
+    /// @param argsOffset      the place of the first count, in bytes: a multiple of 4
     /// @throws ContractError as DrawMesh does, and if the buffer is null, has other targets, or
     ///     ends before the counts do
     /// @source Unity: CommandBuffer.DrawMeshInstancedIndirect (2022.3)
@@ -307,7 +307,7 @@ public:
     /// Runs a kernel with the numbers of groups in x, y and z that the buffer holds when it is run,
     /// as three uint. The device does not check them.
     /// @param indirectBuffer  made with GraphicsBuffer::Target::IndirectArguments
-    /// @param argsOffset  the place of the first number, in bytes: a multiple of 4
+    /// @param argsOffset      the place of the first number, in bytes: a multiple of 4
     /// @throws ContractError also if the buffer is null, has other targets, or ends before the
     ///     numbers do
     void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
@@ -324,7 +324,7 @@ public:
         SetBufferBytes(buffer, GraphicsBuffer::PartOf(data));
     }
     /// @param managedBufferStartIndex, count  the elements of `data` to copy
-    /// @param graphicsBufferStartIndex  their place in the buffer, in elements of `data`
+    /// @param graphicsBufferStartIndex        their place in the buffer, in elements of `data`
     template <std::ranges::contiguous_range Data>
     void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data,
                        int managedBufferStartIndex, int graphicsBufferStartIndex, int count)

@@ -112,11 +112,11 @@ namespace RenderingUtils
 {
 
 /// Sets the matrices through which draws that follow see the world.
-/// @param viewMatrix  world to view space, looking along -z; a matrix of floats is enough near the
-///     world's origin
+/// @param viewMatrix           world to view space, looking along -z; a matrix of floats is enough
+///     near the world's origin
 /// @param gpuProjectionMatrix  as Camera::gpuProjectionMatrix returns it
-/// @param setInverseMatrices  if true, sets unity_MatrixInvV and its like as well, which few vertex
-///     functions need
+/// @param setInverseMatrices   if true, sets unity_MatrixInvV and its like as well, which few
+///     vertex functions need
 void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                   const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
 
@@ -198,7 +198,7 @@ inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm:
 }
 /// Draws a quad over a part of the target that is already bound, with the texture's texels.
 /// @param scaleBiasTex  of the texture, as BlitTexture's
-/// @param scaleBiasRT  of the target: size in x and y, left and top border in z and w; a size of 1
+/// @param scaleBiasRT   of the target: size in x and y, left and top border in z and w; a size of 1
 ///     is all
 /// @throws ContractError  when executed: the source is null, has no such level, or no camera is
 ///     rendered

@@ -115,9 +115,10 @@ CullingResults Cull(const Scene& scene, const Camera& camera, float aspect,
 /// into a box of light. The box is unbounded towards the light, so that it holds everything on the
 /// light's side of it. Renderers that throw no shadow, or have no pass of LightMode ShadowCaster,
 /// are left out.
-/// @param seen  what the camera sees of the scene
+/// @param seen                 what the camera sees of the scene
 /// @param lightViewProjection  world to clip space of the light; depth is from 1 near to 0 far
-/// @param twoSided  if true, returns those of ShadowCastingMode::TwoSided, else the others
+/// @param twoSided             if true, returns those of ShadowCastingMode::TwoSided, else the
+///     others
 CullingResults CullShadowCasters(const CullingResults& seen, const Camera& camera,
                                  const glm::dmat4& lightViewProjection, bool twoSided);
 

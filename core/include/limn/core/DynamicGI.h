@@ -26,7 +26,7 @@ public:
     /// left out, since the main light is that light already. Texels that are not a number count as
     /// black, with a warning in the log.
     /// @param device  draws; the call waits for six small frames of it
-    /// @param time  in seconds, the _Time of the sky's shader
+    /// @param time    in seconds, the _Time of the sky's shader
     /// @throws AssetError (the sky's shader), VulkanError, ContractError if
     ///     defaultReflectionResolution is no power of two from 1 to 2048
     /// @source Unity: DynamicGI.UpdateEnvironment, which knows device and scene by itself

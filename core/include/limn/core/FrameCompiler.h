@@ -71,7 +71,7 @@ struct FrameCompilerOptions
 /// - finally load, store and barriers: an attachment is loaded if it holds something worth keeping,
 ///   and stored if it is read later, is an output, or may be read by a next frame.
 ///
-/// @param states  as the frame before left them
+/// @param states   as the frame before left them
 /// @param outputs  textures that must be readable (CopySource) after the frame
 /// @throws ContractError naming pass and texture, if a draw comes before any target or samples a
 ///     texture that it draws into

@@ -76,7 +76,7 @@ public:
         Set(PartOf(data));
     }
     /// @param managedBufferStartIndex, count  the elements of `data` to copy
-    /// @param graphicsBufferStartIndex  their place in the buffer, in elements of `data`
+    /// @param graphicsBufferStartIndex        their place in the buffer, in elements of `data`
     template <detail::Contiguous Data>
     void SetData(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                  int count)

@@ -40,7 +40,7 @@ struct RendererListParams
 struct RendererListDesc
 {
     /// @param results  as those of RendererListParams
-    /// @param camera  sorts by distances from it; must outlive the call that takes this
+    /// @param camera   sorts by distances from it; must outlive the call that takes this
     RendererListDesc(ShaderTagId passName, const CullingResults& results, const Camera& camera);
     /// @throws ContractError for no pass name, and for more than 16
     RendererListDesc(std::span<const ShaderTagId> passNames, const CullingResults& results,

@@ -51,10 +51,10 @@ public:
 
     /// Forgets everything that was recorded and made global. One context for all frames is cheaper
     /// than one for each.
-    /// @param report  must outlive the frame
-    /// @param origin  the point to which positions are relative on the device, see
+    /// @param report               must outlive the frame
+    /// @param origin               the point to which positions are relative on the device, see
     ///     Camera::renderOrigin
-    /// @param spare  commands of an earlier frame, whose memory is used again
+    /// @param spare                commands of an earlier frame, whose memory is used again
     /// @param usesReversedZBuffer  see ShaderCompilerOptions
     void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {},
                bool usesReversedZBuffer = true);
@@ -62,7 +62,7 @@ public:
     /// Sets the lights from which DrawRenderers gives each object the brightest, up to `limit`. If
     /// there are no more than that, and for draws by command buffers, the global lights are used.
     /// @param lights  the additional lights of shaders; none is null, at most 32
-    /// @param limit  0...8
+    /// @param limit   0...8
     void SetObjectLights(std::span<const Light* const> lights, int limit);
 
     /// Sets the targets that identifiers in command buffers stand for until EndCamera.

@@ -15,7 +15,7 @@ namespace limn
 class ShaderSource
 {
 public:
-    /// @param shaders  returns the database, which may grow
+    /// @param shaders   returns the database, which may grow
     /// @param compiler  compiles the shaders
     ShaderSource(const ShaderDatabase& (*shaders)(), std::shared_ptr<ShaderCompiler> compiler)
         : m_Shaders(shaders), m_Compiler(std::move(compiler))

@@ -131,7 +131,7 @@ private:
 class Texture2D final : public TexelTexture
 {
 public:
-    /// @param texels  height rows of width texels in `format`, tightly packed
+    /// @param texels    height rows of width texels in `format`, tightly packed
     /// @param mipChain  if true, it has all mip levels, else one
     Texture2D(std::string name, int width, int height, GraphicsFormat format,
               std::vector<std::byte> texels, SamplerState sampler = {}, bool mipChain = false);
