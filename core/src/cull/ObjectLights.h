@@ -46,10 +46,10 @@ private:
     struct Place
     {
         glm::dvec3 position;
-        glm::dvec3 direction; ///< of a spot
+        glm::dvec3 direction; ///< of a spot light
         double intensity;     ///< of the brightest channel
         double range;         ///< metres; negative = without end
-        double sine;          ///< of a spot's outer angle
+        double sine;          ///< of a spot light's outer angle
         double cosine;        ///< -1 = no spot
     };
     static Place PlaceOf(const Light& light);
@@ -57,7 +57,7 @@ private:
                              const glm::dvec3& extent);
 
     std::vector<Place> m_Lights;
-    std::vector<std::pair<double, int>> m_Found; ///< brightness, negative, and index
+    std::vector<std::pair<double, int>> m_Found; ///< negative brightness, and index
     int m_Limit = 0;
     bool m_IsNeeded = false;
     std::unordered_map<Set, MaterialPropertyBlock> m_Values;

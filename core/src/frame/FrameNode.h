@@ -44,14 +44,15 @@ struct FrameNode
 
     std::pmr::string name;
     SetRenderTargetCommand targets;
-    std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
+    std::optional<ClearCommand> clear; ///< all that is cleared before the first draw
     /// Colours that are cleared separately, by index, if `clear` clears none; the list may be
     /// shorter than the targets' colours.
     FixedList<std::optional<Color>, k_MostColors> clearedColors;
     /// If true, a draw covers the colour, so that its contents before the node do not matter.
     bool coversColor = false;
     std::pmr::vector<PassCommand> commands;
-    std::pmr::vector<std::shared_ptr<const Texture>> reads; ///< drawn into, sampled; each once
+    /// The textures that are drawn into or sampled; each once.
+    std::pmr::vector<std::shared_ptr<const Texture>> reads;
     std::pmr::vector<std::shared_ptr<const RenderTexture>> writes; ///< by dispatches; each once
     std::pmr::vector<BufferUse> buffers;                           ///< one use for each
     bool isCompute = false; ///< it has dispatches, and no targets
@@ -65,12 +66,12 @@ using TextureIds = std::pmr::unordered_set<std::uint64_t>; ///< Texture::id
 
 /// Returns the aspects of a texture that an attachment or a clear concerns.
 ClearFlag AspectsOf(const RenderTexture& texture);
-bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
-bool HasSamples(const RenderTexture& texture);         ///< several per texel
+bool Clears(const FrameNode& node, ClearFlag aspects); ///< returns whether it clears all of them
+bool HasSamples(const RenderTexture& texture);         ///< returns whether it has several per texel
 /// Returns the colour to which a colour target is cleared before the first draw; none = it is not
 /// cleared.
 std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
-bool HasDraws(const FrameNode& node); ///< or dispatches
+bool HasDraws(const FrameNode& node); ///< returns whether it has draws or dispatches
 /// Returns whether each component that the format has is 0.
 bool IsZero(const Color& color, GraphicsFormat format);
 /// Returns whether a draw tests or writes depth or stencil if they are attached.

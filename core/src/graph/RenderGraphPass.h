@@ -23,7 +23,7 @@ bool Has(const PooledVector<T>& list, const T& value)
 struct RenderGraphCall
 {
     std::string_view before;
-    std::string_view name; ///< of a pass
+    std::string_view name; ///< the name of a pass
     std::string_view behind;
 
     std::string text() const;
@@ -79,10 +79,10 @@ struct RenderGraphTexture
 {
     RTHandle texture;
     bool isMade = false;                    ///< by the graph
-    bool clears = false;                    ///< before it is written first
+    bool clears = false;                    ///< if true, it is cleared before it is first written
     Color clearColor;                       ///< linear
     bool isWritten = false;                 ///< by a pass that has run
-    const RenderGraphPass* owner = nullptr; ///< of a transient one
+    const RenderGraphPass* owner = nullptr; ///< the pass of a transient one
     /// The feature's name for the handle if it is one of UniversalResourceData; "" = one of its
     /// own.
     std::string_view handle = {};

@@ -85,11 +85,11 @@ private:
     PooledVector<std::size_t> m_DrawnLists;
     PooledVector<const Texture*> m_Sampled;
     PooledVector<const Texture*> m_Targets;        ///< drawn into, cleared or written by kernels
-    PooledVector<const GraphicsBuffer*> m_Buffers; ///< bound
+    PooledVector<const GraphicsBuffer*> m_Buffers; ///< the buffers that are bound
     std::vector<std::string> m_Problems;
     std::vector<std::string> m_RefusedGlobals; ///< names that were already reported
-    std::string
-        m_LineToBeRun; ///< the line that would keep Unity from leaving the pass out; "" = none
+    /// The line that would keep Unity from leaving the pass out; "" = none.
+    std::string m_LineToBeRun;
     PooledVector<ShaderPropertyId> m_SetHere; ///< globals that the pass set itself
     bool m_HasEffect = false;                 ///< it draws, writes or sets a global
 };

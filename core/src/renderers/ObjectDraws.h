@@ -13,7 +13,7 @@ struct ObjectBatch
     std::uint32_t pass = 0;
     std::uint32_t meshPart = 0; ///< of the table
     bool isMirrored = false;
-    std::uint32_t first = 0; ///< among the rows
+    std::uint32_t first = 0; ///< index of the first row
     std::uint32_t count = 0;
 };
 
@@ -21,10 +21,10 @@ struct ObjectBatch
 struct ClassRun
 {
     std::uint32_t rowClass = 0; ///< of the table: the first of those that they have
-    std::uint32_t first = 0;    ///< among the items
+    std::uint32_t first = 0;    ///< index of the first item
     std::uint32_t count = 0;
-    std::uint32_t passes =
-        0; ///< the number of the passes to draw: the class's number, unless lights differ
+    /// The number of the passes to draw: the class's number, unless lights differ.
+    std::uint32_t passes = 0;
 };
 
 /// Sorts items and returns all runs, which are valid until the thread's next call.

@@ -17,7 +17,7 @@ namespace limn
 struct DrawProperties
 {
     const MaterialPropertyBlock* own = nullptr;    ///< of the draw, or its renderer
-    const MaterialPropertyBlock* lights = nullptr; ///< of ObjectLights
+    const MaterialPropertyBlock* lights = nullptr; ///< the lights of ObjectLights
 };
 
 /// Resolves recorded draws and appends them to the frame.
@@ -144,7 +144,7 @@ private:
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
-    glm::dmat4 m_View{1.0};       ///< what was set last
+    glm::dmat4 m_View{1.0};       ///< the view that was set last
     glm::mat4 m_Projection{1.0f}; ///< for a target whose projection is flipped
     CommonDrawState m_State;
     const RenderTexture* m_Target = nullptr;      ///< the first colour bound, or the depth

@@ -32,7 +32,7 @@ struct PropertySources
     const MaterialPropertyBlock* globals = nullptr; ///< never null
     const ComputeShader* compute = nullptr;         ///< null = a draw's
     int kernel = 0;
-    const BufferRange* arguments = nullptr; ///< of an indirect draw or dispatch; null = another one
+    const BufferRange* arguments = nullptr; ///< set for an indirect draw or dispatch, else null
     const MaterialPropertyBlock* lights = nullptr; ///< the lights of an object, before all else
     /// If true, its buffers may be made for anything, and a counter lies in them at
     /// counterOffset().
@@ -112,7 +112,7 @@ private:
     /// The names of a layout as ids, computed once per pass, which belongs to one shader only.
     struct ProgramIds
     {
-        std::shared_ptr<const ShaderProgram> pass; ///< keeps the key's address taken
+        std::shared_ptr<const ShaderProgram> pass; ///< keeps the address of the key in use
         std::vector<BufferPlaces> buffers;
         std::vector<ShaderPropertyId> textures;
         /// The values, by texture, that the shader's Properties have if nothing sets it; null = not
@@ -159,7 +159,7 @@ private:
     struct KnownState
     {
         std::uint64_t materialVersion = 0;
-        bool isKnown = false; ///< else it depends on what is global
+        bool isKnown = false; ///< if false, it depends on globals
         bool isUsed = false;  ///< in this frame
         PipelineState state;
     };
@@ -179,7 +179,7 @@ private:
     std::vector<std::shared_ptr<const DrawBindings>> m_Built;
     std::size_t m_BuiltCount = 0;
     DrawBindings m_Building;
-    bool m_HasResolved = false; ///< anything in this frame
+    bool m_HasResolved = false; ///< whether anything was resolved in this frame
     struct Bound
     {
         bool isUsed = false;      ///< in this frame
@@ -203,8 +203,10 @@ private:
     };
     std::vector<std::string>* m_Notes = nullptr; ///< never null in a frame
     const SampleName& m_PassName;
-    std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
-    std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
+    /// The notes that concern several shaders, by message.
+    std::map<std::string, SharedNote> m_SharedNotes;
+    /// The pairs of shader and texture that have a note.
+    std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted;
 };
 
 } // namespace limn

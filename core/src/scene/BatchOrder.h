@@ -24,7 +24,7 @@ struct BatchOrder
     /// A number by class for what filtering looks at. Many classes share one, since they differ
     /// only in the mesh.
     std::vector<std::uint32_t> looks;
-    std::vector<std::uint32_t> classOfLook; ///< one of them
+    std::vector<std::uint32_t> classOfLook; ///< a class for each of these numbers
 
     void Update(const RendererTable& table);
 };

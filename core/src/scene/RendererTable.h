@@ -55,9 +55,9 @@ public:
         int layer = 0;
         RenderingLayerMask renderingLayerMask;
         std::uint32_t meshPart = 0;
-        std::uint16_t materialIndex = 0; ///< among the renderer's
+        std::uint16_t materialIndex = 0; ///< among the renderer's materials
         bool isActive = false;           ///< the object is, and its renderer enabled
-        bool isFirst = false;            ///< among the rows of its renderer
+        bool isFirst = false;            ///< it is the first row of its renderer
         bool isMirrored = false;         ///< the transform reverses triangles
         ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
         bool isAgain = false;   ///< another row of its renderer draws the sub-mesh too
@@ -155,8 +155,8 @@ private:
 
     // These are by object.
     std::shared_ptr<const GameObjects> m_Objects;
-    std::vector<ObjectHash> m_Hash;        ///< of all that its rows are made from
-    std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
+    std::vector<ObjectHash> m_Hash;        ///< hash of everything that its rows are made from
+    std::vector<std::uint32_t> m_FirstRow; ///< has one more element, the end
     std::vector<std::uint32_t> m_BeyondFloat;
 
     // These are by row.

@@ -38,11 +38,11 @@ private:
     struct Parent
     {
         glm::dmat4 world{1.0};   ///< for the children
-        std::uint64_t round = 0; ///< when it was worked out
+        std::uint64_t round = 0; ///< the round in which it was computed
     };
     std::unordered_map<const Transform*, Parent> m_Parents;
     std::uint64_t m_Round = 1;
-    std::size_t m_Known = 0;                 ///< parents worked out in this round
+    std::size_t m_Known = 0;                 ///< parents computed in this round
     std::vector<const Transform*> m_Climbed; ///< parents not known yet, the nearest first
 };
 

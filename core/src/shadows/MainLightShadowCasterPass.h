@@ -29,7 +29,7 @@ private:
     struct Casters
     {
         CullingResults plain;
-        CullingResults twoSided; ///< whose back faces throw shadows too
+        CullingResults twoSided; ///< objects whose back faces throw shadows, too
     };
 
     void DrawCascade(ScriptableRenderContext& context, RenderingData& renderingData,

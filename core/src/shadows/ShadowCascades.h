@@ -17,8 +17,8 @@ inline constexpr int k_MostCascades = 4;
 /// double.
 struct ShadowCascade
 {
-    glm::dvec3 center{0.0}; ///< of a ball around the part
-    double radius = 0.0;    ///< its own, metres; the same wherever the camera is and looks
+    glm::dvec3 center{0.0}; ///< the centre of a ball around the part
+    double radius = 0.0;    ///< the ball's, metres; the same wherever the camera is and looks
     glm::dmat4 view{1.0};   ///< world to light space, right-handed, the light along -z
     double halfSize = 0.0;  ///< of the picture, metres
     double nearest = 0.0;   ///< distances from the view's origin along the light: where the

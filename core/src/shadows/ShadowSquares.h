@@ -12,7 +12,7 @@ struct ShadowSquares
 {
     int side = 0;  ///< texels
     int least = 8; ///< texels: smaller ones do not look like shadows
-    int count = 1; ///< of squares
+    int count = 1; ///< number of squares
 };
 
 /// Places squares next to each other, the largest first; among equal ones, those of earlier

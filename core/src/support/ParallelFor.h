@@ -48,12 +48,12 @@ private:
     void Work(std::size_t part);
 
     const Start m_Start;
-    std::mutex m_Mutex; ///< of all below
+    std::mutex m_Mutex; ///< guards everything below
     std::condition_variable m_Begun;
     std::condition_variable m_Done;
     const std::function<void(std::size_t)>* m_Run = nullptr; ///< of the loop under way
     std::array<bool, k_MostParts> m_IsDue{};                 ///< by part: its thread must begin it
-    std::size_t m_Left = 0;                                  ///< parts the threads have not ended
+    std::size_t m_Left = 0;                                  ///< parts not ended by threads
     bool m_IsEnding = false;
     std::vector<std::jthread> m_Threads; ///< by part
 };

@@ -63,7 +63,7 @@ private:
     std::unordered_map<ShaderPropertyId, TemporaryTexture> m_Temporaries;
     CommandBuffer m_Result;
     std::shared_ptr<const ComputeShader> m_CopyKernel;
-    std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< that compiles it
+    std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< the compiler of m_CopyKernel
 };
 
 } // namespace limn

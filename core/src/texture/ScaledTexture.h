@@ -49,7 +49,7 @@ private:
     RenderTextureDescriptor m_Descriptor;
     SamplerState m_Sampler;
     std::string m_Name;
-    glm::ivec2 m_CameraSize{0}; ///< for which m_Texture was made
+    glm::ivec2 m_CameraSize{0}; ///< the camera's size for which m_Texture was made
     std::shared_ptr<const RenderTexture> m_Texture;
 };
 

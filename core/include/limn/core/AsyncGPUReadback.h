@@ -46,9 +46,9 @@ public:
         const std::span<const std::byte> bytes = Bytes(sizeof(Element));
         return {reinterpret_cast<const Element*>(bytes.data()), bytes.size() / sizeof(Element)};
     }
-    int width() const;                 ///< texels; of a buffer its bytes
-    int height() const;                ///< texels; of a buffer 1
-    std::size_t layerDataSize() const; ///< bytes; 0 before it is over
+    int width() const;                 ///< texels; bytes of a buffer
+    int height() const;                ///< texels; 1 for a buffer
+    std::size_t layerDataSize() const; ///< bytes; 0 before the readback is over
 
 private:
     std::span<const std::byte> Bytes(std::size_t elementSize) const;
@@ -98,8 +98,8 @@ public:
     AsyncGPUReadback::Callback callback; ///< may be empty
 
 protected:
-    virtual bool isReady() = 0; ///< whether the result is there
-    virtual void Wait() = 0;    ///< until it is
+    virtual bool isReady() = 0; ///< returns whether the result is there
+    virtual void Wait() = 0;    ///< waits until the result is there
     /// Returns the bytes of the result.
     /// @pre the result is there
     virtual std::vector<std::byte> Take() = 0;

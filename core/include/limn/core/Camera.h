@@ -108,9 +108,9 @@ struct Camera
     CameraClearFlags clearFlags = CameraClearFlags::SolidColor;
     Color backgroundColor{0.19f, 0.3f, 0.47f, 0.0f}; ///< sRGB
     LayerMask cullingMask = LayerMask::Everything();
-    OpaqueSortMode opaqueSortMode = OpaqueSortMode::Default; ///< of a stack's base camera
+    OpaqueSortMode opaqueSortMode = OpaqueSortMode::Default; ///< used by a stack's base camera
     TransparencySortMode transparencySortMode = TransparencySortMode::Default;
-    glm::vec3 transparencySortAxis{0, 0, 1}; ///< of CustomAxis: world, away from the viewer
+    glm::vec3 transparencySortAxis{0, 0, 1}; ///< for CustomAxis: world, away from the viewer
     CameraType cameraType = CameraType::Game;
     /// Allows features to add effects; they ask before they do. There are no effects unless a
     /// feature brings them, so it is on by default, whereas a camera of Unity's begins with it off.
@@ -120,17 +120,21 @@ struct Camera
     /// If true and the pipeline supportsHDR, the camera's colour is HDR, in the pipeline's
     /// hdrColorBufferPrecision; otherwise it is R8G8B8A8_SRGB.
     bool allowHDR = true;
-    bool allowMSAA = true;        ///< as many samples a texel as the pipeline says, else one
-    LayerMask volumeLayerMask{1}; ///< layers whose volumes apply
+    /// If true, there are as many samples per texel as the pipeline sets, else one.
+    bool allowMSAA = true;
+    LayerMask volumeLayerMask{1};           ///< layers whose volumes apply
     std::optional<glm::vec3> volumeTrigger; ///< world; default the camera's position
 
-    // Several cameras. Unity: UniversalAdditionalCameraData (URP 14), Camera.
+    // The following fields are for several cameras. Unity: UniversalAdditionalCameraData (URP 14),
+    // Camera.
     CameraRenderType renderType = CameraRenderType::Base;
-    bool clearDepth = true; ///< of an overlay: what is drawn before it hides nothing of it
+    /// If true, an overlay clears the depth, so that nothing drawn before hides it.
+    bool clearDepth = true;
     /// The overlays that draw onto the picture of a base camera, in this order, with its size,
     /// format, samples and target. No element may be null.
     std::vector<std::shared_ptr<const Camera>> cameraStack;
-    float depth = 0.0f; ///< base cameras are drawn in the order of their whole depths
+    /// Base cameras are drawn in the order of their depths, without their fractions.
+    float depth = 0.0f;
     /// The texture that receives the picture of a base camera, alpha included, in place of the
     /// frame's output. The picture has this texture's size and format, and its samples unless
     /// allowMSAA is off or the pipeline's msaaSampleCount is 1. Must be a colour texture. What
@@ -208,7 +212,7 @@ struct Camera
 
 /// Returns the projection matrix that shaders get, from one with z from -w at the near plane to w
 /// at the far one, as in OpenGL and Camera::projectionMatrix.
-/// @param renderIntoTexture  y is turned over: TargetOrientation.h
+/// @param renderIntoTexture  if true, y is flipped: see TargetOrientation.h
 /// @source Unity: GL.GetGPUProjectionMatrix (2022.3)
 glm::mat4 GpuProjection(const glm::dmat4& projection, bool usesReversedZBuffer,
                         bool renderIntoTexture = false);

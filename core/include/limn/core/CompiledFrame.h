@@ -13,7 +13,7 @@ enum class TextureUsage
     Undefined, ///< contents are worthless
     ColorAttachment,
     DepthStencilAttachment,
-    ShaderRead, ///< sampled, in whatever stage
+    ShaderRead, ///< sampled, in any stage
     CopySource,
     RandomWrite ///< read and written by a kernel
 };
@@ -37,8 +37,8 @@ struct BufferState
 {
     std::weak_ptr<const GraphicsBuffer> buffer;
     bool isWritten = false;                  ///< by a kernel
-    ShaderStage visible = ShaderStage::None; ///< for these it is what was written
-    ShaderStage readers = ShaderStage::None; ///< that read it since
+    ShaderStage visible = ShaderStage::None; ///< the stages for which its contents are visible
+    ShaderStage readers = ShaderStage::None; ///< the stages that have read it since
 };
 
 /// The state of the textures that frames drew into, and of buffers, on a device. It is all that one
@@ -79,10 +79,10 @@ struct TextureBarrier
 struct BufferBarrier
 {
     std::shared_ptr<const GraphicsBuffer> buffer;
-    ShaderStage before = ShaderStage::None; ///< those that used it
-    bool wasWritten = false;                ///< and what they wrote is visible
-    ShaderStage after = ShaderStage::None;  ///< to those that use it
-    bool isWritten = false;                 ///< and may write
+    ShaderStage before = ShaderStage::None; ///< the stages that used it
+    bool wasWritten = false;                ///< if true, what they wrote is made visible
+    ShaderStage after = ShaderStage::None;  ///< the stages that will use it
+    bool isWritten = false;                 ///< if true, they may write
 
     bool operator==(const BufferBarrier&) const = default;
 };
@@ -151,7 +151,7 @@ struct CompiledRenderPass
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;
-    std::size_t place = 0; ///< among what was recorded, with what is left out
+    std::size_t place = 0; ///< index in what was recorded, including what is left out
 
     /// Returns whether the pass has dispatches and no attachments.
     bool isCompute() const { return colors.empty() && !depth; }
@@ -169,7 +169,7 @@ struct CompiledRenderPass
 struct PlacedTexture
 {
     std::shared_ptr<const RenderTexture> texture;
-    std::uint32_t kind = 0;   ///< of memory, see TextureFootprint
+    std::uint32_t kind = 0;   ///< kind of memory, see TextureFootprint
     std::uint64_t offset = 0; ///< bytes from the beginning of the shared memory of that kind
     std::uint64_t size = 0;   ///< bytes
 
@@ -181,7 +181,7 @@ struct LeftOut
 {
     std::string pass;                      ///< the innermost sample it was recorded in, or ""
     std::string reason;                    ///< "nothing reads 'X'"
-    std::vector<std::string> targets = {}; ///< names of what it would have drawn into
+    std::vector<std::string> targets = {}; ///< names of the targets it would have drawn into
     std::size_t place = 0;                 ///< see CompiledRenderPass
 
     bool operator==(const LeftOut&) const = default;

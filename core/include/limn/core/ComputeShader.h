@@ -132,8 +132,8 @@ public:
     /// Returns the kernel's own value, or else that of all kernels; null if none was set. The
     /// pointer is valid until the next change.
     const ShaderPropertyValue* Find(int kernelIndex, ShaderPropertyId id) const;
-    const MaterialPropertyBlock& values() const { return m_Values; }  ///< of all kernels
-    const MaterialPropertyBlock& kernelValues(int kernelIndex) const; ///< its own
+    const MaterialPropertyBlock& values() const { return m_Values; }  ///< values of all kernels
+    const MaterialPropertyBlock& kernelValues(int kernelIndex) const; ///< values of one kernel
 
 private:
     using Variant = std::vector<std::string>;

@@ -52,7 +52,7 @@ enum class ClearFlag
     DepthStencil = 6,
     All = 7
 };
-/// ClearFlag under the name that CommandBuffer.ClearRenderTarget takes.
+/// The name under which CommandBuffer.ClearRenderTarget takes a ClearFlag.
 /// Unity: UnityEngine.Rendering.RTClearFlags (2022.3).
 using RTClearFlags = ClearFlag;
 constexpr ClearFlag operator|(ClearFlag a, ClearFlag b)
@@ -100,7 +100,7 @@ struct TextureSlot
 {
     std::uint32_t binding = 0;
     std::shared_ptr<const Texture> texture; ///< never null
-    std::optional<SamplerState> sampler;    ///< set where texture and sampler are one descriptor
+    std::optional<SamplerState> sampler;    ///< set if texture and sampler are one descriptor
 
     bool operator==(const TextureSlot&) const = default;
 };
@@ -147,9 +147,9 @@ struct DrawBindings
     std::vector<TextureSlot> textures;
     std::vector<SamplerSlot> samplers;
     std::vector<BufferSlot> buffers;
-    std::vector<StorageTextureSlot> storageTextures; ///< of a dispatch
-    std::optional<std::uint32_t>
-        perDrawBinding; ///< where limn_PerDraw is bound, if the shader reads it
+    std::vector<StorageTextureSlot> storageTextures; ///< set by dispatches
+    /// The binding of limn_PerDraw, if the shader reads it.
+    std::optional<std::uint32_t> perDrawBinding;
 
     /// Returns the buffer with the draw's vkCmdDrawIndirect or vkCmdDrawIndexedIndirect arguments,
     /// or with the dispatch's, or null if the command has its own counts.
@@ -184,9 +184,9 @@ struct FullScreenPromise
     /// the zeroTextures. It is enough that a texture is 0 within that distance. Negative =
     /// unlimited.
     float reach = -1.0f;
-    ShaderPropertyId
-        zeroProperty; ///< if it is 0, the fragment function returns `output` in any case
-    Color output;     ///< linear
+    /// A property for which the fragment function returns `output` in any case if it is 0.
+    ShaderPropertyId zeroProperty;
+    Color output; ///< linear
     /// The texture whose texel at its own place the fragment function returns, with alpha 1; null =
     /// it returns another value.
     std::shared_ptr<const Texture> copied;
@@ -216,7 +216,7 @@ struct DrawCommand
     std::uint32_t setup = 0;       ///< of FrameTables::setups
     std::uint32_t mesh = k_NoMesh; ///< of FrameTables::meshes; none = SV_VertexID only
     int subMesh = 0;
-    std::uint32_t vertexCount = 0;   ///< without a mesh, and without DrawBindings::arguments
+    std::uint32_t vertexCount = 0;   ///< if it has neither a mesh nor DrawBindings::arguments
     std::uint32_t firstInstance = 0; ///< index into FrameTables::instances
     std::uint32_t instanceCount = 1;
     bool drawsObjects = false; ///< its instances are of FrameTables::objects, else of perDraw
@@ -243,9 +243,10 @@ struct DispatchSetup
 struct DispatchCommand
 {
     std::uint32_t setup = 0;                      ///< of FrameTables::dispatchSetups
-    std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< without DrawBindings::arguments
-    bool isKept = false;        ///< it is run even if nothing reads what it writes
-    bool generatesMips = false; ///< behind the first, of the textures that it writes
+    std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< unless it has DrawBindings::arguments
+    bool isKept = false; ///< it is run even if nothing reads what it writes
+    /// If true, the mip levels behind the first are made for the textures that it writes.
+    bool generatesMips = false;
 
     bool operator==(const DispatchCommand&) const = default;
 };
@@ -260,7 +261,8 @@ struct SetRenderTargetCommand
         colors;                                 ///< may be empty with a depth
     std::shared_ptr<const RenderTexture> depth; ///< may be null
     bool isKept = false;                        ///< those draws are run even if nothing reads them
-    bool generatesMips = false; ///< of colours with mip levels that do not make them themselves
+    /// If true, mip levels are made for the colours that have them and do not make them themselves.
+    bool generatesMips = false;
 
     bool operator==(const SetRenderTargetCommand&) const = default;
 };
@@ -305,9 +307,9 @@ struct FrameTables
 {
     std::vector<DrawSetup> setups;
     std::vector<DispatchSetup> dispatchSetups;
-    std::vector<std::shared_ptr<const Mesh>> meshes; ///< none is null
+    std::vector<std::shared_ptr<const Mesh>> meshes; ///< no element is null
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
-    std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
+    std::vector<PerDrawData> perDraw;     ///< used by draws of this frame only
     std::shared_ptr<const InstanceData> objects; ///< of the scene; null = no draw has any
     bool usesReversedZBuffer =
         true; ///< the depth direction that its shaders expect, see ShaderCompilerOptions

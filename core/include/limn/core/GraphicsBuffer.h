@@ -41,12 +41,13 @@ public:
         Index = 2,
         CopySource = 4,
         CopyDestination = 8,
-        Structured = 16,         ///< StructuredBuffer, RWStructuredBuffer
-        Raw = 32,                ///< ByteAddressBuffer, RWByteAddressBuffer
-        Append = 64,             ///< AppendStructuredBuffer, ConsumeStructuredBuffer
-        Counter = 128,           ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
-        IndirectArguments = 256, ///< of draws and dispatches; kernels may write them as the above
-        Constant = 512           ///< cbuffer
+        Structured = 16, ///< StructuredBuffer, RWStructuredBuffer
+        Raw = 32,        ///< ByteAddressBuffer, RWByteAddressBuffer
+        Append = 64,     ///< AppendStructuredBuffer, ConsumeStructuredBuffer
+        Counter = 128,   ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
+        /// Arguments of draws and dispatches; kernels may write them like those above.
+        IndirectArguments = 256,
+        Constant = 512 ///< cbuffer
     };
 
     /// @param stride  the bytes of one element: the size of a kernel's struct without padding
@@ -113,7 +114,7 @@ public:
     /// The bytes that SetData sets.
     struct Part
     {
-        std::span<const std::byte> bytes; ///< of `data`
+        std::span<const std::byte> bytes; ///< bytes of `data`
         std::size_t offset = 0;           ///< bytes of the buffer
     };
     template <detail::Contiguous Data>
@@ -136,13 +137,13 @@ public:
     /// @throws ContractError as SetData does
     void Set(const Part& part);
 
-    // For devices:
+    // These are for devices:
 
     /// A range of bytes that SetData has set.
     struct Change
     {
         std::uint64_t version = 0; ///< the version that they came with
-        std::size_t offset = 0;    ///< of bytes()
+        std::size_t offset = 0;    ///< offset in bytes()
         std::size_t size = 0;
     };
     /// Returns the changes, the oldest first; those that later ones cover are removed.

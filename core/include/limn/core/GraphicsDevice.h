@@ -72,7 +72,7 @@ public:
     virtual std::vector<PassTiming> LastFrameTimings() = 0;
 
     /// Sets where the device records, from now on, how long the parts of its work on the CPU take.
-    /// @param timeline  null = nowhere; else it must outlive the device, or stay until the next
+    /// @param timeline  null = nowhere; else it must outlive the device, or live until the next
     ///     call
     virtual void SetTimeline(Timeline* timeline) { static_cast<void>(timeline); }
 

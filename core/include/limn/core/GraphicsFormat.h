@@ -232,7 +232,7 @@ enum class TextureFormat
 /// Unity: UnityEngine.RenderTextureReadWrite.
 enum class RenderTextureReadWrite
 {
-    Default = 0, ///< they are: the project's colour space is Linear
+    Default = 0, ///< sRGB-encoded, since the project's colour space is Linear
     Linear = 1,
     sRGB = 2
 };

@@ -67,7 +67,7 @@ std::uint32_t ComputeMipmapSize(int width, int height, GraphicsFormat format);
 
 bool IsDepthFormat(GraphicsFormat format);        ///< it has a depth
 bool IsStencilFormat(GraphicsFormat format);      ///< it has a stencil
-bool IsDepthStencilFormat(GraphicsFormat format); ///< it has one of both
+bool IsDepthStencilFormat(GraphicsFormat format); ///< it has a depth and a stencil
 inline bool IsSRGBFormat(GraphicsFormat format)
 {
     return limn::IsSRGBFormat(format);
@@ -75,8 +75,8 @@ inline bool IsSRGBFormat(GraphicsFormat format)
 bool IsCompressedFormat(GraphicsFormat format);
 bool IsPackedFormat(GraphicsFormat format); ///< several components share bytes
 bool IsHalfFormat(GraphicsFormat format);
-bool IsFloatFormat(GraphicsFormat format);   ///< of 32 bits a component
-bool IsIEEE754Format(GraphicsFormat format); ///< one of these two
+bool IsFloatFormat(GraphicsFormat format);   ///< of 32 bits per component
+bool IsIEEE754Format(GraphicsFormat format); ///< half or float
 bool IsIntegerFormat(GraphicsFormat format);
 bool IsUIntFormat(GraphicsFormat format);
 bool IsSIntFormat(GraphicsFormat format);

@@ -33,7 +33,7 @@ struct FilterItem
     int layer = 0;                            ///< the game object's, 0...31
     RenderingLayerMask renderingLayerMask{1}; ///< the renderer's
     const Shader* shader = nullptr;           ///< the material's; never null when judged
-    const Material* material = nullptr;       ///< may switch passes off; null = it does not
+    const Material* material = nullptr;       ///< may switch passes off; may be null
 
     bool operator==(const FilterItem&) const = default;
 };

@@ -90,7 +90,7 @@ struct Light
     float spotAngle = 30.0f;    ///< degrees across, where a spot's light ends
     float innerSpotAngle = 21.80208f; ///< degrees across, up to where it is full
 
-    LightShadows shadows = LightShadows::None; ///< a directional one has none, as in URP
+    LightShadows shadows = LightShadows::None; ///< ignored for a directional light, as in URP
     float shadowStrength = 1.0f;               ///< 0...1: the share of its light that shadows take
     SoftShadowQuality softShadowQuality = SoftShadowQuality::UsePipelineSettings;
     float shadowNearPlane = 0.2f; ///< metres, 0.01 at least: where the shadow map's depth begins

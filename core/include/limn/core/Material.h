@@ -88,7 +88,8 @@ public:
     {
         Set(id, ConstantRange(std::move(value), offset, size));
     }
-    const MaterialPropertyBlock& values() const { return m_Values; } ///< that were set, or declared
+    /// Returns the values that were set, or declared.
+    const MaterialPropertyBlock& values() const { return m_Values; }
     bool hasBuffers() const { return m_Values.hasBuffers(); }
     /// Returns the names that were set and that the shader's Properties block lacks; its programs
     /// may read them.
@@ -104,7 +105,7 @@ public:
     float GetFloat(ShaderPropertyId id) const;
     int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
     int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
-    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders read it: a colour is linear
     /// Returns the colour that SetColor would take for it: sRGB, or linear for an [HDR] property.
     Color GetColor(ShaderPropertyId id) const;
     glm::mat4 GetMatrix(ShaderPropertyId id) const;
@@ -114,8 +115,8 @@ public:
     std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
     std::vector<Color> GetColorArray(ShaderPropertyId id) const; ///< sRGB, as SetColorArray's
     std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
-    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 where none was set
-    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 where none was set
+    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 if none was set
+    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 if none was set
 
     // These return whether the shader's Properties block has the property, of this kind: one that
     // was only set does not count.

@@ -119,7 +119,7 @@ public:
     float GetFloat(ShaderPropertyId id) const;
     int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
     int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
-    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders read it: a colour is linear
     Color GetColor(ShaderPropertyId id) const;      ///< sRGB
     glm::mat4 GetMatrix(ShaderPropertyId id) const;
     std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
@@ -137,7 +137,8 @@ public:
     bool HasMatrix(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
     bool HasBuffer(ShaderPropertyId id) const;
-    bool HasConstantBuffer(ShaderPropertyId id) const; ///< one that is a cbuffer's
+    /// Returns whether a buffer is set for a cbuffer.
+    bool HasConstantBuffer(ShaderPropertyId id) const;
     /// Returns the buffer that SetBuffer or SetConstantBuffer set; null = nothing.
     std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const;
 
@@ -155,7 +156,7 @@ public:
     /// Removes all values and keeps the memory.
     void Clear();
     bool isEmpty() const { return m_Slots.empty(); }
-    bool hasBuffers() const { return m_HasBuffers; } ///< one was set since Clear
+    bool hasBuffers() const { return m_HasBuffers; } ///< returns whether one was set since Clear
 
 private:
     struct Slot
@@ -189,7 +190,7 @@ private:
         return (id.value * 0x9E3779B1U >> 16U) & (m_Places.size() - 1);
     }
     void SetPlace(const Slot& slot);
-    void SetPlaces();          ///< all, in a table of the right size
+    void SetPlaces();          ///< sets all, in a table of the right size
     friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
     /// Sets a value as Set does, if it is known to be finite.
     void Put(ShaderPropertyId id, const ShaderPropertyValue& value);

@@ -16,8 +16,8 @@ std::string TypeName(std::type_index type);
 struct PluginCallSite
 {
     const std::type_info& type; ///< the type that has the member, in the module that defines it
-    std::string_view
-        name;           ///< the name of the feature, or of the pass's profilingSampler; "" = none
+    /// The name of the feature, or of the pass's profilingSampler; "" = none.
+    std::string_view name;
     const char* member; ///< "AddRenderPasses", "Execute" ...
     /// The feature that enqueued the pass, if the call is a pass's and the feature is known. It
     /// lives during the call.

@@ -168,7 +168,7 @@ bool ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
                         std::string_view name = {});
-/// Takes the arguments in the order of Unity's call.
+/// Does the same with all arguments of Unity's call.
 bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
                         const ReAllocateArguments& arguments);
 bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,

@@ -151,7 +151,7 @@ struct CopyBufferCommand
 struct GetTemporaryRTCommand
 {
     ShaderPropertyId id;
-    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's
+    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's size
     FilterMode filter = FilterMode::Point;
 };
 
@@ -163,8 +163,8 @@ struct ReleaseTemporaryRTCommand
 struct SetIdentifiedTargetCommand
 {
     std::vector<RenderTargetIdentifier> colors;
-    RenderTargetIdentifier
-        depth; ///< none = the depth that belongs to the colour, if there is exactly one
+    /// The depth; none = the one that belongs to the colour, if there is exactly one.
+    RenderTargetIdentifier depth;
 };
 
 struct SetCameraColorCommand
@@ -195,8 +195,8 @@ struct CopyDrawCommand
     float mipLevel = 0.0f;
     /// The part of the target that a quad covers; none = a triangle over the whole.
     std::optional<glm::vec4> targetScaleBias = std::nullopt;
-    std::shared_ptr<const RenderTexture> depth =
-        nullptr; ///< written as depth; null = no depth is written
+    /// A texture that is written as depth; null = no depth is written.
+    std::shared_ptr<const RenderTexture> depth = nullptr;
 };
 
 struct CopyTextureCommand

@@ -11,7 +11,7 @@ namespace limn
 /// The verdicts of one filter on the renderers that it was asked about.
 struct DrawRenderersReport
 {
-    SampleName pass; ///< name of the pass that asked
+    SampleName pass; ///< name of the pass that called the filter
     FilteringSettings filtering;
     DrawingSettings drawing;
     FilterCounts counts{};
@@ -25,8 +25,8 @@ struct FeatureReport
 {
     SampleName name;
     std::size_t passes = 0; ///< number of passes that it added; with none it draws nothing
-    std::size_t firstNote =
-        0; ///< index into RenderReport::notes of the first note that it added meanwhile
+    /// The index in RenderReport::notes of the first note that it added meanwhile.
+    std::size_t firstNote = 0;
     std::size_t noteCount = 0;
 };
 
@@ -46,8 +46,8 @@ struct RenderReport
     /// `feature`.
     std::vector<DrawRenderersReport> filters;
     std::vector<FeatureReport> features; ///< in the renderer's order, once per camera of the stack
-    std::vector<std::string>
-        notes; ///< sentences for the user, each a reason why something is absent
+    /// Sentences for the user, each of which is a reason why something is absent.
+    std::vector<std::string> notes;
     std::vector<std::string> choices; ///< what features decided by themselves, and why
 };
 

@@ -73,7 +73,7 @@ struct RenderSettings
     std::shared_ptr<const Texture> skyReflection;
     /// The number of texels along an edge of skyReflection: a power of two from 1 to 2048.
     int defaultReflectionResolution = 128;
-    float reflectionIntensity = 1.0f; ///< multiplies what is mirrored
+    float reflectionIntensity = 1.0f; ///< multiplies the reflections
 
     /// The sky that cameras with CameraClearFlags::Skybox see; null = none. Its first pass draws a
     /// ball around the camera whose POSITION is the direction in world axes. A shader with six

@@ -159,7 +159,7 @@ struct CameraData
 /// A light that reaches into the camera's view. Unity: UnityEngine.Rendering.VisibleLight (2022.3).
 struct VisibleLight
 {
-    const Light* light = nullptr; ///< valid as long as the scene's list; null = Scene::mainLight
+    const Light* light = nullptr; ///< null = Scene::mainLight; valid as long as the scene's list
     LightType lightType = LightType::Directional;
     Color finalColor;                   ///< linear, with its intensity
     glm::dmat4 localToWorldMatrix{1.0}; ///< it shines along its +z
@@ -170,11 +170,12 @@ struct VisibleLight
 /// The lights that shaders get. Unity: UnityEngine.Rendering.Universal.LightData (URP 14).
 struct LightData
 {
-    int mainLightIndex = -1;       ///< of visibleLights(); -1 = the scene's has no intensity
+    /// The index in visibleLights(); -1 = the scene's main light has no intensity.
+    int mainLightIndex = -1;
     int additionalLightsCount = 0; ///< besides the main one
     int maxPerObjectAdditionalLightsCount =
         0; ///< UniversalRenderPipeline::maxAdditionalLightsCount
-    bool shadeAdditionalLightsPerVertex = false; ///< never
+    bool shadeAdditionalLightsPerVertex = false; ///< always false
     bool supportsAdditionalLights = true;        ///< the limit is not 0
     bool supportsLightLayers = true;
 
@@ -182,8 +183,9 @@ struct LightData
     /// call.
     std::vector<VisibleLight> visibleLights() const;
 
-    const Scene* scene = nullptr;                   ///< null where no pipeline renders
-    std::span<const Light* const> additionalLights; ///< until the camera is done; none is null
+    const Scene* scene = nullptr; ///< null if no pipeline renders
+    /// Valid until the camera is done; no element is null.
+    std::span<const Light* const> additionalLights;
 };
 
 /// The data of a frame that passes and features receive. It is valid only while the camera is

@@ -69,7 +69,7 @@ private:
     union
     {
         value_type m_One;   ///< null in an empty list
-        value_type* m_Many; ///< of new[]
+        value_type* m_Many; ///< allocated with new[]
     };
     std::uint32_t m_Size = 0;
 };
@@ -113,7 +113,7 @@ private:
     void DropEmpty();
 
     static const Block k_None;
-    std::unique_ptr<Lists> m_Lists; ///< null, or not without any block
+    std::unique_ptr<Lists> m_Lists; ///< null, or with at least one block
 };
 
 class RendererTable;

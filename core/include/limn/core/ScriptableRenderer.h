@@ -91,7 +91,7 @@ public:
     struct PassPlace
     {
         ScriptableRenderContext::Place commands;
-        std::size_t pass = 0; ///< of RenderReport::passes, the one that follows
+        std::size_t pass = 0; ///< index in RenderReport::passes of the next pass
     };
 
 protected:
@@ -110,7 +110,8 @@ protected:
     /// Returns the passes enqueued so far.
     std::span<ScriptableRenderPass* const> activeRenderPassQueue() const { return m_Queue; }
 
-    /// Called before each pass is executed, in their order, and once behind the last.
+    /// Prepares a pass. It is called before each pass is executed, in their order, and once behind
+    /// the last.
     /// @param next  null behind the last
     virtual void BeforePass(ScriptableRenderContext& context, RenderingData& renderingData,
                             const ScriptableRenderPass* next, const PassPlace& place);
@@ -140,8 +141,9 @@ private:
     std::vector<std::unique_ptr<ScriptableRendererFeature>> m_Features;
     std::vector<ScriptableRenderPass*> m_Queue;
     std::vector<ScriptableRenderPass*> m_FeaturePasses; ///< of these, as enqueued
-    std::vector<std::size_t> m_FeaturePassEnds;         ///< of each feature, among those
-    std::shared_ptr<ShaderSource> m_ShaderSource;       ///< null = nowhere
+    /// The end of each feature in m_FeaturePasses.
+    std::vector<std::size_t> m_FeaturePassEnds;
+    std::shared_ptr<ShaderSource> m_ShaderSource; ///< null = nowhere
     RTHandle m_CameraColor;
     RTHandle m_CameraDepth;
     std::shared_ptr<RenderGraphCamera> m_RenderGraph; ///< null until a pass records one

@@ -36,8 +36,9 @@ struct NameId
     std::uint32_t value = 0; ///< 0 = the empty name
 
     constexpr NameId() = default;
-    /// Converts a name to its number. A property's name may be passed wherever its number is taken,
-    /// as in Unity, where a resource's name is a text.
+    /// Makes the number of a name. The conversion is implicit for properties and resources, since
+    /// in Unity a property may be given by its name wherever its number is taken, and the name of a
+    /// resource is a string.
     template <std::convertible_to<std::string_view> Text>
     explicit(!std::is_same_v<Tag, PropertyTag> && !std::is_same_v<Tag, ResourceTag>)
         NameId(const Text& name)

@@ -23,7 +23,7 @@ public:
     bool operator==(const LocalKeyword&) const = default;
 
 private:
-    const Shader* m_Shader; ///< only tells keywords apart
+    const Shader* m_Shader; ///< only tells keywords of different shaders apart
     std::string m_Name;
 };
 

@@ -44,7 +44,8 @@ struct SphericalHarmonicsL2
     SphericalHarmonicsL2& operator*=(float scale);
     bool operator==(const SphericalHarmonicsL2&) const = default;
 
-    std::array<float, std::size_t{k_Channels} * k_Coefficients> weights{}; ///< red's nine first
+    /// The nine of red come first.
+    std::array<float, std::size_t{k_Channels} * k_Coefficients> weights{};
 
 private:
     static constexpr std::size_t Index(int rgb, int coefficient)

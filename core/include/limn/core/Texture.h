@@ -17,9 +17,9 @@ struct SamplerState
     FilterMode filterMode = FilterMode::Bilinear;
     TextureWrapMode wrapModeU = TextureWrapMode::Repeat;
     TextureWrapMode wrapModeV = TextureWrapMode::Repeat;
-    TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< of 3D textures
-    bool comparison =
-        false; ///< depth comparison: passes depths that are as near as the texel or nearer
+    TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< for 3D textures
+    /// If true, samples compare depths, and depths pass that are as near as the texel or nearer.
+    bool comparison = false;
     bool standardZ = false; ///< of the comparison: 0 is near
     /// The number of samples along the direction in which a surface is seen flat: 1 ... 16, where 1
     /// = one only. It is one on devices that do not support more. Unity: Texture.anisoLevel.
@@ -37,7 +37,8 @@ struct TextureShape
     int width = 0;  ///< texels
     int height = 0; ///< texels
     int slices = 1;
-    int mipCount = 1; ///< levels, each half as wide and high as the one before, at least a texel
+    /// The number of levels, each half as wide and high as the one before, but at least a texel.
+    int mipCount = 1;
 };
 
 /// Returns the number of levels down to 1x1 (and 1 slice of a 3D texture).

@@ -28,7 +28,7 @@ struct Transform
     // These throw ContractError if the parents form a cycle.
     glm::mat4 localToWorldMatrix() const;
     glm::vec3 position() const; ///< world
-    glm::quat rotation() const; ///< world; scales, the parents' too, do not matter
+    glm::quat rotation() const; ///< world; ignores all scales, also those of the parents
     // These return the values before they are rounded: far away from the world's origin a float is
     // coarse.
     glm::dmat4 worldMatrix() const;

@@ -26,12 +26,13 @@ struct RenderRequest
     int width = 0;     ///< pixels, > 0; a camera with a targetTexture has that one's size
     int height = 0;    ///< pixels, > 0
     double time = 0.0; ///< seconds, shown by _Time; at most 1e38, since _Time.w is 3 times that
-    const VolumeStack* volumeStack = nullptr; ///< blended for this camera; null: all defaults
+    /// The blended volumes for this camera; null = all defaults.
+    const VolumeStack* volumeStack = nullptr;
     /// Returns the volume stack in place of volumeStack. It is called for each camera of a stack
     /// before its features are asked; the result must be valid until the next call.
     std::function<const VolumeStack*(const Camera&)> blendVolumes;
     std::vector<RTHandle> alsoReadBack; ///< further textures to keep readable after the frame
-    FrameCompilerOptions compile;       ///< what may be left out
+    FrameCompilerOptions compile;       ///< options about what may be left out
     Timeline* timeline = nullptr; ///< gets "cull", "record", "compile", "execute"; may be null
 };
 
@@ -50,7 +51,7 @@ struct RenderResult
 class UniversalRenderPipeline
 {
 public:
-    /// @param device  must outlive this, or the next SetDevice
+    /// @param device  must live as long as this, or until the next SetDevice
     explicit UniversalRenderPipeline(GraphicsDevice& device);
 
     /// Continues with another device, e.g. after the first was lost: the contents of textures are
@@ -138,7 +139,8 @@ private:
     RTHandle m_TargetTexture; ///< of the last camera that had one
     RenderTexturePool m_TemporaryTextures;
     FrameCache m_Frames;
-    std::vector<FrameCache> m_FramesOfSeveral;                   ///< of Render's cameras, as drawn
+    /// The caches for the cameras of Render, in the order of drawing.
+    std::vector<FrameCache> m_FramesOfSeveral;
     std::vector<const Light*> m_AdditionalLights;                ///< of the last camera
     std::vector<const Camera*> m_Stack;                          ///< of the last frame
     std::vector<std::shared_ptr<const RenderTexture>> m_Outputs; ///< of the last frame
