@@ -32,7 +32,7 @@ public:
     void Setup(std::span<ScriptableRenderPass* const> queue, LayerMask opaqueLayers,
                const RenderTextureDescriptor& camera, std::vector<std::string>& notes);
 
-    /// Makes the textures that are made at this place global for draws that follow.
+    /// Sets the textures that are made at this place as globals for draws that follow.
     /// @param next   the event of the next pass, or one behind all
     /// @param color  the camera's colour at this place
     void BeforePass(ScriptableRenderContext& context, RenderPassEvent next,

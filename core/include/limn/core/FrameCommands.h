@@ -311,8 +311,8 @@ struct FrameTables
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
     std::vector<PerDrawData> perDraw;     ///< used by draws of this frame only
     std::shared_ptr<const InstanceData> objects; ///< of the scene; null = no draw has any
-    bool usesReversedZBuffer =
-        true; ///< the depth direction that its shaders expect, see ShaderCompilerOptions
+    /// The depth direction that its shaders expect, see ShaderCompilerOptions.
+    bool usesReversedZBuffer = true;
 
     const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }
     const DispatchSetup& Setup(const DispatchCommand& dispatch) const

@@ -256,8 +256,8 @@ enum class TextureWrapMode
 /// `sRGB` is true, Depth is D32_SFloat.
 GraphicsFormat ToGraphicsFormat(RenderTextureFormat format, bool sRGB = false);
 /// Returns the format that a texture's format stands for. With `sRGB`, those of 8 bits per
-/// component that have a colour, and compressed ones, are sRGB-encoded. Returns None for the two
-/// that no GraphicsFormat stands for.
+/// component that have a colour are sRGB-encoded, and compressed ones if there is such a format.
+/// Returns None for the two that no GraphicsFormat stands for.
 GraphicsFormat ToGraphicsFormat(TextureFormat format, bool sRGB);
 
 /// Returns why no texture can be of this format, and which one would do: "is compressed;

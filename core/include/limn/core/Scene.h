@@ -251,7 +251,7 @@ public:
     std::shared_ptr<const RendererTable> UpdateRenderers(const glm::dvec3& origin) const;
 
 private:
-    /// The objects, at which frames drawn before the scene's end may look.
+    /// The objects. Frames that were drawn before the scene's end may still look at them.
     std::shared_ptr<GameObjects> m_Objects = std::make_shared<GameObjects>();
     mutable std::shared_ptr<RendererTable> m_Renderers; ///< follows the objects
 };
