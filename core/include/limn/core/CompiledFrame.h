@@ -105,9 +105,9 @@ struct ColorAttachment
     LoadOp load = LoadOp::Load;
     StoreOp store = StoreOp::Store;
     Color clearColor; ///< linear
-    /// Receives the average of the samples at the pass's end, or null if nothing does. It is
-    /// `texture` itself, whose readers then see the average, or another texture of its format with
-    /// one sample per texel. `load` and `store` concern the samples only.
+    /// The texture that receives the average of the samples at the pass's end; null if none does.
+    /// It is `texture` itself, whose readers then see the average, or another texture of its format
+    /// with one sample per texel. `load` and `store` concern the samples only.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
     /// If true, the mip levels behind the first are made at the pass's end: those of `resolve`, or
     /// else of `texture`.
@@ -125,8 +125,8 @@ struct DepthAttachment
     StoreOp stencilStore = StoreOp::Store;
     float clearDepth = 1.0f; ///< 1 = far, see ClearCommand
     int clearStencil = 0;
-    /// Receives the first sample of depth and stencil at the pass's end, as
-    /// ColorAttachment::resolve does.
+    /// The texture that receives the first sample of depth and stencil at the pass's end, see
+    /// ColorAttachment::resolve.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
 
     bool operator==(const DepthAttachment&) const = default;

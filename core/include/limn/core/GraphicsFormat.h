@@ -6,9 +6,9 @@
 namespace limn
 {
 
-/// Texel formats with Unity's names and values. GraphicsFormatProblem returns which of them cannot
-/// be made. Unity: UnityEngine.Experimental.Rendering.GraphicsFormat (2022.3, and D16_UNorm_S8_UInt
-/// of 6).
+/// Texel formats with Unity's names and values. GraphicsFormatProblem returns why one of them
+/// cannot be made. Unity: UnityEngine.Experimental.Rendering.GraphicsFormat (2022.3, and
+/// D16_UNorm_S8_UInt of 6).
 enum class GraphicsFormat
 {
     None = 0,

@@ -36,7 +36,7 @@ GraphicsFormat GetDepthStencilFormat(int minimumDepthBits, int minimumStencilBit
 /// Returns a depth-stencil format, with a stencil for more than 16 bits, as
 /// RenderTextureDescriptor::depthBufferBits does.
 GraphicsFormat GetDepthStencilFormat(int minimumDepthBits);
-int GetDepthBits(GraphicsFormat format); ///< in the format's name; 0 for others
+int GetDepthBits(GraphicsFormat format); ///< the bits in the format's name; 0 for other formats
 
 /// Returns the pair of a format with or without sRGB-encoded texels, or the format itself if it has
 /// none.

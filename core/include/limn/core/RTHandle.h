@@ -32,7 +32,7 @@ struct RTHandleProperties
 
 /// A shared reference to a render texture, or a name that stands for one when a command buffer is
 /// executed, or empty. Copies refer to the same texture, which lives as long as some handle to it;
-/// nothing must be released by hand. Unity: UnityEngine.Rendering.RTHandle (core 14).
+/// nothing has to be released by hand. Unity: UnityEngine.Rendering.RTHandle (core 14).
 class RTHandle
 {
 public:

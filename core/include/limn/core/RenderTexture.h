@@ -62,8 +62,8 @@ struct RenderTextureDescriptor
     VRTextureUsage vrUsage = VRTextureUsage::None; ///< others throw ContractError
     bool bindMS = false; ///< true throws ContractError: shaders see one sample per texel
     /// A value other than None promises that no next frame reads what this one leaves in the
-    /// texture, so that nothing must be stored; within the frame it may be read. (Unity: within a
-    /// pass only, and only where the device can.)
+    /// texture, so that nothing needs to be stored; within the frame it may be read. (Unity: within
+    /// a pass only, and only where the device can.)
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
     bool useDynamicScale = false; ///< no effect: nothing scales
     /// If true, the texture's first row is the top of the picture, as in the image of a window or a

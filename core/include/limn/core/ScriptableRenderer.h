@@ -70,10 +70,10 @@ public:
                                       setInverseMatrices);
     }
 
-    /// Returns an identifier of the camera's colour, which may be called at any time, in
-    /// AddRenderPasses as well: it stands for the colour at the time when a command is executed. It
-    /// brings a depth along only for the values for which UniversalRenderPipeline::pipelineVersion
-    /// documents that.
+    /// Returns an identifier of the camera's colour. It may be called at any time, in
+    /// AddRenderPasses as well: the identifier stands for the colour at the time when a command is
+    /// executed. It brings a depth along only for the values for which
+    /// UniversalRenderPipeline::pipelineVersion documents that.
     /// @source Unity: ScriptableRenderer.cameraColorTarget (URP 8 to 14)
     RenderTargetIdentifier cameraColorTarget() const
     {
