@@ -35,7 +35,8 @@ public:
     bool isVerbose() const { return m_Options.isVerbose; }
 
     void Result(std::string_view line); ///< one line, to which an end of line is added
-    /// Several lines, the last one with its end; pass each name through OneLine.
+    /// Prints several lines, of which the last one has its end. Names in them must have gone
+    /// through OneLine.
     void Results(std::string_view lines);
     std::ostream& out() { return m_Out; } ///< for text without words of files, and for bytes
 
