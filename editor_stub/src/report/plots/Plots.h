@@ -55,7 +55,7 @@ enum class PlotFormat
     Png
 };
 
-/// Returns the plot in gnuplot's language. gnuplot then draws it to its standard output.
+/// Returns a script in gnuplot's language that draws the plot to gnuplot's standard output.
 std::string PlotScript(const Plot& plot, PlotFormat format);
 
 } // namespace limn::study
