@@ -26,7 +26,7 @@ struct ImportKind
 {
     const char* noun;    ///< names it in sentences: "model"
     const char* version; ///< must change whenever equal files give another result than before
-    /// The function that takes the request of ImportInWorker.
+    /// Does the work in a worker; it takes the request that ImportInWorker takes.
     std::string (*work)(std::string_view request);
 };
 

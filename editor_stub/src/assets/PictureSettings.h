@@ -45,7 +45,7 @@ struct PictureSettings
     /// The height of white above black, in hundreds of texels. It is not known whether slopes are
     /// as strong in Unity.
     float heightScale = 0.25f;
-    int maxTextureSize = 0; ///< of the longer side, in texels; 0 = any
+    int maxTextureSize = 0; ///< the most texels of the longer side; 0 = any number
 };
 
 /// Changes a picture as the settings say. A picture that is too large is scaled down: each new

@@ -77,8 +77,8 @@ public:
 
     AssetContext& assets() { return m_Assets; }
 
-    /// True if pictures are decoded. Otherwise a file that begins as a PNG file counts as right,
-    /// and a stand-in of one texel is read in its place.
+    /// If this is set, pictures are decoded. Otherwise a file that begins as a PNG file counts as
+    /// right, and a stand-in of one texel is read in its place.
     bool decodesPictures = true;
 
 private:

@@ -56,7 +56,7 @@ private:
 
     std::unique_ptr<Node> m_Root;
     std::vector<std::string> m_Paths; ///< the path of each renderer: "/Room/Sofa/Back/"
-    /// For each name, the renderers whose path has it, in their order.
+    /// The renderers whose path has a name, by that name, in their order.
     std::map<std::string, std::vector<std::size_t>, std::less<>> m_PlacesOf;
     bool m_HasSlashes = false; ///< true if the name of an object has a slash
 };

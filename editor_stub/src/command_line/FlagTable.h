@@ -10,7 +10,7 @@
 namespace limn
 {
 
-// The command line is a table. Parsing, help, completion, the man page and complaints all go by it.
+// The command line is a table. Parsing, help, completion, the man page and errors all use it.
 
 inline constexpr const char* k_ExitCodes =
     "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
@@ -29,7 +29,7 @@ enum class Times
 struct Flag
 {
     std::string name; ///< "output", as in --output; "" for an argument
-    /// "FILE", or the words that are allowed, "bash|zsh"; "" if it takes no value.
+    /// The name of its value, "FILE", or the allowed words, "bash|zsh"; "" if it takes no value.
     std::string value;
     std::string help;
     /// Stores the value, and returns what is wrong with it, or "" if nothing is.
@@ -62,13 +62,13 @@ struct Verb
     std::string name;
     std::string help;
     std::function<int(Console&)> run;
-    std::vector<Flag> flags; ///< as help lists them, the arguments first
+    std::vector<Flag> flags; ///< in the order in which help lists them, the arguments first
     std::vector<FlagRule> rules = {};
 };
 
 struct FlagTable
 {
-    Verb limn; ///< with the flags of every verb
+    Verb limn; ///< has the flags that all verbs take
     std::vector<Verb> verbs;
 
     const Verb* Find(const std::string& verb) const; ///< null if there is no such verb

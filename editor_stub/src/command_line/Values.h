@@ -11,7 +11,7 @@
 namespace limn
 {
 
-// Functions for Flag::store, which keep a value and find what is wrong with it.
+// Functions for Flag::store, which store a value and return what is wrong with it.
 
 using StoreValue = std::function<std::string(const std::string&)>;
 /// Returns what is wrong with a text, or "" if nothing is.

@@ -45,9 +45,10 @@ int RunInspect(const InspectOptions& options, Console& console);
 /// The arguments of `limn explain`.
 struct ExplainOptions
 {
-    RenderOptions rendering; ///< its device draws if a pixel is asked about
-    std::string object;      ///< "" for all objects
-    std::string pixel;       ///< as ParsePixel takes it; "" if none is asked about
+    /// The options of rendering. Their device draws only if a pixel is asked about.
+    RenderOptions rendering;
+    std::string object; ///< "" for all objects
+    std::string pixel;  ///< as ParsePixel takes it; "" if none is asked about
     bool json = false;
     std::string graph; ///< the file for the frame as a picture; "" for none
 };

@@ -14,7 +14,7 @@ namespace limn
 /// The options of every verb: --color, -q and -v.
 struct ConsoleOptions
 {
-    ColorMode color = ColorMode::Auto; ///< of stderr
+    ColorMode color = ColorMode::Auto; ///< the colours of stderr
     bool isQuiet = false;              ///< errors only
     bool isVerbose = false;
 };
@@ -49,7 +49,7 @@ public:
     void Warning(std::string_view sentence); ///< "warning: sentence"
     void Error(std::string_view text);       ///< "error: text", which may have several lines
     void Bug(std::string_view what);         ///< an error in limn itself
-    void Verbose(std::string_view sentence); ///< with -v only
+    void Verbose(std::string_view sentence); ///< a line that is shown only with -v
     void Line(std::string_view text);        ///< one or several lines, as they are
 
     /// Shows a line that the next one replaces, only on a terminal.

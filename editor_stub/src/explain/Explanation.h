@@ -67,7 +67,7 @@ struct Explanation
     ExplainedFrame frame; ///< as the device runs it
     /// The variants that were drawn with, once each, in the order of first use.
     std::vector<ExplainedVariant> variants;
-    int builtVariants = 0;                   ///< those that had to be compiled or fetched
+    int builtVariants = 0; ///< the number of variants that had to be compiled or fetched
     std::vector<ExplainedObject> objects;    ///< scene order
     std::vector<ExplainedIdle> idleFeatures; ///< the renderer's order
 };

@@ -36,7 +36,8 @@ struct InspectedVolume
 /// The values that a file sets.
 struct InspectReport
 {
-    /// "scene", "profile", "renderer", "pipeline" or "material", or "name" if it is no file.
+    /// The kind of the file: "scene", "profile", "renderer", "pipeline" or "material"; "name" if it
+    /// is no file.
     std::string kind;
     std::optional<InspectedGroup> asset; ///< the values of a renderer, pipeline or material
     std::vector<InspectedVolume> volumes;

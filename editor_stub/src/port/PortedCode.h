@@ -49,10 +49,11 @@ private:
     std::vector<PortedThing> m_Things;
 };
 
-// What stands in classes. Each writes C++ that compiles, and what it cannot write as a TODO.
+// These write the contents of files and classes, in C++ that compiles. A part that they cannot
+// write becomes a TODO.
 
-/// The next functions write enums, settings, and volume components with the enums nested in them.
-/// They come before everything else.
+/// Writes an enum. Enums, data and components, with the enums nested in them, come before
+/// everything else.
 void WriteEnum(PortedCode& code, const CSharpClass& one);
 void WriteData(PortedCode& code, const CSharpClass& one);
 void WriteComponent(PortedCode& code, const CSharpClass& one);
@@ -119,7 +120,7 @@ std::vector<PortedAssignment> AssignmentsOf(CSharpWords body);
 std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment);
 
-/// Return the header and the source of a plug-in with the features.
+/// Returns the header of a plug-in with the features; PortedSource returns its source.
 std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources);
 std::string PortedSource(PortedCode& code);
 /// Returns the name by which limn knows a feature or component of the plug-in: the class's name,

@@ -22,7 +22,8 @@ const char* ToString(PortVerdict verdict);
 struct PortEntry
 {
     PortVerdict verdict = PortVerdict::Same;
-    /// How it differs, why it is refused, what to do instead; "" if there is nothing to say.
+    /// The difference, the reason of a refusal or what to do instead; "" if there is nothing to
+    /// say.
     std::string words;
     std::string result; ///< the type of the member's value; "T" = its type argument; "" = not given
 };

@@ -77,7 +77,8 @@ private:
 
     const PortingTable& m_Table;
     ClassIndex m_Own;
-    std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions; ///< of static classes
+    /// Extension methods of static classes.
+    std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions;
     const CSharpFile* m_File = nullptr;
     std::vector<const CSharpClass*> m_Classes; ///< the innermost last
     std::map<std::string, std::string> m_Locals;

@@ -37,8 +37,8 @@ Json AnimationCurveSchema();
 /// range; or Unity's form.
 Json TextureCurveSchema();
 
-/// Keys keep their order, which is the one an editor offers them in.
-// The JSON Schema of values as YamlRead and ReadLayers read them.
+// The JSON Schema of values as YamlRead and ReadLayers read them. Keys keep their order, in which
+// an editor offers them.
 
 Json BoolSchema();
 Json NumberSchema(ValueRange range = {});

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-// What scene files may say, for the reader and for the schema.
+// The keys and values of scene files, for the reader and for the schema.
 
 inline constexpr ValueRange k_PictureSizes{1.0, 16384.0}; ///< pixels, of a side
 inline constexpr ValueRange k_RenderQueues{-1.0, 5000.0}; ///< -1: the shader's own
@@ -101,7 +101,7 @@ struct SceneKey
 {
     std::string_view name;
     SceneValue value;
-    /// For readers and editors; a test requires one for each key.
+    /// The text for readers and editors. A test requires one for each key.
     std::string_view description = "";
     ValueRange range = {}; ///< the range of a number, or of each number of a vector
     bool isRequired = false;
@@ -220,7 +220,7 @@ inline constexpr SceneKey k_OrthographicSize{
     Number,
     "Half the height of an orthographic picture in metres; 5 unless it is set",
     {1e-4, k_MaxDistance}};
-// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
+// Unity's inspector offers up to 179 degrees; 0 would make an empty picture.
 inline constexpr SceneKey k_FieldOfView{
     "fieldOfView",
     Number,

@@ -18,7 +18,7 @@ std::string DescribeVariants(const std::vector<ShaderCheck>& checks);
 /// Returns all files and their summary as JSON: {files: [...], summary: {...}}.
 std::string ShadersAsJson(const std::vector<ShaderCheck>& checks);
 
-// Names as both forms have them.
+// Names, as the text and the JSON have them.
 std::string TypeText(const ShaderProperty& property); ///< "Range(0, 1)"
 std::string DefaultText(const ShaderProperty& property);
 std::string TypeText(UniformType type, int components, int arraySize = 0); ///< "float4[8]"
@@ -34,13 +34,12 @@ const char* ToString(PassOutcome outcome); ///< "compiled", "missing include"
 struct ShaderSummary
 {
     int files = 0;
-    int parsed = 0; ///< without an error, that is parsed completely
+    int parsed = 0; ///< the files that were parsed without an error
     int errors = 0;
     std::array<int, 5> passes{}; ///< the number of passes by PassOutcome
 
     int passesOf(PassOutcome outcome) const { return passes[static_cast<std::size_t>(outcome)]; }
-    /// Returns the number of passes that were compiled or failed to: those whose includes are all
-    /// there.
+    /// Returns the number of vertex and fragment programs whose includes are all there.
     int passesTried() const
     {
         return passesOf(PassOutcome::Compiled) + passesOf(PassOutcome::Failed);

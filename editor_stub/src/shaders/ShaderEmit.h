@@ -18,9 +18,9 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
                                               const std::filesystem::path& folder,
                                               const std::string& stem);
 
-/// Returns the beginnings of the names of shaders' files: a shader's own name without the
-/// characters that a file name cannot have. If several are equal, the second one gets "-2" behind
-/// it, and so on.
+/// Makes the beginnings of the names of shaders' files: a shader's own name without the characters
+/// that a file name cannot have. If several are equal, the second one gets "-2" behind it, and so
+/// on.
 class EmittedStems
 {
 public:

@@ -65,7 +65,8 @@ public:
 
     const std::string& name() const { return m_Asset.file(); }
     std::span<const UnityHeader> headers() const { return m_Asset.headers(); }
-    /// The map below the class's name. @throws AssetError as UnityTree
+    /// Returns the map below the class's name.
+    /// @throws AssetError as UnityTree
     UnityNode Fields(const UnityHeader& header) const;
 
 private:
@@ -89,7 +90,7 @@ struct UnityOverride
 struct UnityInstance
 {
     UnityClass classID{};
-    std::int64_t fileID = 0; ///< in the space of its scope
+    std::int64_t fileID = 0; ///< the id within its scope
     int line = 0;
     const UnityScope* scope = nullptr; ///< the scope that it is in
     UnityNode fields;

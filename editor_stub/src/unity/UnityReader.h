@@ -84,7 +84,7 @@ public:
     /// Returns the number of elements of a list, as the prefab instances have made it.
     std::size_t Count(const std::string& path) const;
     bool Has(const std::string& path) const { return Find(path) || FindOverride(path) != nullptr; }
-    UnityNode Find(const std::string& path) const; ///< in the object's own text
+    UnityNode Find(const std::string& path) const; ///< finds a value in the object's own text
 
     void Note(const std::string& path, const std::string& message) const;
 

@@ -25,7 +25,8 @@ public:
 
     /// Reads what changed again, and draws if any of it is usable. The first call loads the scene.
     /// A device that is lost is replaced, and everything is read and drawn again on the new one.
-    /// @throws VulkanError for any other failure of the driver, and if no device keeps working
+    /// @throws VulkanError for any other failure of the driver, and if devices are lost again and
+    ///     again
     void Redraw(const std::set<std::filesystem::path>& changes);
 
     /// Returns the watcher, which watches every file that the scene reached so far.

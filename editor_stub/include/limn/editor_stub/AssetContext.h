@@ -161,18 +161,19 @@ private:
     /// Finds shipped shaders and those that were loaded.
     std::shared_ptr<ShaderSource> m_ShaderSource;
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;
-    // Files go by their normal path.
+    // The keys of these maps are normal paths.
     std::map<std::filesystem::path, std::shared_ptr<const Shader>> m_Shaders;
     std::map<std::filesystem::path, ShaderDatabase> m_Databases; ///< by folder
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
     std::map<std::filesystem::path, std::shared_ptr<const Texture2D>> m_Textures;
-    std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes; ///< by their headers
+    /// The bytes of textures, by the headers of their files.
+    std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes;
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;
     PluginLoading m_PluginLoading;
-    std::set<std::filesystem::path> m_PluginFiles; ///< that were asked for, loaded or not
+    std::set<std::filesystem::path> m_PluginFiles; ///< the files that were asked for, loaded or not
     std::set<std::filesystem::path> m_Plugins;     ///< canonical
 };
 

@@ -57,7 +57,7 @@ struct SceneAsset
     std::vector<Volume> volumes;
     std::vector<Turn> turns;
     std::vector<Selected> selected; ///< selected by whoever loaded the scene, in that order
-    std::vector<Diagnostic> notes;  ///< what of Unity's assets was left out, and the like
+    std::vector<Diagnostic> notes; ///< the parts of Unity's assets that were left out, and the like
 };
 
 /// Turns the objects to where they are at `seconds`. Whole turns are subtracted in double

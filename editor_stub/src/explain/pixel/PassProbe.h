@@ -107,7 +107,8 @@ private:
     {
         return std::holds_alternative<ClearCommand>(pass().commands[step.command]);
     }
-    static void Split(const Range& range, std::vector<Range>& ranges); ///< into at most four
+    /// Cuts a range into at most four.
+    static void Split(const Range& range, std::vector<Range>& ranges);
     void FindReaching();
     /// Finds out which of at most four ranges reach the texel.
     Reached Cover(std::span<const Range> ranges, CullMode cull) const;

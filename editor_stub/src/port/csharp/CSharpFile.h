@@ -86,7 +86,7 @@ struct CSharpClass
     std::vector<CSharpMethod> methods;
     std::vector<CSharpClass> classes;
     std::vector<CSharpEnumerator> enumerators;
-    // ParseCSharp makes them when all members are there.
+    // ParseCSharp fills these when all members are there.
     CSharpNames fieldNames;
     CSharpNames methodNames;
     CSharpNames classNames;

@@ -17,7 +17,7 @@ enum class CSharpTokenKind
 {
     Identifier, ///< also keywords; without the @ of a verbatim one
     Number,
-    String, ///< of any kind, with its quotes
+    String, ///< a string of any kind, with its quotes
     Character,
     Punctuation, ///< one character each, except => :: ?. ?? and operators with =
     End          ///< the last of every list
@@ -69,7 +69,8 @@ struct CSharpTarget
 {
     int year = 2022; ///< the year of the Unity version; the default is the one that limn mirrors
     int release = 3;
-    /// True if the project's own symbols, whose values no file gives, are defined.
+    /// The answer for the project's own symbols, whose values no file gives: true if they count as
+    /// defined.
     bool isUnknownDefined = false;
 
     int urp() const { return year >= 6000 ? 17 : 14; }

@@ -70,8 +70,8 @@ struct FormulaCell
     double tolerance = 0.0; ///< the largest error that is allowed
     double article = 0.0;   ///< the result of the article's formula on this device, in float
     double ours = 0.0;      ///< the result of limn's formula there
-    /// True if the article's formula is known to be good for this input. Where it is undefined,
-    /// this holds for lavapipe.
+    /// Set if the article's formula is known to be good for this input. Where it is undefined, this
+    /// holds for lavapipe.
     bool articleHolds = false;
     std::string reason; ///< why the article's formula fails, and what replaces it
 

@@ -31,7 +31,7 @@ struct Standing
     TimeAndError at;
     std::pair<double, double> timeQuartiles;  ///< NaN if it has none
     std::pair<double, double> errorQuartiles; ///< NaN if it has none
-    /// With 95 % the time is within `at.milliseconds` ± this. NaN if the run cannot tell.
+    /// The time is within `at.milliseconds` ± this with 95 %. NaN if the run cannot tell.
     double timeUncertainty = std::numeric_limits<double>::quiet_NaN();
     /// The median is over all that moved. NaN if nothing moved.
     Spread flicker = SpreadOf({});
@@ -47,8 +47,9 @@ struct Standing
 /// The load of the machine while times were measured.
 struct LoadOfStudy
 {
-    std::size_t measurements = 0; ///< measurements, each of several techniques in turn
-    std::size_t changed = 0;      ///< those during which the load changed
+    /// The number of measurements, each of several techniques in turn.
+    std::size_t measurements = 0;
+    std::size_t changed = 0; ///< the number of measurements during which the load changed
     /// The quiet part of the measurements by which techniques are compared; the least quiet one of
     /// parts that were measured separately. NaN if there is none.
     double quietPart = std::numeric_limits<double>::quiet_NaN();
@@ -75,7 +76,8 @@ struct Comparison
     /// the error is the median over all shapes, with their quartiles. If there are several sizes,
     /// it is the median over them.
     std::string subject;
-    /// In pixels, of what moved: the nearest to `width`; NaN if nothing moved.
+    /// The width at which something moved that is nearest to `width`, in pixels; NaN if nothing
+    /// moved.
     double flickerWidth = 0.0;
     LoadOfStudy load;
     std::vector<Standing> standings; ///< in the order of Study::techniques
@@ -97,7 +99,7 @@ double NearestWidth(const Study& study, double wanted,
 struct Recommendation
 {
     const Standing* standing = nullptr; ///< an element of the comparison; null if nothing fits
-    std::string sentence;               ///< for people, with the figures
+    std::string sentence;               ///< a sentence for people, with the figures
 };
 
 /// Recommends the technique with the least error within the budget. With a budget, the upper bound

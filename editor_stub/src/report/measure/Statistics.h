@@ -17,23 +17,25 @@ struct Spread
 };
 Spread SpreadOf(std::vector<double> values);
 
-// How the time that a technique adds to a frame is found, whatever else the machine does meanwhile:
+// The time that a technique adds to a frame is found as follows, whatever else the machine does
+// meanwhile:
 //
-// 1. Each frame with an outline is drawn between two frames without one; the three are a pair. What
-//    the first took longer than the mean of the other two is the pair's difference.
+// 1. Each frame with an outline is drawn between two frames without one; the three are a pair. The
+//    pair's difference is the time of the first minus the mean of the other two.
 // 2. A pair counts if it was drawn at a quiet moment: the eight frames without an outline around it
-//    (TimesInTurn::k_Around on each side, its own two left out, so that they are not chosen by
+//    (TimesInTurn::k_Around on each side, without its own two, so that they are not chosen by
 //    their own noise) have a median near the run's quiet time, and each of its own two frames is
 //    near that time as well. "Near" is 25 %, or four times the scatter of such frames if that is
 //    more.
-// 3. The figure is the median of the differences that count. Its bound is the sign test's: two of
-//    the sorted differences, whatever their distribution. See BoundOfMedian for what widens it.
-// 4. Where frames that count were slower than their quietest tenth (of medians of three without an
-//    outline), the lower end falls by as much: the difference grew with them. Frames are not scaled
-//    by the load otherwise, since a load does not slow down all passes alike.
+// 3. The figure is the median of the differences that count. Its bound is that of the sign test:
+//    two of the sorted differences, whatever their distribution. See BoundOfMedian for what widens
+//    it.
+// 4. If frames that count were slower than their quietest tenth (of medians of three without an
+//    outline), the lower end falls by as much, since the difference grew with them. Frames are not
+//    scaled by the load otherwise, since a load does not slow down all passes alike.
 //
 // The load of the machine changed if more than a tenth of the frames without an outline were not
-// near the quiet time, they or those around them.
+// near the quiet time, or if those around them were not.
 
 /// An interval that holds a median with 95 %. NaN if there are too few values.
 struct Bound
@@ -57,7 +59,7 @@ struct TimeAdded
     /// The frame with the outline, in the pairs that count, or in all pairs if none counts.
     Spread frame;
     Spread added; ///< the differences of these pairs
-    /// With 95 % the time added at the run's quietest moments is within `added.median` ± this. NaN
+    /// The time added at the run's quietest moments is within `added.median` ± this with 95 %. NaN
     /// if too few pairs count to tell.
     double uncertainty;
 };
@@ -79,9 +81,10 @@ public:
 
     TimeAdded AddedBy(std::size_t technique) const;
 
-    double quietTime() const { return m_QuietTime; } ///< of the frame without an outline
-    double busyTime() const { return m_BusyTime; }   ///< 19 of 20 of these frames were quicker
-    /// The part of these frames that was near the quiet time.
+    /// Returns the quiet time of the frame without an outline.
+    double quietTime() const { return m_QuietTime; }
+    double busyTime() const { return m_BusyTime; } ///< 19 of 20 of these frames were quicker
+    /// Returns the part of these frames that was near the quiet time.
     double quietPart() const { return m_QuietPart; }
 
 private:

@@ -42,7 +42,7 @@ struct CellId
     double width = 0.0;    ///< the wanted width in pixels
     int pictureWidth = 0;  ///< pixels
     int pictureHeight = 0; ///< pixels
-    std::string variant;   ///< what is unusual: "", "half", "standard Z", "100 objects", ...
+    std::string variant;   ///< the unusual setting: "", "half", "standard Z", "100 objects", ...
 
     /// Returns the name "geometry/Strokes/disc/8/1920x1080", with "/half" behind it if there is a
     /// variant.
@@ -55,7 +55,7 @@ struct Metric
     const char* key;   ///< "meanAbsoluteError"
     const char* title; ///< "mean error"
     const char* unit;  ///< "" for plain numbers, "ms", "px", "bytes", ...
-    /// True if the figure differs from run to run. Shards and a whole run agree in everything else.
+    /// Set if the figure differs from run to run. Shards and a whole run agree in everything else.
     bool isMeasured = false;
 };
 

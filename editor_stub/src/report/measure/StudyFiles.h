@@ -11,8 +11,9 @@
 namespace limn::study
 {
 
-// A study's folder holds study.json, what it is about, and cells.jsonl, a line for each cell that
-// is measured, written as soon as it is. Whatever ends the program, at most the last line is lost.
+// A study's folder holds study.json, which describes the study, and cells.jsonl, with a line for
+// each measured cell, which is written as soon as the cell is measured. Whatever ends the program,
+// at most the last line is lost.
 
 /// Returns the path of a file below a study's folder, which somebody else may have made. The file
 /// may be missing.

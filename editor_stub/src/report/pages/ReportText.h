@@ -75,7 +75,8 @@ std::string HtmlPage(const ReportText& report, const std::filesystem::path& fold
                      const DrawnPlots& drawn);
 std::string MarkdownPage(const ReportText& report, const DrawnPlots& drawn);
 
-// The tables of a report. All figures are the study's, as Readable; "–" where there is none.
+// The tables of a report. All figures are the study's, as Readable returns them; "–" if there is
+// none.
 
 /// Returns all techniques at the comparison's width. Those on the front are marked.
 Table TechniquesTable(const Comparison& comparison);

@@ -80,7 +80,7 @@ struct OutlineScore
     double intersectionOverUnion = 1.0; ///< of the pixels above one half
     double areaRatio = 1.0;             ///< measured : exact
     double widthBias = 0.0;             ///< areaRatio - 1
-    /// In pixels: sum of alpha / perimeter; 0 if no perimeter was given.
+    /// The sum of alpha / perimeter, in pixels; 0 if no perimeter was given.
     double effectiveWidth = 0.0;
     std::size_t bandPixels = 0;
     std::size_t badValues = 0; ///< NaN, infinite or outside 0...1 by more than 1e-3
