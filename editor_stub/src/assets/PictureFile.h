@@ -14,7 +14,7 @@ bool IsPictureFile(const std::filesystem::path& path);
 /// R8G8B8A8_SRGB; more precise numbers are rounded. OpenEXR and Radiance HDR, which are linear,
 /// become R16G16B16A16_SFloat; a NaN becomes 0, and a number that is too large becomes the largest.
 /// A fourth channel is alpha, whatever the file calls it, as Unity takes it.
-/// @param path  the file's path, whose ending tells the kind; errors name it
+/// @param path   the file's path, whose ending tells the kind; errors name it
 /// @param bytes  the file's content
 /// @throws AssetError  if the file is none of these, or has more than 16384 texels either way, or
 ///     more than a file of that length can hold

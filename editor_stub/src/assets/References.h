@@ -25,8 +25,8 @@ inline constexpr const char* k_OutsideRoots =
 class References
 {
 public:
-    /// @param folders  the folders that relative paths start from; the first one that has the file
-    ///     counts
+    /// @param folders      the folders that relative paths start from; the first one that has the
+    ///     file counts
     /// @param assets, diagnostics  must outlive this
     References(AssetContext& assets, std::vector<std::filesystem::path> folders,
                AssetDiagnostics& diagnostics, ReferenceScope scope = ReferenceScope::Roots);

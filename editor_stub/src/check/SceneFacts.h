@@ -38,7 +38,7 @@ public:
 
     /// Returns the verdicts of a feature's filters, or of one of its passes.
     /// @param feature  if it is not given, any feature and the renderer's own passes
-    /// @param pass  if it is not given, any pass of the feature
+    /// @param pass     if it is not given, any pass of the feature
     DrawnFacts Drawn(const std::optional<std::string>& feature,
                      const std::optional<std::string>& pass) const;
 

@@ -17,7 +17,7 @@ std::filesystem::path FolderOfShaders(const std::filesystem::path& shaderFile);
 ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders);
 
 /// Returns whether Unity or one of its packages has a shader of this name, so that no project needs
-/// to hold it. The folder in the name tells that.
+/// to hold it. The folder in the name tells that, or the whole name for the oldest shaders.
 bool isUnityShader(std::string_view name);
 
 } // namespace limn

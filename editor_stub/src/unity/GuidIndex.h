@@ -13,7 +13,7 @@ namespace limn
 class GuidIndex
 {
 public:
-    /// @param root  the project's folder
+    /// @param root         the project's folder
     /// @param cacheFolder  empty = nothing is cached
     GuidIndex(const std::filesystem::path& root, const std::filesystem::path& cacheFolder);
 

@@ -63,7 +63,7 @@ private:
 class UnityTree
 {
 public:
-    /// @param file  the file's name in errors
+    /// @param file       the file's name in errors
     /// @param firstLine  the number of the text's first line in that file
     /// @throws AssetError  at the first line that Unity would not write in that way
     UnityTree(std::string_view text, const std::string& file, int firstLine);

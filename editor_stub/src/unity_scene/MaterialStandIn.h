@@ -47,7 +47,7 @@ struct MaterialStandIn
 /// Returns the stand-in for "Standard", "Legacy Shaders/Diffuse" and other shaders of the built-in
 /// pipeline.
 /// @param shader  the shader's name in Unity
-/// @param saved  the material's m_SavedProperties
+/// @param saved   the material's m_SavedProperties
 std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNode& saved);
 
 /// Returns the stand-in for the material of a shader graph: Lit with the texture and the colour

@@ -49,8 +49,9 @@ int ReadUnityCamera(UnitySceneLoader& loader);
 /// @return the LOD bias of the quality level
 float ReadUnityPipeline(UnitySceneLoader& loader, int renderer);
 
-/// Returns the linear colour of a black body from 1667 to 25000 K. Its largest component is 1. The
-/// formula is from Kim et al., "Design of Advanced Color Temperature Control System" (2002).
+/// Returns the linear colour of a black body, whose largest component is 1. Temperatures are
+/// clamped to 1667 to 25000 K. The formula is from Kim et al., "Design of Advanced Color
+/// Temperature Control System" (2002).
 glm::vec3 BlackBodyColor(float kelvin);
 
 /// @param sun  the light that the scene's settings call the sun; null for the brightest

@@ -60,7 +60,7 @@ public:
     SceneView(SceneAsset asset, const AssetContext& assets);
 
     /// Blends the volumes as they are now and draws.
-    /// @param time  in seconds, for _Time and for objects that turn
+    /// @param time    in seconds, for _Time and for objects that turn
     /// @param isLast  nothing is drawn after this, so what only a next frame could read is left out
     /// @param timeline  receives the times of the phases; may be null
     RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false,

@@ -132,8 +132,8 @@ private:
 
 /// Finds the reason for which a draw that reaches the texel leaves it as it was: the first test
 /// that rejects it.
-/// @param which  index into PassProbe::reaching
-/// @param before  what the targets hold before the draw
+/// @param which    index into PassProbe::reaching
+/// @param before   what the targets hold before the draw
 /// @param isEmpty  true if the frame is known to have nothing there for the draw to show
 std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size_t which,
                                                const TargetTexels& before, bool isEmpty);

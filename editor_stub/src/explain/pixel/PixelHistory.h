@@ -125,7 +125,7 @@ struct PixelHistory
 
 /// Draws the scene and finds out what became of each draw at one of its pixels. For this it draws
 /// parts of the frame again, at that pixel, with one test at a time switched off.
-/// @param x, y  the pixel, from the top left of the picture
+/// @param x, y      the pixel, from the top left of the picture
 /// @param progress  receives what is being looked at: a pass, its number and how many there are
 /// @throws AssetError for a shader with errors
 /// @throws VulkanError
@@ -139,7 +139,7 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
 std::vector<float> TexelValue(std::span<const std::byte> texel, GraphicsFormat format);
 
 /// Returns the bytes of one texel of an image.
-/// @param x, y  from the top left
+/// @param x, y      from the top left
 std::vector<std::byte> TexelAt(const Image& image, int x, int y);
 
 /// Returns the history as text for a person, in lines of about 80 columns.

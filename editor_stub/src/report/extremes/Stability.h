@@ -20,8 +20,9 @@ enum class SweepSize
 {
     Sampled,  ///< every level for it; every two levels meet for some technique
     Pairwise, ///< every two levels meet for each technique
-    Full      ///< all, where pictures of more than 256 pixels leave the first level of two factors
-              ///< at most; a width that is no finite number is tried once
+    /// All combinations. For pictures of more than 256 pixels and for untidy meshes, at most three
+    /// factors are not at their first level. A width that is no finite number is tried once.
+    Full
 };
 
 /// The technique's name in cells that are formulas, see FormulaCell. Their subject is the formula,
@@ -46,8 +47,8 @@ struct ShapeFacts
 };
 
 /// Returns the largest mean error of alpha in the band that a technique's README allows, plus half
-/// a pixel in all, which matters if there are few pixels. Returns nothing if the README does not
-/// cover such a case.
+/// a pixel in all, which matters if there are few pixels. For small objects it adds an allowance
+/// for each border pixel. Returns nothing if the README does not cover such a case.
 std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
                                  const ShapeFacts& shape);
 

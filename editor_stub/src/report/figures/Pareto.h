@@ -38,7 +38,7 @@ struct Standing
     std::size_t failures = 0;       ///< stability cells that failed
     std::size_t stabilityCells = 0; ///< the stability cells that it was tested with
 
-    bool HasTime() const;     ///< true if it has a time, even one that is not known
+    bool HasTime() const;     ///< true if it has a time, whose bound may include 0
     bool IsTimeKnown() const; ///< true if it has a time and 0 is not within its bound
     double ShortestTime() const { return at.milliseconds - timeUncertainty; }
     double LongestTime() const { return at.milliseconds + timeUncertainty; }

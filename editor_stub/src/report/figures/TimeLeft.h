@@ -29,7 +29,7 @@ public:
     double done() const;
     /// Returns the seconds left at the speed so far, or nothing before this run has done any work.
     std::optional<double> seconds() const;
-    /// Returns a line of progress: "[######......] 51 %, 12 of 34, 1 min 20 s left: what is being
+    /// Returns a line of progress: "[######......]  51 %, 12 of 34, 1 min 20 s left: what is being
     /// done".
     std::string Line(const std::string& now) const;
 

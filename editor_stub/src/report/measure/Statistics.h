@@ -75,7 +75,7 @@ class TimesInTurn
 public:
     static constexpr std::size_t k_Around = 4;
 
-    /// @param turns  as TurnsOf returns them; must outlive this
+    /// @param turns         as TurnsOf returns them; must outlive this
     /// @param milliseconds  the time of each turn's frame; must outlive this
     TimesInTurn(std::span<const std::size_t> turns, std::span<const double> milliseconds);
 

@@ -31,9 +31,9 @@ std::span<const std::string_view> CellKindNames();
 inline constexpr const char* k_SeenPart = "seen part";
 inline constexpr const char* k_HiddenPart = "hidden part";
 
-/// The name of one thing that is measured on its own. A shard measures a cell or leaves it to
-/// another; an interrupted run has it or lacks it. The name is unique in a study and the same in
-/// every run.
+/// The identity of a cell: one thing that is measured on its own. A shard measures a cell or leaves
+/// it to another shard; an interrupted run has it or lacks it. Its name is unique in a study and
+/// the same in every run.
 struct CellId
 {
     CellKind kind = CellKind::Geometry;

@@ -10,7 +10,7 @@ namespace limn::study
 class StudyPicture
 {
 public:
-    /// @param asset  the scene after UseTechnique; its features are created here
+    /// @param asset   the scene after UseTechnique; its features are created here
     /// @param assets, device  must outlive this
     StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device);
 

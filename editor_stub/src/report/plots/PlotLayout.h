@@ -54,7 +54,7 @@ struct LabelWish
 /// Places names so that they cover neither each other nor an obstacle, as near to their points as
 /// there is room. Earlier names choose first.
 /// @param obstacles  the boxes of points and lines
-/// @param frame  the box that names stay in
+/// @param frame      the box that names stay in
 /// @return the box of each wish's text; nothing for a text that found no room and is not needed
 std::vector<std::optional<PixelBox>> PlaceLabels(std::span<const LabelWish> wishes,
                                                  std::span<const PixelBox> obstacles,

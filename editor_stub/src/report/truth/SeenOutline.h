@@ -54,7 +54,7 @@ struct SeenOutline
 /// nearer to the camera than the object by more than a thousandth of the nearness: what touches the
 /// object hides nothing.
 /// @param whole   the outline of `width` pixels around the silhouette, whatever stands in front
-/// @param own  the surfaces of the silhouette's objects
+/// @param own     the surfaces of the silhouette's objects
 /// @param others  the surfaces that may stand in front
 SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhouette, double width,
                                 const Surfaces& own, const Surfaces& others, HiddenAt where);
