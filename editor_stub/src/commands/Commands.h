@@ -18,7 +18,7 @@ int RunRender(const RenderOptions& options, Console& console);
 
 /// Draws the scene into a PNG file, and again whenever a file that it reaches changes, until SIGINT
 /// or SIGTERM. If something is wrong with a file, that is printed and the last good picture stays.
-/// `frames`, `stats` and `trace` of the options have no effect.
+/// `frames`, `statsFile` and `traceFile` of the options have no effect.
 /// @return ExitCode::Done
 /// @throws AssetError if the scene file or the output's folder is missing when it starts
 /// @throws VulkanError

@@ -57,7 +57,7 @@ std::optional<Number> ParseWhole(std::string_view text)
     return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 
-/// Returns a count with its noun: "3 cells", "1 cell".
+/// Returns a count with its noun, plural unless it is 1: "3 cells", "1 cell".
 inline std::string Count(std::size_t count, std::string_view noun)
 {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");

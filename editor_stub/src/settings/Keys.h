@@ -129,7 +129,7 @@ constexpr SceneKey Required(SceneKey key)
 
 inline constexpr double k_MaxDistance = 1e9; ///< metres
 inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
-/// The range of the camera's coordinates.
+/// The range of the camera's coordinates and of the distances of fog.
 inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance};
 inline constexpr ValueRange k_RenderScales{0.1, 2.0};
 inline constexpr ValueRange k_LightLimits{0.0, 8.0};

@@ -42,7 +42,7 @@ enum class UnityClass : int
 };
 
 /// A reference `{fileID: 11400000, guid: 185ced…, type: 2}`. If the guid is empty, it refers to an
-/// object of the file itself; if both are empty, to nothing.
+/// object of the file itself; if the fileID is 0, to nothing.
 struct UnityReference
 {
     std::int64_t fileID = 0;

@@ -42,9 +42,9 @@ struct UnityTarget
     bool isNull() const { return object == nullptr && asset.isNull(); }
 };
 
-/// Reads the fields of one object, with the values that prefab instances give them. The type of
-/// `value` tells how a field is read. A missing field leaves the value as it was. A wrong field
-/// does so, too, and becomes a note.
+/// Reads the fields of one object, with the values that prefab instances give them. Numbers are
+/// read by the type of `value`. A missing field leaves the value as it was. A wrong field does so,
+/// too, and becomes a note.
 ///
 /// Paths are Unity's property paths: "m_LocalPosition.x", "m_Materials.Array.data[0]".
 class UnityReader

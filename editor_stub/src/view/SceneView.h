@@ -65,8 +65,8 @@ public:
     /// @param timeline  receives the times of the phases; may be null
     RenderResult Render(UniversalRenderPipeline& pipeline, double time, bool isLast = false,
                         Timeline* timeline = nullptr);
-    /// Does the same into a result that can be used again. In the request, everything but the scene
-    /// and its volumes is the caller's.
+    /// Does the same into a result that is reused. In the request, everything but the scene and its
+    /// volumes is the caller's.
     void Render(UniversalRenderPipeline& pipeline, RenderRequest& request, RenderResult& result);
 
     SceneAsset& asset() { return m_Asset; } ///< without its features
