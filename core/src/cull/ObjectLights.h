@@ -12,32 +12,32 @@ namespace limn
 
 class CommandBuffer;
 
-/// Which of a frame's additional lights shaders get for one object, where there are more than each
-/// may have. Kept from frame to frame for its memory.
+/// Chooses the additional lights of a frame that shaders get for one object, if there are more than
+/// each may have. It is kept from frame to frame for its memory.
 class ObjectLights
 {
 public:
-    /// One bit for each light, by its index.
+    /// A set of lights with one bit for each, by its index.
     using Set = std::uint32_t;
     static_assert(k_MaxVisibleAdditionalLights <= 32);
 
     /// Begins a camera.
-    /// @param lights  those that shaders get
-    /// @param limit   how many of them an object may have, 0...8
+    /// @param lights  the lights that shaders get
+    /// @param limit   the number of them that an object may have, 0...8
     void Begin(std::span<const Light* const> lights, int limit);
 
-    /// Else all objects have all lights.
+    /// Returns whether lights must be chosen; else all objects have all lights.
     bool isNeeded() const { return m_IsNeeded; }
 
-    /// Of those that reach into a box, the brightest: by the largest channel of its linear colour
-    /// times its intensity and what the distance to the nearest point of the box leaves of it; of
-    /// equal ones the first. A spot that misses the ball around the box does not reach it. Unity's
-    /// rule is not public.
+    /// Returns the brightest of the lights that reach into a box. The brightness is the largest
+    /// channel of a light's linear colour times its intensity and its attenuation at the nearest
+    /// point of the box; of equal ones the first is chosen. A spot light that misses the ball
+    /// around the box does not reach it. Unity's rule is not public.
     /// @param center, extent  of the box: world, metres
     Set Find(const glm::dvec3& center, const glm::dvec3& extent);
 
-    /// How many they are and unity_LightIndices, in the order of the lights. The block stays where
-    /// it is until the next Begin.
+    /// Returns their number and unity_LightIndices, in the order of the lights. The block stays in
+    /// its place until the next Begin.
     const MaterialPropertyBlock& ValuesOf(Set lights);
 
     static Set FirstOf(int count) { return count <= 0 ? 0 : ~Set{0} >> (32 - count); }
@@ -46,10 +46,10 @@ private:
     struct Place
     {
         glm::dvec3 position;
-        glm::dvec3 direction; ///< of a spot
+        glm::dvec3 direction; ///< of a spot light
         double intensity;     ///< of the brightest channel
         double range;         ///< metres; negative = without end
-        double sine;          ///< of a spot's outer angle
+        double sine;          ///< of a spot light's outer angle
         double cosine;        ///< -1 = no spot
     };
     static Place PlaceOf(const Light& light);
@@ -57,16 +57,16 @@ private:
                              const glm::dvec3& extent);
 
     std::vector<Place> m_Lights;
-    std::vector<std::pair<double, int>> m_Found; ///< brightness, negative, and index
+    std::vector<std::pair<double, int>> m_Found; ///< negative brightness, and index
     int m_Limit = 0;
     bool m_IsNeeded = false;
     std::unordered_map<Set, MaterialPropertyBlock> m_Values;
 };
 
-/// Whether draws of it are told their object's lights.
+/// Returns whether draws of the program get their object's lights.
 bool ReadsObjectLights(const ShaderProgram& program);
 
-/// Sets what objects have that ObjectLights is not asked about.
+/// Sets the lights of objects for which ObjectLights is not asked.
 void SetObjectLights(CommandBuffer& cmd, ObjectLights::Set lights);
 
 } // namespace limn

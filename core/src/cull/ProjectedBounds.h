@@ -6,11 +6,11 @@
 namespace limn
 {
 
-/// Where on a target what lies within the bounds is seen; nothing where they reach behind the
-/// camera, so that it may be anywhere.
-/// @param bounds          of the object's own space
-/// @param radius          of a sphere around the centre of `bounds` that it lies within too;
-///                        infinite = of none
+/// Returns the region of a target in which the bounds are seen; nothing if they reach behind the
+/// camera, so that they may be anywhere.
+/// @param bounds          in the object's own space
+/// @param radius          of a sphere around the centre of `bounds` that also contains the object;
+///     infinite = no such sphere
 /// @param viewProjection  unity_MatrixVP
 std::optional<TargetRegion> ProjectBounds(const Bounds& bounds, float radius,
                                           const glm::mat4& localToWorld,

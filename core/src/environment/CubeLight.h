@@ -12,7 +12,7 @@ namespace limn
 
 inline constexpr int k_CubeFaces = 6;
 
-/// A face of a cube as seen from inside: limn's axes, left-handed. The faces stand in the order of
+/// A face of a cube as seen from inside, in limn's left-handed axes. The faces are in the order of
 /// CubemapFaces.
 struct CubeFace
 {
@@ -28,8 +28,8 @@ inline constexpr std::array<CubeFace, k_CubeFaces> k_FacesOfCube{
      {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
      {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}}};
 
-/// Light from all around a point: linear colours by direction, none below 0 or above what a half
-/// holds.
+/// The light from all around a point: linear colours by direction, none below 0 or above what a
+/// half can hold.
 struct CubeLight
 {
     int width = 0;                 ///< texels along an edge of a face
@@ -37,26 +37,26 @@ struct CubeLight
 
     explicit CubeLight(int width_ = 0);
     std::size_t Index(int face, int x, int y) const;
-    /// Returns where the middle of a texel lies; not of unit length. x and y may lie outside of the
-    /// face, on the plane that goes on from it.
+    /// Returns the direction of the middle of a texel; it is not of unit length. x and y may lie
+    /// outside of the face, on the plane that continues it.
     glm::vec3 Direction(int face, int x, int y) const;
 };
 
-/// Returns faces that were drawn, of R16G16B16A16_SFloat and one size.
-/// @param notNumbers  grows by the number of texels that have one and are black therefore
+/// Returns the light of faces that were drawn, in R16G16B16A16_SFloat and all of one size.
+/// @param notNumbers  grows by the number of texels that contain one and therefore are black
 CubeLight ReadCubeLight(const std::array<Image, k_CubeFaces>& faces, std::size_t& notNumbers);
 
 /// Returns the light on white matt surfaces of each normal: the projection on harmonics of order 2
-/// by the solid angles of the texels, and the cosine's convolution.
+/// by the solid angles of the texels, convolved with the cosine.
 /// @source R. Ramamoorthi, P. Hanrahan, "An Efficient Representation for Irradiance Environment
 ///         Maps", SIGGRAPH 2001
 SphericalHarmonicsL2 ProjectLight(const CubeLight& light);
 
 /// Returns the solid angle of a texel.
-/// @param x, y  of `width` along an edge of a face
+/// @param x, y  0 ... `width` - 1, along the edges of a face
 double SolidAngle(int width, int x, int y);
 
-/// Returns the levels as R16G16B16A16_SFloat.
+/// Returns a cube map of the levels, in R16G16B16A16_SFloat.
 std::shared_ptr<const Cubemap> MakeCubemap(const std::string& name,
                                            const std::vector<CubeLight>& levels);
 

@@ -6,21 +6,21 @@
 namespace limn
 {
 
-/// Whether blending this colour in leaves every texel as it is, whatever it holds.
-/// @param color  linear, what the fragment function gives
+/// Returns whether blending this colour in leaves every texel as it is, whatever it holds.
+/// @param color  linear, the result of the fragment function
 bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color);
 
-/// Whether what a draw leaves in a target follows from what it draws alone.
+/// Returns whether the target's contents after a draw follow from the draw alone.
 bool ReplacesTarget(const RenderTargetBlendState& blend);
 
-/// Whether each component of the colour is left as it is or follows from the draw alone; the alpha
-/// may be blended.
+/// Returns whether each component of the colour stays as it is or follows from the draw alone; the
+/// alpha may be blended.
 bool ReplacesColor(const RenderTargetBlendState& blend);
 
-/// Returns whether a factor of the colour's blending is made of the alpha before.
+/// Returns whether a factor of the colour's blending is made from the target's alpha.
 bool FactorsReadAlpha(const RenderTargetBlendState& blend);
 
-/// Whether the colour that a draw leaves depends on the alpha before.
+/// Returns whether the colour after a draw depends on the target's alpha.
 bool ReadsTargetAlpha(const RenderTargetBlendState& blend);
 
 } // namespace limn

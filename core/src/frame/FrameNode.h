@@ -12,14 +12,14 @@ namespace limn
 
 using OutputSpan = std::span<const std::shared_ptr<const RenderTexture>>;
 
-/// Samples of a target that are made one a texel at the end of a node.
+/// Samples of a target that are resolved to one per texel at the end of a node.
 struct SampleResolve
 {
     std::shared_ptr<const RenderTexture> from;
     std::shared_ptr<const RenderTexture> to; ///< see ColorAttachment::resolve
 };
 
-/// What a node does with a buffer.
+/// The use of a buffer by a node.
 struct BufferUse
 {
     std::shared_ptr<const GraphicsBuffer> buffer;
@@ -27,8 +27,8 @@ struct BufferUse
     bool isWritten = false;
 };
 
-/// Gives the lists of a frame their memory while it is compiled. They go together, and the next
-/// frame has that memory.
+/// Allocates the lists of a frame while it is compiled. They are freed together, and the next frame
+/// uses that memory.
 using FrameAllocator = std::pmr::polymorphic_allocator<>;
 
 /// Commands on one set of targets, or dispatches, before load, store and barriers are decided.
@@ -44,39 +44,42 @@ struct FrameNode
 
     std::pmr::string name;
     SetRenderTargetCommand targets;
-    std::optional<ClearCommand> clear; ///< everything cleared before the first draw, together
-    /// Colours that are cleared on their own, by index, where `clear` clears none; may be shorter
-    /// than the targets' colours.
+    std::optional<ClearCommand> clear; ///< all that is cleared before the first draw
+    /// Colours that are cleared separately, by index, if `clear` clears none; the list may be
+    /// shorter than the targets' colours.
     FixedList<std::optional<Color>, k_MostColors> clearedColors;
-    /// A draw covers the colour, so that what was there before the node does not matter.
+    /// If true, a draw covers the colour, so that its contents before the node do not matter.
     bool coversColor = false;
     std::pmr::vector<PassCommand> commands;
-    std::pmr::vector<std::shared_ptr<const Texture>> reads; ///< drawn into, sampled; each once
+    /// The textures that are drawn into or sampled; each once.
+    std::pmr::vector<std::shared_ptr<const Texture>> reads;
     std::pmr::vector<std::shared_ptr<const RenderTexture>> writes; ///< by dispatches; each once
-    std::pmr::vector<BufferUse> buffers;                           ///< of each one use
+    std::pmr::vector<BufferUse> buffers;                           ///< one use for each
     bool isCompute = false; ///< it has dispatches, and no targets
     std::pmr::vector<SampleResolve> resolves;
-    std::pmr::string whyLeftOut; ///< "" = it is not
+    std::pmr::string whyLeftOut; ///< "" = it is not left out
     std::size_t place = 0;       ///< see CompiledRenderPass
 };
 
 using FrameNodes = std::pmr::vector<FrameNode>;
 using TextureIds = std::pmr::unordered_set<std::uint64_t>; ///< Texture::id
 
-/// What an attachment or a clear is about.
+/// Returns the aspects of a texture that an attachment or a clear concerns.
 ClearFlag AspectsOf(const RenderTexture& texture);
-bool Clears(const FrameNode& node, ClearFlag aspects); ///< all of them
-bool HasSamples(const RenderTexture& texture);         ///< several a texel
-/// What a colour target is cleared to before the first draw; none = it is not.
+bool Clears(const FrameNode& node, ClearFlag aspects); ///< returns whether it clears all of them
+bool HasSamples(const RenderTexture& texture);         ///< returns whether it has several per texel
+/// Returns the colour to which a colour target is cleared before the first draw; none = it is not
+/// cleared.
 std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
-bool HasDraws(const FrameNode& node); ///< or dispatches
-/// Whether each component that the format has is 0.
+bool HasDraws(const FrameNode& node); ///< returns whether it has draws or dispatches
+/// Returns whether each component that the format has is 0.
 bool IsZero(const Color& color, GraphicsFormat format);
-/// Whether a draw tests or writes depth or stencil where they are attached.
+/// Returns whether a draw tests or writes depth or stencil if they are attached.
 bool UsesDepth(const PipelineState& state);
-/// Whether it does not matter what the target holds before the node.
+/// Returns whether the contents of the target before the node do not matter.
 bool Overwrites(const FrameNode& node, const RenderTexture& target);
-/// Calls `visit` with all that the node draws into, resolves to or writes, until it returns true.
+/// Calls `visit` with each texture that the node draws into, resolves to or writes, until it
+/// returns true.
 /// @return whether it did
 template <typename Visit>
 bool AnyTarget(const FrameNode& node, const Visit& visit)
@@ -117,13 +120,13 @@ bool HasTarget(const FrameNode& node, const Texture& texture);
 bool Reads(const FrameNode& node, const Texture& texture);
 /// Returns whether the node draws into the texture, writes it or reads it.
 bool Uses(const FrameNode& node, const Texture& texture);
-/// Returns what the node is a copy of; null if it is none, or more than one.
+/// Returns the texture that the node copies; null if it copies none, or more than one.
 std::shared_ptr<const RenderTexture> CopiedBy(const FrameNode& node, const FrameTables& tables);
-/// Works FrameNode::reads, writes and buffers out from the draws and dispatches.
+/// Fills FrameNode::reads, writes and buffers from the draws and dispatches.
 void CollectReads(FrameNode& node, const FrameTables& tables);
 
-/// Changes what a node's draws are set up with, and nobody else's.
-/// @param change  of a DrawSetup&
+/// Changes the setups of a node's draws, without those of other nodes.
+/// @param change  called with a DrawSetup&
 template <typename Change>
 void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
 {
@@ -149,17 +152,17 @@ void ChangeSetups(FrameNode& node, FrameTables& tables, const Change& change)
 std::shared_ptr<const DrawBindings> WithTexture(const DrawBindings& bindings,
                                                 const Texture& replaced,
                                                 const std::shared_ptr<const Texture>& texture);
-/// Lets the node's draws read another texture in place of one.
+/// Makes the node's draws read another texture in place of one.
 void ReadInstead(FrameNode& node, FrameTables& tables, const Texture& replaced,
                  const std::shared_ptr<const Texture>& texture);
 
-/// Takes over what `other` clears, in place of what `clear` says about the same.
+/// Adds what `other` clears, which replaces the values of `clear` for the same aspects.
 void Merge(ClearCommand& clear, const ClearCommand& other);
 
-/// Moves the nodes that have a reason for it behind those that are left out already.
+/// Moves the nodes that have a reason to be left out behind those that are left out already.
 void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut);
 
-/// Appends all parts without a text in between.
+/// Appends all parts without a separator.
 inline void Append(std::pmr::string& text, std::initializer_list<std::string_view> parts)
 {
     for (const std::string_view part : parts)
@@ -172,54 +175,55 @@ inline void Append(std::pmr::string& text, std::initializer_list<std::string_vie
 void EraseEmptySamples(FrameNode& node);
 
 /// Splits a frame's commands into nodes. Targets and viewports take effect when something is drawn
-/// or cleared, so binding alone makes no node and ends none. Each dispatch is a node. Samples that
-/// go on in another node begin there anew, and those left open end with the frame.
-/// @param nodes  empty; gets them
-/// @throws ContractError as CompileFrame
+/// or cleared, so binding alone neither begins nor ends a node. Each dispatch is a node. Samples
+/// that continue in another node begin there anew, and those left open end with the frame.
+/// @param nodes  must be empty; receives the nodes
+/// @throws ContractError as CompileFrame does
 void SplitIntoNodes(std::span<const FrameCommand> commands, const FrameTables& tables,
                     FrameNodes& nodes);
 
 /// Notes the draws that blend with the alpha of an HDR target of 32 bits, which has none.
 void NoteMissingAlpha(const FrameNodes& nodes, CompiledFrame& frame);
 
-/// Works out what each node reads, and which draws cover their target: what they cover is dropped.
+/// Finds what each node reads, and which draws cover their target: what they cover is dropped.
 void FindAccess(FrameNodes& nodes, const FrameTables& tables);
 
-// Each of the following steps leaves a frame that draws the same. They know of the frames before
-// what `frame.states` says, and say in FrameNode::whyLeftOut what they leave out: EraseLeftOut
-// comes behind each.
+// Each of the following steps leaves a frame that draws the same. They know of earlier frames only
+// `frame.states`, and set FrameNode::whyLeftOut of the nodes that they leave out: EraseLeftOut
+// follows each of them.
 
 void ElideConstantDraws(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
-/// Lets draws read a depth texture itself in place of its copy, where nothing is drawn with the
-/// depth behind the copy.
+/// Makes draws read a depth texture itself in place of its copy, if nothing is drawn with the depth
+/// behind the copy.
 void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 void CullPasses(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 /// Draws full-screen passes only where they can be seen, as far as the bounds of what was drawn
 /// before and the passes' promises tell.
 void ScissorFullScreenPasses(FrameNodes& nodes, const FrameTables& tables);
-/// Puts a twin of format D32_SFloat in place of every transient depth-stencil texture that no draw
-/// of the frame uses the stencil of: less memory, less traffic. What draws sample of it is the
-/// depth alone. Outputs and what kernels read stay, since others know them by identity.
+/// Replaces every transient depth-stencil texture whose stencil no draw of the frame uses by a twin
+/// of format D32_SFloat: less memory, less traffic. Draws sample only its depth. Outputs and
+/// textures that kernels read stay, since others know them by identity.
 void StripUnusedStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
-/// Makes one node of those on equal targets, past or behind all that does not mind.
+/// Merges nodes with equal targets into one, before or behind nodes that do not depend on their
+/// order.
 void MergeNodes(FrameNodes& nodes, FrameTables& tables);
-/// Resolves samples where something reads them before the texture's next node: as late as possible,
-/// and not where they are only drawn on.
+/// Resolves samples if something reads them before the texture's next node: as late as possible,
+/// and not if they are only drawn onto.
 void ResolveSamples(FrameNodes& nodes, OutputSpan outputs, const CompiledFrame& frame);
 
-/// Puts textures into shared memory, where that saves any: `frame.placed`. What they held before
-/// the frame is gone. An empty `footprint` places none.
+/// Places textures in shared memory, in `frame.placed`, if that saves any. What they held before
+/// the frame is lost. An empty `footprint` places none.
 void AliasTransientMemory(const FrameNodes& nodes, OutputSpan outputs,
                           const TextureFootprintFunction& footprint, CompiledFrame& frame);
 
-/// Load, store and barriers.
-/// @param frame  its `passes` are taken for those of an earlier frame, whose memory is used again
+/// Assigns load, store and barriers.
+/// @param frame  its `passes` are those of an earlier frame, whose memory is used again
 void AssignLoadStoreBarriers(const FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame);
 
 /// Compiles into a frame whose lists have the memory of an earlier one.
-/// @param memory  of what is needed until then
-/// @throws ContractError as CompileFrame; the frame is not to be used then
+/// @param memory  for what is needed while compiling
+/// @throws ContractError as CompileFrame does; the frame must not be used then
 void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const TextureStates& states,
                  OutputSpan outputs, const FrameCompilerOptions& options,
                  std::pmr::memory_resource& memory);

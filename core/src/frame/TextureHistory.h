@@ -5,11 +5,11 @@
 namespace limn
 {
 
-/// Forgets what is in textures that no next frame reads: only their use counts.
+/// Forgets the contents of textures that no next frame reads; only their use is kept.
 void ForgetContents(TextureStates& states);
 
-/// Returns whether a next frame may read what this one leaves in the texture: whoever has it may,
-/// however often frames before have overwritten it first.
+/// Returns whether a next frame may read what this one leaves in the texture: anything that holds
+/// it may, even if each earlier frame overwrote it first.
 bool OutlivesFrame(const RenderTexture& texture, const TextureStates& states);
 
 } // namespace limn

@@ -29,14 +29,13 @@ struct GltfFloats
     std::size_t count() const { return values.size() / static_cast<std::size_t>(components); }
 };
 
-/// The accessor's elements as floats; normalized integers become 0...1 or -1...1.
+/// Returns the accessor's elements as floats; normalized integers become 0...1 or -1...1.
 /// @throws GltfProblem if the accessor does not exist, leaves its buffer, is sparse, or its
-/// elements
-///         have less than `minComponents` or more than `maxComponents` numbers
+///     elements have less than `minComponents` or more than `maxComponents` numbers
 GltfFloats ReadGltfFloats(const tinygltf::Model& model, int accessor, int minComponents,
                           int maxComponents);
 
-/// The accessor's elements as vertex indices.
+/// Returns the accessor's elements as vertex indices.
 /// @throws GltfProblem as above, or if they are no unsigned integers
 std::vector<std::uint32_t> ReadGltfIndices(const tinygltf::Model& model, int accessor);
 

@@ -12,20 +12,20 @@ class Node;
 namespace limn
 {
 
-/// Walks a file's nodes and gathers what they show.
+/// Walks a file's nodes and collects what they show.
 class GltfCollector
 {
 public:
-    /// @param model  is kept by reference
+    /// @param model  kept by reference
     explicit GltfCollector(const tinygltf::Model& model);
 
-    /// Gathers every mesh of the scene that the file shows, in limn's space.
+    /// Collects every mesh of the scene that the file shows, in limn's space.
     void CollectAll();
 
-    /// One mesh of all of it, a sub-mesh a part.
+    /// Returns one mesh of everything, with a sub-mesh for each part.
     MeshData TakeMesh();
 
-    /// What could not be used, one sentence each.
+    /// Returns what could not be used, one sentence each.
     const std::vector<std::string>& problems() const { return m_Problems; }
 
 private:

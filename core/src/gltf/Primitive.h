@@ -12,12 +12,13 @@ struct Primitive;
 namespace limn
 {
 
-/// The triangles of one primitive, without sub-meshes and still in glTF's space; empty for points
-/// and lines. Normals are always there.
+/// Returns the triangles of one primitive, without sub-meshes and still in glTF's space; empty for
+/// points and lines. They always have normals.
 /// @throws GltfProblem
 MeshData ReadGltfPrimitive(const tinygltf::Model& model, const tinygltf::Primitive& primitive);
 
-/// Moves `part` by `matrix`; a matrix that mirrors also turns the triangles and the bitangents.
+/// Transforms `part` by `matrix`; a matrix that mirrors also reverses the triangles and the
+/// bitangents.
 void TransformPart(MeshData& part, const glm::dmat4& matrix);
 
 } // namespace limn

@@ -21,20 +21,20 @@ public:
         std::shared_ptr<const Material> copy; ///< see CameraTargets
     };
 
-    /// Lets the pass record, and runs what it recorded.
+    /// Makes the pass record, and runs what it recorded.
     /// @return the camera's colour from then on
     RTHandle Record(ScriptableRenderPass& pass, ScriptableRenderContext& context,
                     const RenderingData& renderingData, const Targets& targets);
-    /// Handles and frame data of the camera are gone then.
+    /// Ends the camera, whose handles and frame data are gone then.
     void End();
 
 private:
     void FillFrameData(const ScriptableRenderContext& context, const RenderingData& renderingData,
                        const Targets& targets);
-    /// @param handle  what a feature calls it
+    /// @param handle  the name that a feature uses for it
     TextureHandle Import(const RTHandle& texture, std::string_view handle);
-    /// Sets what GetTextureDesc says of a texture of the camera's, which the pipeline has cleared
-    /// itself: a texture that a feature makes like it begins cleared, as in Unity.
+    /// Sets what GetTextureDesc returns for a texture of the camera that the pipeline itself has
+    /// cleared: a texture that a feature makes like it begins cleared, as in Unity.
     /// @param color  linear
     void SayCleared(const RTHandle& texture, bool isCleared, const Color& color);
 

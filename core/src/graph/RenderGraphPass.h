@@ -19,17 +19,17 @@ bool Has(const PooledVector<T>& list, const T& value)
     return std::ranges::find(list, value) != list.end();
 }
 
-/// What a message begins with, put together when there is one.
+/// The beginning of a message, which is put together only when there is a message.
 struct RenderGraphCall
 {
     std::string_view before;
-    std::string_view name; ///< of a pass
+    std::string_view name; ///< the name of a pass
     std::string_view behind;
 
     std::string text() const;
 };
 
-/// A pass as declared.
+/// A pass as its author declared it.
 struct RenderGraphPass
 {
     struct Use
@@ -79,11 +79,12 @@ struct RenderGraphTexture
 {
     RTHandle texture;
     bool isMade = false;                    ///< by the graph
-    bool clears = false;                    ///< before it is written first
+    bool clears = false;                    ///< if true, it is cleared before it is first written
     Color clearColor;                       ///< linear
     bool isWritten = false;                 ///< by a pass that has run
-    const RenderGraphPass* owner = nullptr; ///< of a transient one
-    /// What a feature calls its handle where it is one of UniversalResourceData; "" = its own.
+    const RenderGraphPass* owner = nullptr; ///< the pass of a transient one
+    /// The feature's name for the handle if it is one of UniversalResourceData; "" = one of its
+    /// own.
     std::string_view handle = {};
 };
 
@@ -95,7 +96,7 @@ struct RenderGraphBuffer
     bool isWritten = false; ///< by a pass that has run
 };
 
-/// Of one camera, but for the textures and buffers, which later frames get again.
+/// The state of one camera, except for the textures and buffers, which later frames use again.
 struct RenderGraphState
 {
     struct Kept

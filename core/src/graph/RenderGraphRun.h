@@ -8,10 +8,11 @@
 namespace limn
 {
 
-/// Runs passes of a render graph, and compares what they did with what they declare. What Unity
-/// throws for or draws otherwise is an error, all of a pass at once. What is not declared and yet
-/// drawn right there is so here, as the frame compiler sees what is used, and becomes a note with
-/// the line that declares it; so does what is declared for nothing.
+/// Runs passes of a render graph, and compares what they did with what they declare. Where Unity
+/// throws or draws something else, it is an error; all errors of a pass are reported at once. What
+/// is not declared and yet drawn right in Unity is drawn right here, too, since the frame compiler
+/// sees what is used; it becomes a note with the line that declares it. What is declared but not
+/// used is a note as well.
 class RenderGraphRun
 {
 public:
@@ -24,17 +25,17 @@ public:
     /// @throws ContractError with a line for each error
     void Run(RenderGraphPass& pass);
 
-    // For the pass's command buffer:
+    // These are for the pass's command buffer:
     void DrawRendererList(const RendererListHandle& list);
-    /// An error unless the pass may set globals.
-    /// @param what  the pass does, "sets ..."
-    /// @param name  of what; empty = none
+    /// Adds an error unless the pass may set globals.
+    /// @param what  what the pass does, "sets ..."
+    /// @param name  the name of what it sets; empty = none
     void ExpectGlobalsAllowed(std::string_view what, std::string_view name = {});
-    /// An error if the texture is one of the graph that the pass does not declare, as Unity's
-    /// command buffers ask for where a handle is given to them.
+    /// Adds an error if the texture is one of the graph that the pass does not declare, as Unity's
+    /// command buffers require it when they are given a handle.
     void ExpectDeclared(const RTHandle& texture, ShaderPropertyId id);
 
-    /// What a camera's draws find under the name now; null = no render texture.
+    /// Returns the texture that a camera's draws find under the name now; null = no render texture.
     static RTHandle GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id);
 
 private:
@@ -61,14 +62,14 @@ private:
     void Fail(std::string problem);
     void ThrowIfProblems();
 
-    /// Whether it was global before the pass.
+    /// Returns whether the texture was global before the pass.
     bool wasGlobal(const Texture& texture) const;
-    /// Whether a handle still stands for a texture in this pass in Unity though it does not declare
-    /// it.
+    /// Returns whether in Unity a handle still stands for a texture in this pass, though it does
+    /// not declare it.
     bool isAlive(const RenderGraphTexture& texture) const;
     bool isAlive(const RenderGraphBuffer& buffer) const;
     bool isDeclaredLater(const RTHandle& texture) const;
-    /// "builder.UseTexture(resourceData.cameraNormalsTexture);"
+    /// Returns the line that declares it: "builder.UseTexture(resourceData.cameraNormalsTexture);"
     static std::string LineFor(const RenderGraphTexture& texture, AccessFlags flags);
     static std::string LineFor(const GraphicsBuffer& buffer, AccessFlags flags);
     std::string Subject() const { return "pass '" + m_Pass->name.name() + "'"; }
@@ -78,16 +79,17 @@ private:
     ScriptableRenderContext& m_Context;
     RenderReport& m_Report;
 
-    // Of the pass that runs:
+    // These are of the pass that runs:
     RenderGraphPass* m_Pass = nullptr;
     CommandBuffer* m_Cmd = nullptr;
     PooledVector<std::size_t> m_DrawnLists;
     PooledVector<const Texture*> m_Sampled;
     PooledVector<const Texture*> m_Targets;        ///< drawn into, cleared or written by kernels
-    PooledVector<const GraphicsBuffer*> m_Buffers; ///< bound
+    PooledVector<const GraphicsBuffer*> m_Buffers; ///< the buffers that are bound
     std::vector<std::string> m_Problems;
-    std::vector<std::string> m_RefusedGlobals; ///< names that were spoken of
-    std::string m_LineToBeRun; ///< that would keep Unity from leaving the pass out; "" = none
+    std::vector<std::string> m_RefusedGlobals; ///< names that were already reported
+    /// The line that would keep Unity from leaving the pass out; "" = none.
+    std::string m_LineToBeRun;
     PooledVector<ShaderPropertyId> m_SetHere; ///< globals that the pass set itself
     bool m_HasEffect = false;                 ///< it draws, writes or sets a global
 };

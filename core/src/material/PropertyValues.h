@@ -5,9 +5,9 @@
 namespace limn
 {
 
-// A property's value as what the caller takes it for. Pointers may be null.
+// These return a property's value as the kind that the caller expects. Pointers may be null.
 
-/// Null where there is no value of this kind.
+/// Returns the value, or null if there is none of this kind.
 template <typename Kind>
 const Kind* As(const ShaderPropertyValue* value)
 {

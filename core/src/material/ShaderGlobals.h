@@ -7,11 +7,12 @@
 namespace limn
 {
 
-/// What Shader::SetGlobalFloat and its like have set in the process; any thread.
+/// The values that Shader::SetGlobalFloat and its like have set in the process; any thread may use
+/// it.
 namespace ShaderGlobals
 {
 
-/// Grows with every change; 0 = there was none.
+/// Returns a number that grows with every change; 0 = there was none.
 std::uint64_t version();
 std::optional<ShaderPropertyValue> Find(ShaderPropertyId id);
 void ForEach(const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function);

@@ -6,11 +6,11 @@
 namespace limn
 {
 
-/// A member of a uniform buffer as frames go through it: what writing it takes lies in few bytes,
-/// and its name is looked up no more.
+/// A member of a uniform buffer in a form that frames can go through: the data for writing it takes
+/// few bytes, and its name is not looked up any more.
 struct UniformPlace
 {
-    /// What it is where nobody has set it.
+    /// Selects the value if it has not been set.
     enum class Unset : std::uint8_t
     {
         Zero,

@@ -30,17 +30,17 @@ class MeshBuilder
 public:
     std::uint32_t AddVertex(const PrimitiveVertex& vertex);
 
-    /// Clockwise as seen from outside.
+    /// Adds a triangle, clockwise as seen from outside.
     void AddTriangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
 
-    /// A grid of cells x cells squares. `right` and `up` are half the side, seen from outside.
+    /// Adds a grid of cells x cells squares. `right` and `up` are half the side, seen from outside.
     void AddGrid(glm::vec3 center, glm::vec3 right, glm::vec3 up, int cells);
 
-    /// Turns `profile`, which runs from the top along the outside to the bottom, around the y axis.
-    /// u = 0.5 faces -z. Points of radius 0 are poles.
+    /// Sweeps `profile`, which runs from the top along the outside to the bottom, around the y
+    /// axis. u = 0.5 faces -z. Points of radius 0 are poles.
     void AddRevolution(const std::vector<ProfilePoint>& profile, int segments);
 
-    /// A flat lid across the y axis, looking to `side` (+1: up, -1: down) of the axis.
+    /// Adds a flat lid across the y axis that faces `side` (+1: up, -1: down).
     void AddDisc(float radius, float y, float side, int segments);
 
     MeshData Take() { return std::move(m_Data); }

@@ -5,8 +5,8 @@
 namespace limn
 {
 
-/// What keeps `data` from being a mesh, one sentence a problem; empty if nothing does. For a Mesh
-/// that is its caller's mistake, for a loader its file's.
+/// Returns what keeps `data` from being a mesh, one sentence per problem; empty if nothing does.
+/// For a Mesh that is its caller's mistake, for a loader its file's.
 std::vector<std::string> MeshProblems(const MeshData& data);
 
 } // namespace limn

@@ -10,16 +10,16 @@ namespace limn
 /// @source Unity: ScriptableRenderer.SetPerCameraShaderVariables (URP 14)
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
-/// What RelativeSpaces.hlsl is relative to, as a part of the above.
+/// Sets the origin of RelativeSpaces.hlsl, as a part of SetCameraUniforms.
 void SetOriginUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
-/// _Time and its relatives, rounded to float last. @param seconds  since the beginning
+/// Sets _Time and its relatives, rounded to float last. @param seconds  since the beginning
 void SetTimeUniforms(CommandBuffer& cmd, double seconds);
 
-/// The main light, linear.
+/// Sets the main light, linear.
 void SetLightUniforms(CommandBuffer& cmd, const Scene& scene);
 
-/// Sets ambient light and what is mirrored, linear.
+/// Sets the ambient light and the reflections, linear.
 void SetAmbientUniforms(CommandBuffer& cmd, const RenderSettings& settings);
 
 /// Sets the fog's curve and colour, linear, and enables its keyword. Does nothing without fog.

@@ -8,7 +8,7 @@ namespace limn
 
 struct Camera;
 
-/// What all of Unity's CreateDrawingSettings give.
+/// Returns the settings that all of Unity's CreateDrawingSettings return.
 /// @throws ContractError if `tags` is empty or longer than 16
 DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Camera& camera,
                                     SortingCriteria sortingCriteria);

@@ -7,7 +7,7 @@ namespace limn
 {
 
 /// Calls `work`, which is code of a pass, as RunPluginCode does.
-/// @param name  what failed: the pass's own name, or that of a pass of its render graph
+/// @param name  the name of what failed: the pass's own, or that of a pass of its render graph
 template <typename Work>
 decltype(auto) RunPassCode(const ScriptableRenderer& renderer, const ScriptableRenderPass& pass,
                            std::string_view name, const char* member, Work&& work)

@@ -11,7 +11,7 @@ namespace limn
 class BlitPass final : public ScriptableRenderPass
 {
 public:
-    /// @param materialPass  of `material`, which reads _BlitTexture
+    /// @param materialPass  the pass of `material`, which reads _BlitTexture
     BlitPass(const char* name, RenderPassEvent event, std::shared_ptr<const Material> material,
              int materialPass)
         : m_Material(std::move(material)), m_MaterialPass(materialPass)
@@ -27,7 +27,8 @@ public:
         m_ScaleBias = scaleBias;
     }
 
-    /// @param depth  what the material reads as _CameraDepthTexture; none = what all draws do
+    /// @param depth  what the material reads as _CameraDepthTexture; none = the texture of all
+    ///     draws
     void SetTargets(const RTHandle& source, const RTHandle& destination, const RTHandle& depth = {})
     {
         m_Source = source;

@@ -9,33 +9,32 @@
 namespace limn
 {
 
-/// What shaders read of the camera: _CameraDepthTexture, _CameraNormalsTexture,
+/// The camera's textures that shaders read: _CameraDepthTexture, _CameraNormalsTexture,
 /// _CameraOpaqueTexture, and the built-in pipeline's _CameraDepthNormalsTexture. Whether one is
-/// made shows only when all passes are recorded: then the pass that makes it is run at the place
-/// where it belongs, which is by what passes asked for (ConfigureInput), and by the first pass that
-/// read the depth as if it had asked.
+/// made is known only when all passes are recorded. Then the pass that makes it is run at its
+/// place, which follows from what passes asked for (ConfigureInput); the first pass that read the
+/// depth counts as if it had asked.
 ///
 ///     150  DepthPrepass or DepthNormalPrepass: depth, if normals were asked for or depth by a pass
 ///          of event <= 250; normals; EncodeDepthNormals of both, if that is read
 ///          CopyDepth before the first pass that asked for depth, at 500 at the latest: depth
 ///     400  CopyColor: opaque colour
 ///
-/// @source Unity: UniversalRenderer.GetRenderPassInputs and Setup (URP 14), but that textures
-/// nobody
-///         reads are not made, and those that shaders read without a pass asking are.
+/// @source Unity: UniversalRenderer.GetRenderPassInputs and Setup (URP 14), but that textures that
+///     nothing reads are not made, and those that shaders read without a pass asking are.
 class CameraTextures
 {
 public:
-    /// @param blit  of CoreBlit.shader
+    /// @param blit  the material of CoreBlit.shader
     explicit CameraTextures(const std::shared_ptr<const Material>& blit);
 
-    /// Begins a frame. Notes what was asked for and cannot be made.
+    /// Begins a frame, and notes what was asked for and cannot be made.
     void Setup(std::span<ScriptableRenderPass* const> queue, LayerMask opaqueLayers,
                const RenderTextureDescriptor& camera, std::vector<std::string>& notes);
 
-    /// Gives draws that follow what is made at this place.
+    /// Sets the textures that are made at this place as globals for draws that follow.
     /// @param next   the event of the next pass, or one behind all
-    /// @param color  the camera's at this place
+    /// @param color  the camera's colour at this place
     void BeforePass(ScriptableRenderContext& context, RenderPassEvent next,
                     const ScriptableRenderer::PassPlace& place, const RTHandle& color);
 
@@ -44,7 +43,7 @@ public:
         ScriptableRenderer::PassPlace place;
         ScriptableRenderPass* pass = nullptr; ///< never null
     };
-    /// The passes that make what was read, the last first.
+    /// Returns the passes that make what was read, the last first.
     std::vector<LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& depth);
 
 private:
@@ -70,7 +69,7 @@ private:
     RTHandle m_DepthNormals; ///< view space and eye depth, see EncodeDepthNormal of UnityCG.cginc
     RTHandle m_OpaqueColor;
 
-    // Of the frame:
+    // These are of the frame:
     bool m_AsksForNormals = false;
     RenderPassEvent m_FirstDepthEvent{}; ///< of the passes that asked or read
     bool m_IsDepthChosen = false;        ///< from prepass or copy

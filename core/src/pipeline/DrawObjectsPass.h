@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// Draws the objects of a queue range with those passes of their own materials that have one of
+/// Draws the objects of a range of queues with those passes of their own materials that have one of
 /// some LightModes. Unity: UnityEngine.Rendering.Universal.Internal.DrawObjectsPass (URP 14), and
 /// its prepasses.
 class DrawObjectsPass final : public ScriptableRenderPass
@@ -29,7 +29,8 @@ public:
     }
 
 private:
-    /// What shaders go by that sharpen their alpha for AlphaToMask: 0 unless it is set.
+    /// Sets the value by which shaders decide whether to sharpen their alpha for AlphaToMask; it is
+    /// 0 unless it is set.
     void SetAlphaToMaskAvailable(ScriptableRenderContext& context, const RenderingData& data) const
     {
         if (data.cameraData.cameraTargetDescriptor.msaaSamples > 1 && !overrideCameraTarget())

@@ -9,19 +9,19 @@ namespace limn
 
 inline constexpr int k_AllPasses = -1;
 
-// These find what is wrong in a draw or dispatch when it is recorded. All throw ContractError.
+// These check a draw or dispatch when it is recorded. All throw ContractError.
 
 void ExpectMaterial(const std::shared_ptr<const Material>& material);
-/// A material, this pass of it, and a finite matrix.
+/// Requires a material, this pass of it, and a finite matrix.
 void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
                     const glm::mat4& matrix);
 void ExpectSubMesh(const Mesh& mesh, int subMesh);
 
-/// Where an indirect command has its arguments.
-/// @param call   whose they are, for messages
-/// @param count  of uint
+/// Returns the place of an indirect command's arguments.
+/// @param call   the name of the command, for messages
+/// @param count  the number of uint
 /// @throws ContractError if the buffer is null or made for something else, or they do not lie in it
-///         at a multiple of 4 bytes
+///     at a multiple of 4 bytes
 BufferRange ArgumentsRange(const char* call, std::shared_ptr<const GraphicsBuffer> buffer,
                            std::int64_t offset, std::uint32_t count);
 

@@ -5,7 +5,8 @@
 namespace limn
 {
 
-// What shaders call the camera's matrices, and the world's origin in its spaces: see Globals.hlsl.
+// These are the names of the camera's matrices in shaders, and of the world's origin in its spaces:
+// see Globals.hlsl.
 inline const ShaderPropertyId unity_MatrixV{"unity_MatrixV"};
 inline const ShaderPropertyId unity_MatrixInvV{"unity_MatrixInvV"};
 inline const ShaderPropertyId glstate_matrix_projection{"glstate_matrix_projection"};

@@ -7,37 +7,38 @@
 namespace limn
 {
 
-/// Instances of one pass, mesh and winding.
+/// Instances with the same pass, mesh and winding.
 struct ObjectBatch
 {
     std::uint32_t pass = 0;
     std::uint32_t meshPart = 0; ///< of the table
     bool isMirrored = false;
-    std::uint32_t first = 0; ///< among the rows
+    std::uint32_t first = 0; ///< index of the first row
     std::uint32_t count = 0;
 };
 
-/// Rows that follow upon each other and draw the same but for their place.
+/// Consecutive rows that draw the same except for their place.
 struct ClassRun
 {
     std::uint32_t rowClass = 0; ///< of the table: the first of those that they have
-    std::uint32_t first = 0;    ///< among the items
+    std::uint32_t first = 0;    ///< index of the first item
     std::uint32_t count = 0;
-    std::uint32_t passes = 0; ///< of what is drawn: the class's number, unless lights differ
+    /// The number of the passes to draw: the class's number, unless lights differ.
+    std::uint32_t passes = 0;
 };
 
-/// Sort, and what it finds: all runs, until the thread's next call.
+/// Sorts items and returns all runs, which are valid until the thread's next call.
 std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
 
-/// What rows draw. Draws that may change places become one batch whatever lies between them, at
-/// the place of the first; others only where they follow upon each other.
+/// Makes batches of what rows draw. Draws that may change places become one batch, at the place of
+/// the first, whatever lies between them; others only if they are consecutive.
 /// @param items     in the order in which they are drawn
 /// @param runs      all of them
 /// @param passesOf  by ClassRun::passes: the passes that each of its rows draws, in this order
-/// @param commutes  by pass: passes of equal numbers other than 0 give the same picture in any
-///                  order
-/// @param rows      the batches' rows of the table are appended
-/// @return in the order in which they are drawn; until the thread's next call
+/// @param commutes  by pass: passes with equal numbers other than 0 give the same picture in any
+///     order
+/// @param rows      the batches' rows of the table are appended to it
+/// @return the batches in the order in which they are drawn, valid until the thread's next call
 std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
                                          const std::vector<std::vector<std::uint32_t>>& passesOf,
                                          const std::vector<std::uint32_t>& commutes,

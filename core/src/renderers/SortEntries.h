@@ -11,27 +11,27 @@
 namespace limn
 {
 
-/// One of many things to be sorted.
+/// An element to be sorted.
 struct SortEntry
 {
     std::uint64_t key = 0;   ///< queue and distance
     std::uint32_t state = 0; ///< decides between equal keys
-    std::uint32_t index = 0; ///< what is sorted
+    std::uint32_t index = 0; ///< of the element
 };
 
-/// By key, then by the lowest bits of the state; stable. Digits in which all are equal take no
-/// time.
-/// @param spare      room for as many
-/// @param stateBits  that count
+/// Sorts by key, then by the lowest bits of the state; the sort is stable. Digits in which all are
+/// equal take no time.
+/// @param spare      has room for as many
+/// @param stateBits  the number of bits of the state that count
 void RadixSort(std::vector<SortEntry>& entries, std::vector<SortEntry>& spare, int stateBits = 32);
-/// The same for words, by their bits from `firstBit` on.
+/// Sorts words by their bits from `firstBit` on, in the same way.
 void RadixSort(std::vector<std::uint64_t>& words, std::vector<std::uint64_t>& spare, int firstBit);
 
-/// The square of the distance to the camera, with the sign of the distance, and everything that is
-/// no number at the far end: comparisons of NaN would leave the order undefined. In double, and
-/// rounded to a float once: of two distances the larger never comes out smaller, unless the squares
-/// differ by less than a double holds of their terms. Distances are equal whose squares are the
-/// same float, all below 1e-23 m and all above 1.8e19 m among them.
+/// Returns the square of the distance to the camera, with the sign of the distance. Everything that
+/// is not a number goes to the far end, since comparisons of NaN would leave the order undefined.
+/// It is computed in double and rounded to a float once: the larger of two distances never comes
+/// out smaller, unless the squares differ by less than a double holds of their terms. Distances
+/// whose squares are the same float are equal, among them all below 1e-23 m and all above 1.8e19 m.
 inline float SortDistance(const glm::dvec3& offset, const SortingSettings& sorting)
 {
     const bool isCustom = sorting.distanceMetric == DistanceMetric::CustomAxis;
@@ -45,18 +45,19 @@ inline float SortDistance(const glm::dvec3& offset, const SortingSettings& sorti
     return static_cast<float>(near >= -k_Largest ? near : -k_Largest);
 }
 
-/// The order of floats as one of integers.
+/// Returns an integer whose order is that of floats.
 inline std::uint32_t OrderedBits(float value)
 {
     const auto bits = std::bit_cast<std::uint32_t>(value + 0.0f); // -0 is 0
     return (bits & 0x80000000u) != 0 ? ~bits : bits | 0x80000000u;
 }
 
-/// Equal for distances within the same eighth of an octave, growing; 0 up to a millimetre.
+/// Returns a number that is equal for distances within the same eighth of an octave and grows with
+/// them; 0 up to a millimetre.
 /// @param square  of the distance: a quarter of an octave for each eighth
 inline std::uint32_t Quantised(float square)
 {
-    // What is behind the point of 2^(1/4), 2^(2/4) and 2^(3/4), as a float has it.
+    // These are the fractions of 2^(1/4), 2^(2/4) and 2^(3/4) as a float has them.
     constexpr std::uint32_t k_First = 0x1837F1;
     constexpr std::uint32_t k_Second = 0x3504F4;
     constexpr std::uint32_t k_Third = 0x5744FD;
@@ -68,8 +69,8 @@ inline std::uint32_t Quantised(float square)
     return square > 1e-6f ? 1 + (bits >> 23) * 4 + quarter : 0;
 }
 
-/// What the distances decide, growing in the order of the draws.
-/// @param distance  as SortDistance gives it
+/// Returns the part of the order that distances decide, which grows in the order of the draws.
+/// @param distance  as SortDistance returns it
 inline std::uint32_t DistanceKey(SortingCriteria criteria, float distance)
 {
     if (criteria & SortingCriteria::BackToFront)
@@ -80,7 +81,7 @@ inline std::uint32_t DistanceKey(SortingCriteria criteria, float distance)
     return criteria & SortingCriteria::QuantizedFrontToBack ? Quantised(distance) : 0;
 }
 
-/// How many bits of it may differ.
+/// Returns the number of bits of DistanceKey that may differ.
 inline int DistanceKeyBits(SortingCriteria criteria)
 {
     constexpr int k_QuantisedBits = 11; // exponents of a finite float, and the quarters
@@ -89,9 +90,9 @@ inline int DistanceKeyBits(SortingCriteria criteria)
                                                               : 0;
 }
 
-/// The part of the order that RenderQueue and the distances decide.
+/// Returns the part of the order that RenderQueue and the distances decide.
 /// @param queue          0...5000
-/// @param distance       as SortDistance gives it
+/// @param distance       as SortDistance returns it
 /// @param materialIndex  among the renderer's materials
 inline std::uint64_t SortKey(SortingCriteria criteria, int queue, float distance,
                              std::uint16_t materialIndex)

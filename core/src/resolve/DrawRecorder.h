@@ -13,45 +13,46 @@
 namespace limn
 {
 
-/// What wins over a material's values; null = nothing.
+/// The properties that win over a material's values; null = none.
 struct DrawProperties
 {
     const MaterialPropertyBlock* own = nullptr;    ///< of the draw, or its renderer
-    const MaterialPropertyBlock* lights = nullptr; ///< of ObjectLights
+    const MaterialPropertyBlock* lights = nullptr; ///< the lights of ObjectLights
 };
 
-/// Looks recorded draws up and appends them to the frame.
+/// Resolves recorded draws and appends them to the frame.
 class DrawRecorder
 {
 public:
     using Place = ScriptableRenderContext::Place;
 
-    /// @param passName  whose draws these are at the time
+    /// @param passName  the pass whose draws are recorded at the time
     DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals, const SampleName& passName)
         : m_Frame(frame), m_Globals(globals), m_Resolver(passName)
     {
     }
 
     /// Begins a frame.
-    /// @param notes   for sentences to the user
-    /// @param origin  what the device sees positions relative to
+    /// @param notes   receives sentences for the user
+    /// @param origin  the point to which positions are relative on the device
     void Begin(std::vector<std::string>& notes, const glm::dvec3& origin);
 
-    /// Of a frame, which may have several.
+    /// Begins a camera of a frame, which may have several.
     void BeginCamera();
     /// Ends a frame, see DrawResolver::End.
     void End() { m_Resolver.End(); }
 
     void SetGlobal(const SetGlobalCommand& command);
     void SetKeyword(const SetKeywordCommand& command);
-    /// Those that are on for all materials, sorted.
+    /// Returns the keywords that are on for all materials, sorted.
     std::span<const std::string> keywords();
     std::span<const std::string> ProceduralKeywords();
-    /// As an object there has them; null where the shader or the frame has no need of that.
+    /// Returns the lights that an object at this place has; null if the shader or the frame does
+    /// not need them.
     const MaterialPropertyBlock* LightsOf(const RecordedDraw& recorded,
                                           const ShaderProgram& program);
-    /// Takes over what Shader::SetGlobalFloat and its like have changed, where the frame has set
-    /// nothing else.
+    /// Takes over what Shader::SetGlobalFloat and its like have changed, unless the frame has set
+    /// something else.
     void TakeShaderGlobals();
     void SetViewProjection(const SetViewProjectionCommand& command);
     void SetMatrix(const SetViewCommand& command);
@@ -59,42 +60,44 @@ public:
     /// @throws ContractError naming the buffer, if a draw or dispatch of the frame has it already
     void ExpectUnused(const GraphicsBuffer& buffer, const char* call) const;
     void SetRenderTarget(const SetRenderTargetCommand& command);
-    CommonDrawState& commonState() { return m_State; } ///< of what is drawn from now on
+    CommonDrawState& commonState() { return m_State; } ///< for what is drawn from now on
     /// @param properties  of the draw; null = none
     void Draw(const RecordedDraw& recorded, const MaterialPropertyBlock* properties);
 
-    /// Looks a dispatch up and appends it.
+    /// Resolves a dispatch and appends it.
     void Dispatch(const RecordedDispatch& recorded);
     /// @param kernel  of CopyKernel.h
     void Copy(const CopyBufferCommand& command, const std::shared_ptr<const ComputeShader>& kernel);
 
     Place MarkPlace();
-    /// Runs `record` with what was global at that place.
+    /// Runs `record` with the globals of that place.
     void WithGlobalsOf(const Place& place, const std::function<void()>& record);
-    /// Of this camera's draws.
+    /// Returns whether a draw of this camera reads the texture.
     bool Reads(const Texture& texture) const { return m_Resolver.HasBound(texture); }
 
-    /// What all draws of this pass have in common.
-    /// @param recorded  one that may be procedural or indirect; null = there is none
+    /// Returns the state that all draws of this pass have in common.
+    /// @param recorded  a draw that may be procedural or indirect; null = there is none
     /// @throws AssetError if the pass does not compile
     DrawSetup LookUp(const Material& material, int shaderPass, const DrawProperties& properties,
                      const RenderStateBlock& stateBlock, const RecordedDraw* recorded = nullptr);
-    /// The material's values with another shader; the same one as long as each frame asks for it.
+    /// Returns a material with the values of this one and another shader; it is the same object as
+    /// long as each frame asks for it.
     std::shared_ptr<const Material> WithShader(const std::shared_ptr<const Material>& material,
                                                const std::shared_ptr<const Shader>& shader);
-    /// Where what lies in a box is seen, as shaders find it; nothing where it may be anywhere.
+    /// Returns the region in which a box is seen, in the shaders' coordinates; nothing if it may be
+    /// anywhere.
     /// @param radius  see ProjectBounds
     std::optional<TargetRegion> Project(const Bounds& bounds, float radius,
                                         const PerDrawData& perDraw) const;
 
-    /// Returns PipelineState::frontFaceFlipped of a draw into the bound target, whose transform
-    /// mirrors or does not.
+    /// Returns PipelineState::frontFaceFlipped of a draw into the bound target, depending on
+    /// whether its transform mirrors.
     bool FlipsFrontFace(bool isMirrored) const
     {
         return (isMirrored != m_State.invertsCulling) != m_IsFlipped;
     }
 
-    /// The number of a setup, or of a mesh, in the frame's tables.
+    /// Returns the number of a setup, or of a mesh, in the frame's tables.
     std::uint32_t Add(DrawSetup setup);
     std::uint32_t Add(const std::shared_ptr<const Mesh>& mesh);
 
@@ -119,7 +122,7 @@ private:
     struct GlobalChange
     {
         ShaderPropertyId id;
-        std::optional<ShaderPropertyValue> before; ///< nothing: it was not set
+        std::optional<ShaderPropertyValue> before; ///< none = it was not set
     };
 
     struct Variant
@@ -133,15 +136,15 @@ private:
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;
-    std::vector<GlobalKeyword> m_KnownKeywords; ///< that were ever switched, by name
-    std::vector<std::string> m_Keywords;        ///< that are on, unless m_AreKeywordsOld
-    std::size_t m_KeywordCount = 0;             ///< of them; what is behind keeps its memory
+    std::vector<GlobalKeyword> m_KnownKeywords; ///< all that were ever switched, by name
+    std::vector<std::string> m_Keywords; ///< the keywords that are on, unless m_AreKeywordsOld
+    std::size_t m_KeywordCount = 0;      ///< of them; the strings behind keep their memory
     std::vector<std::string> m_ProceduralKeywords;
     bool m_AreKeywordsOld = false;
     std::uint64_t m_ShaderGlobalsVersion = 0;
     std::map<ShaderPropertyId, ShaderPropertyValue> m_ShaderGlobals; ///< taken over in this frame
     glm::dvec3 m_Origin{0.0};
-    glm::dmat4 m_View{1.0};       ///< what was set last
+    glm::dmat4 m_View{1.0};       ///< the view that was set last
     glm::mat4 m_Projection{1.0f}; ///< for a target whose projection is flipped
     CommonDrawState m_State;
     const RenderTexture* m_Target = nullptr;      ///< the first colour bound, or the depth
@@ -164,7 +167,7 @@ private:
     };
     std::unordered_map<std::uint32_t, Quads> m_Quads; ///< by how many
     bool m_HasDraws = false;                          ///< in this frame
-    /// In the order of the draws, behind m_PromiseCount those of the frame before.
+    /// The promises in the order of the draws; behind m_PromiseCount those of the frame before.
     std::vector<std::shared_ptr<const FullScreenPromise>> m_Promises;
     std::size_t m_PromiseCount = 0;
     std::map<
@@ -173,8 +176,8 @@ private:
         m_WithShader;
 };
 
-/// Whether draws that differ in their transform may become instances of one. Only a vertex function
-/// learns which instance it works on; and one that takes SV_InstanceID finds 0 in each draw.
+/// Returns whether draws that differ in their transform may become instances of one. Only a vertex
+/// function knows its instance, and one that takes SV_InstanceID must find 0 in each draw.
 bool isInstanceable(const ShaderProgram& program);
 
 } // namespace limn

@@ -14,7 +14,7 @@
 namespace limn
 {
 
-/// Keeps those of a map's values that were marked isUsed, and takes the mark from them.
+/// Keeps those values of a map that were marked isUsed, and removes the mark from them.
 template <typename Map>
 void EraseUnused(Map& map)
 {
@@ -24,7 +24,7 @@ void EraseUnused(Map& map)
     }
 }
 
-/// Where the property values of a draw or dispatch come from, first to last.
+/// The sources of the property values of a draw or dispatch, first to last.
 struct PropertySources
 {
     const MaterialPropertyBlock* block = nullptr;   ///< may be null; a kernel's own
@@ -32,56 +32,58 @@ struct PropertySources
     const MaterialPropertyBlock* globals = nullptr; ///< never null
     const ComputeShader* compute = nullptr;         ///< null = a draw's
     int kernel = 0;
-    const BufferRange* arguments = nullptr; ///< of an indirect draw or dispatch; null = another one
-    const MaterialPropertyBlock* lights = nullptr; ///< what an object has of them, before all else
-    /// Its buffers may be made for anything, and a counter lies in them at counterOffset().
+    const BufferRange* arguments = nullptr; ///< set for an indirect draw or dispatch, else null
+    const MaterialPropertyBlock* lights = nullptr; ///< the lights of an object, before all else
+    /// If true, its buffers may be made for anything, and a counter lies in them at
+    /// counterOffset().
     bool isCopy = false;
 
     const ShaderPropertyValue* Find(ShaderPropertyId id) const;
-    bool HasBuffers() const; ///< else no value is one
+    bool HasBuffers() const; ///< else no value is a buffer
     bool IsKeywordEnabled(std::string_view keyword) const;
-    /// Whose they are, for messages: "material 'Paint'"
+    /// Returns the owner of the values for messages: "material 'Paint'"
     std::string Subject() const;
 };
 
-/// Turns property values into the bytes and slots a compiled pass binds. What it found out for one
-/// frame helps with the next.
+/// Turns property values into the bytes and slots that a compiled pass binds. It reuses in the next
+/// frame what it found out in one.
 class DrawResolver
 {
 public:
-    /// @param passName  whose draws these are at the time, for the notes
+    /// @param passName  the pass whose draws are resolved at the time, for the notes
     explicit DrawResolver(const SampleName& passName) : m_PassName(passName) {}
 
     /// Begins a frame.
-    /// @param notes  gets a sentence for each texture of a shader that nothing gives a value,
-    ///               and those of the passes themselves
+    /// @param notes  receives a sentence for each texture of a shader that nothing gives a value,
+    ///     and those of the passes themselves
     void Begin(std::vector<std::string>& notes);
 
-    /// Ends a frame: gives the notes a sentence for each property that was set on a material and
+    /// Ends a frame: adds to the notes a sentence for each property that was set on a material,
     /// that its shader's passes do not name and that nothing drawn with it has read.
     void End();
 
-    /// The bindings of a draw; equal ones of draws without a block of their own are shared. Where
-    /// the frame before bound the same at this point, it is the same object.
+    /// Returns the bindings of a draw; equal ones of draws without a block of their own are shared.
+    /// If the frame before bound the same at this point, it is the same object.
     /// @param globalsVersion  grows whenever `sources.globals` changes, and with each frame
     std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const ShaderProgram>& pass,
                                                 const PropertySources& sources,
                                                 std::uint64_t globalsVersion,
                                                 std::vector<std::byte>& uniformData);
 
-    /// The bindings of a dispatch.
+    /// Returns the bindings of a dispatch.
     std::shared_ptr<const DrawBindings> Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
                                                 const PropertySources& sources,
                                                 std::vector<std::byte>& uniformData);
 
-    /// What ResolveState says of a pass, until a property of the material changes.
+    /// Returns the result of ResolveState for a pass, which is kept until a property of the
+    /// material changes.
     PipelineState StateOf(const Material& material, int shaderPass,
                           const MaterialPropertyBlock& globals);
 
-    /// HasBound forgets the draws so far.
+    /// Begins a camera, for which HasBound forgets the draws so far.
     void BeginCamera() { ++m_Camera; }
 
-    /// Whether a draw of this camera so far has the texture bound.
+    /// Returns whether a draw of this camera so far has the texture bound.
     bool HasBound(const Texture& texture) const
     {
         const auto bound = m_Bound.find(texture.id());
@@ -89,7 +91,7 @@ public:
     }
 
 private:
-    /// A sampler that is known, or that of a texture.
+    /// The state of a sampler if it is known, or the texture whose sampler it is.
     struct SamplerSource
     {
         std::optional<SamplerState> state;
@@ -107,13 +109,14 @@ private:
         bool isPerDraw = false;
         bool isDevices = false; ///< the device fills it
     };
-    /// The names of a layout as ids, worked out once a pass, which is one shader's only.
+    /// The names of a layout as ids, computed once per pass, which belongs to one shader only.
     struct ProgramIds
     {
-        std::shared_ptr<const ShaderProgram> pass; ///< keeps the key's address taken
+        std::shared_ptr<const ShaderProgram> pass; ///< keeps the address of the key in use
         std::vector<BufferPlaces> buffers;
         std::vector<ShaderPropertyId> textures;
-        /// By texture: what the shader's Properties say where nobody sets it; null = not known yet.
+        /// The values, by texture, that the shader's Properties have if nothing sets it; null = not
+        /// known yet.
         std::vector<std::shared_ptr<const Texture>> defaults;
         std::vector<SamplerSource> samplers;
         std::vector<StoragePlace> storageBuffers;
@@ -121,7 +124,7 @@ private:
         bool isUsed = false; ///< in this frame
     };
     static bool Reads(const ProgramIds& ids, ShaderPropertyId property);
-    /// Sees which of the material's undeclared properties the program reads.
+    /// Marks those of the material's undeclared properties that the program reads.
     void FollowUndeclared(const ProgramIds& ids, const Material& material);
     static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const std::string& shader);
@@ -156,12 +159,12 @@ private:
     struct KnownState
     {
         std::uint64_t materialVersion = 0;
-        bool isKnown = false; ///< else it depends on what is global
+        bool isKnown = false; ///< if false, it depends on globals
         bool isUsed = false;  ///< in this frame
         PipelineState state;
     };
     std::unordered_map<MaterialKey<int>, KnownState, HashKey> m_States;
-    /// What a material last had bound.
+    /// The bindings that a material last had.
     struct Shared
     {
         std::uint64_t materialVersion = 0;
@@ -171,11 +174,12 @@ private:
     };
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
     std::unordered_map<MaterialKey<const ShaderProgram*>, Shared, HashKey> m_Shared;
-    /// In the order in which they were needed, behind m_BuiltCount those of the frame before.
+    /// The bindings in the order in which they were needed; behind m_BuiltCount those of the frame
+    /// before.
     std::vector<std::shared_ptr<const DrawBindings>> m_Built;
     std::size_t m_BuiltCount = 0;
     DrawBindings m_Building;
-    bool m_HasResolved = false; ///< anything in this frame
+    bool m_HasResolved = false; ///< whether anything was resolved in this frame
     struct Bound
     {
         bool isUsed = false;      ///< in this frame
@@ -199,8 +203,10 @@ private:
     };
     std::vector<std::string>* m_Notes = nullptr; ///< never null in a frame
     const SampleName& m_PassName;
-    std::map<std::string, SharedNote> m_SharedNotes; ///< of several shaders, by message
-    std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted; ///< shaders with textures
+    /// The notes that concern several shaders, by message.
+    std::map<std::string, SharedNote> m_SharedNotes;
+    /// The pairs of shader and texture that have a note.
+    std::set<std::pair<std::uint64_t, ShaderPropertyId>> m_Noted;
 };
 
 } // namespace limn

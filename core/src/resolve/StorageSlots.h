@@ -7,16 +7,16 @@
 namespace limn
 {
 
-// What of a draw's or dispatch's values is bound as it is: textures and buffers.
+// These are the values of a draw or dispatch that are bound as they are: textures and buffers.
 
-/// The texture that a property is set to; null where it is not.
+/// Returns the texture that a property is set to; null if it is not set.
 /// @throws DrawError if it is set to something else
 std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySources& sources);
-/// The buffer that a property is set to; null where it is not, or to none.
+/// Returns the buffer that a property is set to; null if it is not set, or set to none.
 /// @throws DrawError if it is set to something else
 const BufferRange* FindBuffer(ShaderPropertyId id, const PropertySources& sources);
 
-// All throw DrawError for what does not fit.
+// All of these throw DrawError for values that do not fit.
 BufferSlot UniformSlot(const UniformBuffer& declared, const BufferRange& range,
                        const PropertySources& sources);
 BufferSlot StorageSlot(const StorageBufferBinding& declared, ShaderPropertyId id,
@@ -25,12 +25,12 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
 StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPropertyId id,
                                 const PropertySources& sources);
 
-/// @param declared  what the shader takes its components for
-/// @throws DrawError if they are something else
+/// @param declared  the type that the shader uses for its components
+/// @throws DrawError if they have another type
 void ExpectComponents(UniformType declared, const Texture& texture, ShaderPropertyId id,
                       const PropertySources& sources);
 
-/// For what there is no default of.
+/// Throws for a value that is not set and has no default.
 /// @param kind  "texture"
 template <typename Result>
 [[noreturn]] std::shared_ptr<const Result> FailUnset(ShaderPropertyId id, const char* kind,

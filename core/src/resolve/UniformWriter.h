@@ -8,8 +8,9 @@
 namespace limn
 {
 
-/// Writes one value of a uniform buffer. A name that nobody set is zero, but for `X_ST` and `X_HDR`
-/// (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to X).
+/// Writes one value of a uniform buffer. A name that nothing has set is zero, except for `X_ST` and
+/// `X_HDR` (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to
+/// X).
 /// @param buffer  the whole buffer's bytes
 /// @throws ContractError naming material and property, if the value's kind does not fit
 void WriteUniform(const UniformPlace& member, const PropertySources& sources,
@@ -17,7 +18,7 @@ void WriteUniform(const UniformPlace& member, const PropertySources& sources,
 
 /// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on, or
 /// the globals have.
-/// @param bytes  the whole buffer's
+/// @param bytes  the bytes of the whole buffer
 void WriteDynamicKeywords(const UniformBuffer& buffer, const PropertySources& sources,
                           std::span<std::byte> bytes);
 

@@ -12,23 +12,24 @@ namespace limn
 
 class RendererTable;
 
-/// What judging and the order of draws need to know of each class of a table.
+/// The data of each class of a table that filtering and the order of draws need.
 struct BatchOrder
 {
-    /// By class: its rank by what OptimizeStateChanges brings together.
+    /// The rank of each class in the order of OptimizeStateChanges.
     std::vector<std::uint32_t> ranks;
-    /// By class: the first that draws the same, layers and masks having been looked at before.
+    /// The first class that draws the same as a class, by class, once layers and masks have been
+    /// filtered.
     std::vector<std::uint32_t> firsts;
-    int rankBits = 0; ///< that the ranks take
-    /// By class: a number for what filtering looks at, which many classes share: they differ in the
-    /// mesh.
+    int rankBits = 0; ///< the number of bits that the ranks take
+    /// A number by class for what filtering looks at. Many classes share one, since they differ
+    /// only in the mesh.
     std::vector<std::uint32_t> looks;
-    std::vector<std::uint32_t> classOfLook; ///< one of them
+    std::vector<std::uint32_t> classOfLook; ///< a class for each of these numbers
 
     void Update(const RendererTable& table);
 };
 
-/// Numbers 0, 1 ... in the order of `values`, equal ones for equal values.
+/// Returns numbers 0, 1 ... in the order of `values`, equal ones for equal values.
 template <typename Value>
 std::vector<std::uint32_t> Ranks(const std::vector<Value>& values)
 {
@@ -44,7 +45,8 @@ std::vector<std::uint32_t> Ranks(const std::vector<Value>& values)
     return ranks;
 }
 
-/// What OptimizeStateChanges brings together: first the shader, then the material, then the mesh.
+/// The key by which OptimizeStateChanges groups draws: first the shader, then the material, then
+/// the mesh.
 using StateId = std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>;
 
 inline StateId StateOf(const Material* material, const Mesh* mesh)

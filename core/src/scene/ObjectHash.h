@@ -8,8 +8,8 @@
 namespace limn
 {
 
-/// Tells whether an object's rows in a RendererTable are still what they were made from. What
-/// materials and meshes hold is not looked at.
+/// Tells whether an object's rows in a RendererTable are still what they were made from. It does
+/// not look at the contents of materials and meshes.
 struct ObjectHash
 {
     std::uint64_t place = 0; ///< of the world matrix
@@ -18,7 +18,7 @@ struct ObjectHash
     bool operator==(const ObjectHash&) const = default;
 };
 
-/// @param matrices  gets those of its parents
+/// @param matrices  receives those of its parents
 ObjectHash HashOf(const GameObject& object, WorldMatrices& matrices);
 
 } // namespace limn

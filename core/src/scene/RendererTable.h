@@ -14,26 +14,27 @@
 namespace limn
 {
 
-/// Lists of rows that are not in use: making them anew in each frame would cost as much as filling
-/// them. From any thread.
+/// Lists of rows that are not in use, since making them anew in each frame would cost as much as
+/// filling them. Any thread may use it.
 class SpareRows
 {
 public:
-    /// A list of this length, its values any.
+    /// Returns a list of this length with arbitrary values.
     std::vector<std::uint32_t> Take(std::size_t size);
     void Give(std::vector<std::uint32_t> rows) noexcept;
 
 private:
-    // A map of shadows has up to 64 squares and 4 cascades, each with two lists at once.
+    // A shadow map has up to 64 squares and 4 cascades, each with two lists at once.
     static constexpr std::size_t k_Most = 144;
 
     std::mutex m_Mutex;
     std::vector<std::vector<std::uint32_t>> m_Lists;
 };
 
-/// The renderers of a scene as arrays, one row for each (renderer, material) pair in the scene's
-/// order: what a frame goes through lies side by side. Kept from frame to frame; only objects that
-/// have changed are worked out again. Where an object is is not kept beside the object itself.
+/// The renderers of a scene as arrays, one row for each pair of renderer and material in the
+/// scene's order, so that a frame goes through contiguous memory. It is kept from frame to frame;
+/// only objects that have changed are updated. The place of an object is stored only in the object
+/// itself.
 class RendererTable final : public InstanceData
 {
 public:
@@ -45,23 +46,24 @@ public:
         int subMesh = 0;
         std::uint32_t uses = 0; ///< classes that have it; 0 = free
     };
-    /// What filtering and drawing look at besides the place; few combinations are shared by many
-    /// rows.
+    /// The properties besides the place that filtering and drawing look at; many rows share few
+    /// combinations.
     struct DrawKey
     {
-        std::shared_ptr<const Material> material;                ///< null: it draws nothing
+        std::shared_ptr<const Material> material;                ///< null = it draws nothing
         std::shared_ptr<const MaterialPropertyBlock> properties; ///< of the renderer; null = none
         int layer = 0;
         RenderingLayerMask renderingLayerMask;
         std::uint32_t meshPart = 0;
-        std::uint16_t materialIndex = 0; ///< among the renderer's
+        std::uint16_t materialIndex = 0; ///< among the renderer's materials
         bool isActive = false;           ///< the object is, and its renderer enabled
-        bool isFirst = false;            ///< among the rows of its renderer
-        bool isMirrored = false;         ///< the transform turns triangles over
+        bool isFirst = false;            ///< it is the first row of its renderer
+        bool isMirrored = false;         ///< the transform reverses triangles
         ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
         bool isAgain = false;   ///< another row of its renderer draws the sub-mesh too
         std::uint32_t uses = 0; ///< rows that have it; 0 = free
 
+        /// Returns the item for filtering.
         /// @pre there is a material
         FilterItem item() const;
     };
@@ -69,13 +71,14 @@ public:
     /// @param objects  kept as long as this is; may grow
     explicit RendererTable(std::shared_ptr<const GameObjects> objects);
 
-    /// Takes over what has changed.
-    /// @param origin  what the rows' boxes are relative to, see Camera::renderOrigin
+    /// Updates the rows that have changed.
+    /// @param origin  the point to which the rows' boxes are relative, see Camera::renderOrigin
     void Update(const glm::dvec3& origin);
 
     std::size_t rowCount() const { return m_ClassOf.size(); }
     const glm::dvec3& origin() const { return m_Origin; }
-    // World boxes, by axis and row: middle, relative to origin(), and half the size.
+    // These are the boxes in world space, by axis and row: the middle, relative to origin(), and
+    // half the size.
     const std::vector<float>& centers(std::size_t axis) const { return m_Center[axis]; }
     const std::vector<float>& extents(std::size_t axis) const { return m_Extent[axis]; }
     glm::vec3 center(std::uint32_t row) const
@@ -86,7 +89,7 @@ public:
     {
         return {m_Extent[0][row], m_Extent[1][row], m_Extent[2][row]};
     }
-    // By row.
+    // These are by row.
     const std::vector<std::uint32_t>& classOf() const { return m_ClassOf; }
     const std::vector<std::uint32_t>& objectOf() const { return m_ObjectOf; }
 
@@ -96,7 +99,7 @@ public:
     const BatchOrder& order() const { return m_Order; }
     const std::vector<MeshPart>& meshParts() const { return m_MeshParts; }
     const GameObject& object(std::size_t index) const { return *(*m_Objects)[index]; }
-    /// Objects with a renderer whose world matrix is beyond a float.
+    /// Returns the objects with a renderer whose world matrix is beyond a float.
     const std::vector<std::uint32_t>& beyondFloat() const { return m_BeyondFloat; }
 
     std::uint64_t id() const override { return m_Id; }
@@ -107,19 +110,19 @@ public:
     ChangedSince(std::uint64_t version) const override;
 
 private:
-    /// World matrix, not yet relative to the origin.
+    /// The world matrix of an object, not yet relative to the origin.
     struct World
     {
         glm::dvec3 place;
         glm::mat3 axes;
     };
 
-    /// Holds what a thread finds out about its part of the objects.
+    /// The results of a thread for its part of the objects.
     struct Part
     {
         WorldMatrices matrices;                 ///< of the parents of some
         std::vector<std::uint32_t> changed;     ///< in order
-        std::vector<std::uint32_t> anew;        ///< of them, those whose rows are to be made anew
+        std::vector<std::uint32_t> anew;        ///< of them, those whose rows must be made anew
         std::vector<std::uint32_t> beyondFloat; ///< of the others
     };
 
@@ -147,16 +150,16 @@ private:
     std::uint64_t m_Version = 0;
     std::uint64_t m_LastChanges = 0; ///< the version before m_Changed
     std::vector<std::uint32_t> m_Changed;
-    std::vector<Part> m_Parts; ///< by thread: what m_Changed is put together from
+    std::vector<Part> m_Parts; ///< by thread: m_Changed is put together from them
     glm::dvec3 m_Origin{0.0};
 
-    // By object.
+    // These are by object.
     std::shared_ptr<const GameObjects> m_Objects;
-    std::vector<ObjectHash> m_Hash;        ///< of all that its rows are made from
-    std::vector<std::uint32_t> m_FirstRow; ///< and one more: the end
+    std::vector<ObjectHash> m_Hash;        ///< hash of everything that its rows are made from
+    std::vector<std::uint32_t> m_FirstRow; ///< has one more element, the end
     std::vector<std::uint32_t> m_BeyondFloat;
 
-    // By row.
+    // These are by row.
     std::vector<float> m_Center[k_Axes];
     std::vector<float> m_Extent[k_Axes];
     std::vector<std::uint32_t> m_ClassOf;

@@ -7,36 +7,36 @@
 namespace limn
 {
 
-/// Draws the shadow map of spots and points and gives it to shaders, in frames in which something
-/// that receives such shadows is seen and something throws them: a square for each spot and for
-/// each of a point's six sides.
+/// Draws the shadow map of spot and point lights and sets it for shaders, in frames in which
+/// something that receives such shadows is seen and something throws them. It has a square for each
+/// spot light and for each of a point light's six sides.
 /// Unity: UnityEngine.Rendering.Universal.Internal.AdditionalLightsShadowCasterPass (URP 14).
 class AdditionalLightsShadowCasterPass final : public ScriptableRenderPass
 {
 public:
     AdditionalLightsShadowCasterPass();
 
-    /// Finds out what throws shadows onto what is seen.
+    /// Finds what throws shadows onto what is seen.
     /// @return whether the pass has anything to draw; else shaders need no shadows
     bool Setup(const RenderingData& renderingData);
 
-    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    /// Removes the shadows from here on, as at the beginning of a frame.
     static void Forget(CommandBuffer& cmd);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    /// What a square of the map sees.
+    /// The part of a scene that a square of the map sees.
     struct Slice
     {
-        std::size_t light = 0;  ///< of LightData::additionalLights
+        std::size_t light = 0;  ///< index in LightData::additionalLights
         glm::dmat4 view{1.0};   ///< world to light space, right-handed, looking along -z
         double halfAngle = 0.0; ///< of the light, radians, from the middle to a side
-        double slope = 0.0;     ///< of what the square sees: metres across per metre away
+        double slope = 0.0;     ///< of the square's view: metres across per metre away
         double texelSize = 0.0; ///< metres, at the light's range
         ViewportRect tile;
         CullingResults plain;
-        CullingResults twoSided; ///< whose back faces throw shadows too
+        CullingResults twoSided; ///< objects whose back faces throw shadows, too
     };
 
     void FindSlices(const RenderingData& renderingData);
@@ -47,7 +47,8 @@ private:
 
     RTHandle m_ShadowMap;
     std::vector<Slice> m_Slices;
-    std::vector<ShadowSquares> m_Requests; ///< of lights; this and the next for their memory
+    /// The requests of lights, which are kept for their memory, as the next one is.
+    std::vector<ShadowSquares> m_Requests;
     std::vector<ViewportRect> m_Tiles;
 };
 

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// Draws the main light's shadow map and gives it to shaders, in frames in which something that
+/// Draws the main light's shadow map and sets it for shaders, in frames in which something that
 /// receives shadows is seen and something throws them.
 /// Unity: UnityEngine.Rendering.Universal.Internal.MainLightShadowCasterPass (URP 14).
 class MainLightShadowCasterPass final : public ScriptableRenderPass
@@ -15,21 +15,21 @@ class MainLightShadowCasterPass final : public ScriptableRenderPass
 public:
     MainLightShadowCasterPass();
 
-    /// Finds out what throws shadows onto what is seen.
+    /// Finds what throws shadows onto what is seen.
     /// @return whether the pass has anything to draw; else shaders need no shadows
     bool Setup(const RenderingData& renderingData);
 
-    /// Shaders need no shadows from here on, as at the beginning of a frame.
+    /// Removes the shadows from here on, as at the beginning of a frame.
     static void Forget(CommandBuffer& cmd);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    /// What is drawn into a tile.
+    /// The objects that are drawn into a tile.
     struct Casters
     {
         CullingResults plain;
-        CullingResults twoSided; ///< whose back faces throw shadows too
+        CullingResults twoSided; ///< objects whose back faces throw shadows, too
     };
 
     void DrawCascade(ScriptableRenderContext& context, RenderingData& renderingData,

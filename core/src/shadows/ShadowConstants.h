@@ -6,7 +6,7 @@
 namespace limn
 {
 
-/// What lights of all kinds say of their shadows.
+/// The shadow properties that lights of all kinds have.
 struct LightShadowLook
 {
     LightShadows shadows;
@@ -24,29 +24,30 @@ LightShadowLook LookOf(const AnyLight& light)
             {light.shadowBias, light.shadowNormalBias}};
 }
 
-/// What shaders take for how soft shadows are: 0 not at all, 1...3 as SoftShadowQuality.
+/// Returns the softness of shadows for shaders: 0 = hard, 1...3 as SoftShadowQuality.
 int SoftnessOf(const LightShadowLook& light, const ShadowSettings& settings);
 
-/// _ShadowBias: metres along the light and along the normal, negative. A wider filter looks that
-/// much farther down a slope.
+/// Returns _ShadowBias: metres along the light and along the normal, negative. A wider filter needs
+/// more of it, since it looks farther down a slope.
 glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& settings,
                      double texelSize);
 
-/// ShadowSettings' resolutions of squares: low, medium, high.
+/// Returns ShadowSettings' resolutions of squares: low, medium, high.
 glm::ivec3 TiersOf(const ShadowSettings& settings);
 
-/// What a light asks for.
+/// Returns the resolution that a light asks for.
 int ResolutionOf(const Light& light, const glm::ivec3& tiers);
 
-/// For the square of a distance: 0 where shadows begin to fade, 1 where they end.
+/// Returns a scale and bias for the square of a distance, which give 0 where shadows begin to fade
+/// and 1 where they end.
 glm::vec2 FadeScaleAndBias(double distance, double border);
 
-/// Draws what CullShadowCasters found.
+/// Draws the objects that CullShadowCasters found.
 void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
                        const CullingResults& plain, const CullingResults& twoSided);
 
-/// Returns whether a light lights: shadows of one that is black or of no intensity show not. Unity
-/// does not list such lights among the visible ones.
+/// Returns whether a light gives light: the shadows of a light that is black or has no intensity
+/// are not visible. Unity does not list such lights among the visible ones.
 template <typename AnyLight>
 bool GivesLight(const AnyLight& light)
 {

@@ -6,18 +6,18 @@
 namespace limn
 {
 
-/// Whether all numbers of the value are finite; textures have none.
+/// Returns whether all numbers of the value are finite; textures have none.
 bool isFinite(const ShaderPropertyValue& value);
-/// Whether it is an array without elements, which Unity refuses.
+/// Returns whether the value is an array without elements, which Unity does not accept.
 bool isEmptyArray(const ShaderPropertyValue& value);
 
-/// Where values enter: a shader makes nothing of NaN and infinity but more of them, without a word.
-/// @param owner  what the message begins with: "material 'Paint': "
+/// Requires a value to be finite where it is set, since a shader silently spreads NaN and infinity.
+/// @param owner  the beginning of the message: "material 'Paint': "
 /// @throws ContractError if a number of the value is not finite, or an array has no elements
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id,
                    std::string_view owner = {});
 
-/// What a property is set to by a handle; null by an empty one.
+/// Returns the texture to which a handle sets a property; null for an empty handle.
 /// @param owner  as above
 /// @throws ContractError if it wraps an identifier
 std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyId id,

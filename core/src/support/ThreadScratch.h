@@ -5,8 +5,8 @@
 namespace limn
 {
 
-/// A list that keeps its memory for the thread's next call of the functions that draw
-/// objects. Each kind is used by one at a time.
+/// Returns an empty list that keeps its memory for the thread's next call of the functions that
+/// draw objects. Only one user at a time may have a list of each kind.
 template <typename Value>
 std::vector<Value>& ThreadScratch()
 {

@@ -6,7 +6,8 @@
 namespace limn
 {
 
-/// A number that no other object of this process has or had; never 0. From any thread.
+/// Returns a number that no other object of this process has or had; never 0. Any thread may call
+/// it.
 inline std::uint64_t NextUniqueId()
 {
     static std::atomic<std::uint64_t> last{0};

@@ -5,7 +5,8 @@
 namespace limn
 {
 
-/// A kernel that copies words from one buffer to another, of any targets, for DrawRecorder::Copy.
+/// Makes a kernel that copies words from one buffer to another, of any targets, for
+/// DrawRecorder::Copy.
 std::shared_ptr<const ComputeShader> MakeCopyKernel(std::shared_ptr<ShaderCompiler> compiler);
 
 } // namespace limn

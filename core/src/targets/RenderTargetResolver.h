@@ -7,12 +7,12 @@
 namespace limn
 {
 
-/// Looks up what identifiers stand for, and says their commands with textures.
+/// Looks up what identifiers stand for, and turns their commands into commands with textures.
 class RenderTargetResolver
 {
 public:
-    /// @param frame    what is bound by its end
-    /// @param globals  where names are looked up that are no temporary textures
+    /// @param frame    the frame, whose last commands give what is bound
+    /// @param globals  where names that are no temporary textures are looked up
     RenderTargetResolver(const FrameCommands& frame, const MaterialPropertyBlock& globals)
         : m_Frame(frame), m_Globals(globals)
     {
@@ -22,8 +22,8 @@ public:
     void EndCamera();
     void SetCameraColor(const SetCameraColorCommand& command) { m_Camera.color = command.color; }
 
-    // The same by commands that name no identifiers; until the next call.
-    // All throw ContractError for what cannot be done.
+    // These return commands that do the same without identifiers, valid until the next call. All
+    // throw ContractError for what cannot be done.
     const CommandBuffer& Resolve(const GetTemporaryRTCommand& command);
     const CommandBuffer& Resolve(const ReleaseTemporaryRTCommand& command);
     const CommandBuffer& Resolve(const SetIdentifiedTargetCommand& command);
@@ -34,7 +34,7 @@ public:
     std::shared_ptr<const RenderTexture> Resolve(const GenerateMipsCommand& command) const;
     const CommandBuffer& Resolve(const SetComputeTextureCommand& command);
 
-    /// For DrawRecorder::Copy; compiled by the renderer's compiler.
+    /// Returns the kernel for DrawRecorder::Copy, which the renderer's compiler compiles.
     const std::shared_ptr<const ComputeShader>& CopyKernel(std::string_view call);
 
 private:
@@ -50,7 +50,7 @@ private:
     /// @param scaleBias  of the source's uv
     void DrawCopy(const TexturePointer& source, const RenderTexture& dest,
                   const glm::vec4& scaleBias, int pass, std::string_view call);
-    /// Onto what is bound, all in `properties` but the source.
+    /// Draws onto the bound target, with everything in `properties` but the source.
     void DrawCopy(const TexturePointer& source, int pass, std::string_view call,
                   MaterialPropertyBlock properties, MeshTopology topology);
     const std::shared_ptr<const Material>& CopyMaterial(std::string_view call) const;
@@ -63,7 +63,7 @@ private:
     std::unordered_map<ShaderPropertyId, TemporaryTexture> m_Temporaries;
     CommandBuffer m_Result;
     std::shared_ptr<const ComputeShader> m_CopyKernel;
-    std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< whose it is
+    std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< the compiler of m_CopyKernel
 };
 
 } // namespace limn

@@ -5,15 +5,15 @@
 namespace limn
 {
 
-/// Times the factor, rounded.
+/// Returns a function that multiplies by the factor and rounds.
 /// @param call, name  for messages: "RTHandles::Alloc 'X'"
 /// @throws ContractError for a factor that is not positive
 RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::string_view name);
-/// @throws ContractError if it is empty
+/// @throws ContractError if the function is empty
 RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call,
                              std::string_view name);
 
-/// Returns what a handle's texture is made of: with depthBufferBits a depth without a colour.
+/// Returns the descriptor of a handle's texture: with depthBufferBits a depth without a colour.
 inline RenderTextureDescriptor DescriptorOfHandle(RenderTextureDescriptor descriptor)
 {
     if (descriptor.depthBufferBits != 0)
@@ -23,33 +23,33 @@ inline RenderTextureDescriptor DescriptorOfHandle(RenderTextureDescriptor descri
     return descriptor;
 }
 
-/// What the arguments of ReAllocateIfNeeded make of a descriptor, and of a texture's sampler.
+/// Return a descriptor, and a texture's sampler, with the arguments of ReAllocateIfNeeded.
 RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
                                       const ReAllocateArguments& arguments);
 SamplerState SamplerWith(const RenderTextureDescriptor& descriptor,
                          const ReAllocateArguments& arguments);
 
-/// A texture whose size is worked out from the camera's.
+/// A texture whose size is computed from the camera's.
 class ScaledTexture
 {
 public:
-    /// @throws ContractError as RenderTexture does, of the size for the camera now
+    /// @throws ContractError as RenderTexture does for the size for the current camera
     ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDescriptor& descriptor,
                   const SamplerState& sampler, std::string name);
 
-    /// Of the size for the camera now.
+    /// Returns the texture in the size for the current camera.
     const std::shared_ptr<const RenderTexture>& texture();
 
     glm::ivec2 SizeFor(const glm::ivec2& camera) const;
 
-    glm::vec2 factor{0.0f}; ///< that it was made with; 0 for one of a function
+    glm::vec2 factor{0.0f}; ///< the factor it was made with; 0 if it was made with a function
 
 private:
     RTHandles::ScaleFunc m_Scale;
     RenderTextureDescriptor m_Descriptor;
     SamplerState m_Sampler;
     std::string m_Name;
-    glm::ivec2 m_CameraSize{0}; ///< that m_Texture was made for
+    glm::ivec2 m_CameraSize{0}; ///< the camera's size for which m_Texture was made
     std::shared_ptr<const RenderTexture> m_Texture;
 };
 

@@ -9,13 +9,14 @@
 namespace limn
 {
 
-/// OpenEXR, of its first part, as R16G16B16A16_SFloat: RGB, RGBA, or grey in a channel Y.
-/// @param requireSize  throws for sizes that are not read, before memory is taken for them
-/// @throws AssetError  if it is broken
+/// Decodes the first part of an OpenEXR file into R16G16B16A16_SFloat: RGB, RGBA, or grey in a
+/// channel Y.
+/// @param requireSize  throws for sizes that limn does not read, before memory is taken for them
+/// @throws AssetError  if the file is broken
 Image DecodeExr(const std::filesystem::path& path, std::string_view bytes,
                 const std::function<void(std::uint32_t width, std::uint32_t height)>& requireSize);
 
-/// The nearest number of 16 bits that is finite; of what is no number 0.
+/// Returns the nearest finite number of 16 bits, or 0 for a NaN.
 std::uint16_t HalfOf(float value);
 
 } // namespace limn

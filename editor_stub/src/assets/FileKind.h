@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// What a file is for.
+/// The kinds of files that limn knows.
 enum class FileKind
 {
     Unknown,
@@ -15,8 +15,8 @@ enum class FileKind
     Profile,
     Material,
     Shader,
-    UnityAsset, ///< profile or renderer: only its content tells
-    UnityScene, ///< or the folder of a project
+    UnityAsset, ///< a profile or a renderer; only the content tells
+    UnityScene, ///< a scene, or the folder of a project
     UnityPrefab,
     UnityMaterial,
     Mesh,
@@ -24,18 +24,19 @@ enum class FileKind
     CSharp
 };
 
-/// Told by the name; if that says nothing, by the content: a shader's first words, or the keys that
-/// a YAML file begins with.
+/// Returns the kind of a file by its name, or else by its content: a shader's first words, or the
+/// keys that a YAML file begins with.
 FileKind FileKindOf(const std::filesystem::path& file);
 
-/// Returns the name of the file beside a missing one that may be meant: one of the same ending
-/// whose name is nearly the same; "" if there is none.
+/// Returns the name of a file beside a missing one that may be meant, or "" if there is none. It
+/// has the same ending and nearly the same name.
 std::string NearestFile(const std::filesystem::path& missing);
 
-/// @param verb  "render", "inspect": who wants to read the file
-/// @throws AssetError that says what the file is and which verb takes it, if it is known to be of
-///     none of these kinds, or neither its name nor its content says of which. Unity's assets pass
-///     for profiles, and every other *.yaml file: who reads it knows what is wrong in which line.
+/// @param verb  the verb that reads the file: "render", "inspect"
+/// @throws AssetError with the file's kind and the verb that takes it, if the file is known to be
+///     of none of these kinds, or if neither its name nor its content tells its kind. Unity's
+///     assets pass for profiles. Any other *.yaml file passes as well: its reader knows which line
+///     is wrong.
 void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKind> kinds,
                  const std::string& verb);
 

@@ -13,11 +13,11 @@ namespace limn
 
 class WorkerProcess;
 
-/// A file that is to be imported, as the function that does so gets it.
+/// A file to import, as the importing function gets it.
 struct ImportedFile
 {
     std::filesystem::path path;
-    std::string settings; ///< of the .meta file, as far as they matter
+    std::string settings; ///< the settings of the .meta file that matter
     std::string_view bytes;
 };
 
@@ -25,38 +25,39 @@ struct ImportedFile
 struct ImportKind
 {
     const char* noun;    ///< names it in sentences: "model"
-    const char* version; ///< another one whenever equal files give something else than before
-    /// Takes what ImportInWorker gives it.
+    const char* version; ///< must change whenever equal files give another result than before
+    /// Does the work in a worker; it takes the request that ImportInWorker takes.
     std::string (*work)(std::string_view request);
 };
 
-/// Calls `Import`, which returns what becomes of an ImportedFile or throws AssetError, in a worker.
+/// Calls `Import` in a worker. `Import` returns what becomes of an ImportedFile, or throws
+/// AssetError.
 template <std::string (*Import)(const ImportedFile&)>
 std::string ImportInWorker(std::string_view request);
 
-/// Imports files by libraries of other people, which may crash, hang or take too much memory, and
-/// keeps what comes of it by content.
+/// Imports files with third-party libraries, which may crash, hang or take too much memory, and
+/// caches the results by content.
 class Importer
 {
 public:
     struct Options
     {
-        /// Its workers import. If it is null, the caller's own process does, and a crash of a
-        /// library ends it.
+        /// The process whose workers import. If it is null, the caller's own process imports, and a
+        /// crash of a library ends it.
         std::shared_ptr<WorkerProcess> process;
-        std::filesystem::path cacheFolder; ///< empty = nothing is kept
-        /// The bytes that all that is kept may take; 0 = no limit.
+        std::filesystem::path cacheFolder; ///< empty = nothing is cached
+        /// The most bytes that the cache may take; 0 = no limit.
         std::uintmax_t cacheLimit = std::uintmax_t{1} << 30;
-        std::chrono::milliseconds timeLimit = std::chrono::seconds(60); ///< of a file
+        std::chrono::milliseconds timeLimit = std::chrono::seconds(60); ///< for one file
     };
 
     Importer() : Importer(Options()) {}
     explicit Importer(Options options);
 
-    /// Returns what the kind's function makes of a file, or has made of an equal one with equal
-    /// settings.
-    /// @param bytes  of the file
-    /// @throws AssetError naming the file, as the function does, or where it ends without an answer
+    /// Returns what the kind's function makes of a file, or what it made of an equal file with
+    /// equal settings.
+    /// @param bytes  the file's content
+    /// @throws AssetError naming the file, if the function throws or ends without an answer
     FileCache::Entry Import(const ImportKind& kind, const std::filesystem::path& file,
                             const std::string& settings, std::string_view bytes) const;
 
@@ -64,11 +65,11 @@ public:
 
 private:
     Options m_Options;
-    std::shared_ptr<const FileCache> m_Cache; ///< of all copies
+    std::shared_ptr<const FileCache> m_Cache; ///< shared by all copies
 };
 
 /// Reads a file that is to be imported.
-/// @throws AssetError  if it cannot be read, is empty, or is a pointer of Git LFS in its place
+/// @throws AssetError  if it cannot be read, is empty, or is only a pointer of Git LFS
 std::string ReadForImport(const ImportKind& kind, const std::filesystem::path& file);
 
 namespace detail

@@ -8,10 +8,11 @@
 namespace limn
 {
 
-/// @param outputs  what is to be written; "" for none
-/// @param inputs   what was read for it
-/// @throws AssetError if an output is one of the inputs, by whatever name, or two outputs are one
-///     file; devices and pipes may be both
+/// Requires that no output overwrites an input or another output.
+/// @param outputs  the files to write; "" for none
+/// @param inputs   the files that were read for them
+/// @throws AssetError if an output is one of the inputs, by whatever name, or if two outputs are
+///     the same file; devices and pipes may be both
 void RequireOwnFiles(std::span<const std::string> outputs,
                      const std::set<std::filesystem::path>& inputs);
 

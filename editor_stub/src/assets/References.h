@@ -8,30 +8,32 @@
 namespace limn
 {
 
-/// Where references may lead.
+/// The places that references may lead to.
 enum class ReferenceScope
 {
-    Roots,   ///< into the roots of the AssetContext and the file's own folder: those of files
-    Anywhere ///< those that a person typed
+    Roots,   ///< the roots of the AssetContext and the file's own folder, for references in files
+    Anywhere ///< anywhere, for references that a person typed
 };
 
-/// What to do about a reference that leads out of the roots.
+/// The end of a message about a reference that leads out of the roots, with the remedy.
 inline constexpr const char* k_OutsideRoots =
     "lies outside the folders that references may lead into; move it below the scene's folder, or "
     "name its folder by --root DIR";
 
-/// Loads the files that a file refers to. What is wrong with one of them becomes an error at the
-/// place that refers to it, and its own errors follow that one.
+/// Loads the files that a file refers to. If something is wrong with one of them, that becomes an
+/// error at the place that refers to it, and the file's own errors follow that error.
 class References
 {
 public:
-    /// @param folders      where relative paths start from; the first that has the file counts
+    /// @param folders      the folders that relative paths start from; the first one that has the
+    ///     file counts
     /// @param assets, diagnostics  must outlive this
     References(AssetContext& assets, std::vector<std::filesystem::path> folders,
                AssetDiagnostics& diagnostics, ReferenceScope scope = ReferenceScope::Roots);
 
-    /// What `load` gives for the path in a node; an empty result, with an error, if it throws an
-    /// AssetError, the node is no text or the path leads out of the roots.
+    /// Returns what `load` returns for the path in a node. Returns an empty result and adds an
+    /// error if `load` throws an AssetError, the node is no text or the path leads out of the
+    /// roots.
     template <typename Load>
     auto Read(const YamlNode& node, std::string_view subject, Load&& load)
         -> decltype(load(std::filesystem::path()))
@@ -51,37 +53,38 @@ public:
         }
     }
 
-    /// A shader by ShaderLab name, or by the path of a .shader file; null, with an error, if there
-    /// is none.
+    /// Returns a shader by its ShaderLab name or by the path of a .shader file. Returns null and
+    /// adds an error if there is none.
     std::shared_ptr<const Shader> ReadShader(const YamlNode& node, const std::string& subject);
 
     std::filesystem::path Resolve(const std::string& text) const;
 
-    /// Whether a reference may lead to this file; an error at the node if not.
+    /// Returns whether a reference may lead to this file, and adds an error at the node if not.
     bool isAllowed(const std::filesystem::path& path, const YamlNode& node,
                    std::string_view subject);
 
-    /// Returns whether a file is there, or no other has a name like its; else adds an error with
-    /// the name that may be meant.
+    /// Returns true if a file is there, or if no other file has a similar name. Otherwise adds an
+    /// error with the name that may be meant, and returns false.
     bool isThere(const std::filesystem::path& path, const std::string& text, const YamlNode& node,
                  std::string_view subject);
 
-    /// @throws AssetError with every error so far, those of a file behind the first reference to it
+    /// @throws AssetError with every error so far; the errors of a file come behind the first
+    ///     reference to it
     void ThrowIfErrors() const;
 
-    /// An error at `node`, a reference, for what is wrong with the file it stands for.
+    /// Adds an error at `node`, a reference, for what is wrong with the file that it stands for.
     void Report(const YamlNode& node, std::string_view subject, const AssetError& error);
 
     AssetContext& assets() { return m_Assets; }
 
-    /// It says whether pictures are decoded. If not, a file that begins as a PNG file is right,
-    /// and a stand-in of one texel is what is read.
+    /// If this is set, pictures are decoded. Otherwise a file that begins as a PNG file counts as
+    /// right, and a stand-in of one texel is read in its place.
     bool decodesPictures = true;
 
 private:
     struct Failure
     {
-        SourceLocation location; ///< of the reference
+        SourceLocation location; ///< the place of the reference
         std::vector<Diagnostic> errors;
     };
 

@@ -7,7 +7,7 @@ namespace limn
 
 /// Returns one line for each expectation that fails, with its differences below it, and a summary:
 /// "5 expectations, 1 failed".
-/// @param failed  what the summary calls those that do not hold
+/// @param failed  the summary's word for expectations that do not hold
 std::string CheckText(const std::vector<Expectation>& expectations, const std::string& file,
                       const std::string& failed, bool isLong);
 

@@ -5,25 +5,25 @@
 namespace limn
 {
 
-/// What a list of names says.
+/// The meaning of a list of names.
 enum class ListKind
 {
-    Exact,   ///< these and no others
-    AtLeast, ///< these; there may be others
-    None     ///< none of these
+    Exact,   ///< exactly these names
+    AtLeast, ///< these names and maybe others
+    None     ///< none of these names
 };
 
-/// How a list differs from what is true.
+/// The difference between a list and what is true.
 struct NameDifference
 {
-    std::vector<std::string> lines; ///< with "- " or "+ " in front; none where it holds
-    std::vector<std::string> truth; ///< the list as it would hold
+    std::vector<std::string> lines; ///< lines that begin with "- " or "+ "; none if the list holds
+    std::vector<std::string> truth; ///< the list that would hold
 };
 
 NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<std::string>& items,
                                 const DrawnFacts& facts, ListKind kind);
 
-/// What is said behind a name that is missing or too much.
+/// The words behind a name that is missing or is not expected.
 struct NameWords
 {
     ListKind kind = ListKind::Exact;
@@ -31,7 +31,7 @@ struct NameWords
     std::string extra;
 };
 
-/// Compares names whose order counts.
+/// Compares names. Their order counts.
 NameDifference CompareNames(const std::vector<std::string>& items,
                             const std::vector<std::string>& actual, const NameWords& words);
 

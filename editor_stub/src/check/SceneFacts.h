@@ -11,11 +11,11 @@
 namespace limn
 {
 
-/// What one or several filters do with each renderer of a scene.
+/// The verdicts of one or several filters on the renderers of a scene.
 struct DrawnFacts
 {
     RendererSet drawn;
-    std::vector<std::string> reasons; ///< why a renderer is not drawn; "" where it is
+    std::vector<std::string> reasons; ///< why each renderer is not drawn; "" if it is
 };
 
 /// Everything that expectations ask about a scene's frame, found out without a Vulkan device.
@@ -33,19 +33,21 @@ public:
     AssetContext& assets() const { return m_Assets; }
 
     /// Returns the passes that ask for renderers, each once: those of a feature, or those of the
-    /// frame where it is nothing.
+    /// whole frame if no feature is given.
     std::vector<std::string> PassesOf(const std::optional<std::string>& feature) const;
 
-    /// @param feature  nothing: of any, and the renderer's own passes
-    /// @param pass     nothing: any of the feature's
+    /// Returns the verdicts of a feature's filters, or of one of its passes.
+    /// @param feature  if it is not given, any feature and the renderer's own passes
+    /// @param pass     if it is not given, any pass of the feature
     DrawnFacts Drawn(const std::optional<std::string>& feature,
                      const std::optional<std::string>& pass) const;
 
-    /// Returns the blended component; null for a name that is not registered.
-    /// @param position  world, metres; nothing: where the camera takes its volumes
+    /// Returns the blended component, or null if the name is not registered.
+    /// @param position  in world space, in metres; if it is not given, the point at which the
+    ///     camera asks for volumes
     std::unique_ptr<VolumeComponent> Blend(const std::string& component,
                                            const std::optional<glm::vec3>& position);
-    /// Returns the names of the volumes that set the value there, "" for none.
+    /// Returns the names of the volumes that set the value there, or "" if none does.
     std::string SourcesOf(const std::string& component, const std::string& parameter,
                           const std::optional<glm::vec3>& position);
 
@@ -56,7 +58,7 @@ private:
     AssetContext& m_Assets;
     std::vector<Volume> m_Volumes;
     LayerNames m_Layers;
-    std::vector<std::string> m_Features; ///< names, the renderer's order
+    std::vector<std::string> m_Features; ///< names, in the renderer's order
     Explanation m_Explanation;
     ObjectNames m_Objects;
     VolumeManager m_Manager;

@@ -10,7 +10,7 @@
 namespace limn
 {
 
-// The command line is a table. Parsing, help, completion, the man page and complaints all go by it.
+// The command line is a table. Parsing, help, completion, the man page and errors all use it.
 
 inline constexpr const char* k_ExitCodes =
     "Results go to stdout, everything else to stderr. Exit codes: 0 done, 1 the input is bad, 2 "
@@ -21,27 +21,28 @@ enum class Times
     AtMostOnce,
     Once,
     Any,
-    AnyInARow, ///< and several values may stand behind one flag
+    AnyInARow, ///< any number, and several values may follow one flag
     AtLeastOnce
 };
 
-/// A flag, or an argument: a word that is known by its place.
+/// A flag, or an argument, which is a word that is known by its place.
 struct Flag
 {
-    std::string name;  ///< "output", as in --output; "": it is an argument
-    std::string value; ///< "FILE", or the words that may stand there, "bash|zsh"; "": takes none
+    std::string name; ///< "output", as in --output; "" for an argument
+    /// The name of its value, "FILE", or the allowed words, "bash|zsh"; "" if it takes no value.
+    std::string value;
     std::string help;
-    /// Keeps the value, and returns what is wrong with it, or "" if nothing is.
+    /// Stores the value, and returns what is wrong with it, or "" if nothing is.
     std::function<std::string(const std::string&)> store;
     Times times = Times::AtMostOnce;
-    char letter = '\0';      ///< 'o', as in -o; '\0': there is none
-    std::string unless = {}; ///< the flag beside which this may be missing
+    char letter = '\0';      ///< 'o', as in -o; '\0' if there is none
+    std::string unless = {}; ///< the flag whose presence makes this one optional
 
     bool isArgument() const { return name.empty(); }
     bool isRequired() const { return times == Times::Once || times == Times::AtLeastOnce; }
     bool isRepeatable() const { return times >= Times::Any; }
 
-    std::string Words() const;                  ///< "bash zsh", if only they may stand there
+    std::string Words() const;                  ///< "bash zsh", if only these words are allowed
     std::vector<std::string> Spellings() const; ///< "--output", "-o"
     std::string Name() const;                   ///< "SCENE", "--output"
     std::string ShortText() const;              ///< "SCENE", "-o FILE"
@@ -53,7 +54,7 @@ struct FlagRule
 {
     std::string first;
     std::string second;
-    bool isNeeded = false; ///< the second is, by the first
+    bool isNeeded = false; ///< true if the first needs the second
 };
 
 struct Verb
@@ -61,47 +62,48 @@ struct Verb
     std::string name;
     std::string help;
     std::function<int(Console&)> run;
-    std::vector<Flag> flags; ///< as help lists them, the arguments first
+    std::vector<Flag> flags; ///< in the order in which help lists them, the arguments first
     std::vector<FlagRule> rules = {};
 };
 
 struct FlagTable
 {
-    Verb limn; ///< with the flags of every verb
+    Verb limn; ///< has the flags that all verbs take
     std::vector<Verb> verbs;
 
     const Verb* Find(const std::string& verb) const; ///< null if there is no such verb
     std::string VerbNames() const;                   ///< "render watch"
-    /// Returns the flags that may stand behind a verb, but not its arguments.
+    /// Returns the flags that a verb can have, without its arguments.
     std::vector<const Flag*> FlagsOf(const Verb& verb) const;
 };
 
 struct ParsedFlags
 {
-    const Verb* verb;    ///< FlagTable::limn if the words name none
-    std::string problem; ///< a sentence about the first wrong word; "": there is none
+    const Verb* verb;    ///< FlagTable::limn if the words name no verb
+    std::string problem; ///< a sentence about the first wrong word; "" if there is none
 };
 
-/// Reads `[FLAGS] VERB [FLAGS|ARGUMENTS]` and stores every value, also behind a wrong word.
+/// Reads `[FLAGS] VERB [FLAGS|ARGUMENTS]` and stores every value, even behind a wrong word.
 ParsedFlags ParseFlags(std::span<const std::string> words, const FlagTable& table);
 
-/// "limn render SCENE -o FILE [OPTIONS]".
+/// Returns the usage of a verb: "limn render SCENE -o FILE [OPTIONS]".
 std::string UsageText(const FlagTable& table, const Verb& verb);
 
 /// Returns what `limn help VERB` prints, or `limn help` for the table's `limn`.
-/// @param width  columns that a line may have
+/// @param width  the most columns of a line
 std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width);
 
 /// Returns the man page limn(1) in troff, with every verb and flag.
 std::string ManPage(const FlagTable& table);
 
-/// A script that makes a shell complete verbs, flags, and values where there are only a few; other
-/// words are completed as file names.
+/// Returns a script that makes a shell complete verbs, flags, and values where there are only a
+/// few. Other words are completed as file names.
 /// @param shell  "bash", "zsh" or "fish"
 std::string CompletionScript(const FlagTable& table, const std::string& shell);
 
-/// "unknown verb 'rendr'; did you mean 'render'?"; "" if the word is one of the known ones.
-/// @param known  "render watch"
+/// Returns what is wrong with a word, "unknown verb 'rendr'; did you mean 'render'?", or "" if it
+/// is one of the known words.
+/// @param known  the known words: "render watch"
 std::string CheckWord(const std::string& kind, const std::string& word, const std::string& known);
 
 } // namespace limn

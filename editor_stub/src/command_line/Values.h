@@ -11,13 +11,14 @@
 namespace limn
 {
 
-// Functions for Flag::store, which keep a value and find what is wrong with it.
+// Functions for Flag::store, which store a value and return what is wrong with it.
 
 using StoreValue = std::function<std::string(const std::string&)>;
 /// Returns what is wrong with a text, or "" if nothing is.
 using CheckText = std::string (*)(const std::string& text);
 
-/// Keeps the text, or that there is one, or all of several.
+/// Returns a function that stores the text; for a bool, that the flag is there; for a list, each
+/// text.
 template <typename Kept>
 StoreValue Into(Kept& kept, CheckText check = nullptr)
 {
@@ -39,13 +40,14 @@ StoreValue Into(Kept& kept, CheckText check = nullptr)
     };
 }
 
-StoreValue IntoNumber(int& number, int most); ///< from 1
+StoreValue IntoNumber(int& number, int most); ///< from 1 to `most`
 StoreValue IntoSize(int& width, int& height);
-StoreValue IntoTime(double& seconds);                  ///< that a shader's float holds
+StoreValue IntoTime(double& seconds);                  ///< a time that a shader's float holds
 StoreValue IntoBudget(double& milliseconds);           ///< above 0
 StoreValue IntoPart(int& index, int& count);           ///< "I/N"
 StoreValue IntoWords(std::vector<std::string>& words); ///< "A,B"
-/// Keeps folders by the names of packages: `NAME=DIR`, or a folder that is a package or holds some.
+/// Stores folders by the names of packages: `NAME=DIR`, or a folder that is a package or holds
+/// some.
 StoreValue IntoPackages(std::map<std::string, std::string>& packages);
 StoreValue IntoSelection(std::vector<SelectionStep>& steps, SelectionStep::Kind kind);
 

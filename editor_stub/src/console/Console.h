@@ -11,10 +11,10 @@
 namespace limn
 {
 
-/// What every verb takes: --color, -q and -v.
+/// The options of every verb: --color, -q and -v.
 struct ConsoleOptions
 {
-    ColorMode color = ColorMode::Auto; ///< of stderr
+    ColorMode color = ColorMode::Auto; ///< the colours of stderr
     bool isQuiet = false;              ///< errors only
     bool isVerbose = false;
 };
@@ -22,34 +22,37 @@ struct ConsoleOptions
 /// Returns "error", "warning" or "note".
 const char* SeverityName(Severity severity);
 
-/// Where a verb prints: results to `out`, all else to `err`. The members write nothing that would
-/// command a terminal but their own colours.
+/// Prints for a verb: results to `out`, everything else to `err`. The members write no control
+/// codes of terminals but their own colours.
 class Console
 {
 public:
-    /// @param out, err  must outlive this; progress only where `err` is std::cerr on a terminal
+    /// @param out, err  must outlive this; progress is shown only if `err` is std::cerr on a
+    ///     terminal
     Console(std::ostream& out, std::ostream& err);
 
     void Configure(const ConsoleOptions& options);
     bool isVerbose() const { return m_Options.isVerbose; }
 
-    void Result(std::string_view line);   ///< one line, which gets its end
-    void Results(std::string_view lines); ///< several, the last with its end; OneLine each name
-    std::ostream& out() { return m_Out; } ///< what no file has a word in, and bytes
+    void Result(std::string_view line); ///< one line, to which an end of line is added
+    /// Prints several lines, of which the last one has its end. Names in them must have gone
+    /// through OneLine.
+    void Results(std::string_view lines);
+    std::ostream& out() { return m_Out; } ///< for text without words of files, and for bytes
 
     void Print(const Diagnostic& diagnostic);
     void Print(const std::vector<Diagnostic>& diagnostics);
-    /// Each with the line of its file that it is about and a caret, where the file can be read.
+    /// Prints each with its line of the file and a caret, if the file can be read.
     void PrintWithSource(const std::vector<Diagnostic>& diagnostics);
-    bool isOnTerminal() const;               ///< where people read what goes to `err`
+    bool isOnTerminal() const;               ///< true if people read what goes to `err`
     void Note(std::string_view sentence);    ///< "note: sentence"
     void Warning(std::string_view sentence); ///< "warning: sentence"
     void Error(std::string_view text);       ///< "error: text", which may have several lines
-    void Bug(std::string_view what);         ///< an error that is no one's but limn's
-    void Verbose(std::string_view sentence); ///< with -v only
-    void Line(std::string_view text);        ///< as it is, of one or several lines
+    void Bug(std::string_view what);         ///< an error in limn itself
+    void Verbose(std::string_view sentence); ///< a line that is shown only with -v
+    void Line(std::string_view text);        ///< one or several lines, as they are
 
-    /// Shows a line that the next one replaces; nothing but on a terminal.
+    /// Shows a line that the next one replaces, only on a terminal.
     void Progress(std::string_view text);
 
 private:

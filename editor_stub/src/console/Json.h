@@ -8,17 +8,18 @@
 namespace limn
 {
 
-/// What `--json` and `limn schema` print: keys stay in the order they are written in.
+/// The JSON that `--json` and `limn schema` print. Keys stay in the order in which they are
+/// written.
 using Json = nlohmann::ordered_json;
 
-/// As people read it, with a line's end; names that are no UTF-8 get U+FFFD in place of what is
-/// none.
+/// Returns the JSON in the form for people, with an end of line. In names that are no UTF-8, U+FFFD
+/// replaces what is invalid.
 inline std::string JsonText(const Json& json)
 {
     return SeveralLines(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
-/// The list of what `toJson` makes of each item.
+/// Returns the list of what `toJson` makes of each item.
 template <typename Items, typename Make>
 Json JsonList(const Items& items, const Make& toJson)
 {

@@ -14,8 +14,8 @@
 namespace limn
 {
 
-/// The texts of a list with `between` between each two.
-/// @param textOf  gives an item's text
+/// Returns the texts of a list, joined with `between` between each two.
+/// @param textOf  returns an item's text
 template <typename Items, typename TextOf = std::identity>
 std::string Joined(const Items& items, std::string_view between, const TextOf& textOf = {})
 {
@@ -37,8 +37,8 @@ inline bool StartsWithAny(std::string_view text, std::initializer_list<std::stri
     return std::ranges::any_of(beginnings, [text](auto one) { return text.starts_with(one); });
 }
 
-/// The names of items, which must outlive the result.
-/// @param nameOf  gives an item's name, no copy of it
+/// Returns the names of items. The items must outlive the result.
+/// @param nameOf  returns an item's name, not a copy of it
 template <typename Items, typename NameOf>
 std::vector<std::string_view> NamesOf(const Items& items, const NameOf& nameOf)
 {
@@ -47,7 +47,7 @@ std::vector<std::string_view> NamesOf(const Items& items, const NameOf& nameOf)
     return names;
 }
 
-/// The number that all of the text is; nothing for other text.
+/// Returns the number that the whole text is, or nothing if it is none.
 template <typename Number>
 std::optional<Number> ParseWhole(std::string_view text)
 {
@@ -57,13 +57,13 @@ std::optional<Number> ParseWhole(std::string_view text)
     return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 
-/// "3 cells", "1 cell".
+/// Returns a count with its noun, plural unless it is 1: "3 cells", "1 cell".
 inline std::string Count(std::size_t count, std::string_view noun)
 {
     return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
-/// The text with `value` wherever `what` stands in it.
+/// Returns the text with `value` in place of each `what`.
 inline std::string Replaced(std::string text, std::string_view what, std::string_view value)
 {
     for (std::size_t at = text.find(what); at != std::string::npos;
@@ -74,7 +74,7 @@ inline std::string Replaced(std::string text, std::string_view what, std::string
     return text;
 }
 
-/// The texts between the separators, as many as there are of these and one more.
+/// Returns the texts between the separators, one more than there are separators.
 inline std::vector<std::string> SplitText(const std::string& text, char separator)
 {
     std::vector<std::string> parts;
@@ -86,8 +86,9 @@ inline std::vector<std::string> SplitText(const std::string& text, char separato
     return parts;
 }
 
-/// The words in lines of `width` columns, all but the first behind `indent` blanks.
-/// @param column  where the first line begins
+/// Returns the words in lines of `width` columns. All lines but the first begin with `indent`
+/// blanks.
+/// @param column  the column at which the first line begins
 inline std::string Wrapped(const std::string& words, std::size_t column, std::size_t indent,
                            std::size_t width)
 {

@@ -9,24 +9,24 @@
 namespace limn
 {
 
-/// What one filter of a pass or feature did with one material of an object.
+/// The verdict of one filter of a pass or feature on one material of an object.
 struct ExplainedDraw
 {
-    std::string pass; ///< or the feature's name, where it does not draw by DrawRenderers
+    std::string pass; ///< the pass, or the feature's name if it does not draw by DrawRenderers
     std::string material;
     FilterVerdict verdict = FilterVerdict::Drawn;
     std::string obstacle;  ///< why the feature draws nothing, though its filter takes the object
-    std::string feature{}; ///< "": a pass of the renderer's own
+    std::string feature{}; ///< "" for a pass of the renderer's own
 
     bool isDrawn() const { return verdict == FilterVerdict::Drawn && obstacle.empty(); }
 };
 
-/// What became of an object with a renderer.
+/// An object with a renderer, and what became of it.
 struct ExplainedObject
 {
     std::string name;
-    std::vector<std::string> parents; ///< names of the objects it hangs below, nearest first
-    std::string absence;              ///< why no pass sees it: "inactive"; "" if passes do
+    std::vector<std::string> parents; ///< names of the objects above it, nearest first
+    std::string absence;              ///< why no pass sees it: "inactive"; "" if passes see it
     std::vector<ExplainedDraw> draws;
 };
 
@@ -34,48 +34,49 @@ struct ExplainedObject
 struct ExplainedIdle
 {
     std::string name;
-    std::string why; ///< see WhyIdle; of a feature what it says of that, "" where it says nothing
+    std::string why; ///< see WhyIdle; for a feature the reason that it gives, "" if it gives none
 };
 
-/// Where the camera asks for volumes.
+/// The point at which the camera asks for volumes.
 struct ExplainedTrigger
 {
-    glm::vec3 position{0.0f}; ///< world, metres
-    bool isOwn = false;       ///< given by the scene; else it is where the camera is
+    glm::vec3 position{0.0f}; ///< in world space, in metres
+    bool isOwn = false;       ///< true if the scene gives it; else it is the camera's position
     LayerMask volumeLayerMask;
 };
 
-/// A pass of a shader as it was drawn with.
+/// A pass of a shader in the variant that was drawn with.
 struct ExplainedVariant
 {
     std::string shader;
     int passIndex = 0;
     std::string passName;              ///< "" if it has none
-    std::vector<std::string> keywords; ///< those that are on
+    std::vector<std::string> keywords; ///< the keywords that are on
     bool isFullScreen = false;         ///< drawn without a mesh
 
     bool operator==(const ExplainedVariant&) const = default;
 };
 
-/// What a frame of a scene draws and why, found out without a Vulkan device.
+/// The draws of a scene's frame and the reasons for them, found out without a Vulkan device.
 struct Explanation
 {
     VolumeTrace volumes;
     std::vector<ExplainedIdle> idleVolumes; ///< scene order
     RenderReport report;
     ExplainedTrigger trigger;
-    ExplainedFrame frame;                    ///< as the device runs it
-    std::vector<ExplainedVariant> variants;  ///< drawn with, once each, in the order of first use
-    int builtVariants = 0;                   ///< those that had to be compiled or fetched
+    ExplainedFrame frame; ///< as the device runs it
+    /// The variants that were drawn with, once each, in the order of first use.
+    std::vector<ExplainedVariant> variants;
+    int builtVariants = 0; ///< the number of variants that had to be compiled or fetched
     std::vector<ExplainedObject> objects;    ///< scene order
     std::vector<ExplainedIdle> idleFeatures; ///< the renderer's order
 };
 
-/// The objects of a scene, which stay where they are when the scene is moved.
+/// Returns the objects of a scene. Their addresses stay the same when the scene is moved.
 std::vector<const GameObject*> ObjectsOf(const Scene& scene);
 
-/// What became of each of the objects that has a renderer.
-/// @param culled  by this camera
+/// Returns what became of each of the objects that have a renderer.
+/// @param culled  the results of culling for this camera
 std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>& objects,
                                             const CullingResults& culled,
                                             const RenderReport& report, const Camera& camera);
@@ -83,16 +84,17 @@ std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>
 /// @throws AssetError for a shader with errors
 Explanation Explain(SceneAsset asset, const AssetContext& assets);
 
-/// What a frame draws and why on about a screen: what is odd, volume values, passes with counts by
-/// verdict, what the device runs, what is left out, the textures that are drawn into.
+/// Returns what a frame draws and why, in about a screen of text: what is odd, volume values,
+/// passes with counts by verdict, what the device runs, what is left out, and the textures that are
+/// drawn into.
 std::string ShortText(const Explanation& explanation);
 
-/// All that is known: besides ShortText each volume's part in each value, textures, variants, and
-/// of each object what each pass does with it.
+/// Returns all that is known: besides ShortText, each volume's part in each value, textures,
+/// variants, and what each pass does with each object.
 std::string LongText(const Explanation& explanation);
 
-/// Only what became of the explanation's objects, which are `name` and what hangs below it.
-/// @param isLong  of each of them; else one by one only if they are few
+/// Returns only what became of the explanation's objects, which are `name` and everything below it.
+/// @param isLong  lists each of them; otherwise they are listed one by one only if they are few
 std::string ObjectText(const Explanation& explanation, const std::string& name, bool isLong);
 
 } // namespace limn

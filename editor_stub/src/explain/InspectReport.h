@@ -14,7 +14,7 @@ namespace limn
 struct InspectedGroup
 {
     std::string type;
-    std::string name; ///< of a component ""
+    std::string name; ///< "" for a component
     bool active = true;
     std::vector<InspectedValue> values;
 };
@@ -22,20 +22,22 @@ struct InspectedGroup
 /// A profile, and the volume that brings it.
 struct InspectedVolume
 {
-    std::string name; ///< "" for a profile that was asked for itself; then the rest says nothing
+    /// "" for a profile that was asked for by itself; the other members then have no meaning.
+    std::string name;
     bool enabled = true;
     bool isGlobal = true;
     float priority = 0.0f;
     float weight = 1.0f;
-    float blendDistance = 0.0f; ///< metres
+    float blendDistance = 0.0f; ///< in metres
     std::string profile;
     std::vector<InspectedGroup> components;
 };
 
-/// What a file sets.
+/// The values that a file sets.
 struct InspectReport
 {
-    /// "scene", "profile", "renderer", "pipeline" or "material"; "name" for what is no file.
+    /// The kind of the file: "scene", "profile", "renderer", "pipeline" or "material"; "name" if it
+    /// is no file.
     std::string kind;
     std::optional<InspectedGroup> asset; ///< the values of a renderer, pipeline or material
     std::vector<InspectedVolume> volumes;
@@ -43,8 +45,8 @@ struct InspectReport
     std::vector<InspectedGroup> shaders;
 };
 
-/// Returns the defaults of the volume component, the type of feature and the shader of this name,
-/// as many of them as there are. `Strokes` finds what `StrokesRendererFeature` finds.
+/// Returns the defaults of the volume component, the feature type and the shader of this name, as
+/// far as they exist. `Strokes` finds what `StrokesRendererFeature` finds.
 /// @throws AssetError with the nearest name, if there is none of them
 InspectReport InspectName(const std::string& name, AssetContext& assets);
 
@@ -59,25 +61,28 @@ std::string OnOneLine(const YamlNode& node);     ///< a value as a file could ha
 std::string ToText(const InspectReport& report); ///< lines for people
 std::string ToJson(const InspectReport& report);
 
-/// A profile's file without a scene, so that any name may be a layer's: a value with a name that
-/// only a scene can know is shown as the file has it, with a note.
-/// @param documents  the file's; one Null for a Unity asset
+/// Returns the values of a profile's file without a scene. Without one, any name may be a layer's:
+/// a value with a name that only a scene can know is shown as the file has it, with a note.
+/// @param documents  the file's documents; one Null for a Unity asset
 /// @throws AssetError as LoadVolumeProfile
 std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path,
                                                const std::vector<YamlNode>& documents,
                                                AssetContext& assets, Console& console);
 
-/// What a Unity asset is, by its content: "profile", "renderer", "pipeline" or "material".
-/// @throws AssetError that names what is in the file, if it is none of these
+/// Returns the kind of a Unity asset by its content: "profile", "renderer", "pipeline" or
+/// "material".
+/// @throws AssetError that names what is in the file, if it is none of these kinds
 std::string KindOfUnityAsset(const UnityAsset& asset);
 
-/// A UniversalRenderPipelineAsset: what limn draws with, its renderers, and what limn leaves out.
+/// Returns the values of a UniversalRenderPipelineAsset: what limn draws with, its renderers, and
+/// what limn leaves out.
 InspectedGroup InspectPipeline(const UnityAsset& asset);
 
-/// The values of a UniversalRendererData besides its features.
+/// Returns the values of a UniversalRendererData besides its features.
 InspectedGroup InspectRenderer(const UnityAsset& asset);
 
-/// A .mat file: its shader, queue, keywords and properties; which of them the shader has.
+/// Returns the values of a .mat file: its shader, queue, keywords and properties, and which of them
+/// the shader has.
 InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets);
 
 } // namespace limn

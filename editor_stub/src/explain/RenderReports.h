@@ -8,14 +8,14 @@
 namespace limn
 {
 
-/// What `limn render` measured.
+/// The measurements of `limn render`.
 struct RenderMeasurements
 {
     std::string device;
     int frames = 1;
     ShaderCompiler::Statistics shaders;
-    /// Spans "load", "compile shaders", "device", "frame", "write", in a frame "volumes" and those
-    /// of RenderRequest::timeline and VulkanDevice::SetTimeline.
+    /// The spans "load", "compile shaders", "device", "frame" and "write"; within a frame "volumes"
+    /// and those of RenderRequest::timeline and VulkanDevice::SetTimeline.
     Timeline timeline{[]
                       {
                           return Allocations::soFar.load();
@@ -25,15 +25,15 @@ struct RenderMeasurements
     RenderResult lastFrame;
 };
 
-/// Everything as JSON: milliseconds (of all frames together), pixels, bytes, counts; of heap
-/// allocations, those of all frames together and of the last one alone, by phase, or null where the
-/// program does not count them.
+/// Writes everything as JSON: milliseconds (of all frames together), pixels, bytes and counts. Heap
+/// allocations are given by phase, for all frames together and for the last one alone, or are null
+/// if the program does not count them.
 /// @throws AssetError if the file cannot be written
 void WriteStats(const std::filesystem::path& path, const RenderMeasurements& measurements);
 
-/// The timeline in the format of chrome://tracing and Perfetto. The passes of the last frame stand
-/// beside it as the device's clock tells, the first at the moment of submission, since Vulkan does
-/// not say how the device's clock stands to the CPU's.
+/// Writes the timeline in the format of chrome://tracing and Perfetto. The passes of the last frame
+/// are shown beside it at the times of the device's clock. The first one is placed at the moment of
+/// submission, since Vulkan does not tell how the device's clock relates to the CPU's.
 /// @throws AssetError if the file cannot be written
 void WriteTrace(const std::filesystem::path& path, const RenderMeasurements& measurements);
 

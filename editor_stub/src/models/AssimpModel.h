@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// A model as it goes from one process to another and into a file: a Model whose meshes are not
-/// made yet.
+/// A Model whose meshes are not made yet, in the form that is passed between processes and written
+/// to a file.
 struct ModelContent
 {
     struct NamedMesh
@@ -20,11 +20,11 @@ struct ModelContent
     std::vector<ModelMaterial> materials;
 };
 
-/// Reads .fbx, .obj and whatever else assimp reads, in this process. assimp may crash on a broken
+/// Reads .fbx, .obj and the other formats of assimp, in this process. assimp may crash on a broken
 /// file.
-/// @param name  of the root
-/// @param bytes  of the file, which an FBX is read from; other kinds are read from the path
-/// @throws AssetError  with one sentence, if it cannot be read
+/// @param name  the root's name
+/// @param bytes  the file's content, from which an FBX is read; other kinds are read from the path
+/// @throws AssetError  with one sentence, if the file cannot be read
 ModelContent ReadByAssimp(const std::filesystem::path& path, std::string_view bytes,
                           const std::string& name, const ModelImport& import);
 

@@ -15,7 +15,7 @@ namespace limn
 /// The source of a model's tangents. Unity: UnityEditor.ModelImporterTangents (2022.3).
 enum class ModelTangents : std::uint8_t
 {
-    Import, ///< the file, where it has them
+    Import, ///< from the file, if it has them
     CalculateLegacy,
     None,
     CalculateMikk,
@@ -31,30 +31,30 @@ struct ModelImport
     bool preserveHierarchy = false; ///< a single top node stays below the root
     bool calculatesNormals = false;
     float normalSmoothAngle = 60.0f; ///< degrees
-    /// Calculated ones follow the rule of MikkTSpace.
+    /// The source of tangents. Calculated ones follow the rule of MikkTSpace.
     ModelTangents tangents = ModelTangents::CalculateMikk;
-    bool swapUVChannels = false; ///< the first and the second
+    bool swapUVChannels = false; ///< swaps the first and the second
     int fileIdsGeneration = 1;
-    /// Names of the model's objects by id, of files of the first generation.
+    /// The names of the model's objects by id, for files of the first generation.
     std::map<std::int64_t, std::string> names = {};
-    /// Materials of the project in place of the model's own, by these ones' names.
+    /// The project's materials that replace the model's own, by the names of the replaced ones.
     std::map<std::string, UnityReference> materials = {};
 };
 
-/// Reads the ModelImporter of a .meta file; what it does not say is as Unity has it.
-/// @param meta  the root of the file
+/// Reads the ModelImporter of a .meta file. Settings that it lacks get Unity's defaults.
+/// @param meta  the file's root
 ModelImport ReadModelImport(const UnityNode& meta);
 
-/// A node of a model: Unity's axes, metres.
+/// A node of a model, in metres along Unity's axes.
 struct ModelNode
 {
     std::string name;
-    std::size_t parent = 0; ///< of Model::nodes; the root is its own
+    std::size_t parent = 0; ///< index into Model::nodes; the root is its own parent
     glm::vec3 position{0.0f};
     glm::quat rotation{1, 0, 0, 0};
     glm::vec3 scale{1.0f};
-    std::optional<std::size_t> mesh;    ///< of Model::meshes
-    std::vector<std::string> materials; ///< by sub-mesh
+    std::optional<std::size_t> mesh;    ///< index into Model::meshes
+    std::vector<std::string> materials; ///< names of materials, one for each sub-mesh
 };
 
 struct ModelMaterial
@@ -71,22 +71,23 @@ struct Model
     std::vector<ModelMaterial> materials;
     ModelImport import;
 
-    /// The mesh that Unity has under an id; null if there is none.
+    /// Returns the mesh that Unity has under an id, or null if there is none.
     std::shared_ptr<const Mesh> FindMesh(std::int64_t fileID) const;
-    /// The material that Unity has under an id; null if there is none.
+    /// Returns the material that Unity has under an id, or null if there is none.
     const ModelMaterial* FindMaterial(std::int64_t fileID) const;
 };
 
-/// Reads .fbx, .obj and whatever else assimp reads.
-/// @throws AssetError  with one sentence, if it cannot be read
+/// Loads .fbx, .obj and the other formats of assimp.
+/// @throws AssetError  with one sentence, if the file cannot be read
 Model LoadModel(const std::filesystem::path& path, const ModelImport& import,
                 const Importer& importer = Importer());
 
-/// The prefab that Unity makes of a model: what an instance of it in a scene stands for.
-/// @param guid  of the model
+/// Returns the prefab that Unity makes of a model, for which an instance of the model in a scene
+/// stands.
+/// @param guid  the model's guid
 std::string PrefabTextOf(const Model& model, const std::string& guid);
 
-/// The id that Unity gives to an object of a model since 2019.3.
+/// Returns the id that Unity gives to an object of a model since 2019.3.
 /// @param text  "Type:Mesh->Sphere0"
 std::int64_t HashedFileID(std::string_view text);
 

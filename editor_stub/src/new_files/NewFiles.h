@@ -8,18 +8,18 @@
 namespace limn
 {
 
-/// Returns a scene file in which a sphere is outlined, for a person to go on from.
+/// Returns a scene file in which a sphere is outlined, for a person to continue.
 /// @param profile  the name of the profile's file beside the scene
 std::string NewScene(const std::string& profile);
 
-/// Returns a profile with every parameter of some components, each with its default, what it may
-/// be and what it is for; what switches an outline on is on.
-/// @param components  registered names
+/// Returns a profile with every parameter of some components, each with its default, its possible
+/// values and its purpose. Parameters that switch an outline on are on.
+/// @param components  the components' registered names
 std::string NewProfile(std::span<const std::string> components,
                        const VolumeComponentRegistry& registry);
 
-/// Returns a material of the shader with each of its properties at its default; textures are
-/// comments, as there is no file for them yet.
+/// Returns a material of the shader with each of its properties at its default. Textures are
+/// comments, since there are no files for them yet.
 std::string NewMaterial(const Shader& shader);
 
 } // namespace limn

@@ -13,21 +13,21 @@ namespace limn
 
 using CSharpFiles = std::vector<std::unique_ptr<CSharpFile>>;
 
-/// The classes of C# files by name, as C# finds them: what is in a class has to be called by its
-/// name outside of it.
+/// The classes of C# files by name, as C# finds them: outside of a class, its nested classes need
+/// its name in front.
 class ClassIndex
 {
 public:
     /// @param files      must outlive this
-    /// @param isOfUnity  whether Unity has a type of this name
+    /// @param isOfUnity  returns whether Unity has a type of this name
     ClassIndex(const CSharpFiles& files, std::function<bool(std::string_view)> isOfUnity);
 
-    /// Nested ones behind the one that they are in.
+    /// Returns all classes, nested ones behind the class that they are in.
     const std::vector<const CSharpClass*>& all() const { return m_All; }
     const CSharpClass* OuterOf(const CSharpClass& one) const { return m_Outer.at(&one); }
 
-    /// What the type is called there; null where the files have none.
-    /// @param context  null = outside of all classes
+    /// Returns the class that a type's name means in this context, or null if the files have none.
+    /// @param context  the class in which the name is used; null = outside of all classes
     const CSharpClass* Find(std::string_view type, const CSharpClass* context) const;
 
 private:

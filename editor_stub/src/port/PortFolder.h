@@ -9,25 +9,25 @@
 namespace limn
 {
 
-/// The folder of a plug-in that is begun.
+/// The folder of a new plug-in.
 struct PortFolder
 {
     std::vector<NewFile> files;
-    std::vector<UsedMember> uses; ///< what PORTING.md has in its table
-    int left = 0;                 ///< TODOs in the C++: bodies, members, settings and the like
-    int done = 0;                 ///< settings, parameters, passes and the like that are C++
+    std::vector<UsedMember> uses; ///< the rows of the table in PORTING.md
+    int left = 0; ///< the number of TODOs in the C++: bodies, members, settings and the like
+    int done = 0; ///< the number of settings, parameters, passes and the like that are C++
 };
 
-/// Writes the C++ of the files' features: settings, parameters, passes, events; bodies as comments.
+/// Writes the C++ of the files' features: settings, parameters, passes, events, and bodies as
+/// comments. May change the types of the files' ints, see MarkPropertyIds.
 /// @throws AssetError if there is no feature in the files
-/// The types of the files' ints may change, see MarkPropertyIds.
 PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table);
 
-/// What stands in PORTING.md: what became of what, and every use with its verdict.
+/// Returns the text of PORTING.md: what each thing became, and every use with its verdict.
 std::string PortingReport(const PortModel& model, const std::vector<struct PortedThing>& things,
                           const std::vector<UsedMember>& uses);
 
-/// "A.cs:12, 14, B.cs:3", at most `most` places.
+/// Returns at most `most` places as text: "A.cs:12, 14, B.cs:3".
 std::string PlacesText(const std::vector<CSharpPlace>& places, std::size_t most);
 
 } // namespace limn

@@ -12,11 +12,11 @@
 namespace limn
 {
 
-/// What a class of the C# becomes.
+/// The kind of thing that a class of the C# becomes.
 enum class PortRole
 {
     Enum,
-    Data,      ///< settings, what a pass hands over, static members
+    Data,      ///< settings, the data of a pass, static members
     Context,   ///< a ContextItem
     Component, ///< a VolumeComponent
     Parameter, ///< class XParameter : VolumeParameter<X>
@@ -25,51 +25,53 @@ enum class PortRole
     Other ///< a comment
 };
 
-/// The classes of C# files and what they are called in C++.
+/// The classes of C# files and their names in C++.
 class PortModel
 {
 public:
-    /// @param files  not empty; they and the table must outlive this
-    /// @throws AssetError naming the first file if none of them has a feature
+    /// @param files  must not be empty; they and the table must outlive this
+    /// @throws AssetError naming the first file, if no file has a feature
     PortModel(const CSharpFiles& files, const PortingTable& table);
 
     const CSharpFiles& files() const { return m_Files; }
     const PortingTable& table() const { return m_Table; }
-    const std::string& name() const { return m_Name; } ///< of the feature, without "...Feature"
+    const std::string& name() const { return m_Name; } ///< the feature's name without "...Feature"
     const std::vector<const CSharpClass*>& classes() const { return m_Index.all(); }
     std::vector<const CSharpClass*> Of(PortRole role) const;
 
     PortRole RoleOf(const CSharpClass& one) const { return m_Places.at(&one).role; }
     const CSharpFile& FileOf(const CSharpClass& one) const { return *m_Places.at(&one).file; }
     const CSharpClass* OuterOf(const CSharpClass& one) const { return m_Index.OuterOf(one); }
-    /// Whether it is a comment, as it or what it is in is of the kind that limn cannot have.
+    /// Returns whether the class becomes a comment, since it or a class around it is of a kind that
+    /// limn cannot have.
     bool isLeftOut(const CSharpClass& one) const;
-    /// As the class that a PortContext is about calls it; null where the files have none.
+    /// Returns the class that a type's name means in the class of the PortContext, or null if the
+    /// files have none.
     const CSharpClass* Find(std::string_view type) const { return m_Index.Find(type, m_Context); }
-    static std::string ClassName(const CSharpClass& one);    ///< "Settings"; none of C++'s words
+    static std::string ClassName(const CSharpClass& one);    ///< "Settings"; never a keyword of C++
     std::string QualifiedName(const CSharpClass& one) const; ///< "Feature::Settings"
     std::string Place(const CSharpClass& one, const SourceLocation& location) const; ///< "A.cs:12"
 
-    /// What C++ calls a type of C#; nothing where that is not known.
+    /// Returns the C++ type for a type of C#, or nothing if it is not known.
     std::optional<std::string> CppType(const std::string& type) const;
-    /// Gives the type that a pointer to a shared object of this type points to: const Bloom.
+    /// Returns the type that a pointer to a shared object of this type points to: const Bloom.
     std::optional<std::string> CppPointed(const std::string& type) const;
-    /// The value that a variable of C++'s type begins with where C# does not say one: "{}".
+    /// Returns the initial value of a C++ variable of this type if C# gives none: "{}".
     static std::string CppDefault(const std::string& cppType);
-    /// As a parameter: const std::string&.
+    /// Returns the C++ type of a parameter: const std::string&.
     std::optional<std::string> CppParameter(const std::string& type) const;
     std::optional<std::string> CppParameter(const CSharpParameter& parameter) const;
-    /// Whether an Inspector takes a field of this type.
+    /// Returns whether an Inspector takes a field of this type.
     bool isSetting(const std::string& type) const;
-    /// Whether Unity stores the field.
+    /// Returns whether Unity stores the field.
     bool isSerialized(const CSharpField& field) const;
 
-    /// Returns whether the field becomes a pointer in C++: a pass or its data keep an object of
-    /// somebody else's in it, or anybody keeps a component of the volume stack.
+    /// Returns whether the field becomes a pointer in C++. It does if a pass or its data keep
+    /// another owner's object in it, or if any class keeps a component of the volume stack in it.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
-    /// Classes of the files may be used as types from here on; fields, which C++ has or not, and
-    /// the methods in a class's definition, likewise.
+    /// Marks a class as declared in the C++, so that it may be used as a type from here on. Fields,
+    /// which the C++ may lack, and the methods in a class's definition are marked likewise.
     template <typename Member>
     void Declare(const Member& one)
     {
@@ -80,7 +82,7 @@ public:
     {
         return m_Declared.contains(&one);
     }
-    /// A name that is none of C++'s words and none of a type.
+    /// Returns a name that is neither a keyword of C++ nor the name of a type.
     std::string CppName(const std::string& name) const;
 
 private:
@@ -100,13 +102,14 @@ private:
     const PortingTable& m_Table;
     std::string m_Name;
     ClassIndex m_Index;
-    mutable const CSharpClass* m_Context = nullptr; ///< in which types are called
+    mutable const CSharpClass* m_Context = nullptr; ///< the class in which types are named
     std::map<const CSharpClass*, ClassPlace> m_Places;
-    std::set<std::pair<const CSharpClass*, std::string_view>> m_PlacedNames; ///< and what is around
+    /// Each with the class around it.
+    std::set<std::pair<const CSharpClass*, std::string_view>> m_PlacedNames;
     std::set<const void*> m_Declared; ///< classes, fields, methods
 };
 
-/// While it is there, types are what they are called in this class.
+/// While it exists, the model finds types by their names in this class.
 class PortContext
 {
 public:
@@ -124,12 +127,12 @@ private:
     const CSharpClass* m_Before;
 };
 
-/// What C++ calls an int that holds a property's number.
+/// The C++ type of an int that holds a property's number.
 inline constexpr const char* k_PropertyIdType = "ShaderPropertyId";
 
-/// Gives the fields and parameters of type int that hold what Shader.PropertyToID gives, or are
-/// taken for a property's number, the type ShaderPropertyId, and lists and arrays of such ints that
-/// of their elements.
+/// Changes the type of ints that are property numbers to ShaderPropertyId: fields and parameters
+/// that hold a result of Shader.PropertyToID or are used as a property's number. In lists and
+/// arrays of such ints the type of the elements is changed.
 void MarkPropertyIds(const CSharpFiles& files);
 
 } // namespace limn

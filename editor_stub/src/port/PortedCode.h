@@ -11,32 +11,32 @@
 namespace limn
 {
 
-/// A thing of the C# and where it went.
+/// A thing of the C# and what it became.
 struct PortedThing
 {
     std::string what;    ///< "setting", "parameter", "pass", "event", "name of a pass"
     std::string name;    ///< "Settings.radius"
-    std::string text;    ///< of the C#: type, default
+    std::string text;    ///< its type and default in the C#
     std::string place;   ///< "Blur.cs:12"
-    bool isDone = false; ///< it is C++; else a TODO
+    bool isDone = false; ///< true if it is C++; else it is a TODO
 };
 
-/// The text of C++ as it is written, and what became of what.
+/// The C++ text that is being written, and what each thing of the C# became.
 class PortedCode
 {
 public:
     explicit PortedCode(PortModel& model) : m_Model(model) {}
 
     PortModel& model() { return m_Model; }
-    std::string text; ///< what is written
+    std::string text; ///< the text written so far
 
     void Line(std::string_view line = {}); ///< indented by m_Indent
-    void Open(std::string_view line = {}); ///< the line if there is one, {
+    void Open(std::string_view line = {}); ///< writes the line, if there is one, and a {
     void Close(std::string_view end = "}");
     void Label(std::string_view line) { text.append(line).append("\n"); } ///< public:
-    /// `// TODO: why, place`, and the C# below it as comments.
+    /// Writes `// TODO: why, place`, and the C# below it as comments.
     void Todo(const std::string& why, const std::string& place, std::string_view csharp);
-    /// C# as comments, moved to the left as far as it goes.
+    /// Writes C# as comments, moved to the left as far as possible.
     void Comment(std::string_view csharp);
 
     void Done(PortedThing thing) { m_Things.push_back(std::move(thing)); }
@@ -49,31 +49,35 @@ private:
     std::vector<PortedThing> m_Things;
 };
 
-// What stands in classes. Each writes C++ that compiles, and what it cannot write as a TODO.
+// These write the contents of files and classes, in C++ that compiles. A part that they cannot
+// write becomes a TODO.
 
-/// enums, settings, volume components and their enums nested in them; before everything else.
+/// Writes an enum. Enums, data and components, with the enums nested in them, come before
+/// everything else.
 void WriteEnum(PortedCode& code, const CSharpClass& one);
 void WriteData(PortedCode& code, const CSharpClass& one);
 void WriteComponent(PortedCode& code, const CSharpClass& one);
-/// The classes that stand in this one.
+/// Returns the classes that are nested in this one.
 std::vector<const CSharpClass*> NestedIn(const CSharpClass& one);
-/// The enums and data among these, those first that others need.
+/// Writes the enums and data among these classes; those that others need come first.
 void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes);
-/// A method whose body is a comment; a comment as a whole where its types are not known.
-/// @param signatures  those that the class has already
+/// Writes a method with its body as a comment. If its types are not known, the whole method becomes
+/// a comment.
+/// @param signatures  the signatures that the class already has
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
                  std::set<std::string>& signatures);
-/// One field: a member, a constant, or a TODO. Names that now have a value go into the scope.
+/// Writes one field: a member, a constant, or a TODO. Adds names that now have a value to the
+/// scope.
 void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& field,
                 PortScope& scope);
-/// What an Inspector is told of the fields.
+/// Writes the Describe of a class, which describes its fields to an Inspector.
 void WriteDescription(PortedCode& code, const CSharpClass& one);
 
 void WritePass(PortedCode& code, const CSharpClass& one);
-/// The class of a feature, whose methods are defined behind the passes.
+/// Writes the class of a feature. Its methods are defined behind the passes.
 void WriteFeature(PortedCode& code, const CSharpClass& one);
 void WriteFeatureMethods(PortedCode& code, const CSharpClass& one);
-/// The methods of the base class that others of their names would hide.
+/// Writes using-declarations for the methods of the base class that overloads would hide.
 void WriteUsing(PortedCode& code, const CSharpClass& one);
 
 /// A method of a feature or a pass in C++.
@@ -81,44 +85,46 @@ struct PortedSignature
 {
     std::string result;
     std::string name;
-    std::string parameters; ///< with their brackets; each may be unused
+    std::string parameters; ///< with brackets; each parameter may be unused
     bool isOverride = false;
 
     std::string Text(const std::string& owner = "") const;
 };
-/// Nothing where its types are not known, or limn never calls it.
+/// Returns the signature of a method in C++, or nothing if its types are not known or limn never
+/// calls it.
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method);
-/// Returns something from a method whose body is a comment.
+/// Writes the return statement of a method whose body is a comment.
 void WriteResult(PortedCode& code, const PortedSignature& signature);
-/// What the method's parameters and the class's fields stand for.
+/// Returns the C++ values of the method's parameters and the class's fields.
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
-/// What a parameter or variable of a method is called in C++: nothing that hides a member.
+/// Returns the C++ name of a method's parameter or variable, which hides no member.
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name);
-/// The C# of a method that adds passes to a render graph, as comments, and the passes in C++.
-/// @return false, and writes nothing, where it adds none
+/// Writes the C# of a method that adds passes to a render graph, as comments, and the passes in
+/// C++.
+/// @return false, and writes nothing, if the method adds no passes
 bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
-/// What a field of the class stands for, in its methods.
+/// Returns the C++ value of a field in the methods of its class.
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
-/// The text between the braces.
+/// Returns the text between the braces of a method.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 
-/// `a = b;` outside of brackets in a body.
+/// A statement `a = b;` outside of brackets in a body.
 struct PortedAssignment
 {
     CSharpWords target;
     CSharpWords value;
 };
 std::vector<PortedAssignment> AssignmentsOf(CSharpWords body);
-/// The assignment in C++; "" where it is none that is known to mean the same.
+/// Returns the assignment in C++, or "" if it is not known to mean the same.
 std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment);
 
-/// The header and the source of a plug-in with the features.
+/// Returns the header of a plug-in with the features; PortedSource returns its source.
 std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources);
 std::string PortedSource(PortedCode& code);
-/// The name by which limn knows a feature or component of the plug-in: the class's, and "Port"
-/// behind it where limn has one of that name.
+/// Returns the name by which limn knows a feature or component of the plug-in: the class's name,
+/// with "Port" behind it if limn already has that name.
 std::string RegisteredName(const CSharpClass& one);
 
 } // namespace limn

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// What became of a member of Unity's here.
+/// The verdict on a member of Unity's in limn.
 enum class PortVerdict
 {
     Same,
@@ -22,25 +22,28 @@ const char* ToString(PortVerdict verdict);
 struct PortEntry
 {
     PortVerdict verdict = PortVerdict::Same;
-    std::string words;  ///< how it differs, why it is refused, what to do instead; "" = no word
-    std::string result; ///< the type that a member gives; "T" = its type argument; "" = unsaid
+    /// The difference, the reason of a refusal or what to do instead; "" if there is nothing to
+    /// say.
+    std::string words;
+    std::string result; ///< the type of the member's value; "T" = its type argument; "" = not given
 };
 
-/// editor_stub/src/port/porting.txt: rows of samples/porting/DIFFERENCES.md, and each member's
-/// verdict.
+/// The table editor_stub/src/port/porting.txt: the rows of samples/porting/DIFFERENCES.md, and the
+/// verdict on each member.
 class PortingTable
 {
 public:
     /// @param text  must outlive this
-    /// @throws ContractError naming the line that is no row, no verdict, or said twice
+    /// @throws ContractError naming the line that is neither row nor verdict, or that repeats an
+    ///     entry
     explicit PortingTable(std::string_view text);
 
     const std::vector<std::string>& rows() const { return m_Rows; } ///< "| Unity | limn |"
     const std::map<std::string, PortEntry, std::less<>>& entries() const { return m_Entries; }
 
-    /// @return null where the table does not know it
+    /// @return null if the table does not know the key
     const PortEntry* Find(std::string_view key) const;
-    /// The same of "Type.Member", else of "Type.*".
+    /// Returns the entry of "Type.Member", else that of "Type.*".
     const PortEntry* Find(std::string_view type, std::string_view member) const;
     bool HasType(std::string_view type) const;
 
@@ -52,7 +55,7 @@ private:
     std::map<std::string, PortEntry, std::less<>> m_Entries;
 };
 
-/// The one of this program.
+/// Returns the table that is built into this program.
 const PortingTable& UnityPortingTable();
 
 } // namespace limn

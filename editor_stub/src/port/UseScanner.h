@@ -18,16 +18,16 @@ struct CSharpPlace
     SourceLocation location;
 };
 
-/// What C# uses that it does not define itself.
+/// A member that C# uses and does not define itself.
 struct UsedMember
 {
-    std::string key;                  ///< of PortingTable, or what stands in the file
-    const PortEntry* entry = nullptr; ///< null = unknown
-    std::string problem;              ///< of an unknown one: why
+    std::string key;                  ///< the key in PortingTable, or the words of the file
+    const PortEntry* entry = nullptr; ///< null if it is unknown
+    std::string problem;              ///< why it is unknown; "" if it is known
     std::vector<CSharpPlace> places;  ///< in the order of the files
 };
 
-/// Walks through words of C# and notes what they use. Types are followed by name.
+/// Walks through words of C# and notes what they use. It follows types by name.
 class UseScanner
 {
 public:
@@ -35,7 +35,7 @@ public:
     UseScanner(const CSharpFiles& files, const PortingTable& table);
 
     void SetFile(const CSharpFile& file) { m_File = &file; }
-    /// What follows is in this class, which may be in another.
+    /// Enters a class, which may be nested in another. The words that follow are in it.
     void Enter(const CSharpClass& one) { m_Classes.push_back(&one); }
     void Leave() { m_Classes.pop_back(); }
     /// Forgets local variables.
@@ -47,7 +47,8 @@ public:
     void UseOverride(const CSharpClass& one, const CSharpMethod& method);
     void ScanWords(CSharpWords words);
 
-    /// By name; those that are unknown in the order of the files, behind the others.
+    /// Returns the uses so far and forgets them. They are sorted by name, with unknown ones behind
+    /// the others.
     std::vector<UsedMember> TakeUses();
 
 private:
@@ -76,22 +77,23 @@ private:
 
     const PortingTable& m_Table;
     ClassIndex m_Own;
-    std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions; ///< of static classes
+    /// Extension methods of static classes.
+    std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions;
     const CSharpFile* m_File = nullptr;
     std::vector<const CSharpClass*> m_Classes; ///< the innermost last
     std::map<std::string, std::string> m_Locals;
     std::map<Word, std::string> m_Initializers; ///< by their {
     std::vector<Word> m_OpenBrackets;
-    std::set<Word> m_Done; ///< looked at as part of something
+    std::set<Word> m_Done; ///< words already seen as part of something
     std::string m_PassData;
     std::string m_PassContext;
-    bool m_IsSilent = false; ///< looks for a type only
+    bool m_IsSilent = false; ///< true while it only looks for a type
     std::map<std::string, UsedMember> m_Uses;
 };
 
-/// Every type, member and attribute that the files use and do not define, once each, by name. Types
-/// of variables are followed as far as declarations and the table say them; whatever cannot be told
-/// is there as unknown.
+/// Returns every type, member and attribute that the files use and do not define, once each, by
+/// name. Types of variables are followed as far as declarations and the table give them. Whatever
+/// cannot be told is in the result as unknown.
 std::vector<UsedMember> UsedMembersOf(const CSharpFiles& files, const PortingTable& table);
 
 } // namespace limn

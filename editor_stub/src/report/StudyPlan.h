@@ -7,29 +7,30 @@
 namespace limn::study
 {
 
-/// What decides which cells there are.
+/// The options that decide which cells there are.
 struct StudyOptions
 {
-    bool isQuick = false;                ///< under a minute on a software rasteriser
-    bool isFull = false;                 ///< all combinations of extreme inputs, not all pairs
-    bool hasStability = false;           ///< the stability cells, and no others
-    std::vector<std::string> techniques; ///< names; empty = all
-    glm::ivec2 sceneSize{0};             ///< of the scene's picture, pixels
-    bool isPartlyHidden = false;         ///< something hides a part of the scene's outline
+    bool isQuick = false;      ///< takes under a minute on a software rasteriser
+    bool isFull = false;       ///< tries all combinations of extreme inputs, not all pairs
+    bool hasStability = false; ///< only the stability cells, and no others
+    std::vector<std::string> techniques; ///< their names; empty = all
+    glm::ivec2 sceneSize{0};             ///< of the scene's picture, in pixels
+    bool isPartlyHidden = false;         ///< true if something hides a part of the scene's outline
 
-    /// The same text for the same cells: "quick, 1280x720, Strokes, Selection".
+    /// Returns a text that is the same for the same cells: "quick, 1280x720, Strokes, Selection".
     std::string Text() const;
-    /// Of cells of cost: frames of each technique, at least. Those that techniques are compared by
-    /// get more.
+    /// Returns the least number of frames of each technique in a cell of cost. Cells by which
+    /// techniques are compared get more.
     int RoundsOf(const CellId& cell) const;
 };
 
-/// All cells, those of one reference side by side, their techniques one after the other.
-/// @param techniques  of which StudyOptions::techniques takes some
+/// Returns all cells. Those of one reference are side by side, their techniques one after the
+/// other.
+/// @param techniques  the techniques from which StudyOptions::techniques selects
 std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Technique> techniques);
 
-/// Cells that are measured together: those of cost that differ in their technique only, so that the
-/// techniques' frames take turns; any other one is alone.
+/// Returns the cells in groups that are measured together. Cells of cost that differ only in their
+/// technique form a group, so that the techniques' frames take turns. Every other cell is alone.
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells);
 
 } // namespace limn::study

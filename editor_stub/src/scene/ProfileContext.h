@@ -8,12 +8,12 @@
 namespace limn
 {
 
-/// The layers of a scene and the files around a profile: references go by paths relative to its
-/// folder, or by guid through the .meta files of the Unity project it is in.
+/// The layers of a scene and the files around a profile. References are paths relative to the
+/// profile's folder, or guids from the .meta files of the Unity project it is in.
 class SceneProfileContext : public ProfileContext
 {
 public:
-    /// @param profile  its path; "" for values that are in no file
+    /// @param profile  the profile's path; "" for values that are in no file
     /// @param assets, layers  must outlive this
     SceneProfileContext(AssetContext& assets, std::filesystem::path profile,
                         const LayerNames& layers)
@@ -21,7 +21,8 @@ public:
     {
     }
 
-    /// The scene's; those of every Unity project where the scene names none.
+    /// Returns the scene's layer with this name, or the layer that has the name in every Unity
+    /// project if the scene gives that layer no name.
     std::optional<int> FindLayer(std::string_view name) const override;
     std::vector<std::string_view> layerNames() const override { return m_Layers.names(); }
 
@@ -29,7 +30,7 @@ public:
     LoadedAsset<Texture> LoadTexture(const AssetLocation& location) const override;
     LoadedAsset<Material> LoadMaterial(const AssetLocation& location) const override;
 
-    /// Whether any reference was loaded so far.
+    /// Returns whether any reference was loaded so far.
     bool hasLoaded() const { return m_HasLoaded; }
 
 private:
@@ -41,7 +42,7 @@ private:
     AssetContext& m_Assets;
     std::filesystem::path m_Profile;
     const LayerNames& m_Layers;
-    mutable std::optional<UnityProject> m_Project; ///< looked for when a guid needs it
+    mutable std::optional<UnityProject> m_Project; ///< found when a guid first needs it
     mutable bool m_HasLoaded = false;
 };
 

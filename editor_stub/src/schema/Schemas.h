@@ -12,56 +12,60 @@
 namespace limn
 {
 
-/// What a scene file may hold: its keys, and every feature's settings.
+/// Returns the schema of scene files, with the settings of every feature.
 Json SceneSchema(const FeatureRegistry& features);
 
-/// One item of a scene's `renderer.features`: any registered feature, by its `type`.
+/// Returns the schema of one item of a scene's `renderer.features`: any registered feature, by its
+/// `type`.
 Json FeatureSchema(const FeatureRegistry& features);
 
-/// A material as scenes write it.
+/// Returns the schema of a material as scenes write it.
 Json MaterialSchema();
 
-/// What a .material.yaml file may hold: the same, on its own.
+/// Returns the schema of .material.yaml files: the same, on its own.
 Json MaterialFileSchema();
 
-/// What a profile of limn's own form may hold: every registered component and parameter.
+/// Returns the schema of profiles in limn's own form, with every registered component and
+/// parameter.
 Json ProfileSchema(const VolumeComponentRegistry& registry);
 
-/// A list of keys, the same with wrap modes around it, or Unity's form.
+/// Returns the schema of a curve: a list of keys, the same with wrap modes around it, or Unity's
+/// form.
 Json AnimationCurveSchema();
 
-/// Keys with the value where there are none, a loop and its range; or Unity's form.
+/// Returns the schema of a texture curve: keys with the value for an empty list, a loop and its
+/// range; or Unity's form.
 Json TextureCurveSchema();
 
-/// Keys keep their order, which is the one an editor offers them in.
-// The JSON Schema of values as YamlRead and ReadLayers read them.
+// The JSON Schema of values as YamlRead and ReadLayers read them. Keys keep their order, in which
+// an editor offers them.
 
 Json BoolSchema();
 Json NumberSchema(ValueRange range = {});
 Json IntegerSchema(ValueRange range = {});
 Json TextSchema();
 Json ColorSchema();
-/// @param count  2, 3 or 4
+/// @param count  must be 2, 3 or 4
 Json VectorSchema(int count, ValueRange range = {});
 Json LayerMaskSchema();
 Json LayerIndexSchema();
-/// A path, nothing, or Unity's {fileID, guid, type}.
+/// Returns the schema of a reference: a path, nothing, or Unity's {fileID, guid, type}.
 Json ReferenceSchema();
 Json EnumSchema(std::span<const std::string> names);
 Json EnumSchema(std::span<const EnumEntry> entries);
 Json RenderPassEventSchema();
 
-/// A map that has these keys and no others.
+/// Returns the schema of a map that has these keys and no others.
 Json MapSchema(Json properties);
 Json ListSchema(Json items);
 
-/// Adds a key in Unity's and in the plain spelling, of which a file may use one.
+/// Adds a key in Unity's and in the plain spelling. A file may use one of the two.
 void AddProperty(Json& map, std::string_view name, const Json& value);
 
-/// A whole schema: the map's keys with a title and the schema's version.
+/// Returns a whole schema: the map's keys with a title and the schema's version.
 Json RootSchema(std::string_view title, const Json& map);
 
-/// A YAML value as JSON: plain numbers and truth values are such.
+/// Returns a YAML value as JSON. Plain numbers and truth values become JSON numbers and booleans.
 Json ToJson(const YamlNode& node);
 
 } // namespace limn

@@ -11,27 +11,27 @@
 namespace limn
 {
 
-/// Where a ray meets a mesh.
+/// The place where a ray meets a mesh.
 struct MeshHit
 {
     int subMesh = 0;
-    std::uint32_t firstIndex = 0; ///< of the triangle, in data().triangles
-    double t = 0.0;               ///< origin + t * direction
+    std::uint32_t firstIndex = 0; ///< the index in data().triangles at which the triangle begins
+    double t = 0.0;               ///< the place is origin + t * direction
 };
 
-/// A ray in a mesh's own space, and which of its triangles it can meet.
+/// A ray in a mesh's own space, and the triangles that it can meet.
 struct MeshRay
 {
     glm::dvec3 origin{0.0};
     glm::dvec3 direction{0.0}; ///< any length but 0
     double maxT = 0.0;
     RaycastFaces faces = RaycastFaces::Front;
-    std::vector<bool> subMeshes; ///< one for each
+    std::vector<bool> subMeshes; ///< true for each sub-mesh that it can meet
 };
 
-/// A tree over the triangles of one mesh. Embree computes in float; so that it does near 0 and 1,
-/// wherever the vertices are, the tree has them in a sphere of radius 1, and the ray starts there.
-/// The distance is computed in double from the mesh's own vertices.
+/// A tree over the triangles of one mesh. Embree computes in float. To keep its numbers near 0 and
+/// 1 wherever the vertices are, the tree has them in a sphere of radius 1, and the ray starts
+/// there. The distance is computed in double from the mesh's own vertices.
 class MeshTree
 {
 public:
@@ -41,8 +41,8 @@ public:
     MeshTree(const MeshTree&) = delete;
     MeshTree& operator=(const MeshTree&) = delete;
 
-    /// The nearest triangle.
-    /// @param mesh  the tree's
+    /// Returns the nearest triangle that the ray meets.
+    /// @param mesh  must be the tree's mesh
     std::optional<MeshHit> Raycast(const Mesh& mesh, const MeshRay& ray) const;
 
 private:
@@ -56,7 +56,7 @@ struct Triangle
 };
 Triangle TriangleOf(const Mesh& mesh, std::uint32_t firstIndex);
 
-/// Whether a ray of this direction meets a side of the triangle that counts.
+/// Returns whether a ray of this direction meets the triangle on one of the sides that `faces` has.
 bool MeetsFace(const Triangle& triangle, const glm::dvec3& direction, RaycastFaces faces);
 
 } // namespace limn

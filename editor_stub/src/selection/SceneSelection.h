@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// One of --select, --click and --ctrl-click.
+/// A step of a selection: --select, --click or --ctrl-click.
 struct SelectionStep
 {
     enum class Kind
@@ -19,10 +19,10 @@ struct SelectionStep
     };
 
     Kind kind = Kind::Select;
-    std::string text; ///< names of objects, or as ParseClick takes it
+    std::string text; ///< names of objects, or a click as ParseClick takes it
 };
 
-/// "X,Y" or "X,Y@SECONDS".
+/// A parsed click: "X,Y" or "X,Y@SECONDS".
 struct ClickText
 {
     int x = 0; ///< from the left of the picture
@@ -30,16 +30,16 @@ struct ClickText
     double time = 0.0;
 };
 
-/// Nothing if the text is no click.
+/// Returns the click, or nothing if the text is none.
 std::optional<ClickText> ParseClick(const std::string& text);
-/// What is wrong with the place in a picture of this size; "" if nothing.
+/// Returns what is wrong with the click's place in a picture of this size, or "" if nothing is.
 std::string PixelProblem(const ClickText& click, int width, int height);
 
-/// Does the steps one after another: what is selected at the end is in the rendering layers by
-/// which the scene's features know selected objects, and in `asset.selected`. A click that hits
-/// nothing that can be selected becomes a note, with the reason.
-/// @throws AssetError if no object has a name, a pixel lies outside of the picture, or no feature
-///     would show a selection
+/// Does the steps one after another. Objects that are selected at the end are in the rendering
+/// layers by which the scene's features recognise selected objects, and in `asset.selected`. A
+/// click that hits nothing that can be selected becomes a note with the reason.
+/// @throws AssetError if no object has a given name, if a pixel is outside of the picture, or if no
+///     feature would show a selection
 void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps);
 
 } // namespace limn

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-// What scene files may say, for the reader and for the schema.
+// The keys and values of scene files, for the reader and for the schema.
 
 inline constexpr ValueRange k_PictureSizes{1.0, 16384.0}; ///< pixels, of a side
 inline constexpr ValueRange k_RenderQueues{-1.0, 5000.0}; ///< -1: the shader's own
@@ -53,7 +53,7 @@ inline constexpr EnumEntry k_FogModes[] = {
     {"Linear", 1}, {"Exponential", 2}, {"ExponentialSquared", 3}};
 inline constexpr EnumEntry k_DefaultReflectionModes[] = {{"Skybox", 0}, {"Custom", 1}};
 
-/// What stands behind a key.
+/// The kind of value behind a key.
 enum class SceneValue
 {
     Bool,
@@ -64,9 +64,9 @@ enum class SceneValue
     Color,
     Vector, ///< three numbers
     Scale,  ///< three numbers or one
-    Size,   ///< of the picture
+    Size,   ///< the picture's size
     Layer,
-    Layers, ///< a set of them
+    Layers, ///< a set of layers
     LayerNames,
     ClearFlags,
     TransparencySortMode,
@@ -101,8 +101,9 @@ struct SceneKey
 {
     std::string_view name;
     SceneValue value;
-    std::string_view description = ""; ///< for readers and editors; a test wants one of each key
-    ValueRange range = {};             ///< of a number, or of each of a vector
+    /// The text for readers and editors. A test requires one for each key.
+    std::string_view description = "";
+    ValueRange range = {}; ///< the range of a number, or of each number of a vector
     bool isRequired = false;
 };
 using SceneKeys = std::span<const SceneKey>;
@@ -128,7 +129,8 @@ constexpr SceneKey Required(SceneKey key)
 
 inline constexpr double k_MaxDistance = 1e9; ///< metres
 inline constexpr ValueRange k_Lengths{0.0, k_MaxDistance};
-inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance}; ///< of the camera
+/// The range of the camera's coordinates and of the distances of fog.
+inline constexpr ValueRange k_Places{-k_MaxDistance, k_MaxDistance};
 inline constexpr ValueRange k_RenderScales{0.1, 2.0};
 inline constexpr ValueRange k_LightLimits{0.0, 8.0};
 inline constexpr ValueRange k_PipelineVersions{7.0, 17.0};
@@ -218,7 +220,7 @@ inline constexpr SceneKey k_OrthographicSize{
     Number,
     "Half the height of an orthographic picture in metres; 5 unless it is set",
     {1e-4, k_MaxDistance}};
-// Unity's inspector offers up to 179 degrees; 0 would make a picture of nothing.
+// Unity's inspector offers up to 179 degrees; 0 would make an empty picture.
 inline constexpr SceneKey k_FieldOfView{
     "fieldOfView",
     Number,
@@ -341,7 +343,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     k_ShadowBias,
     k_ShadowNormalBias};
 
-/// A renderer has one of these.
+/// The keys of a renderer, of which it has one.
 inline constexpr SceneKey k_Renderer[] = {
     {"rendererData", Text,
      "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` says the same"},
@@ -387,7 +389,7 @@ inline constexpr SceneKey k_MeshCollider[] = {
     k_Type, k_Enabled,
     Required({"mesh", Mesh, "A convex mesh: a built-in one, or the path of a .gltf or .glb file"})};
 
-/// The first is what a collider without a type is.
+/// The shapes of colliders. The first one is the shape of a collider without a type.
 inline constexpr std::array<ColliderShape, 4> k_ColliderShapes{
     {{"box", k_Box}, {"sphere", k_Sphere}, {"capsule", k_Capsule}, {"mesh", k_MeshCollider}}};
 

@@ -9,8 +9,8 @@
 namespace limn
 {
 
-/// Reads a map of a scene file by the list of its keys: numbers within their ranges, and what is
-/// required must be there. The list and the code that reads have to agree: a key that one of them
+/// Reads a map of a scene file by the list of its keys. Numbers must be within their ranges, and
+/// required keys must be there. The list and the reading code must agree: a key that one of them
 /// lacks is a ContractError.
 class SceneMapReader : YamlMapReader
 {
@@ -30,15 +30,15 @@ public:
     }
     bool Read(std::string_view key, float& value);
     bool Read(std::string_view key, glm::vec3& value);
-    /// A member of an enum, by its name or its number.
+    /// Reads a member of an enum by its name or its number.
     template <typename Enum>
     void Read(std::string_view key, std::span<const EnumEntry> entries, Enum& value)
     {
         value = static_cast<Enum>(ReadNumber(key, entries, static_cast<int>(value)));
     }
-    /// Euler angles in degrees.
+    /// Reads Euler angles in degrees.
     bool Read(std::string_view key, glm::quat& rotation);
-    /// For a number that may be less small than its key says.
+    /// Reads a number that must be at least `least`, instead of the key's own lower limit.
     bool ReadFrom(double least, std::string_view key, float& value);
     void Finish();
 

@@ -8,31 +8,31 @@
 namespace limn
 {
 
-/// Layer names together with what messages call one: "layer" or "rendering layer".
+/// Layer names, and the noun for one in messages: "layer" or "rendering layer".
 struct LayerKind
 {
     const LayerNames& names;
     const char* noun;
 };
 
-/// The names of a scene's `layers` or `renderingLayers`: {6: Furniture}.
+/// Reads the names of a scene's `layers` or `renderingLayers`: {6: Furniture}.
 void ReadLayerNames(const YamlNode& node, std::string_view subject, LayerNames& names,
                     AssetDiagnostics& diagnostics);
 
-/// One layer, by its name or its number 0...31.
+/// Reads one layer by its name or its number 0...31.
 std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject,
                                   const LayerKind& kind, AssetDiagnostics& diagnostics);
 
-/// A set of layers: Everything, Nothing, a name, a list of names and numbers 0...31, the 32 bits as
-/// one number, or Unity's {m_Bits: 64}.
+/// Reads a set of layers: Everything, Nothing, a name, a list of names and numbers 0...31, the 32
+/// bits as one number, or Unity's {m_Bits: 64}.
 std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
                                            const LayerKind& kind, AssetDiagnostics& diagnostics);
 
-/// The value of an enum's member by its name or its number.
+/// Reads the value of an enum's member by its name or its number.
 std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> entries,
                             std::string_view subject, AssetDiagnostics& diagnostics);
 
-/// A pass event: its name, a name with a distance ("AfterRenderingOpaques + 1"), or a number.
+/// Reads a pass event: its name, a name with an offset ("AfterRenderingOpaques + 1"), or a number.
 std::optional<RenderPassEvent> ReadRenderPassEvent(const YamlNode& node, std::string_view subject,
                                                    AssetDiagnostics& diagnostics);
 

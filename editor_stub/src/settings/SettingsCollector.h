@@ -14,21 +14,22 @@ namespace limn
 /// A setting or a parameter as text for people.
 struct InspectedValue
 {
-    std::string header; ///< that it stands under; "" for a parameter, or without one
+    std::string header; ///< the header above it; "" for a parameter, or if there is none
     std::string name;
     std::string value;
     std::string defaultValue;
     bool hasDefault = true;
     std::optional<ValueRange> range;
-    bool isOverridden = false; ///< of a setting: it differs from its default
+    bool isOverridden = false; ///< true if a setting differs from its default
     std::string unit;          ///< "pixels"; "" for none
     std::string tooltip;
 };
 
-/// "{r: 1, g: 0.5}" of numbers that lie one behind the other, each named by a letter.
+/// Returns "{r: 1, g: 0.5}" for consecutive numbers in memory. `names` has a letter for each.
 std::string MembersText(const float* numbers, std::string_view names);
 
-/// A feature's settings in its order, beside those of one of its type as the constructor leaves it.
+/// Returns a feature's settings in its order, each beside the default: the value in a feature of
+/// the same type as the constructor leaves it.
 std::vector<InspectedValue> CollectSettings(ScriptableRendererFeature& feature,
                                             ScriptableRendererFeature& defaultFeature,
                                             const LayerNames& layers,

@@ -15,37 +15,41 @@
 namespace limn
 {
 
-/// A shader from what stands for it in a file; null, with an error, if there is none.
+/// Returns the shader that a node of a file stands for. Returns null and adds an error if there is
+/// none.
 using ShaderReader =
     std::function<std::shared_ptr<const Shader>(const YamlNode& node, const std::string& subject)>;
 
-/// The same for a material.
+/// Returns the material that a node of a file stands for. Returns null and adds an error if there
+/// is none.
 using MaterialReader = std::function<std::shared_ptr<const Material>(const YamlNode& node,
                                                                      const std::string& subject)>;
 
-/// What the settings of a file may refer to.
+/// The things that the settings of a file may refer to.
 struct SettingsContext
 {
     const LayerNames& layers;
     const LayerNames& renderingLayers;
     ShaderReader readShader;
     MaterialReader readMaterial;
-    /// The feature's class where the file is Unity's: keys that the class does not have are then
-    /// left out with a note. "" in files of limn's own, where they are errors.
+    /// The feature's class if the file is Unity's: keys that the class does not have are then left
+    /// out with a note. "" in files of limn's own, where such keys are errors.
     std::string unityType = {};
 };
 
-/// Sets a feature's settings, and in files of limn's own its `active`, to what a map says; settings
-/// that it does not name stay. A map within it whose name Describe does not know, but whose keys
-/// it knows, is a settings class that Describe left out: its keys are read as if they stood beside
-/// it. Every other key that nobody asked for is an error with the nearest name, or a note.
+/// Sets a feature's settings, and in files of limn's own its `active`, to the values of a map.
+/// Settings that the map does not name stay. A map within it whose name Describe does not know, but
+/// whose keys it knows, is a settings class that Describe left out: its keys are read as if they
+/// were beside it. Every other key that nothing has read is an error with the nearest name, or a
+/// note.
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
                          const SettingsContext& context, AssetDiagnostics& diagnostics);
 
-/// Settings that are good one by one may not fit each other: better said where they stand than when
-/// the feature is used. An error at `location` if it cannot be created.
-/// @param shaders  where its Create finds shaders by name
-/// @param subject  stands before what the feature says, which begins with its name
+/// Adds an error at `location` if the feature cannot be created. Settings that are good one by one
+/// may not fit each other; it is better to report that where the settings are than when the feature
+/// is used.
+/// @param shaders  the source in which the feature's Create finds shaders by name
+/// @param subject  the text before the feature's message, which begins with the feature's name
 void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderSource>& shaders,
                SourceLocation location, std::string_view subject, AssetDiagnostics& diagnostics);
 
@@ -54,17 +58,18 @@ struct SettingName
 {
     std::string name;
     bool isGroup = false;
-    std::vector<SettingName> members = {}; ///< of a group, in the order of Describe
+    std::vector<SettingName> members = {}; ///< the members of a group, in the order of Describe
 };
 
-/// The settings of a feature: a group without a name.
+/// Returns the settings of a feature as a group without a name.
 SettingName DescribedSettings(ScriptableRendererFeature& feature);
 
-/// The member of a group that a key of a file stands for, in Unity's or the plain spelling; null if
-/// the group has none.
+/// Returns the member of a group that a key of a file stands for, in Unity's or the plain spelling,
+/// or null if the group has none.
 const SettingName* FindMember(const SettingName& group, std::string_view key);
 
-/// The paths of everything below `root` that is no member of `group` itself: "settings.width".
+/// Returns the paths of everything below `root` that is no member of `group` itself:
+/// "settings.width".
 std::vector<std::string> PathsOutside(const SettingName& root, const SettingName& group);
 
 /// The maps of a file that hold the settings of one group: the group's own, and the settings
@@ -72,25 +77,26 @@ std::vector<std::string> PathsOutside(const SettingName& root, const SettingName
 class SettingsLevel
 {
 public:
-    /// @param unityType  as SettingsContext's
+    /// @param unityType  as SettingsContext::unityType
     SettingsLevel(const SettingName& group, std::string unityType, AssetDiagnostics& diagnostics);
     SettingsLevel(const SettingsLevel&) = delete;
     SettingsLevel& operator=(const SettingsLevel&) = delete;
 
     /// Adds a map that the caller holds, with the settings classes in it.
     void Add(YamlMapReader& map);
-    /// Adds the value of the group's key in `outer`.
+    /// Adds the map that is the value of the group's key in `outer`.
     void Add(const YamlNode& node, const YamlMapReader& outer);
 
-    /// The map that has the setting; null if none has. A second one is an error, or a note.
+    /// Returns the map that has the setting, or null if none has it. A second map that has it is an
+    /// error, or a note.
     YamlMapReader* Find(std::string_view name);
 
-    /// Reports every key that nobody asked for.
+    /// Reports every key that nothing has read.
     /// @param root  the whole feature's settings, for the nearest name
     void Finish(const SettingName& root);
 
     const SettingName& group() const { return m_Group; }
-    const YamlMapReader& map() const { return *m_Maps.front(); } ///< the group's own
+    const YamlMapReader& map() const { return *m_Maps.front(); } ///< the map of the group itself
 
 private:
     void ReportTwice(std::string_view name, const YamlMapReader& first,

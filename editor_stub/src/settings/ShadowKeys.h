@@ -11,8 +11,8 @@ namespace limn
 /// Unity: UnityEngine.Rendering.Universal.SoftShadowQuality; a light's may say the first one, too.
 inline constexpr EnumEntry k_SoftShadowQualities[] = {{"Low", 1}, {"Medium", 2}, {"High", 3}};
 
-/// Hands each setting of shadows to `visit(name, value, range, description)` under its serialised
-/// name, Unity's: for the reader and for the schema.
+/// Calls `visit(name, value, range, description)` for each setting of shadows, with Unity's
+/// serialised name. The reader and the schema use it.
 template <typename Visitor>
 void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
 {
@@ -54,7 +54,8 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
           "How wide the rims of soft shadows are");
 }
 
-/// Sets what the map says; the rest stays. The caller calls map.Finish() where it owns all keys.
+/// Sets the settings that the map has. The others stay. The caller calls map.Finish() if it owns
+/// all keys.
 void ReadShadowSettings(YamlMapReader& map, ShadowSettings& settings,
                         AssetDiagnostics& diagnostics);
 

@@ -5,8 +5,9 @@
 namespace limn
 {
 
-/// Sets a material's keywords by its values, as Unity's inspector does: those of the attributes
-/// Toggle, ToggleOff and KeywordEnum, and with a shader of URP those of its maps and of emission.
+/// Sets a material's keywords by its values, as Unity's inspector does: the keywords of the
+/// attributes Toggle, ToggleOff and KeywordEnum, and for a shader of URP also those of its maps and
+/// of emission.
 void SetKeywordsOfValues(Material& material);
 
 } // namespace limn

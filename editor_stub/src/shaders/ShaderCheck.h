@@ -14,12 +14,12 @@
 namespace limn
 {
 
-/// What became of a pass.
+/// The result of checking a pass.
 enum class PassOutcome
 {
-    NotTried,       ///< it has no program, or nothing was to be compiled
-    Compiled,       ///< for the keywords asked for
-    Refused,        ///< it is well formed and limn does not do what it asks for
+    NotTried,       ///< it has no program, or nothing had to be compiled
+    Compiled,       ///< it compiled with the wanted keywords
+    Refused,        ///< it is well formed, but needs something that limn does not do
     MissingInclude, ///< it includes a file that is not there
     Failed
 };
@@ -31,14 +31,15 @@ struct CheckedPass
 {
     const ShaderLabPass* pass = nullptr;
     PassOutcome outcome = PassOutcome::NotTried;
-    std::string reason; ///< of a refusal, one sentence
+    std::string reason; ///< the reason of a refusal, one sentence
     std::shared_ptr<const ShaderProgram> compiled;
-    std::vector<std::string> keywords; ///< that it was compiled with
+    std::vector<std::string> keywords; ///< the keywords that it was compiled with
     VariantCount variants;             ///< 0 without a program
-    /// Which property keeps the SRP Batcher from taking the pass; "" if none does.
+    /// The property that keeps the SRP Batcher from taking the pass; "" if none does.
     std::string srpBatcherProblem;
-    /// Where a UsePass of the SubShader that limn draws with leads; null for any other pass, and
-    /// where it leads nowhere. The pass itself stays NotTried: it counts in the file that has it.
+    /// The pass that a UsePass leads to, in the SubShader that limn draws with. Null for any other
+    /// pass, and if it leads nowhere. The UsePass itself stays NotTried: its pass counts in the
+    /// file that has it.
     std::shared_ptr<const CheckedUse> use;
 };
 
@@ -46,21 +47,21 @@ struct CheckedPass
 struct CheckedUse
 {
     ShaderLabPass pass;
-    CheckedPass check; ///< of `pass`
+    CheckedPass check; ///< the result for `pass`
 };
 
 struct CheckedSubShader
 {
     const ShaderLabSubShader* subShader = nullptr;
-    bool isUsed = false; ///< the one that limn draws with
+    bool isUsed = false; ///< true if limn draws with it
     std::vector<CheckedPass> passes;
 };
 
-/// Everything found out about one ShaderLab file.
+/// All that was found out about one ShaderLab file.
 struct ShaderCheck
 {
     std::filesystem::path file;
-    bool isParsed = false;                             ///< without an error
+    bool isParsed = false;                             ///< true if it was parsed without an error
     std::shared_ptr<const ShaderLabDocument> document; ///< null if there is no text to read
     std::vector<CheckedSubShader> subShaders;
     std::string drawnFallback;           ///< the shader that limn draws with instead; "" = this one
@@ -72,13 +73,14 @@ struct ShaderCheck
 struct ShaderCheckOptions
 {
     bool compile = true;
-    /// Keywords that are on; without them those that a new material has on.
+    /// The keywords that are on. If they are not given, the keywords of a new material are on.
     std::optional<std::vector<std::string>> keywords;
-    /// Where UsePass and Fallback look. Asked only about files that have one; any thread.
+    /// Returns the shaders among which UsePass and Fallback look. It is called only for files that
+    /// have one of the two, on any thread.
     std::function<const ShaderDatabase&()> shaders;
 };
 
-/// Parses the file and compiles the passes of its SubShaders. Any thread.
+/// Parses the file and compiles the passes of its SubShaders. May be called on any thread.
 ShaderCheck CheckShader(const std::filesystem::path& file, const ShaderCheckOptions& options,
                         ShaderCompiler& compiler);
 

@@ -5,20 +5,20 @@
 namespace limn
 {
 
-/// Draws any mesh in plain magenta, lit by nothing: what stands in for a shader that does not
+/// Returns a shader that draws any mesh in plain, unlit magenta. It replaces a shader that does not
 /// compile. Unity: Hidden/Core/FallbackError (URP 14).
 std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler);
 
-/// Compiles what rendering a scene needs: the passes of objects' shaders that the renderer draws
+/// Compiles what rendering a scene needs: the passes of objects' shaders that the renderer draws,
 /// and every pass of the shaders of active features. Different shaders compile at the same time.
 /// @throws AssetError with the errors of all shaders
 void CompileUsedShaders(const SceneAsset& asset);
 
-/// As CompileUsedShaders, but objects whose shader does not compile get the error shader, which is
-/// magenta, in their material's queue.
+/// Compiles the same as CompileUsedShaders. Objects whose shader does not compile get the magenta
+/// error shader, in their material's queue.
 /// @return the errors of those shaders
-/// @throws AssetError with the errors of all shaders if one is a feature's: what it would draw
-///         says nothing in magenta
+/// @throws AssetError with the errors of all shaders if one is a feature's, since its draws would
+///     show nothing useful in magenta
 std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
                                                 const std::shared_ptr<ShaderCompiler>& compiler);
 

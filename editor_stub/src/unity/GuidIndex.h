@@ -8,26 +8,26 @@
 namespace limn
 {
 
-/// The guids of a project's .meta files, kept from one run to the next: a file is read again only
-/// if its size or the time of its last change is another.
+/// The guids of a project's .meta files, cached across runs. A file is read again only if its size
+/// or the time of its last change differs.
 class GuidIndex
 {
 public:
-    /// @param root         of the project
-    /// @param cacheFolder  empty = nothing is kept
+    /// @param root         the project's folder
+    /// @param cacheFolder  empty = nothing is cached
     GuidIndex(const std::filesystem::path& root, const std::filesystem::path& cacheFolder);
 
-    /// Returns the guid that a .meta file gives; "" if it gives none.
+    /// Returns the guid that a .meta file has, or "" if it has none.
     std::string GuidOf(const std::filesystem::directory_entry& metaFile);
-    /// Keeps what was read, if it is not what was kept. Files that were not asked for are
-    /// forgotten.
+    /// Writes what was read to the cache, if the cache holds something else. Files that were not
+    /// asked for are forgotten.
     void Store() const;
 
 private:
     struct Entry
     {
         std::uint64_t size = 0;
-        std::int64_t time = 0; ///< of the last change
+        std::int64_t time = 0; ///< the time of the last change
         std::string guid;
 
         bool operator==(const Entry&) const = default;

@@ -17,7 +17,7 @@
 namespace limn
 {
 
-/// The class ids of Unity that limn reads, of which `--- !u!4 &123` tells one.
+/// The class ids of Unity that limn reads. In `--- !u!4 &123` the class id is 4.
 enum class UnityClass : int
 {
     GameObject = 1,
@@ -41,8 +41,8 @@ enum class UnityClass : int
     SceneRoots = 1660057539
 };
 
-/// `{fileID: 11400000, guid: 185ced…, type: 2}`: an object of the file itself where the guid is
-/// empty; nothing where both are.
+/// A reference `{fileID: 11400000, guid: 185ced…, type: 2}`. If the guid is empty, it refers to an
+/// object of the file itself; if the fileID is 0, to nothing.
 struct UnityReference
 {
     std::int64_t fileID = 0;
@@ -54,7 +54,7 @@ struct UnityReference
 
 UnityReference ReadUnityReference(const UnityNode& node);
 
-/// A text asset of Unity, whose objects are parsed when they are asked for, each once.
+/// A text asset of Unity. Its objects are parsed when they are asked for, each once.
 class UnityFile
 {
 public:
@@ -65,7 +65,8 @@ public:
 
     const std::string& name() const { return m_Asset.file(); }
     std::span<const UnityHeader> headers() const { return m_Asset.headers(); }
-    /// The map below the class's name. @throws AssetError as UnityTree
+    /// Returns the map below the class's name.
+    /// @throws AssetError as UnityTree
     UnityNode Fields(const UnityHeader& header) const;
 
 private:
@@ -81,7 +82,7 @@ struct UnityOverride
     std::string path; ///< "m_Materials.Array.data[0]"
     std::string value;
     UnityReference reference;
-    const UnityScope* scope = nullptr; ///< that a reference without a guid is about
+    const UnityScope* scope = nullptr; ///< the scope that a reference without a guid is in
     int line = 0;                      ///< in the scope's file
 };
 
@@ -89,26 +90,25 @@ struct UnityOverride
 struct UnityInstance
 {
     UnityClass classID{};
-    std::int64_t fileID = 0; ///< in the space of its scope
+    std::int64_t fileID = 0; ///< the id within its scope
     int line = 0;
-    const UnityScope* scope = nullptr; ///< where it stands
+    const UnityScope* scope = nullptr; ///< the scope that it is in
     UnityNode fields;
     std::vector<UnityOverride> overrides; ///< later ones win
     bool isRemoved = false;
 };
 
-/// One use of a file: its objects by the ids that its text has for them, those of prefabs in it
-/// included.
+/// One use of a file: its objects by the ids in its text, including the objects of prefabs in it.
 struct UnityScope
 {
     std::shared_ptr<const UnityFile> file;
     std::unordered_map<std::int64_t, UnityInstance*> objects;
 
-    /// Null where no object has the id.
+    /// Returns the object with this id, or null if there is none.
     UnityInstance* Find(std::int64_t fileID) const;
 };
 
-/// Something that an expansion did without, once for each cause.
+/// Something that an expansion left out, noted once for each cause.
 struct UnityNote
 {
     std::string file;
@@ -121,18 +121,18 @@ struct UnityNote
 class UnityExpansion
 {
 public:
-    /// Returns the text asset behind a guid, a model as the prefab that Unity makes of it; null
-    /// where the project has none.
+    /// Returns the text asset behind a guid, or null if the project has none. A model is returned
+    /// as the prefab that Unity makes of it.
     using FindPrefab = std::function<std::shared_ptr<const UnityFile>(const std::string& guid)>;
 
-    /// @throws AssetError  where a file is broken, a prefab holds itself, or there are more objects
-    ///     than limn takes
+    /// @throws AssetError  if a file is broken, if a prefab contains itself, or if there are more
+    ///     objects than limn takes
     UnityExpansion(std::shared_ptr<const UnityFile> file, FindPrefab find);
     UnityExpansion(const UnityExpansion&) = delete;
     UnityExpansion& operator=(const UnityExpansion&) = delete;
 
     const UnityScope& root() const { return *m_Root; }
-    /// All but those that were removed, in the order of the files.
+    /// Returns all objects that were not removed, in the order of the files.
     const std::vector<const UnityInstance*>& objects() const { return m_Objects; }
     const std::vector<UnityNote>& notes() const { return m_Notes; }
 
@@ -149,7 +149,7 @@ private:
     std::deque<UnityInstance> m_Instances;
     std::vector<const UnityFile*> m_Stack; ///< files that are being expanded
     std::vector<const UnityInstance*> m_Objects;
-    std::set<std::string> m_Missing; ///< guids that were spoken of
+    std::set<std::string> m_Missing; ///< guids that already have a note
     std::vector<UnityNote> m_Notes;
     UnityScope* m_Root = nullptr;
 };

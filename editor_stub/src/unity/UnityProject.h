@@ -9,15 +9,15 @@
 namespace limn
 {
 
-/// The nearest folder above a file that has an Assets folder; "" if there is none.
+/// Returns the nearest folder above a file that has an Assets folder, or "" if there is none.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
 class GuidIndex;
 
-/// Which .meta files of a project are read.
+/// The .meta files of a project that are read.
 enum class MetaFiles
 {
-    Loaded, ///< of .cs, .shader, .png and .mat files
+    Loaded, ///< those of .cs, .shader, .png and .mat files
     All
 };
 
@@ -25,16 +25,16 @@ enum class MetaFiles
 class UnityProject
 {
 public:
-    /// The one around `asset`; without one it is empty.
-    /// @param cacheFolder  keeps what All .meta files say; empty = nothing is kept
+    /// Finds the project around `asset`. If there is none, this is empty.
+    /// @param cacheFolder  caches the guids of MetaFiles::All; empty = nothing is cached
     explicit UnityProject(const std::filesystem::path& asset, MetaFiles files = MetaFiles::Loaded,
                           const std::filesystem::path& cacheFolder = {});
 
-    /// The path that a .meta file belongs to, whether there is a file or not; null if no .meta file
-    /// that was read has the guid.
+    /// Returns the path that the .meta file with a guid belongs to, even if there is no such file,
+    /// or null if no .meta file that was read has the guid.
     const std::filesystem::path* Find(std::string_view guid) const;
 
-    /// "" if there is none.
+    /// Returns the project's folder, or "" if there is none.
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
@@ -44,8 +44,8 @@ private:
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;
 };
 
-/// The class of the script with a guid: one of URP's own, or that of the .cs file in the project,
-/// which has the class's name. "" if there is none.
+/// Returns the class of the script with a guid: one of URP's own, or that of the .cs file in the
+/// project, which has the class's name. Returns "" if there is none.
 std::string UnityScriptClass(const std::string& guid, const UnityProject& project);
 
 } // namespace limn

@@ -11,8 +11,8 @@
 namespace limn
 {
 
-/// Collects what there is to say about a project's files while its scene is read: nothing of it
-/// keeps the scene from being drawn.
+/// Collects notes about a project's files while its scene is read. None of them keeps the scene
+/// from being drawn.
 class UnityNotes
 {
 public:
@@ -20,14 +20,15 @@ public:
     void Add(const std::string& file, int line, const std::string& message);
     void Add(const std::vector<UnityNote>& notes);
     void Add(std::span<const Diagnostic> notes);
-    /// Counts things of a kind that limn does not draw; Finish() makes one sentence a kind.
+    /// Counts a thing of a kind that limn does not draw. Finish() makes one sentence for each kind.
     void Count(const std::string& kind) { ++m_Counts[kind]; }
-    /// @param file  that the counted things are in
+    /// Returns the notes, with a sentence for each kind of counted things.
+    /// @param file  the file that the counted things are in
     std::vector<Diagnostic> Finish(const std::string& file);
 
 private:
     std::vector<Diagnostic> m_Notes;
-    std::set<std::pair<std::string, std::string>> m_Known; ///< file and message
+    std::set<std::pair<std::string, std::string>> m_Known; ///< pairs of file and message
     std::map<std::string, int> m_Counts;
 };
 
@@ -36,20 +37,20 @@ private:
 struct UnityTarget
 {
     const UnityInstance* object = nullptr;
-    UnityReference asset; ///< null where it is no asset
+    UnityReference asset; ///< null if it is no asset
 
     bool isNull() const { return object == nullptr && asset.isNull(); }
 };
 
-/// Reads the fields of one object, with what prefab instances set of it: numbers by the type of
-/// what they go into. A field that is missing leaves the value as it was; one that is wrong does
-/// so, too, and becomes a note.
+/// Reads the fields of one object, with the values that prefab instances give them. Numbers are
+/// read by the type of `value`. A missing field leaves the value as it was. A wrong field does so,
+/// too, and becomes a note.
 ///
 /// Paths are Unity's property paths: "m_LocalPosition.x", "m_Materials.Array.data[0]".
 class UnityReader
 {
 public:
-    /// @param subject  what notes call the object: "Sphere/MeshRenderer"
+    /// @param subject  the object's name in notes: "Sphere/MeshRenderer"
     UnityReader(const UnityInstance& object, std::string subject, UnityNotes& notes)
         : m_Object(object), m_Subject(std::move(subject)), m_Notes(notes)
     {
@@ -65,8 +66,8 @@ public:
     void Read(const std::string& path, glm::vec3& value) const;
     void Read(const std::string& path, glm::quat& value) const;
     void Read(const std::string& path, Color& value) const;     ///< sRGB
-    void Read(const std::string& path, LayerMask& value) const; ///< of {m_Bits: 5}
-    /// Bits that stand as one number.
+    void Read(const std::string& path, LayerMask& value) const; ///< as {m_Bits: 5}
+    /// Reads bits that are saved as one number.
     void Read(const std::string& path, RenderingLayerMask& value) const;
     /// Reads a number that has to lie in a range.
     void ReadIn(const std::string& path, float least, float most, float& value) const;
@@ -80,16 +81,16 @@ public:
     }
 
     UnityTarget Reference(const std::string& path) const;
-    /// The elements of a list, as the prefab instances have made it.
+    /// Returns the number of elements of a list, as the prefab instances have made it.
     std::size_t Count(const std::string& path) const;
     bool Has(const std::string& path) const { return Find(path) || FindOverride(path) != nullptr; }
-    UnityNode Find(const std::string& path) const; ///< in the object's own text
+    UnityNode Find(const std::string& path) const; ///< finds a value in the object's own text
 
     void Note(const std::string& path, const std::string& message) const;
 
 private:
     const UnityOverride* FindOverride(std::string_view path) const;
-    /// The text of a scalar; nothing if there is none.
+    /// Returns the text of a scalar, or nothing if there is none.
     std::optional<std::string_view> Text(const std::string& path) const;
     void ReadParts(const std::string& path, const char* names, float* values) const;
 

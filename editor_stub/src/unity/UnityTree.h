@@ -12,8 +12,9 @@ namespace limn
 
 class UnityTree;
 
-/// A value of a UnityTree, and how to go on from it. As long as its tree lives. One that is not
-/// there is empty: its text is "", it has no children, and everything below it is not there either.
+/// A value of a UnityTree, and the way to the values below it. It must not outlive its tree. A
+/// value that is not there is empty: its text is "", it has no children, and nothing below it is
+/// there either.
 class UnityNode
 {
 public:
@@ -21,15 +22,15 @@ public:
 
     explicit operator bool() const { return m_Tree != nullptr; }
 
-    /// Returns the text of a scalar without its quotes; "" for everything else.
+    /// Returns the text of a scalar without its quotes, or "" for everything else.
     std::string_view text() const;
-    /// Returns the key in the map above; "" for items of a list.
+    /// Returns the key in the map above, or "" for items of a list.
     std::string_view key() const;
     int line() const; ///< in the file, from 1; 0 if it is not there
     bool isList() const;
     bool isMap() const;
 
-    /// Returns the value of a map's key, of several equal ones the last, as Unity takes it.
+    /// Returns the value of a map's key. Among several equal keys the last one counts, as in Unity.
     UnityNode operator[](std::string_view key) const;
 
     class Iterator
@@ -56,15 +57,15 @@ private:
 };
 
 /// The body of one object of a Unity text asset, or a .meta file. It reads the part of YAML that
-/// Unity writes: maps and lists in lines or in braces, plain and quoted text that may go on in the
-/// next lines. Text stays text: who asks for a number converts it. Keys may repeat, as in materials
-/// of Unity 4. Takes time and memory linear in the text. The text must outlive the tree.
+/// Unity writes: maps and lists in lines or in braces, plain and quoted text that may continue in
+/// the next lines. Text stays text: callers that need a number convert it. Keys may repeat, as in
+/// materials of Unity 4. Takes time and memory linear in the text. The text must outlive the tree.
 class UnityTree
 {
 public:
-    /// @param file       what errors call it
-    /// @param firstLine  of the text in that file
-    /// @throws AssetError  at the first line that Unity would not write so
+    /// @param file       the file's name in errors
+    /// @param firstLine  the number of the text's first line in that file
+    /// @throws AssetError  at the first line that Unity would not write in that way
     UnityTree(std::string_view text, const std::string& file, int firstLine);
     UnityTree(const UnityTree&) = delete;
     UnityTree& operator=(const UnityTree&) = delete;
@@ -93,7 +94,7 @@ private:
     };
 
     std::vector<Node> m_Nodes;
-    std::deque<std::string> m_Texts; ///< that do not stand in the file as they are
+    std::deque<std::string> m_Texts; ///< texts that differ from those in the file
 };
 
 } // namespace limn

@@ -10,8 +10,8 @@
 namespace limn
 {
 
-/// Calls `work` with the name and the value of each element of a list of m_SavedProperties: a map
-/// of one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
+/// Calls `work` with the name and the value of each element of a list of m_SavedProperties. An
+/// element is a map of one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
 template <typename Work>
 void ForEachProperty(const UnityNode& list, const Work& work)
 {
@@ -29,26 +29,29 @@ void ForEachProperty(const UnityNode& list, const Work& work)
     }
 }
 
-/// How a shader of URP shows what a material has saved for another shader.
+/// A shader of URP in place of another shader, and the way it shows what a material has saved.
 struct MaterialStandIn
 {
-    std::string shader;                                    ///< of URP
-    std::map<std::string, std::string, std::less<>> names; ///< of properties, by the saved ones
-    std::map<std::string, float, std::less<>> values{};    ///< of properties, whatever is saved
+    std::string shader; ///< a shader of URP
+    /// Names of properties, by the saved names.
+    std::map<std::string, std::string, std::less<>> names;
+    /// Values of properties that do not depend on what is saved.
+    std::map<std::string, float, std::less<>> values{};
     bool isPremultiplied = false;
 
-    /// Returns the property that shows a saved one; "" for what another shader has left there.
+    /// Returns the property that shows a saved one, or "" for one that another shader has left
+    /// there.
     std::string NameOf(std::string_view saved) const;
 };
 
-/// Returns how "Standard", "Legacy Shaders/Diffuse" and the like of the built-in pipeline are
-/// shown.
-/// @param shader  Unity's name
-/// @param saved   m_SavedProperties of the material
+/// Returns the stand-in for "Standard", "Legacy Shaders/Diffuse" and other shaders of the built-in
+/// pipeline.
+/// @param shader  the shader's name in Unity
+/// @param saved   the material's m_SavedProperties
 std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNode& saved);
 
-/// Returns how the material of a shader graph is shown: by Lit with the texture and the colour
-/// whose names are the usual ones of a surface, or else with those that the graph mentions first.
+/// Returns the stand-in for the material of a shader graph: Lit with the texture and the colour
+/// that have the usual names for a surface, or else with those that the graph mentions first.
 /// @param graph  the text of the .shadergraph
 MaterialStandIn StandInForGraph(std::string_view graph, const UnityNode& saved);
 

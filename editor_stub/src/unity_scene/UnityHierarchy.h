@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// A GameObject of an expanded scene with what hangs at it.
+/// A GameObject of an expanded scene with its components and children.
 struct UnityGameObject
 {
     const UnityInstance* object = nullptr;
@@ -17,11 +17,11 @@ struct UnityGameObject
     std::vector<UnityGameObject*> children;       ///< in the order of the hierarchy
     UnityGameObject* parent = nullptr;
     std::string path;            ///< "Props/Workbench/Jigsaw"
-    bool isActive = true;        ///< it and all of its ancestors
-    GameObject* drawn = nullptr; ///< of the scene, once it is made
+    bool isActive = true;        ///< true if it and all of its ancestors are active
+    GameObject* drawn = nullptr; ///< the object in the scene, once it is made
 
     const UnityInstance* Find(UnityClass classID) const;
-    /// The component of a script, by the guid of that.
+    /// Returns the component of a script, by the script's guid.
     const UnityInstance* FindScript(std::string_view guid) const;
 };
 
@@ -32,7 +32,8 @@ public:
     UnityHierarchy(const UnityExpansion& expansion, UnityNotes& notes);
 
     const std::vector<UnityGameObject*>& objects() const { return m_Order; }
-    /// Returns the GameObject that a component hangs at, or that it is; null if there is none.
+    /// Returns the GameObject that has a component or that is `object` itself, or null if there is
+    /// none.
     const UnityGameObject* Find(const UnityInstance* object) const;
 
 private:
@@ -47,13 +48,13 @@ private:
     std::vector<UnityGameObject*> m_Order;
 };
 
-/// Returns whether an instance is a Transform, be it one of the user interface.
+/// Returns whether an instance is a Transform, including one of the user interface.
 inline bool IsTransform(const UnityInstance& object)
 {
     return object.classID == UnityClass::Transform || object.classID == UnityClass::RectTransform;
 }
 
-/// Unity's name of a class, "MeshRenderer"; "component 198" where limn knows none.
+/// Returns Unity's name of a class, "MeshRenderer", or "component 198" if limn knows none.
 std::string NameOf(UnityClass classID);
 
 } // namespace limn

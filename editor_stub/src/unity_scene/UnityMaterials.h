@@ -10,12 +10,12 @@ namespace limn
 /// The shader of a Unity material.
 struct UnityShader
 {
-    std::shared_ptr<const Shader> shader;     ///< null: the material is magenta
-    std::optional<MaterialStandIn> standIn{}; ///< where it stands in for another shader
+    std::shared_ptr<const Shader> shader;     ///< null if the material is magenta
+    std::optional<MaterialStandIn> standIn{}; ///< set if it stands in for another shader
 };
 
-/// The meshes, materials, textures and prefabs of a project's scene, each loaded once. What is
-/// missing is drawn as Unity draws it, magenta or not at all, and becomes a note.
+/// The meshes, materials, textures and prefabs of a project's scene, each loaded once. Missing ones
+/// are drawn as Unity draws them, magenta or not at all, and become notes.
 class UnityMaterials
 {
 public:
@@ -24,12 +24,13 @@ public:
     {
     }
 
-    /// The prefab of a guid, which may be a model's; null where the project has none.
+    /// Loads the prefab with a guid, which may be a model's. Returns null if the project has none.
     std::shared_ptr<const UnityFile> LoadPrefab(const std::string& guid);
-    /// Null, with a note at `user`, where there is none.
-    /// @param mesh  not null
+    /// Loads a mesh. Returns null and adds a note at `user` if there is none.
+    /// @param mesh  must not be null
     std::shared_ptr<const Mesh> LoadMesh(const UnityTarget& mesh, const UnityReader& user);
-    /// Never null. @param path  of the reference in `user`
+    /// Loads a material. Never returns null.
+    /// @param path  the path of the reference in `user`
     std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
 
@@ -56,7 +57,8 @@ private:
     UnityDatabase& m_Database;
     AssetContext& m_Assets;
     UnityNotes& m_Notes;
-    std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs; ///< of models, by guid
+    /// The prefabs of models, by guid.
+    std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs;
     std::map<std::string, std::optional<Model>> m_Models;
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Mesh>>
         m_TextMeshes; ///< by file and id

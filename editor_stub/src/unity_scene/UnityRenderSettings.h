@@ -7,10 +7,10 @@
 namespace limn
 {
 
-/// Reads an object of class 104, RenderSettings: ambient light, reflections, fog and the sky. What
-/// a scene has that limn cannot read becomes a note. Until the sky is drawn, its average that Unity
-/// has baked lights the scene, or that of Unity's default sky.
-/// @param settings  keeps what the object does not say
+/// Reads an object of class 104, RenderSettings: ambient light, reflections, fog and the sky.
+/// Settings that limn cannot read become notes. Until the sky is drawn, the scene is lit by the
+/// average of the sky that Unity has baked, or by that of Unity's default sky.
+/// @param settings  keeps the values that the object does not have
 void ReadUnityRenderSettings(const UnityReader& reader, UnityMaterials& materials,
                              RenderSettings& settings);
 

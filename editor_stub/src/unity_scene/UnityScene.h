@@ -5,16 +5,17 @@
 namespace limn
 {
 
-/// Returns the scene that a project starts with: the first one that its build settings have on, or
+/// Returns the scene that a project starts with: the first one that its build settings enable, or
 /// its only one.
 /// @param project  the folder that has Assets and ProjectSettings
-/// @throws AssetError  where there is none, or several without one that is on, with their paths
+/// @throws AssetError  if there is none, or if there are several and none is enabled, with their
+///     paths
 std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project);
 
-/// A scene of a Unity project, with its prefabs, models, materials, volumes, lights and main
-/// camera, and the renderer of its quality level. What limn does not draw becomes notes. Unity: the
-/// text form of 2018.3 to 6000.
-/// @throws AssetError  where the scene cannot be read, or has no camera
+/// Loads a scene of a Unity project, with its prefabs, models, materials, volumes, lights and main
+/// camera, and the renderer of its quality level. Things that limn does not draw become notes.
+/// Unity: the text form of 2018.3 to 6000.
+/// @throws AssetError  if the scene cannot be read, or has no camera
 SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& assets);
 
 } // namespace limn

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// A Unity scene while it is read, as the readers of its parts share it.
+/// The state that the readers of a Unity scene's parts share.
 struct UnitySceneLoader
 {
     const std::filesystem::path& path;
@@ -17,13 +17,13 @@ struct UnitySceneLoader
     UnityDatabase& database;
     UnityMaterials& materials;
     const UnityHierarchy& hierarchy;
-    SceneAsset& asset; ///< what is made
+    SceneAsset& asset; ///< the scene that is being made
 
     UnityReader ReaderOf(const UnityGameObject& object, const UnityInstance& component) const
     {
         return {component, object.path + "/" + NameOf(component.classID), notes};
     }
-    /// Returns the fields of an asset of ProjectSettings; null where there is none.
+    /// Returns the fields of an asset of ProjectSettings, or null if there is none.
     UnityNode ProjectSettings(const char* name) const;
 };
 
@@ -35,22 +35,23 @@ inline constexpr std::string_view k_Volume = "172515602e62fb746b5d573b38a5fe58";
 /// Makes the scene's objects, without renderers.
 void AddUnityObjects(UnitySceneLoader& loader);
 
-/// Makes the renderers; those of LODs that the camera does not see are switched off.
-/// @param lodBias  of the quality level
+/// Makes the renderers. Those of LODs that the camera does not see are switched off.
+/// @param lodBias  the LOD bias of the quality level
 void AddUnityRenderers(UnitySceneLoader& loader, float lodBias);
 
-/// Reads the camera that the picture is of, with its stack.
-/// @return the index of the renderer that it asks for; -1 for the one that the pipeline has first
-/// @throws AssetError  where no camera draws onto the screen
+/// Reads the camera that draws the picture, with its stack.
+/// @return the index of the renderer that the camera asks for; -1 for the pipeline's first one
+/// @throws AssetError  if no camera draws onto the screen
 int ReadUnityCamera(UnitySceneLoader& loader);
 
-/// Reads the pipeline's asset of the project's quality level, and a renderer of that.
-/// @param renderer  its index; -1 for the one that the pipeline has first
+/// Reads the pipeline asset of the project's quality level, and one of the pipeline's renderers.
+/// @param renderer  the renderer's index; -1 for the pipeline's first one
 /// @return the LOD bias of the quality level
 float ReadUnityPipeline(UnitySceneLoader& loader, int renderer);
 
-/// Returns the linear colour of a black body, its largest component 1. Within 1667 to 25000 K; Kim
-/// et al., "Design of Advanced Color Temperature Control System" (2002).
+/// Returns the linear colour of a black body, whose largest component is 1. Temperatures are
+/// clamped to 1667 to 25000 K. The formula is from Kim et al., "Design of Advanced Color
+/// Temperature Control System" (2002).
 glm::vec3 BlackBodyColor(float kelvin);
 
 /// @param sun  the light that the scene's settings call the sun; null for the brightest

@@ -8,9 +8,9 @@
 namespace limn
 {
 
-/// Gathers changed files until it is time to draw: at once, but a save or a checkout can be several
-/// events, so only when none came for a moment; and not later than a little after the first, so
-/// that files that are saved without a pause are drawn as well. The caller tells the time.
+/// Gathers changed files until it is time to draw. A save or a checkout can be several events, so
+/// drawing waits until none came for a moment. It never waits longer than a little after the first
+/// one, so that files that are saved without a pause are drawn as well. The caller gives the time.
 class ChangeBatch
 {
 public:
@@ -18,12 +18,13 @@ public:
 
     void Add(const std::set<std::filesystem::path>& files, Clock::time_point now);
 
-    /// For how long more changes may come before these are drawn, 0 if they are to be drawn now;
-    /// nothing while there are none. A file that is not there may be about to be put back, so that
-    /// one is waited for the longest; a plug-in that is not there as a whole, longer than that.
+    /// Returns the time that is left for more changes before these are drawn: 0 if they are to be
+    /// drawn now, nothing while there are no changes. A file that is missing may be about to be put
+    /// back, so the wait for it is the longest. The wait for a plug-in that is not complete yet is
+    /// longer still.
     std::optional<std::chrono::milliseconds> Remaining(Clock::time_point now) const;
 
-    /// The files, and begins anew.
+    /// Returns the files and begins anew.
     std::set<std::filesystem::path> Take();
 
 private:

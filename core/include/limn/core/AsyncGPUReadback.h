@@ -15,28 +15,30 @@ class GraphicsDevice;
 class RenderTexture;
 class PendingReadback;
 
-/// A copy from the device to the CPU that frames do not wait for. Copies of the request are the
-/// same one; it may outlive its device, which finishes it at its end.
+/// A copy from the device to the CPU that frames do not wait for. Copies of the request stand for
+/// the same readback. A request may outlive its device, which finishes it when it is destroyed.
 /// @source Unity: AsyncGPUReadbackRequest (2022.3)
 class AsyncGPUReadbackRequest
 {
 public:
     explicit AsyncGPUReadbackRequest(std::shared_ptr<PendingReadback> pending);
 
-    /// Whether it is over, as of the last frame that was executed, Update() or WaitForCompletion().
+    /// Returns whether the readback is over, as of the last executed frame, Update() or
+    /// WaitForCompletion().
     bool done() const;
-    /// Whether it is over without a result: the device was lost.
+    /// Returns whether the readback is over without a result because the device was lost.
     bool hasError() const;
-    /// Looks whether it is over, and calls the callback if so. A device does that before each
-    /// frame.
+    /// Checks whether the readback is over, and calls the callback if so. A device does that before
+    /// each frame.
     void Update();
-    /// Returns when it is over and the callback has been called. Nothing is stopped but this
-    /// thread.
+    /// Waits until the readback is over and the callback has been called. Only this thread is
+    /// blocked.
     void WaitForCompletion();
 
-    /// Returns the texels of a texture as it stores them, the bottom row of its picture first, or a
-    /// buffer's elements. They live as long as a copy of the request.
-    /// @throws ContractError if it is not over, or has an error, or is no whole number of elements
+    /// Returns the texels of a texture as it stores them, the bottom row of its picture first, or
+    /// the elements of a buffer. They live as long as a copy of the request.
+    /// @throws ContractError if the readback is not over, has an error, or is no whole number of
+    ///     elements
     template <typename Element>
     std::span<const Element> GetData() const
     {
@@ -44,9 +46,9 @@ public:
         const std::span<const std::byte> bytes = Bytes(sizeof(Element));
         return {reinterpret_cast<const Element*>(bytes.data()), bytes.size() / sizeof(Element)};
     }
-    int width() const;                 ///< texels; of a buffer its bytes
-    int height() const;                ///< texels; of a buffer 1
-    std::size_t layerDataSize() const; ///< bytes; 0 before it is over
+    int width() const;                 ///< texels; bytes of a buffer
+    int height() const;                ///< texels; 1 for a buffer
+    std::size_t layerDataSize() const; ///< bytes; 0 before the readback is over
 
 private:
     std::span<const std::byte> Bytes(std::size_t elementSize) const;
@@ -54,7 +56,7 @@ private:
     std::shared_ptr<PendingReadback> m_Pending;
 };
 
-/// Begins copies of what the last frame left. Unity's knows the device by itself.
+/// Starts copies of what the last frame left. Unity's class knows the device by itself.
 /// @source Unity: AsyncGPUReadback (2022.3)
 class AsyncGPUReadback
 {
@@ -63,7 +65,7 @@ public:
 
     /// @param texture  an output of the last frame
     /// @param callback called once, in a call of the device or of the request, also on an error
-    /// @throws ContractError if it was none
+    /// @throws ContractError if the texture was no output of the last frame
     static AsyncGPUReadbackRequest Request(GraphicsDevice& device, const RenderTexture& texture,
                                            Callback callback = {});
     /// @throws ContractError if no frame has used the buffer
@@ -81,26 +83,27 @@ public:
     PendingReadback(const PendingReadback&) = delete;
     PendingReadback& operator=(const PendingReadback&) = delete;
 
-    /// Takes the result if it is there, or if `waits` when it is, and calls the callback then. What
-    /// goes wrong on the device ends it with hasError(); what the callback throws goes to
-    /// Debug::LogException, as in Unity.
+    /// Takes the result and calls the callback if the result is there; if `waits`, waits for it
+    /// first. A failure of the device ends the readback with hasError(). An exception of the
+    /// callback goes to Debug::LogException, as in Unity.
     void Finish(bool waits);
 
     bool isDone() const { return m_IsDone; }
     bool hasError() const { return m_HasError; }
-    /// Why there are no texels; empty without an error.
+    /// Returns why there are no texels; empty without an error.
     const std::string& error() const { return m_Error; }
-    /// Without texels before it is done.
+    /// Returns the result, which has no texels before the readback is done.
     const Image& result() const { return m_Result; }
 
     AsyncGPUReadback::Callback callback; ///< may be empty
 
 protected:
-    virtual bool isReady() = 0; ///< whether the result is there
-    virtual void Wait() = 0;    ///< until it is
-    /// @pre it is
+    virtual bool isReady() = 0; ///< returns whether the result is there
+    virtual void Wait() = 0;    ///< waits until the result is there
+    /// Returns the bytes of the result.
+    /// @pre the result is there
     virtual std::vector<std::byte> Take() = 0;
-    /// Comes last, so that a device can free what the copy holds.
+    /// Frees what the copy holds. It is called last.
     virtual void Release() noexcept {}
 
 private:

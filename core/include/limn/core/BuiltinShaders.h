@@ -12,19 +12,19 @@ namespace limn
 /// Pipeline/Lit", "Skybox/Procedural", ...) and "Limn/Half Lambert".
 const ShaderDatabase& BuiltinShaders();
 
-/// One of BuiltinShaders(); null for any other name.
+/// Returns the shader of BuiltinShaders() with this name, or null for any other name.
 inline std::shared_ptr<const Shader>
 FindBuiltinShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& compiler)
 {
     return Shader::Find(name, BuiltinShaders(), compiler);
 }
 
-/// "white", "black", "gray", "bump", "red", "green", "blue", "clear".
-/// Unity: texture defaults of ShaderLab properties.
+/// Returns "white", "black", "gray", "bump", "red", "green", "blue", "clear". Unity: texture
+/// defaults of ShaderLab properties.
 std::vector<std::string_view> DefaultTextureNames();
 
-/// A texture of one texel, or one a slice or face, by one of these names in any case; "normal" is
-/// bump, any other gray. An array has one element.
+/// Returns a texture of one texel, or of one texel per slice or face, by one of these names in any
+/// case. "normal" is the same as "bump"; any other name gives gray. An array has one element.
 std::shared_ptr<const Texture> DefaultTexture(std::string_view name,
                                               TextureDimension dimension = TextureDimension::Tex2D);
 

@@ -12,8 +12,8 @@
 namespace limn
 {
 
-// GLM's vectors by the names that a line of C# has, so that `Vector4(1, 1, 0, 0)` goes over as it
-// is; their members are GLM's. Unity: UnityEngine.Vector2 ... (2022.3).
+// These are GLM's vectors under the names that C# uses, so that `Vector4(1, 1, 0, 0)` can be ported
+// as it is; their members are GLM's. Unity: UnityEngine.Vector2 ... (2022.3).
 
 using Vector2 = glm::vec2;
 using Vector3 = glm::vec3;
@@ -21,9 +21,9 @@ using Vector4 = glm::vec4;
 using Vector2Int = glm::ivec2;
 using Vector3Int = glm::ivec3;
 
-/// Red, green, blue, alpha, each nominally 0...1 (HDR: above). What a person writes is sRGB; what a
-/// shader computes with is linear; which of the two a Color is, its owner says.
-/// Unity: UnityEngine.Color (2022.3).
+/// A colour of red, green, blue and alpha, each nominally 0...1 (HDR: above). What a person writes
+/// is sRGB; what a shader computes with is linear; the owner of a Color documents which of the two
+/// it is. Unity: UnityEngine.Color (2022.3).
 struct Color
 {
     float r = 0.0f;
@@ -49,17 +49,19 @@ struct Color
     static const Color gray;
     static const Color grey;
 
-    /// This sRGB colour as linear RGB; alpha is kept. Above 1 the curve goes on as a 2.2 power, as
-    /// Unity's does, as far as a float goes. Unity: Color.linear.
+    /// Returns this sRGB colour as linear RGB; alpha is kept. Above 1 the curve goes on as a power
+    /// of 2.2, as Unity's does, as far as a float goes. Unity: Color.linear.
     Color linear() const { return {ToLinear(r), ToLinear(g), ToLinear(b), a}; }
 
-    /// This linear colour as sRGB; the inverse of linear(). Unity: Color.gamma.
+    /// Returns this linear colour as sRGB; the inverse of linear(). Unity: Color.gamma.
     Color gamma() const { return {ToSRGB(r), ToSRGB(g), ToSRGB(b), a}; }
 
-    // Of the components as they are. Unity: Color.grayscale, maxColorComponent, Lerp ... (2022.3).
+    // These compute with the components as they are. Unity: Color.grayscale, maxColorComponent,
+    // Lerp ... (2022.3).
     constexpr float grayscale() const { return 0.299f * r + 0.587f * g + 0.114f * b; }
     constexpr float maxColorComponent() const { return std::max({r, g, b}); }
-    /// @param t  from 0, `a`, to 1, `b`; held there
+    /// Returns the colour between `a` and `b` at `t`.
+    /// @param t  0 gives `a`, 1 gives `b`; clamped to 0...1
     static constexpr Color Lerp(const Color& a, const Color& b, float t)
     {
         return LerpUnclamped(a, b, std::clamp(t, 0.0f, 1.0f));
@@ -68,8 +70,9 @@ struct Color
     {
         return a + (b - a) * t;
     }
+    /// Returns the RGB colour of a hue, saturation and value.
     /// @param h, s, v  0...1
-    /// @param hdr      else no component is above 1
+    /// @param hdr      if false, no component is above 1
     static Color HSVToRGB(float h, float s, float v, bool hdr = true);
     static void RGBToHSV(const Color& rgbColor, float& h, float& s, float& v);
 
@@ -119,7 +122,7 @@ inline constexpr Color Color::grey{0.5f, 0.5f, 0.5f, 1.0f};
 namespace detail
 {
 
-/// What C# makes a Vector4 of by itself: the components that are left are 0.
+/// A type that C# converts to Vector4 implicitly; the remaining components are 0.
 template <typename T>
 concept MadeVector4 =
     std::same_as<T, glm::vec2> || std::same_as<T, glm::vec3> || std::same_as<T, Color>;
@@ -152,7 +155,7 @@ struct Color32
         : r(r_), g(g_), b(b_), a(a_)
     {
     }
-    /// The nearest one; components are held between 0 and 1.
+    /// Converts to the nearest Color32; components are clamped to 0...1.
     Color32(const Color& c) : r(ToByte(c.r)), g(ToByte(c.g)), b(ToByte(c.b)), a(ToByte(c.a)) {}
     operator Color() const
     {

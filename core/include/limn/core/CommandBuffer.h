@@ -15,13 +15,13 @@ struct GameObject;
 class RendererList;
 struct RendererListParams;
 
-/// A list of things to do, run by ScriptableRenderContext::ExecuteCommandBuffer; recording alone
-/// does nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
+/// A list of commands that ScriptableRenderContext::ExecuteCommandBuffer runs; recording alone does
+/// nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
 class CommandBuffer
 {
 public:
-    /// Where it is not empty, what the buffer does is a sample of this name, as long as the samples
-    /// that it begins end in it as well.
+    /// If not empty, the buffer's commands form a sample of this name, provided that the samples
+    /// that the buffer begins also end in it.
     std::string name;
 
     /// @param color  a depth texture here, with `depth` empty, is the depth
@@ -31,27 +31,29 @@ public:
     ///         wrong kind, or sizes or sample counts differ
     void SetRenderTarget(const RTHandle& color, const RTHandle& depth = {});
     void SetRenderTarget(std::span<const RTHandle> colors, const RTHandle& depth);
-    /// Binds the colour with the depth that belongs to it: of CameraTarget the camera's, of
-    /// CurrentActive what is bound. Executing throws ContractError where a name stands for nothing,
-    /// and for what the other forms refuse.
+    /// Binds the colour together with the depth that belongs to it: for CameraTarget the camera's
+    /// depth, for CurrentActive the depth that is bound. Executing throws ContractError if a name
+    /// stands for no texture, and in the cases in which the other overloads throw.
     void SetRenderTarget(RenderTargetIdentifier color);
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
                          RenderTargetIdentifier depth);
-    /// @throws ContractError for RenderBufferLoadAction::Clear: ClearRenderTarget says to what
+    /// @throws ContractError for RenderBufferLoadAction::Clear: ClearRenderTarget takes the values
+    ///     to clear to
     void SetRenderTarget(RenderTargetIdentifier rt, RenderBufferLoadAction loadAction,
                          RenderBufferStoreAction storeAction);
     void SetRenderTarget(RenderTargetIdentifier color, RenderBufferLoadAction colorLoadAction,
                          RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
                          RenderBufferLoadAction depthLoadAction,
                          RenderBufferStoreAction depthStoreAction);
-    /// What CameraTarget stands for in all that follows. Renderers that change it say so.
+    /// Sets the texture that CameraTarget stands for in all commands that follow. A renderer that
+    /// changes it must call this.
     void SetCameraColor(RTHandle color);
 
-    /// A texture until ReleaseTemporaryRT, or to the camera's end, which is global under its name
-    /// at once. What is in it is undefined: clear it, or draw over the whole of it. One of the same
-    /// name that is not released yet is. A colour format with depthBufferBits is a colour that has
-    /// a depth. Wraps by clamping.
+    /// Makes a texture that lives until ReleaseTemporaryRT or the camera's end, and is global under
+    /// its name at once. Its contents are undefined: clear it, or draw over the whole of it. A
+    /// texture of the same name that is not released yet is released. A colour format with
+    /// depthBufferBits gives a colour texture that has a depth. It wraps by clamping.
     /// @param width, height  texels; a negative one is a part of the camera's: -1 all, -2 half
     /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
     /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
@@ -62,8 +64,8 @@ public:
                         RenderTextureFormat format = RenderTextureFormat::ARGB32,
                         RenderTextureReadWrite readWrite = RenderTextureReadWrite::Default,
                         int antiAliasing = 1);
-    /// Nothing is global under the name then. A name that stands for no temporary texture is a
-    /// sentence in the report (Unity says nothing).
+    /// Releases a temporary texture; nothing is global under its name then. If the name stands for
+    /// no temporary texture, a sentence in the report says so (Unity says nothing).
     /// @source Unity: CommandBuffer.ReleaseTemporaryRT (2022.3)
     void ReleaseTemporaryRT(ShaderPropertyId nameID);
 
@@ -72,7 +74,8 @@ public:
     /// @throws ContractError if depth is outside 0...1 or the colour is not finite
     void ClearRenderTarget(ClearFlag flags, const Color& color, float depth = 1.0f,
                            int stencil = 0);
-    /// Depth goes with the stencil. @throws ContractError as the other does
+    /// Clears the bound target; the stencil is cleared with the depth. @throws ContractError as the
+    /// other overload does
     /// @source Unity: CommandBuffer.ClearRenderTarget(bool, bool, Color, float) (2022.3)
     void ClearRenderTarget(bool clearDepth, bool clearColor, const Color& backgroundColor,
                            float depth = 1.0f)
@@ -81,23 +84,23 @@ public:
                               (clearColor ? ClearFlag::Color : ClearFlag::None),
                           backgroundColor, depth);
     }
-    /// Until the next SetRenderTarget, which sets the whole target.
+    /// Sets the viewport until the next SetRenderTarget, which sets it to the whole target.
     /// @throws ContractError if the size is not positive, or the end fits no int
     void SetViewport(const ViewportRect& rect);
 
-    // These hold for all draws of the camera that follow, of other buffers and into other targets,
-    // too, until they are set otherwise. At its beginning a camera has none of them.
+    // These states hold for all draws of the camera that follow, also for those of other buffers
+    // and into other targets, until they are set again. A camera begins with none of them set.
 
-    /// Draws change these texels only. Clears and CopyTexture go on as they are.
+    /// Limits draws to these texels. Clears and CopyTexture are not limited.
     /// @throws ContractError if the size is negative, or the end fits no int
     /// @source Unity: CommandBuffer.EnableScissorRect (2022.3); what a clear does there depends on
     ///         the device
     void EnableScissorRect(const ViewportRect& scissor);
     void DisableScissorRect();
-    /// Back faces are taken for front ones and the other way round, as in a mirror.
+    /// Swaps front and back faces, as in a mirror.
     /// @source Unity: CommandBuffer.SetInvertCulling (2022.3)
     void SetInvertCulling(bool invertCulling);
-    /// Added to what the passes' Offset says; positive = farther.
+    /// Sets a depth bias that is added to the Offset of the passes; positive = farther.
     /// @param bias       in the smallest steps of the depth texture
     /// @param slopeBias  in a triangle's greatest change of depth from texel to texel
     /// @throws ContractError if one is not finite
@@ -109,7 +112,7 @@ public:
     void DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                   std::shared_ptr<const Material> material, int subMesh = 0, int shaderPass = 0,
                   const MaterialPropertyBlock& properties = {});
-    /// DrawMesh of each mesh with the matrix and sub-mesh beside it.
+    /// Calls DrawMesh for each mesh with the matrix and sub-mesh at the same index.
     /// @throws ContractError as DrawMesh does, and if a list has not `count` elements
     /// @source Unity: CommandBuffer.DrawMultipleMeshes (Unity 6)
     void DrawMultipleMeshes(std::span<const glm::mat4> matrices,
@@ -117,8 +120,8 @@ public:
                             std::span<const int> subsetIndices, int count,
                             const std::shared_ptr<const Material>& material, int shaderPass = -1,
                             const MaterialPropertyBlock& properties = {});
-    /// The mesh once for each matrix. Draws become instances of one wherever they can; the material
-    /// needs no enableInstancing.
+    /// Draws the mesh once for each matrix. The draws become instances of one draw wherever they
+    /// can; the material needs no enableInstancing.
     /// @param shaderPass  -1 = all passes of the shader, one after the other
     /// @throws ContractError as DrawMesh does, and for more than 1023 matrices
     /// @source Unity: CommandBuffer.DrawMeshInstanced (2022.3)
@@ -126,38 +129,41 @@ public:
                            const std::shared_ptr<const Material>& material, int shaderPass,
                            std::span<const glm::mat4> matrices,
                            const MaterialPropertyBlock& properties = {});
-    /// Of the first `count` matrices.
-    /// @throws ContractError as the other, and if there are fewer
+    /// Draws the mesh once for each of the first `count` matrices.
+    /// @throws ContractError as the other overload does, and if there are fewer matrices
     void DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                            const std::shared_ptr<const Material>& material, int shaderPass,
                            std::span<const glm::mat4> matrices, int count,
                            const MaterialPropertyBlock& properties = {});
-    /// A sub-mesh of the object's renderer, whatever culling, `enabled` and `activeSelf` say, where
-    /// the object is now. Nothing where the renderer has no mesh.
+    /// Draws a sub-mesh of the object's renderer where the object is now, whatever culling,
+    /// `enabled` and `activeSelf` say. Draws nothing if the renderer has no mesh.
     /// @param shaderPass  -1 = all passes of the shader, one after the other
     /// @throws ContractError as DrawMesh does, and if the object has no renderer
     /// @source Unity: CommandBuffer.DrawRenderer (2022.3)
     void DrawRenderer(const GameObject& object, const std::shared_ptr<const Material>& material,
                       int submeshIndex = 0, int shaderPass = -1,
                       const MaterialPropertyBlock& properties = {});
-    /// What ScriptableRenderContext::DrawRenderers would draw, at this place.
+    /// Draws at this place what ScriptableRenderContext::DrawRenderers would draw.
     /// @throws ContractError for an empty list; when executed, as DrawRenderers does
     /// @source Unity: CommandBuffer.DrawRendererList (2022.3)
     void DrawRendererList(const RendererList& rendererList);
-    /// Triangles without vertex buffers: the shader sees SV_VertexID only. Counter-clockwise in
-    /// clip space is the front, as for the full-screen triangles of Unity's Blit.hlsl.
+    /// Draws triangles without vertex buffers: the shader sees SV_VertexID only. Triangles that are
+    /// counter-clockwise in clip space are front faces, as for the full-screen triangles of Unity's
+    /// Blit.hlsl.
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, int vertexCount,
                         const MaterialPropertyBlock& properties = {});
-    /// @param instanceCount  SV_InstanceID is 0, 1 ... of them; 0 = nothing is drawn
+    /// @param instanceCount  the number of instances, whose SV_InstanceID is 0, 1 ...; 0 = nothing
+    ///     is drawn
     /// @throws ContractError also for a negative count
     /// @source Unity: CommandBuffer.DrawProcedural (2022.3)
     void DrawProcedural(const glm::mat4& matrix, std::shared_ptr<const Material> material,
                         int shaderPass, MeshTopology topology, int vertexCount,
                         int instanceCount = 1, const MaterialPropertyBlock& properties = {});
 
-    /// The mesh `count` times in one draw, all with the identity as their matrix: SV_InstanceID, or
-    /// the function of `#pragma instancing_options procedural:F`, tells them apart.
+    /// Draws the mesh `count` times in one draw, each time with the identity as its matrix: the
+    /// shader tells the instances apart by SV_InstanceID or the function of `#pragma
+    /// instancing_options procedural:F`.
     /// @param shaderPass  -1 = all passes of the shader, one after the other
     /// @throws ContractError as DrawMesh does, and for a negative count
     /// @source Unity: CommandBuffer.DrawMeshInstancedProcedural (2022.3)
@@ -165,21 +171,23 @@ public:
                                      const std::shared_ptr<const Material>& material,
                                      int shaderPass, int count,
                                      const MaterialPropertyBlock& properties = {});
-    /// The same with what the buffer holds when it is drawn, as five uint: indices an instance,
-    /// instances, first index, what is added to the indices, and 0. The device does not check them
-    /// (Mesh::GetIndexCount, GetIndexStart and GetBaseVertex give those of a sub-mesh).
+    /// Draws as DrawMeshInstancedProcedural does, with the counts that the buffer holds when it is
+    /// drawn, as five uint: indices per instance, instances, first index, the number that is added
+    /// to the indices, and 0. The device does not check them (Mesh::GetIndexCount, GetIndexStart
+    /// and GetBaseVertex return those of a sub-mesh).
     /// @param bufferWithArgs  made with GraphicsBuffer::Target::IndirectArguments
-    /// @param argsOffset      of the first one, in bytes: a multiple of 4
-    /// @throws ContractError as DrawMesh does, and if the buffer is null, of other targets, or ends
-    ///         before they do
+    /// @param argsOffset      the place of the first count, in bytes: a multiple of 4
+    /// @throws ContractError as DrawMesh does, and if the buffer is null, has other targets, or
+    ///     ends before the counts do
     /// @source Unity: CommandBuffer.DrawMeshInstancedIndirect (2022.3)
     void DrawMeshInstancedIndirect(const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
                                    const std::shared_ptr<const Material>& material, int shaderPass,
                                    const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
                                    int argsOffset = 0,
                                    const MaterialPropertyBlock& properties = {});
-    /// DrawProcedural with what the buffer holds when it is drawn, as four uint: vertices an
-    /// instance, instances, first vertex, and 0. SV_VertexID counts from the first vertex.
+    /// Draws as DrawProcedural does, with the counts that the buffer holds when it is drawn, as
+    /// four uint: vertices per instance, instances, first vertex, and 0. SV_VertexID counts from
+    /// the first vertex.
     /// @throws ContractError as DrawProcedural does, for Quads, and for the buffer as
     ///         DrawMeshInstancedIndirect
     /// @source Unity: CommandBuffer.DrawProceduralIndirect (2022.3)
@@ -190,36 +198,36 @@ public:
                                 int argsOffset = 0, const MaterialPropertyBlock& properties = {});
 
     /// Draws a quad over the whole of `dest`, which stays the target, with `source` as _MainTex
-    /// (and its size as _MainTex_TexelSize). Vertices are at 0...1 in x and y, bottom left to top
-    /// right; object space is world space, and an orthographic camera sees just that, for these
-    /// draws only. TEXCOORD0 is where the same place is in `source`. The depth and stencil that
-    /// belong to `dest` are bound with it, as by SetRenderTarget; where it has none, tests against
-    /// them pass, and the report says so.
+    /// (and its size as _MainTex_TexelSize). The vertices are at 0...1 in x and y, from bottom left
+    /// to top right. For these draws only, object space is world space, and an orthographic camera
+    /// sees exactly that square. TEXCOORD0 is the same place in `source`. The depth and stencil
+    /// that belong to `dest` are bound with it, as by SetRenderTarget; if it has none, tests
+    /// against them pass, and the report says so.
     /// @param pass  -1 = all passes of the shader, one after the other
     /// @throws ContractError if a handle is empty or both are the same texture, the material is
     ///         null, or there is no such pass
     /// @source Unity: CommandBuffer.Blit, Graphics.Blit (2022.3)
     void Blit(const RTHandle& source, const RTHandle& dest,
               const std::shared_ptr<const Material>& material, int pass = -1);
-    /// The same with what the identifiers stand for when the buffer is executed, which is when they
-    /// are refused. A source that is none leaves _MainTex to the material. CurrentActive as `dest`
-    /// keeps all that is bound.
+    /// Blits what the identifiers stand for when the buffer is executed; invalid ones throw only
+    /// then. A source that stands for no texture leaves _MainTex to the material. CurrentActive as
+    /// `dest` keeps all that is bound.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
               std::shared_ptr<const Material> material, int pass = -1);
-    /// Draws the whole of `source` over the whole of `dest`, sampled by its own filter.
+    /// Draws the whole of `source` over the whole of `dest`, sampled with its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
-    /// Blitter::BlitTexture without a material, BlitQuad and BlitColorAndDepth.
+    /// Records a copy for Blitter::BlitTexture without a material, BlitQuad and BlitColorAndDepth.
     void DrawCopy(CopyDrawCommand copy);
-    /// Copies texel for texel; what is bound stays so. By a draw: `dest` is a colour texture, and
-    /// what no sampler can tell apart may be written otherwise.
-    /// @throws ContractError  when executed: unless both have one size and colour format and one
-    ///         sample a texel
+    /// Copies texel for texel; the bound target stays bound. The copy is a draw: `dest` must be a
+    /// colour texture, and values that no sampler can tell apart may be written differently.
+    /// @throws ContractError  when executed: unless both have the same size and colour format and
+    ///     one sample per texel
     /// @source Unity: CommandBuffer.CopyTexture (2022.3), which copies bits and depth, too
     void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest);
 
-    /// Makes the mip levels of a render texture behind the first, of what was drawn into it last;
-    /// for one with autoGenerateMips there is nothing to do. Where the frame has drawn nothing into
-    /// it, a sentence in the report says so.
+    /// Makes the mip levels of a render texture behind the first from what was drawn into it last.
+    /// It does nothing for a texture with autoGenerateMips. If the frame has drawn nothing into the
+    /// texture, a sentence in the report says so.
     /// @throws ContractError  when executed: unless it is a render texture with mip levels
     /// @source Unity: CommandBuffer.GenerateMips (2022.3)
     void GenerateMips(RenderTargetIdentifier rt);
@@ -228,7 +236,7 @@ public:
         GenerateMips(RenderTargetIdentifier(std::shared_ptr<const Texture>(std::move(rt))));
     }
 
-    // Setting a global throws ContractError naming it if the value is not finite, or an array
+    // Setting a global throws ContractError naming it if the value is not finite or is an array
     // without elements.
     void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
     void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
@@ -242,11 +250,11 @@ public:
     {
         SetGlobalVector(id, detail::ToVector4(value));
     }
-    /// The same as SetGlobalVector, as in Unity: give it `linear()` of what a person picked. Only
-    /// colours of materials and property blocks are converted.
+    /// Does the same as SetGlobalVector, as in Unity: pass `linear()` of a colour that a person
+    /// picked. Only colours of materials and property blocks are converted.
     void SetGlobalColor(ShaderPropertyId id, const Color& value) { SetGlobal(id, value.vector()); }
     void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& value) { SetGlobal(id, value); }
-    // Arrays: as MaterialPropertyBlock's.
+    // Arrays behave as those of MaterialPropertyBlock.
     void SetGlobalFloatArray(ShaderPropertyId id, PropertyArray<float> values)
     {
         SetGlobal(id, std::move(values));
@@ -263,7 +271,8 @@ public:
     {
         SetGlobal(id, std::move(value));
     }
-    /// What the identifier stands for when the buffer is executed. None = the shader's default.
+    /// Sets the texture that the identifier stands for when the buffer is executed. None = the
+    /// shader's default.
     void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value);
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
@@ -275,7 +284,7 @@ public:
         SetGlobalTexture(id, std::shared_ptr<const Texture>(value.rt()));
     }
 
-    // Buffers: as MaterialPropertyBlock's; null = none.
+    // Buffers behave as those of MaterialPropertyBlock; null = none.
     void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
         SetGlobal(id, BufferRange{std::move(value), 0, 0});
@@ -286,35 +295,36 @@ public:
         SetGlobal(id, ConstantRange(std::move(buffer), offset, size));
     }
 
-    /// Runs a kernel in so many groups, each of the threads that its [numthreads] says. It waits
-    /// for what it reads, and later commands wait for what it writes; where nothing reads that, it
-    /// is not run (see CompileFrame).
+    /// Runs a kernel in this many groups; [numthreads] gives the threads of each. It waits for what
+    /// it reads, and later commands wait for what it writes. If nothing reads what it writes, it is
+    /// not run (see CompileFrame).
     /// @throws ContractError if the shader is null, there is no such kernel, or a count is not from
     ///         1 to 65535; when executed, for a texture or buffer that is not set or does not fit
     /// @throws AssetError  when executed: the kernel does not compile
     /// @source Unity: CommandBuffer.DispatchCompute (2022.3)
     void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
                          int threadGroupsX, int threadGroupsY, int threadGroupsZ);
-    /// The same with the counts of groups in x, y and z that the buffer holds when it is run, as
-    /// three uint. The device does not check them.
+    /// Runs a kernel with the numbers of groups in x, y and z that the buffer holds when it is run,
+    /// as three uint. The device does not check them.
     /// @param indirectBuffer  made with GraphicsBuffer::Target::IndirectArguments
-    /// @param argsOffset      of the first one, in bytes: a multiple of 4
-    /// @throws ContractError also if the buffer is null, of other targets, or ends before they do
+    /// @param argsOffset      the place of the first number, in bytes: a multiple of 4
+    /// @throws ContractError also if the buffer is null, has other targets, or ends before the
+    ///     numbers do
     void DispatchCompute(std::shared_ptr<const ComputeShader> computeShader, int kernelIndex,
                          std::shared_ptr<const GraphicsBuffer> indirectBuffer,
                          std::uint32_t argsOffset);
 
-    /// GraphicsBuffer::SetData, done when the buffer is executed.
+    /// Calls GraphicsBuffer::SetData when the buffer is executed.
     /// @throws ContractError if the buffer is null; when executed, as SetData does, and if an
-    ///         earlier command of the frame uses the buffer: all of them are run behind it
+    ///     earlier command of the frame uses the buffer: all of those run after it
     /// @source Unity: CommandBuffer.SetBufferData (2022.3)
     template <std::ranges::contiguous_range Data>
     void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data)
     {
         SetBufferBytes(buffer, GraphicsBuffer::PartOf(data));
     }
-    /// @param managedBufferStartIndex, count  which of `data`
-    /// @param graphicsBufferStartIndex        where they go, in elements of `data`
+    /// @param managedBufferStartIndex, count  the elements of `data` to copy
+    /// @param graphicsBufferStartIndex        their place in the buffer, in elements of `data`
     template <std::ranges::contiguous_range Data>
     void SetBufferData(const std::shared_ptr<GraphicsBuffer>& buffer, const Data& data,
                        int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
@@ -322,31 +332,29 @@ public:
         SetBufferBytes(buffer, GraphicsBuffer::PartOf(data, managedBufferStartIndex,
                                                       graphicsBufferStartIndex, count));
     }
-    /// GraphicsBuffer::SetCounterValue, as SetBufferData.
+    /// Calls GraphicsBuffer::SetCounterValue when the buffer is executed, as SetBufferData does.
     void SetBufferCounterValue(const std::shared_ptr<GraphicsBuffer>& buffer,
                                std::uint32_t counterValue);
 
-    /// All elements, on the device; a counter stays what it is.
-    /// @throws ContractError if a buffer is null, they are the same one or not of one size in
-    /// bytes,
-    ///         the source is made without GraphicsBuffer::Target::CopySource, or `dest` without
-    ///         CopyDestination; when executed, where the device runs no kernels or no camera is
-    ///         rendered
+    /// Copies all elements on the device; a counter keeps its value.
+    /// @throws ContractError if a buffer is null, both are the same or differ in their size in
+    ///     bytes, the source is made without GraphicsBuffer::Target::CopySource, or `dest` without
+    ///     CopyDestination; when executed, if the device runs no kernels or no camera is rendered
     /// @source Unity: CommandBuffer.CopyBuffer, Graphics.CopyBuffer (2022.3)
     void CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& source,
                     const std::shared_ptr<const GraphicsBuffer>& dest);
-    /// What is counted in `src`, as a uint at a place of `dst`.
+    /// Copies the counter of `src` as a uint to a place in `dst`.
     /// @param dstOffsetBytes  a multiple of 4
     /// @throws ContractError if a buffer is null, `src` has no counter or the place is not in
-    /// `dst`;
-    ///         when executed, as CopyBuffer
+    ///     `dst`; when executed, as CopyBuffer does
     /// @source Unity: CommandBuffer.CopyCounterValue (2022.3)
     void CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>& src,
                           const std::shared_ptr<const GraphicsBuffer>& dst,
                           std::uint32_t dstOffsetBytes);
 
-    // ComputeShader::SetFloat and its like, done when the buffer is executed: for dispatches behind
-    // it, and from then on. @throws ContractError if the shader is null, and as those do
+    // These call ComputeShader::SetFloat and its like when the buffer is executed: the values hold
+    // for dispatches that follow, and from then on. @throws ContractError if the shader is null,
+    // and as those functions do
     void SetComputeFloatParam(const std::shared_ptr<ComputeShader>& computeShader,
                               ShaderPropertyId id, float value);
     void SetComputeIntParam(const std::shared_ptr<ComputeShader>& computeShader,
@@ -382,7 +390,7 @@ public:
     {
         SetComputeIntParams(computeShader, id, std::vector<int>{first, more...});
     }
-    /// @param rt  what it stands for when the buffer is executed
+    /// @param rt  resolved when the buffer is executed
     void SetComputeTextureParam(const std::shared_ptr<ComputeShader>& computeShader,
                                 int kernelIndex, ShaderPropertyId id, RenderTargetIdentifier rt);
     void SetComputeBufferParam(const std::shared_ptr<ComputeShader>& computeShader, int kernelIndex,
@@ -391,7 +399,8 @@ public:
                                        ShaderPropertyId id,
                                        std::shared_ptr<const GraphicsBuffer> buffer, int offset,
                                        int size);
-    /// ComputeShader::SetFromMaterial of what the material has when the buffer is executed.
+    /// Calls ComputeShader::SetFromMaterial with the values that the material has when the buffer
+    /// is executed.
     /// @throws ContractError also if the material is null
     /// @source Unity: CommandBuffer.SetComputeParamsFromMaterial (2022.3)
     void SetComputeParamsFromMaterial(const std::shared_ptr<ComputeShader>& computeShader,
@@ -409,10 +418,10 @@ public:
         SetKeyword(computeShader, keyword, false);
     }
 
-    /// RenderingUtils::SetViewAndProjectionMatrices says what.
+    /// Sets the matrices as RenderingUtils::SetViewAndProjectionMatrices documents.
     void SetViewProjectionMatrices(const glm::dmat4& view, const glm::mat4& gpuProjection,
                                    bool setInverseMatrices);
-    /// What UNITY_MATRIX_V, UNITY_MATRIX_P and UNITY_MATRIX_VP are in draws that follow; their
+    /// Sets UNITY_MATRIX_V, UNITY_MATRIX_P and UNITY_MATRIX_VP for draws that follow; their
     /// inverses stay as they are.
     /// @param view  world to view space, as Camera::worldToCameraMatrix
     /// @param proj  view to clip space as Camera::projectionMatrix has it, which is OpenGL's
@@ -426,12 +435,12 @@ public:
     void SetViewMatrix(const glm::dmat4& view);
     void SetProjectionMatrix(const glm::dmat4& proj);
 
-    /// For draws that follow, until the end of the camera; a keyword that is on there chooses
-    /// variants as if every material had it on.
+    /// Switches a keyword for draws that follow, until the end of the camera. A keyword that is on
+    /// there chooses variants as if every material had it on.
     void SetKeyword(const GlobalKeyword& keyword, bool value);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
-    /// Of one material, for draws that follow, and from then on.
+    /// Switches a keyword of one material, for draws that follow and from then on.
     /// @throws ContractError if the material is null
     /// @source Unity: CommandBuffer.SetKeyword(Material, in LocalKeyword, bool) (2022.3)
     void SetKeyword(const std::shared_ptr<Material>& material, const LocalKeyword& keyword,
@@ -456,17 +465,18 @@ public:
     /// @throws ContractError if the innermost sample that this buffer has open has another name
     void EndSample(std::string_view sample);
 
-    /// Forgets what was recorded, and keeps the memory.
+    /// Forgets all recorded commands and keeps the memory.
     void Clear();
 
     const std::vector<RecordedCommand>& commands() const { return m_Commands; }
-    /// The property values of a draw of this buffer; null where it has none. Until the next change.
+    /// Returns the property values of a draw of this buffer, or null if it has none. The pointer is
+    /// valid until the next change.
     const MaterialPropertyBlock* PropertiesOf(const RecordedDraw& draw) const;
 
 private:
     friend class RenderTargetResolver;
 
-    /// Draws onto what is bound.
+    /// Draws onto the bound target.
     /// @param source  null = none
     /// @param dest    the first colour that is bound
     void DrawBlit(const std::shared_ptr<const Texture>& source, const RenderTexture& dest,
@@ -488,7 +498,7 @@ private:
 namespace CommandBufferPool
 {
 
-/// Returns the buffer to the pool when it goes.
+/// Returns the buffer to the pool when its owner is destroyed.
 struct Recycle
 {
     void operator()(CommandBuffer* buffer) const noexcept;

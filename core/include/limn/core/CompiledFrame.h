@@ -13,36 +13,36 @@ enum class TextureUsage
     Undefined, ///< contents are worthless
     ColorAttachment,
     DepthStencilAttachment,
-    ShaderRead, ///< sampled, in whatever stage
+    ShaderRead, ///< sampled, in any stage
     CopySource,
     RandomWrite ///< read and written by a kernel
 };
 
-/// A texture as a frame leaves it.
+/// The state in which a frame leaves a texture.
 struct TextureState
 {
     std::weak_ptr<const Texture> texture;
     TextureUsage usage = TextureUsage::Undefined;
     bool isFilled = false; ///< it holds something
     bool isPlaced = false; ///< the last frame that used it had it in shared memory
-    /// Every texel of it has these values, in the aspects that `flags` names; where nobody has read
-    /// them, they may not be in the image yet.
+    /// The values that every texel of the texture has, in the aspects that `flags` names. If
+    /// nothing has read them yet, they may not be in the image.
     ClearCommand constant;
     bool isPending = false;                  ///< `constant` is not in the image
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 };
 
-/// A buffer as a frame leaves it.
+/// The state in which a frame leaves a buffer.
 struct BufferState
 {
     std::weak_ptr<const GraphicsBuffer> buffer;
     bool isWritten = false;                  ///< by a kernel
-    ShaderStage visible = ShaderStage::None; ///< for these it is what was written
-    ShaderStage readers = ShaderStage::None; ///< that read it since
+    ShaderStage visible = ShaderStage::None; ///< the stages for which its contents are visible
+    ShaderStage readers = ShaderStage::None; ///< the stages that have read it since
 };
 
-/// The state of the textures that frames drew into, and of buffers, on a device: all that one frame
-/// leaves to the next.
+/// The state of the textures that frames drew into, and of buffers, on a device. It is all that one
+/// frame leaves to the next.
 struct TextureStates
 {
     std::unordered_map<std::uint64_t, TextureState> textures; ///< by Texture::id
@@ -62,26 +62,27 @@ struct TextureStates
     bool isLast = false;
 };
 
-/// Before the pass: the texture goes from one use to another and everything written is visible.
+/// A barrier before a pass that changes the use of a texture and makes everything written visible.
 struct TextureBarrier
 {
     std::shared_ptr<const Texture> texture;
     TextureUsage before = TextureUsage::Undefined;
     TextureUsage after = TextureUsage::Undefined;
-    /// ShaderRead: which functions may read it until the next barrier; None = all.
+    /// The shader stages that may read the texture until the next barrier, for ShaderRead; None =
+    /// all.
     ShaderStage readers = ShaderStage::None;
 
     bool operator==(const TextureBarrier&) const = default;
 };
 
-/// Before the pass: what functions did with the buffer is done.
+/// A barrier before a pass that waits until the earlier uses of a buffer are done.
 struct BufferBarrier
 {
     std::shared_ptr<const GraphicsBuffer> buffer;
-    ShaderStage before = ShaderStage::None; ///< those that used it
-    bool wasWritten = false;                ///< and what they wrote is visible
-    ShaderStage after = ShaderStage::None;  ///< to those that use it
-    bool isWritten = false;                 ///< and may write
+    ShaderStage before = ShaderStage::None; ///< the stages that used it
+    bool wasWritten = false;                ///< if true, what they wrote is made visible
+    ShaderStage after = ShaderStage::None;  ///< the stages that will use it
+    bool isWritten = false;                 ///< if true, they may write
 
     bool operator==(const BufferBarrier&) const = default;
 };
@@ -104,11 +105,12 @@ struct ColorAttachment
     LoadOp load = LoadOp::Load;
     StoreOp store = StoreOp::Store;
     Color clearColor; ///< linear
-    /// Where the average of several samples goes at the pass's end: to what readers of this texture
-    /// see, if it is the texture itself, or to another one of its format with one sample a texel.
-    /// Null = nowhere; `load` and `store` are about the samples alone.
+    /// The texture that receives the average of the samples at the pass's end; null if none does.
+    /// It is `texture` itself, whose readers then see the average, or another texture of its format
+    /// with one sample per texel. `load` and `store` concern the samples only.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
-    /// The mip levels behind the first are made at the pass's end: of `resolve`, or else `texture`.
+    /// If true, the mip levels behind the first are made at the pass's end: those of `resolve`, or
+    /// else of `texture`.
     bool generatesMips = false;
 
     bool operator==(const ColorAttachment&) const = default;
@@ -123,18 +125,19 @@ struct DepthAttachment
     StoreOp stencilStore = StoreOp::Store;
     float clearDepth = 1.0f; ///< 1 = far, see ClearCommand
     int clearStencil = 0;
-    /// As ColorAttachment::resolve, with the first sample of depth and stencil.
+    /// The texture that receives the first sample of depth and stencil at the pass's end, see
+    /// ColorAttachment::resolve.
     std::shared_ptr<const RenderTexture> resolve = nullptr;
 
     bool operator==(const DepthAttachment&) const = default;
 };
 
-/// Inside a pass only these remain of the recorded commands.
+/// The recorded commands that remain inside a pass.
 using PassCommand = std::variant<ClearCommand, SetViewportCommand, DrawCommand, BeginSampleCommand,
                                  EndSampleCommand, DispatchCommand>;
 
-/// A run of commands on one set of attachments: one vkCmdBeginRendering/EndRendering. Or dispatches
-/// that do not mind each other.
+/// A run of commands on one set of attachments, which becomes one vkCmdBeginRendering/EndRendering,
+/// or a run of dispatches that are independent of each other.
 struct CompiledRenderPass
 {
     std::string name; ///< the innermost sample it began in, or ""
@@ -142,47 +145,49 @@ struct CompiledRenderPass
     std::vector<BufferBarrier> bufferBarriers;
     std::vector<ColorAttachment> colors;
     std::optional<DepthAttachment> depth;
-    /// What dispatches wrote whose mip levels behind the first are made at the pass's end.
+    /// The textures that dispatches wrote and whose mip levels behind the first are made at the
+    /// pass's end.
     std::vector<std::shared_ptr<const RenderTexture>> mips;
     int width = 0;
     int height = 0;
     std::vector<PassCommand> commands;
-    std::size_t place = 0; ///< among what was recorded, with what is left out
+    std::size_t place = 0; ///< index in what was recorded, including what is left out
 
-    /// Whether it has dispatches, and no attachments.
+    /// Returns whether the pass has dispatches and no attachments.
     bool isCompute() const { return colors.empty() && !depth; }
-    /// Its name and those of all samples in it, each once; passes that were recorded apart may be
-    /// one.
+    /// Returns its name and those of all samples in it, each once. Passes that were recorded
+    /// separately may be merged into one.
     std::vector<std::string> SampleNames() const;
-    /// All of them: "Draw Opaque Objects + Outline".
+    /// Returns all names in one line: "Draw Opaque Objects + Outline".
     std::string Title() const;
-    /// Writes the title over another text, in its memory.
+    /// Replaces `title` by the title, and reuses its memory.
     void WriteTitle(std::string& title) const;
 };
 
-/// Where a texture lies in memory that it shares with others, which hold nothing while it does.
+/// The place of a texture in memory that it shares with other textures, which hold nothing while it
+/// does.
 struct PlacedTexture
 {
     std::shared_ptr<const RenderTexture> texture;
-    std::uint32_t kind = 0;   ///< of memory, see TextureFootprint
+    std::uint32_t kind = 0;   ///< kind of memory, see TextureFootprint
     std::uint64_t offset = 0; ///< bytes from the beginning of the shared memory of that kind
     std::uint64_t size = 0;   ///< bytes
 
     bool operator==(const PlacedTexture&) const = default;
 };
 
-/// Something recorded that the frame does without.
+/// Something recorded that the frame leaves out.
 struct LeftOut
 {
     std::string pass;                      ///< the innermost sample it was recorded in, or ""
     std::string reason;                    ///< "nothing reads 'X'"
-    std::vector<std::string> targets = {}; ///< names of what it would have drawn into
+    std::vector<std::string> targets = {}; ///< names of the targets it would have drawn into
     std::size_t place = 0;                 ///< see CompiledRenderPass
 
     bool operator==(const LeftOut&) const = default;
 };
 
-/// A frame ready to run: the device adds nothing to it and leaves nothing out.
+/// A frame that is ready to run: the device adds nothing to it and leaves nothing out.
 struct CompiledFrame : FrameTables
 {
     std::vector<CompiledRenderPass> passes;
@@ -192,9 +197,9 @@ struct CompiledFrame : FrameTables
     std::vector<LeftOut> leftOut;
     std::vector<std::string> notes; ///< sentences for the user
     TextureStates states;           ///< of the textures once it has run
-    /// Equal numbers other than 0, of frames for one device: they differ in uniformData (not its
-    /// size), in instances, perDraw (not their number) and in what objects hold at most, and start
-    /// from equal states.
+    /// A number other than 0 that is equal for frames of one device which differ only in
+    /// uniformData (not its size), in instances and perDraw (not their number) and in the most that
+    /// objects hold, and which start from equal states.
     std::uint64_t structure = 0;
 };
 

@@ -18,9 +18,9 @@ namespace limn
 class Material;
 
 /// A .compute file with values for its parameters. Kernels are compiled when they are first
-/// dispatched. Names that have no value are looked up among what is global; a number that has none
-/// there is 0, a texture or buffer is an error. Not for use by several threads at once.
-/// Unity: UnityEngine.ComputeShader (2022.3).
+/// dispatched. A parameter without a value takes the global value of its name; if there is none, a
+/// number is 0, and a texture or buffer is an error. A ComputeShader must not be used by several
+/// threads at once. Unity: UnityEngine.ComputeShader (2022.3).
 class ComputeShader
 {
 public:
@@ -29,7 +29,7 @@ public:
     /// @throws AssetError as LoadCompute
     static std::shared_ptr<ComputeShader> Load(const std::filesystem::path& path,
                                                std::shared_ptr<ShaderCompiler> compiler);
-    /// @param file  what error messages call the text
+    /// @param file  the name of the text in error messages
     static std::shared_ptr<ComputeShader> FromText(std::string_view text, std::string file,
                                                    std::shared_ptr<ShaderCompiler> compiler);
 
@@ -37,22 +37,23 @@ public:
     const std::string& name() const { return m_Document.name; }
     const ComputeDocument& document() const { return m_Document; }
 
-    /// The kernel's index. @throws ContractError if there is none of this name
+    /// Returns the kernel's index. @throws ContractError if no kernel has this name
     int FindKernel(std::string_view name) const;
     bool HasKernel(std::string_view name) const;
     int kernelCount() const { return static_cast<int>(m_Document.kernels.size()); }
-    /// @throws ContractError if there is no such kernel, as do all below that take one
+    /// @throws ContractError if there is no such kernel, as all functions below do that take one
     const std::string& kernelName(int kernelIndex) const;
-    /// Threads of a group in the variant that the shader's own keywords choose; compiles it.
+    /// Returns the threads of a group in the variant that the shader's own keywords choose, and
+    /// compiles it.
     /// @throws AssetError if it does not compile
     void GetKernelThreadGroupSizes(int kernelIndex, std::uint32_t& x, std::uint32_t& y,
                                    std::uint32_t& z) const;
-    /// Whether the device that the compiler compiles for runs kernels. Dispatching one that it does
-    /// not throws UnsupportedProgramError.
+    /// Returns whether the device that the compiler compiles for runs kernels. Dispatching a kernel
+    /// that it does not run throws UnsupportedProgramError.
     bool IsSupported(int kernelIndex) const;
 
-    // Of all kernels. @throws ContractError naming shader and property if a value is not finite, or
-    // an array without elements.
+    // These set values of all kernels. @throws ContractError naming shader and property if a value
+    // is not finite or is an array without elements.
     void SetFloat(ShaderPropertyId id, float value) { Set(k_AllKernels, id, value); }
     void SetInt(ShaderPropertyId id, int value) { Set(k_AllKernels, id, value); }
     void SetBool(ShaderPropertyId id, bool value) { Set(k_AllKernels, id, value ? 1 : 0); }
@@ -70,9 +71,9 @@ public:
     {
         Set(k_AllKernels, id, std::move(values));
     }
-    /// Consecutive components in the memory of the constant buffer, where each element of an array
-    /// begins at a multiple of 16 bytes: a float2 takes two, a float[3] nine of which the first of
-    /// each four counts.
+    /// Sets consecutive components in the memory of the constant buffer, where each element of an
+    /// array begins at a multiple of 16 bytes: a float2 takes two values; a float[3] takes nine, of
+    /// which only the first of each four is used.
     void SetFloats(ShaderPropertyId id, std::vector<float> values)
     {
         Set(k_AllKernels, id, ConsecutiveParams{std::move(values)});
@@ -81,27 +82,29 @@ public:
     {
         Set(k_AllKernels, id, ConsecutiveParams{std::move(values)});
     }
-    /// A cbuffer of this name is read from the buffer.
-    /// @param offset, size  bytes; the offset a multiple of 256, the size 0 up to the end
+    /// Makes the cbuffer of this name read from the buffer.
+    /// @param offset, size  in bytes; the offset must be a multiple of 256; a size of 0 goes to the
+    ///     end
     void SetConstantBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> buffer,
                            int offset, int size);
 
-    /// @param texture  null = what is global under the name
+    /// @param texture  null = the global texture of the name
     void SetTexture(int kernelIndex, ShaderPropertyId id, std::shared_ptr<const Texture> texture)
     {
         Set(kernelIndex, id, std::move(texture));
     }
-    /// @throws ContractError for a handle that wraps an identifier, too
+    /// @throws ContractError also for a handle that wraps an identifier
     void SetTexture(int kernelIndex, ShaderPropertyId id, const RTHandle& texture);
     void SetBuffer(int kernelIndex, ShaderPropertyId id,
                    std::shared_ptr<const GraphicsBuffer> buffer)
     {
         Set(kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
     }
-    /// What a material has a value for, its textures' defaults among them: numbers of all kernels,
-    /// textures and buffers of this one. Keywords stay as they are.
+    /// Sets all values of a material, including its textures' defaults: numbers for all kernels,
+    /// textures and buffers for this one. Keywords stay as they are.
     void SetFromMaterial(int kernelIndex, const Material& material);
-    /// Unity runs it at once; limn's frames run what command buffers hold.
+    /// Fails to compile, with a hint: Unity runs the kernel at once, while limn's frames run what
+    /// command buffers hold.
     template <typename Kernel>
     void Dispatch(Kernel, int, int, int)
     {
@@ -109,30 +112,32 @@ public:
                       "ComputeShader::Dispatch: record it with CommandBuffer::DispatchCompute");
     }
 
-    // Keywords choose the variants. One that no kernel has is kept and does nothing.
+    // Keywords choose the variants. A keyword that no kernel has is kept and has no effect.
     void EnableKeyword(std::string_view keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(std::string_view keyword) { SetKeyword(keyword, false); }
     void SetKeyword(std::string_view keyword, bool value);
     bool IsKeywordEnabled(std::string_view keyword) const;
     const std::vector<std::string>& shaderKeywords() const { return m_Keywords; } ///< sorted
 
-    /// The kernel in the variant of the keywords; compiled on the first call.
-    /// @param globalKeywords  that are on for all shaders, sorted
+    /// Returns the kernel's program in the variant that the keywords choose; it is compiled on the
+    /// first call.
+    /// @param globalKeywords  the keywords that are on for all shaders, sorted
     /// @throws AssetError with the HLSL errors at their lines
     std::shared_ptr<const ShaderProgram>
     Compile(int kernelIndex, std::span<const std::string> globalKeywords = {}) const;
 
     static constexpr int k_AllKernels = -1;
-    /// @param kernelIndex  k_AllKernels = of all that set none of their own
+    /// @param kernelIndex  k_AllKernels = all kernels that have no value of their own
     void Set(int kernelIndex, ShaderPropertyId id, ShaderPropertyValue value);
-    /// The kernel's own value, or that of all; null if none was set. Until the next change.
+    /// Returns the kernel's own value, or else that of all kernels; null if none was set. The
+    /// pointer is valid until the next change.
     const ShaderPropertyValue* Find(int kernelIndex, ShaderPropertyId id) const;
-    const MaterialPropertyBlock& values() const { return m_Values; }  ///< of all kernels
-    const MaterialPropertyBlock& kernelValues(int kernelIndex) const; ///< its own
+    const MaterialPropertyBlock& values() const { return m_Values; }  ///< values of all kernels
+    const MaterialPropertyBlock& kernelValues(int kernelIndex) const; ///< values of one kernel
 
 private:
     using Variant = std::vector<std::string>;
-    /// What a kernel was last asked for with.
+    /// The keywords for which a kernel was last compiled, and the result.
     struct LastVariant
     {
         std::vector<std::string> keywords;

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// Something of a frame that passes hand to each other in a ContextContainer.
+/// Data of a frame that passes hand to each other in a ContextContainer.
 /// Unity: UnityEngine.Rendering.ContextItem (core 17).
 class ContextItem
 {
@@ -18,16 +18,16 @@ public:
     ContextItem(const ContextItem&) = delete;
     ContextItem& operator=(const ContextItem&) = delete;
 
-    /// Forgets the frame: the same object serves the next one.
+    /// Clears the data of the frame, so that the same object can serve the next one.
     virtual void Reset() = 0;
 };
 
-/// One item of each type, for as long as a camera is rendered.
+/// Holds one item of each type while a camera is rendered.
 /// Unity: UnityEngine.Rendering.ContextContainer (core 17).
 class ContextContainer
 {
 public:
-    /// The item, which is kept as it was after its last Reset.
+    /// Returns the item of this type, in the state after its last Reset.
     /// @throws ContractError if there is one already
     template <std::derived_from<ContextItem> T>
     T& Create()
@@ -57,7 +57,7 @@ public:
         return Contains(typeid(T));
     }
 
-    /// Resets all items; it is empty then.
+    /// Resets all items and leaves the container empty.
     void Dispose();
 
 private:

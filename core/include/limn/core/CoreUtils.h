@@ -14,7 +14,7 @@ struct Camera;
 namespace CoreUtils
 {
 
-/// Binds a target and clears what `clearFlag` names; depth clears to far, stencil to 0.
+/// Binds a target and clears the aspects in `clearFlag`; depth clears to far, stencil to 0.
 void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& depth,
@@ -22,18 +22,18 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
 void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 
-/// Of what is bound; depth clears to far, stencil to 0.
+/// Clears the bound target; depth clears to far, stencil to 0.
 inline void ClearRenderTarget(CommandBuffer& cmd, ClearFlag clearFlag, const Color& clearColor)
 {
     cmd.ClearRenderTarget(clearFlag, clearColor);
 }
-/// As large as the target. @throws ContractError for a handle without a texture
+/// Sets a viewport as large as the target. @throws ContractError for a handle without a texture
 void SetViewport(CommandBuffer& cmd, const RTHandle& target);
 
-/// A material for a pass of one's own.
+/// Makes a material for a pass of one's own.
 /// @throws ContractError if shader is null (Unity logs and returns null, which crashes later)
 std::shared_ptr<Material> CreateEngineMaterial(std::shared_ptr<const Shader> shader);
-/// The same of Shader::Find(shaderPath).
+/// Makes a material with the shader that Shader::Find(shaderPath) returns.
 /// @throws ContractError that names the shader, if there is none of this name
 std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath);
 
@@ -43,15 +43,16 @@ std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath);
 void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
 
-/// Switches a keyword for all draws that follow, or a material's.
+/// Switches a keyword, for all draws that follow or for a material.
 void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state);
 void SetKeyword(Material& material, const std::string& keyword, bool state);
 
-/// For lines of C# that go over as they are. @throws ContractError for an empty list
+/// Draws a renderer list; it exists so that lines of C# can be ported as they are. @throws
+/// ContractError for an empty list
 void DrawRendererList(ScriptableRenderContext& renderContext, CommandBuffer& cmd,
                       const RendererList& rendererList);
 
-// Scene views have neither switch here: there is no editor. Unity: CoreUtils (core 14).
+// Unity's scene views can switch these off; limn has no editor. Unity: CoreUtils (core 14).
 inline bool IsSceneViewFogEnabled(const Camera&)
 {
     return true;
@@ -61,12 +62,13 @@ inline bool ArePostProcessesEnabled(const Camera&)
     return true;
 }
 
-/// A box of eight vertices without normals, for what is drawn inside or outside of it.
+/// Makes a box of eight vertices without normals, for effects that are drawn inside or outside of
+/// it.
 /// @param min, max  opposite corners
 /// @source Unity: CoreUtils.CreateCubeMesh (core 14)
 std::shared_ptr<const Mesh> CreateCubeMesh(const glm::vec3& min, const glm::vec3& max);
 
-/// How many groups of `divisor` hold `value`. Unity: CoreUtils.DivRoundUp.
+/// Returns how many groups of `divisor` hold `value`. Unity: CoreUtils.DivRoundUp.
 constexpr int DivRoundUp(int value, int divisor)
 {
     return (value + divisor - 1) / divisor;
@@ -79,7 +81,7 @@ constexpr bool HasFlag(Flags mask, Flags flag)
     return (static_cast<int>(mask) & static_cast<int>(flag)) == static_cast<int>(flag);
 }
 
-/// Releases a buffer; nothing where there is none. Unity: CoreUtils.SafeRelease.
+/// Releases a buffer; does nothing for null. Unity: CoreUtils.SafeRelease.
 inline void SafeRelease(const std::shared_ptr<GraphicsBuffer>& buffer)
 {
     if (buffer)
@@ -95,8 +97,8 @@ void Swap(T& a, T& b)
     std::swap(a, b);
 }
 
-/// Lets go of a material or texture, which is gone when nothing else holds it. C++ does the same
-/// where the member ends; this is for lines of C# that go over as they are.
+/// Releases a material or texture, which is destroyed when nothing else holds it. C++ does the same
+/// where the member's life ends; this exists so that lines of C# can be ported as they are.
 template <typename T>
 void Destroy(std::shared_ptr<T>& object)
 {
@@ -109,17 +111,17 @@ void Destroy(std::shared_ptr<T>& object)
 namespace RenderingUtils
 {
 
-/// Draws that follow see the world through these matrices.
-/// @param viewMatrix            world to view space, looking along -z; one of floats will do near
-///                              the world's origin
-/// @param gpuProjectionMatrix   as Camera::gpuProjectionMatrix gives it
-/// @param setInverseMatrices    unity_MatrixInvV and its like as well, which few vertex functions
-///                              need
+/// Sets the matrices through which draws that follow see the world.
+/// @param viewMatrix           world to view space, looking along -z; a matrix of floats is enough
+///     near the world's origin
+/// @param gpuProjectionMatrix  as Camera::gpuProjectionMatrix returns it
+/// @param setInverseMatrices   if true, sets unity_MatrixInvV and its like as well, which few
+///     vertex functions need
 void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
                                   const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
 
-/// A quad that covers the target where view and projection are the identity, for DrawMesh; uv
-/// stands upright. Always the same one.
+/// Returns a quad for DrawMesh that covers the target where view and projection are the identity;
+/// its uv stands upright. Every call returns the same mesh.
 /// @source Unity: RenderingUtils.fullscreenMesh (URP 14)
 const std::shared_ptr<const Mesh>& fullscreenMesh();
 
@@ -139,15 +141,15 @@ inline bool SupportsGraphicsFormat(GraphicsFormat format, FormatUsage usage)
 namespace Blitter
 {
 
-/// Draws one triangle over the whole of `destination`, its contents kept where the pass blends,
-/// with `source` as _BlitTexture (and its size as _BlitTexture_TexelSize) and _BlitScaleBias
-/// (1, 1, 0, 0). No depth is bound: tests against depth or stencil pass.
-/// A source that wraps an identifier is global as _BlitTexture from then on, as in Unity.
+/// Draws one triangle over the whole of `destination`, whose contents are kept where the pass
+/// blends, with `source` as _BlitTexture (and its size as _BlitTexture_TexelSize) and
+/// _BlitScaleBias (1, 1, 0, 0). No depth is bound: tests against depth or stencil pass. A source
+/// that wraps an identifier is global as _BlitTexture from then on, as in Unity.
 /// @throws ContractError if a handle is empty or both are the same texture
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        std::shared_ptr<const Material> material, int passIndex);
 
-/// What is loaded and stored is worked out.
+/// Ignores the load and store actions, because limn derives them.
 inline void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source,
                               const RTHandle& destination, RenderBufferLoadAction,
                               RenderBufferStoreAction, std::shared_ptr<const Material> material,
@@ -155,19 +157,20 @@ inline void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source,
 {
     BlitCameraTexture(cmd, source, destination, std::move(material), passIndex);
 }
-/// A plain copy.
-/// @param mipLevel  of the source; between two, what its filter makes of them
-/// @param bilinear  else the nearest texel
+/// Copies `source` to `destination` without a material.
+/// @param mipLevel  of the source; between two levels, its filter decides
+/// @param bilinear  if false, takes the nearest texel
 /// @throws ContractError if a handle is empty; when executed, if both are the same texture, the
-///         source has no such level, or no camera is rendered
+///     source has no such level, or no camera is rendered
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        float mipLevel = 0.0f, bool bilinear = false);
-/// The same over a part of the destination.
+/// Copies `source` to a part of the destination.
 void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandle& destination,
                        const ViewportRect& destViewport, float mipLevel = 0.0f,
                        bool bilinear = false);
 
-// For lines of C# that go over as they are: there is no XR, for which these differ.
+// Unity's versions differ from the others for XR, which limn does not have. These exist so that
+// lines of C# can be ported as they are.
 inline void BlitCameraTexture2D(CommandBuffer& cmd, const RTHandle& source,
                                 const RTHandle& destination, float mipLevel = 0.0f,
                                 bool bilinear = false)
@@ -175,17 +178,17 @@ inline void BlitCameraTexture2D(CommandBuffer& cmd, const RTHandle& source,
     BlitCameraTexture(cmd, source, destination, mipLevel, bilinear);
 }
 
-// The same on the target that is bound already, with other texture coordinates: scale in x and y,
-// offset in z and w.
+// These draw onto the target that is already bound, with other texture coordinates: scale in x and
+// y, offset in z and w.
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// The source is global as _BlitTexture from then on, as in Unity.
+/// Draws with `source`, which is global as _BlitTexture from then on, as in Unity.
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// Without a source: _BlitTexture is what it is.
+/// Draws without a source: _BlitTexture stays as it is.
 void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// A plain copy, as BlitCameraTexture's.
+/// Copies without a material, as BlitCameraTexture does.
 void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  float mipLevel, bool bilinear);
 inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
@@ -193,11 +196,12 @@ inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm:
 {
     BlitTexture(cmd, source, scaleBias, mipLevel, bilinear);
 }
-/// A quad over a part of the target that is bound already, by the texture's texels.
+/// Draws a quad over a part of the target that is already bound, with the texture's texels.
 /// @param scaleBiasTex  of the texture, as BlitTexture's
-/// @param scaleBiasRT   of the target: size in x and y, left and top border in z and w; 1 is all
+/// @param scaleBiasRT   of the target: size in x and y, left and top border in z and w; a size of 1
+///     is all
 /// @throws ContractError  when executed: the source is null, has no such level, or no camera is
-///         rendered
+///     rendered
 /// @source Unity: Blitter.BlitQuad (core 14)
 void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
               const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
@@ -207,9 +211,10 @@ inline void BlitQuad(CommandBuffer& cmd, const RTHandle& source, const glm::vec4
 {
     BlitQuad(cmd, source.rt(), scaleBiasTex, scaleBiasRT, mipLevelTex, bilinear);
 }
-/// A colour, bilinear, and a depth, its nearest texel, over the whole of what is bound.
-/// @param sourceDepth  does not matter unless blitDepth is true
-/// @throws ContractError unless that is a depth texture; when executed, as BlitQuad
+/// Draws a colour, sampled bilinearly, and a depth, sampled at its nearest texel, over the whole of
+/// the bound target.
+/// @param sourceDepth  ignored unless blitDepth is true
+/// @throws ContractError unless that is a depth texture; when executed, as BlitQuad does
 /// @source Unity: Blitter.BlitColorAndDepth (core 14)
 void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
                        const std::shared_ptr<const RenderTexture>& sourceDepth,
@@ -220,7 +225,7 @@ inline void BlitColorAndDepth(CommandBuffer& cmd, const RTHandle& sourceColor,
 {
     BlitColorAndDepth(cmd, sourceColor.rt(), sourceDepth.rt(), scaleBias, mipLevel, blitDepth);
 }
-/// Binds `destination` first; scale 1, offset 0.
+/// Binds `destination` first, and draws with scale 1 and offset 0.
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
                  int passIndex);

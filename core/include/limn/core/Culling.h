@@ -13,7 +13,7 @@ struct Camera;
 
 class RendererTable;
 
-/// One (renderer, material) pair that the camera may see.
+/// A pair of a renderer and one of its materials that the camera may see.
 struct RendererItem
 {
     const GameObject* object = nullptr; ///< never null; its renderer is set
@@ -25,12 +25,11 @@ struct RendererItem
     glm::dvec3 boundsCenter{0.0};  ///< world
 };
 
-/// The pairs that a camera may see, in the scene's order; each is put together when it is asked
-/// for.
+/// The pairs that a camera may see, in the scene's order. Each item is built when it is read.
 class RendererItems
 {
 public:
-    /// Holds the item it points at.
+    /// An iterator that holds the item it points at.
     class Iterator
     {
     public:
@@ -57,7 +56,7 @@ public:
     };
 
     RendererItems() = default;
-    /// @param rows  of the table; they go back to its spare ones in the end
+    /// @param rows  rows of the table, which takes them back for reuse at the end
     RendererItems(std::shared_ptr<const RendererTable> table, std::vector<std::uint32_t> rows)
         : m_Table(std::move(table)), m_Rows(std::move(rows))
     {
@@ -76,7 +75,7 @@ public:
     Iterator begin() const { return {*this, 0}; }
     Iterator end() const { return {*this, size()}; }
 
-    /// Null = nothing was culled.
+    /// Returns the table, or null if nothing was culled.
     const std::shared_ptr<const RendererTable>& table() const { return m_Table; }
     std::vector<std::uint32_t>& rows() { return m_Rows; }
     const std::vector<std::uint32_t>& rows() const { return m_Rows; }
@@ -86,55 +85,58 @@ private:
     std::vector<std::uint32_t> m_Rows;
 };
 
-/// What culling found. Valid as long as the scene is neither changed nor destroyed.
+/// The result of culling. It is valid as long as the scene is neither changed nor destroyed.
 /// Unity: UnityEngine.Rendering.CullingResults (2022.3).
 struct CullingResults
 {
     RendererItems items;
-    /// What shaders get to know of the scene's objects, relative to the origin.
+    /// The data of the scene's objects that shaders get, relative to the origin.
     std::shared_ptr<const InstanceData> objects;
-    /// Objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded to
-    /// float: nothing of them is seen.
+    /// The objects, in sight or not, whose world matrix has an infinity or NaN once it is rounded
+    /// to float: they are not drawn.
     std::vector<const GameObject*> beyondFloat;
     int rendererCount = 0;      ///< enabled renderers of active objects, visible or not
     int outsideFrustum = 0;     ///< of these, how many lie outside the frustum
     int outsideCullingMask = 0; ///< and how many the camera's cullingMask leaves out
 };
 
-/// The renderers of active objects in the camera's culling mask whose world bounds touch its
-/// frustum. One thread at a time may cull a scene. Unity: ScriptableRenderContext.Cull.
+/// Returns the renderers of active objects in the camera's culling mask whose world bounds touch
+/// its frustum. Only one thread at a time may cull a scene. Unity: ScriptableRenderContext.Cull.
 /// @param aspect  width / height of the picture
-/// @param margin  by how much the frustum is wider and higher than the picture: 0 = not at all, 1 =
-///                half a picture on each side
-/// @param origin  what the results' places are relative to; none = the camera's renderOrigin()
+/// @param margin  the part by which the frustum is wider and higher than the picture: 0 = not at
+///     all, 1 = half a picture on each side
+/// @param origin  the point to which the results' places are relative; none = the camera's
+///     renderOrigin()
 CullingResults Cull(const Scene& scene, const Camera& camera, float aspect,
                     const glm::vec2& margin = glm::vec2(0.0f),
                     const std::optional<glm::dvec3>& origin = std::nullopt);
 
-/// The renderers of active objects in the camera's culling mask that may throw a shadow into a box
-/// of light: it begins nowhere, so that it holds whatever is on the light's side of it. Those that
-/// throw none, or have no pass of LightMode ShadowCaster, are not among them.
+/// Returns the renderers of active objects in the camera's culling mask that may throw a shadow
+/// into a box of light. The box is unbounded towards the light, so that it holds everything on the
+/// light's side of it. Renderers that throw no shadow, or have no pass of LightMode ShadowCaster,
+/// are left out.
 /// @param seen                 what the camera sees of the scene
 /// @param lightViewProjection  world to clip space of the light; depth is from 1 near to 0 far
-/// @param twoSided             those of ShadowCastingMode::TwoSided, else the others
+/// @param twoSided             if true, returns those of ShadowCastingMode::TwoSided, else the
+///     others
 CullingResults CullShadowCasters(const CullingResults& seen, const Camera& camera,
                                  const glm::dmat4& lightViewProjection, bool twoSided);
 
-/// What a DrawRenderers call makes of items.
+/// The items that a DrawRenderers call draws, and the verdicts on all of them.
 struct JudgedItems
 {
     FilterCounts counts{};
     RendererItems drawn; ///< in the same order
 };
 
-/// Judge for all items, asked once for each kind of them.
+/// Calls Judge for all items, once for each kind of them.
 JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering,
                   const DrawingSettings& drawing);
 
-/// Puts items into the order in which a DrawRenderers call draws; stable.
+/// Sorts items into the order in which a DrawRenderers call draws; the sort is stable.
 void Sort(RendererItems& items, const SortingSettings& sorting);
-/// The same for some of a list.
-/// @param indices  into `items`; which take part, in the scene's order
+/// Sorts some items of a list in the same way.
+/// @param indices  into `items`: the items to sort, in the scene's order
 void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
           std::vector<int>& indices);
 

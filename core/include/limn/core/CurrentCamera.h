@@ -5,8 +5,8 @@ namespace limn
 
 struct RenderingData;
 
-/// The camera that this thread renders, for what Unity reaches by a singleton: helpers that are
-/// given no RenderingData. The pipeline makes one for each camera.
+/// The camera that this thread renders. Helpers that are given no RenderingData find it here, where
+/// Unity uses a singleton. The pipeline makes one for each camera.
 class CurrentCamera
 {
 public:
@@ -16,7 +16,7 @@ public:
     CurrentCamera(const CurrentCamera&) = delete;
     CurrentCamera& operator=(const CurrentCamera&) = delete;
 
-    /// Null where no camera is rendered.
+    /// Returns the data of the camera that is rendered, or null if none is.
     static const RenderingData* renderingData();
 
 private:

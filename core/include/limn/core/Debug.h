@@ -23,23 +23,24 @@ enum class LogType
     Exception = 4
 };
 
-/// A sentence of a feature's author.
+/// A message from the author of a feature.
 struct LogMessage
 {
     LogType type = LogType::Log;
     std::string text;
-    bool isNoted = false; ///< it is in the report of the camera that is rendered as well
+    bool isNoted = false; ///< it is also in the report of the camera that is rendered
 };
 
-/// Hears of each, on the thread that says it.
+/// Receives each message on the thread that logs it.
 using LogSink = void (*)(const LogMessage& message);
-/// @param sink  in place of the one before; null: a line on stderr, as to begin with
+/// Sets the sink of all messages.
+/// @param sink  replaces the sink before it; null: a line on stderr, which is the default
 void SetLogSink(LogSink sink);
 
 namespace detail
 {
 
-/// As C# writes it: numbers the shortest way, `True`, `(1.00, 2.00)`.
+/// Returns the text that C# writes for a value: numbers the shortest way, `True`, `(1.00, 2.00)`.
 std::string LogTextOf(std::string_view text);
 std::string LogTextOf(bool value);
 std::string LogTextOf(double value);
@@ -111,7 +112,7 @@ void LogFormatted(LogType type, std::string_view format, const Args&... args)
 
 } // namespace detail
 
-/// Sentences of a feature's author, to whoever listens (SetLogSink) and, while a camera is
+/// Sends messages from the author of a feature to the sink (SetLogSink) and, while a camera is
 /// rendered, to the notes of its report. Unity: UnityEngine.Debug (2022.3).
 namespace Debug
 {
@@ -155,7 +156,7 @@ inline void LogException(const std::exception& exception)
     detail::Log(LogType::Exception, detail::LogTextOf(exception));
 }
 
-/// "{0}", "{1:F2}", and braces doubled, as C# has them.
+/// Logs a formatted message; the format has "{0}", "{1:F2}", and doubled braces, as in C#.
 template <typename... Args>
 void LogFormat(std::string_view format, const Args&... args)
 {
@@ -172,7 +173,7 @@ void LogErrorFormat(std::string_view format, const Args&... args)
     detail::LogFormatted(LogType::Error, format, args...);
 }
 
-/// Says so where the condition does not hold, and goes on.
+/// Logs the message if the condition is false, and goes on.
 inline void Assert(bool condition, std::string_view message = "Assertion failed")
 {
     if (!condition)

@@ -5,9 +5,9 @@
 namespace limn
 {
 
-/// What is to be drawn cannot be: a shader or material that does not fit the textures, meshes and
-/// targets it is drawn with, or asks for what the device lacks. A mistake in what the program was
-/// given rather than in the program.
+/// Thrown if something cannot be drawn: a shader or material does not fit the textures, meshes and
+/// targets it is drawn with, or needs something that the device lacks. The mistake is in what the
+/// program was given rather than in the program.
 class DrawError : public ContractError
 {
 public:

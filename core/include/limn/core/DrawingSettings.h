@@ -11,8 +11,7 @@ namespace limn
 {
 
 /// The keys that sort draws. They apply in the order of their values, and the first that differs
-/// decides; equal items keep the scene's order. Unity:
-/// UnityEngine.Rendering.SortingCriteria.
+/// decides; equal items keep the scene's order. Unity: UnityEngine.Rendering.SortingCriteria.
 enum class SortingCriteria
 {
     None = 0,
@@ -58,7 +57,7 @@ struct SortingSettings
 class Material;
 class Shader;
 
-/// The LightModes that URP's forward passes draw: SRPDefaultUnlit, UniversalForward,
+/// Returns the LightModes that URP's forward passes draw: SRPDefaultUnlit, UniversalForward,
 /// UniversalForwardOnly.
 const std::vector<ShaderTagId>& ForwardShaderTags();
 
@@ -83,9 +82,9 @@ constexpr PerObjectData operator|(PerObjectData a, PerObjectData b)
     return static_cast<PerObjectData>(static_cast<int>(a) | static_cast<int>(b));
 }
 
-/// How a DrawRenderers call draws what passed its filter: for each tag in turn, the first pass of
-/// the object's shader with that LightMode; a pass without LightMode counts as SRPDefaultUnlit.
-/// Unity: UnityEngine.Rendering.DrawingSettings (2022.3).
+/// Describes how a DrawRenderers call draws the items that passed its filter: for each tag in turn,
+/// it draws the first pass of the object's shader with that LightMode; a pass without LightMode
+/// counts as SRPDefaultUnlit. Unity: UnityEngine.Rendering.DrawingSettings (2022.3).
 struct DrawingSettings
 {
     static constexpr int maxShaderPasses = 16;
@@ -93,22 +92,22 @@ struct DrawingSettings
     FixedList<ShaderTagId, maxShaderPasses> shaderTagIds;
     SortingSettings sortingSettings;
 
-    /// Draws everything with this pass of this material instead of the object's own; the object's
-    /// material is still what is filtered and what must have a pass of one of the tags.
+    /// Draws everything with this pass of this material instead of the object's own. Filtering
+    /// still looks at the object's own material, which must have a pass of one of the tags.
     std::shared_ptr<const Material> overrideMaterial;
     int overrideMaterialPassIndex = 0;
 
-    /// Draws everything with this pass of this shader, fed with the properties of the object's own
+    /// Draws everything with this pass of this shader and the properties of the object's own
     /// material. Filtering is as with overrideMaterial, which wins where both are set.
     std::shared_ptr<const Shader> overrideShader;
     int overrideShaderPassIndex = 0;
 
-    /// Draws, with its first pass, what has a pass to draw that does not compile. Without it such a
+    /// Draws, with its first pass, the items whose own pass does not compile. Without it such a
     /// pass is an error.
     std::shared_ptr<const Material> fallbackMaterial;
 
-    // No effect: equal meshes and states become instances of one draw, and shaders find the lights,
-    // by themselves.
+    // These have no effect: equal meshes and states become instances of one draw, and shaders find
+    // the lights by themselves.
     bool enableDynamicBatching = false;
     bool enableInstancing = true;
     int mainLightIndex = -1;
@@ -116,7 +115,7 @@ struct DrawingSettings
 
     /// @throws ContractError outside 0...15
     void SetShaderPassName(int index, ShaderTagId tag);
-    /// The empty name where none was set. @throws ContractError outside 0...15
+    /// Returns the tag, or the empty name if none was set. @throws ContractError outside 0...15
     ShaderTagId GetShaderPassName(int index) const;
 };
 

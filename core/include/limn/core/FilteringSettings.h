@@ -20,7 +20,7 @@ enum class RenderQueue
     Overlay = 4000
 };
 
-/// Material render queues from lower to upper bound, both included.
+/// A range of material render queues from a lower to an upper bound, both included.
 /// Unity: UnityEngine.Rendering.RenderQueueRange (2022.3).
 class RenderQueueRange
 {
@@ -66,9 +66,9 @@ inline constexpr RenderQueueRange RenderQueueRange::all{0, 5000};
 inline constexpr RenderQueueRange RenderQueueRange::opaque{0, 2500};
 inline constexpr RenderQueueRange RenderQueueRange::transparent{2501, 5000};
 
-/// Which renderers a DrawRenderers call takes; all conditions must hold. A default-made one takes
-/// everything: Unity's FilteringSettings.defaultValue, not its zero-filled `new
-/// FilteringSettings()`. Unity: UnityEngine.Rendering.FilteringSettings (2022.3).
+/// Selects the renderers that a DrawRenderers call takes; all conditions must hold. A
+/// default-constructed one takes everything: it is Unity's FilteringSettings.defaultValue, not its
+/// zero-filled `new FilteringSettings()`. Unity: UnityEngine.Rendering.FilteringSettings (2022.3).
 struct FilteringSettings
 {
     RenderQueueRange renderQueueRange = RenderQueueRange::all; ///< of the material
@@ -76,7 +76,7 @@ struct FilteringSettings
     RenderingLayerMask renderingLayerMask = RenderingLayerMask::Everything(); ///< of the renderer
 
     constexpr FilteringSettings() = default;
-    /// @param queues  std::nullopt for all, as null in Unity
+    /// @param queues  std::nullopt = all queues, as null in Unity
     constexpr explicit FilteringSettings(
         std::optional<RenderQueueRange> queues, LayerMask layers = LayerMask::Everything(),
         RenderingLayerMask renderingLayers = RenderingLayerMask::Everything())

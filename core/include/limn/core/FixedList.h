@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// A vector of at most `Most` values that lie in it: it takes no memory of its own.
+/// A vector of at most `Most` values, which it stores in itself: it allocates no memory.
 template <typename Value, std::size_t Most>
 class FixedList
 {
@@ -19,7 +19,7 @@ public:
     using const_iterator = const Value*;
 
     FixedList() = default;
-    /// @throws ContractError for more than `Most`
+    /// @throws ContractError for more than `Most` values
     FixedList(std::initializer_list<Value> values) { assign(values.begin(), values.end()); }
     template <typename Iterator>
     FixedList(Iterator first, Iterator last)
@@ -27,7 +27,7 @@ public:
         assign(first, last);
     }
 
-    /// @throws ContractError for more than `Most`
+    /// @throws ContractError for more than `Most` values
     template <typename Iterator>
     void assign(Iterator first, Iterator last)
     {
@@ -37,14 +37,14 @@ public:
             push_back(*first);
         }
     }
-    /// @throws ContractError for more than `Most`
+    /// @throws ContractError for more than `Most` values
     void resize(std::size_t size)
     {
         RequireRoom(size);
         std::fill(begin() + std::min(size, m_Size), end(), Value());
         m_Size = size;
     }
-    /// @throws ContractError for more than `Most`
+    /// @throws ContractError for more than `Most` values
     void push_back(Value value)
     {
         RequireRoom(m_Size + 1);

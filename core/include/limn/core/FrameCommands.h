@@ -18,7 +18,7 @@
 namespace limn
 {
 
-/// The data of a scene's objects for shaders, by index. They stay from frame to frame, so that a
+/// The data of a scene's objects for shaders, by index. It stays from frame to frame, so that a
 /// device copies only what has changed.
 class InstanceData
 {
@@ -27,11 +27,11 @@ public:
 
     virtual std::uint64_t id() const = 0;      ///< unique in the process
     virtual std::uint64_t version() const = 0; ///< grows with each change
-    virtual std::uint32_t count() const = 0;   ///< of objects
-    /// As it is now, not as it was when a frame was recorded.
+    virtual std::uint32_t count() const = 0;   ///< the number of objects
+    /// Returns the object's data as it is now, not as it was when a frame was recorded.
     virtual PerDrawData Get(std::uint32_t object) const = 0;
-    /// Objects that are not as they were at `version`, each at least once; nothing if that is too
-    /// long ago to tell. Valid until the next change.
+    /// Returns the objects that have changed since `version`, each at least once, or nothing if
+    /// that is too long ago to tell. The result is valid until the next change.
     virtual std::optional<std::span<const std::uint32_t>>
     ChangedSince(std::uint64_t version) const = 0;
 };
@@ -39,7 +39,8 @@ public:
 class ComputeShader;
 class Shader;
 
-/// What of a target is cleared; bit flags, values Unity's. Unity: UnityEngine.Rendering.ClearFlag.
+/// Selects the parts of a target to clear; bit flags with Unity's values.
+/// Unity: UnityEngine.Rendering.ClearFlag.
 enum class ClearFlag
 {
     None = 0,
@@ -51,7 +52,7 @@ enum class ClearFlag
     DepthStencil = 6,
     All = 7
 };
-/// The same under the name that CommandBuffer.ClearRenderTarget takes.
+/// The name under which CommandBuffer.ClearRenderTarget takes a ClearFlag.
 /// Unity: UnityEngine.Rendering.RTClearFlags (2022.3).
 using RTClearFlags = ClearFlag;
 constexpr ClearFlag operator|(ClearFlag a, ClearFlag b)
@@ -71,7 +72,7 @@ constexpr ClearFlag Without(ClearFlag flags, ClearFlag unwanted)
     return static_cast<ClearFlag>(static_cast<int>(flags) & ~static_cast<int>(unwanted));
 }
 
-/// A rectangle of target texels, from the top left.
+/// A rectangle of target texels, measured from the top left.
 struct ViewportRect
 {
     int x = 0;
@@ -82,10 +83,10 @@ struct ViewportRect
     bool operator==(const ViewportRect&) const = default;
 };
 
-/// Where a uniform buffer may begin: at a multiple of the most any device asks for, in bytes.
+/// The alignment of uniform buffers, in bytes: the largest that any device requires.
 inline constexpr std::uint32_t k_UniformAlignment = 256;
 
-/// A run of bytes of FrameCommands::uniformData, bound to one uniform buffer.
+/// A range of bytes in FrameCommands::uniformData that is bound to one uniform buffer.
 struct UniformSlice
 {
     std::uint32_t binding = 0;
@@ -99,7 +100,7 @@ struct TextureSlot
 {
     std::uint32_t binding = 0;
     std::shared_ptr<const Texture> texture; ///< never null
-    std::optional<SamplerState> sampler;    ///< set where texture and sampler are one descriptor
+    std::optional<SamplerState> sampler;    ///< set if texture and sampler are one descriptor
 
     bool operator==(const TextureSlot&) const = default;
 };
@@ -112,21 +113,22 @@ struct SamplerSlot
     bool operator==(const SamplerSlot&) const = default;
 };
 
-/// A buffer that somebody else made.
+/// A buffer that something other than the frame made.
 struct BufferSlot
 {
     std::uint32_t binding = 0;
     std::shared_ptr<const GraphicsBuffer> buffer; ///< never null
     std::uint32_t offset = 0;                     ///< bytes
     std::uint32_t size = 0;                       ///< bytes
-    ShaderStage stages = ShaderStage::None;       ///< that use it
+    ShaderStage stages = ShaderStage::None;       ///< the stages that use it
     bool isUniform = false;                       ///< a cbuffer
     bool isWritten = false;
 
     bool operator==(const BufferSlot&) const = default;
 };
 
-/// BufferSlot::binding of the buffer that says how much is drawn or run; shaders do not see it.
+/// The BufferSlot::binding of the buffer that holds the counts of a draw or dispatch; shaders do
+/// not see it.
 inline constexpr std::uint32_t k_ArgumentsBinding = ~std::uint32_t{0};
 
 /// A texture that a kernel writes to.
@@ -145,11 +147,12 @@ struct DrawBindings
     std::vector<TextureSlot> textures;
     std::vector<SamplerSlot> samplers;
     std::vector<BufferSlot> buffers;
-    std::vector<StorageTextureSlot> storageTextures; ///< of a dispatch
-    std::optional<std::uint32_t> perDrawBinding;     ///< where limn_PerDraw is bound, if it is read
+    std::vector<StorageTextureSlot> storageTextures; ///< set by dispatches
+    /// The binding of limn_PerDraw, if the shader reads it.
+    std::optional<std::uint32_t> perDrawBinding;
 
-    /// Where the device finds the draw's vkCmdDrawIndirect or vkCmdDrawIndexedIndirect arguments,
-    /// or the dispatch's; null = the command has its counts.
+    /// Returns the buffer with the draw's vkCmdDrawIndirect or vkCmdDrawIndexedIndirect arguments,
+    /// or with the dispatch's, or null if the command has its own counts.
     const BufferSlot* arguments() const
     {
         const bool has = !buffers.empty() && buffers.back().binding == k_ArgumentsBinding;
@@ -158,7 +161,7 @@ struct DrawBindings
     bool operator==(const DrawBindings&) const = default;
 };
 
-/// A part of a target of whatever size: 0 is its left or top border, 1 its right or bottom one. May
+/// A part of a target of any size: 0 is its left or top border, 1 its right or bottom one. It may
 /// reach beyond them.
 struct TargetRegion
 {
@@ -170,39 +173,42 @@ struct TargetRegion
     bool operator==(const TargetRegion&) const = default;
 };
 
-/// What a pass with the tag LimnFullScreen promises of its draws without a mesh: they cover their
-/// target, and no texel of it is left as it was but by blending.
+/// The promises of a pass with the tag LimnFullScreen for its draws without a mesh: they cover
+/// their target, and leave no texel of it as it was except by blending.
 struct FullScreenPromise
 {
-    /// Where every texel of one of these is 0 in each component that it has, the fragment function
-    /// gives `output`.
+    /// If every texel of one of these textures is 0 in each component that it has, the fragment
+    /// function returns `output`.
     FixedList<std::shared_ptr<const Texture>, 4> zeroTextures;
-    /// It looks no farther than this from its own place: what is 0 all over may be 0 so far only,
-    /// in texels of those textures. Negative = as far as it likes.
+    /// The farthest distance from its own place at which the fragment function reads, in texels of
+    /// the zeroTextures. It is enough that a texture is 0 within that distance. Negative =
+    /// unlimited.
     float reach = -1.0f;
-    ShaderPropertyId zeroProperty; ///< one that is 0, so that it gives `output` in any case
-    Color output;                  ///< linear
-    /// It gives the texel of this texture at its own place, with alpha 1; null = another value.
+    /// A property for which the fragment function returns `output` in any case if it is 0.
+    ShaderPropertyId zeroProperty;
+    Color output; ///< linear
+    /// The texture whose texel at its own place the fragment function returns, with alpha 1; null =
+    /// it returns another value.
     std::shared_ptr<const Texture> copied;
 
     bool operator==(const FullScreenPromise&) const = default;
 };
 
-/// What many draws of a frame have in common.
+/// The state that many draws of a frame have in common.
 struct DrawSetup
 {
     std::shared_ptr<const ShaderProgram> program;
     std::shared_ptr<const DrawBindings> bindings;
     PipelineState state;
-    std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it promises nothing
-    // What `program` was compiled from, for reports and errors.
+    std::shared_ptr<const FullScreenPromise> fullScreen; ///< null = it makes no promise
+    // These are what `program` was compiled from, for reports and errors.
     std::shared_ptr<const Shader> shader;
     int shaderPass = 0;
 
     bool operator==(const DrawSetup&) const = default;
 };
 
-/// A draw: numbers into the frame's tables.
+/// A draw, whose numbers are indices into the frame's tables.
 struct DrawCommand
 {
     static constexpr std::uint32_t k_NoMesh = ~std::uint32_t{0};
@@ -210,56 +216,58 @@ struct DrawCommand
     std::uint32_t setup = 0;       ///< of FrameTables::setups
     std::uint32_t mesh = k_NoMesh; ///< of FrameTables::meshes; none = SV_VertexID only
     int subMesh = 0;
-    std::uint32_t vertexCount = 0;   ///< without a mesh, and without DrawBindings::arguments
+    std::uint32_t vertexCount = 0;   ///< if it has neither a mesh nor DrawBindings::arguments
     std::uint32_t firstInstance = 0; ///< index into FrameTables::instances
     std::uint32_t instanceCount = 1;
     bool drawsObjects = false; ///< its instances are of FrameTables::objects, else of perDraw
-    std::optional<TargetRegion> bounds; ///< it draws nothing outside of these; none = not known
-    /// Only these texels are drawn. Where none is recorded, CompileFrame may set one.
+    std::optional<TargetRegion> bounds; ///< it draws nothing outside of them; none = unknown
+    /// The only texels that are drawn. If none is recorded, CompileFrame may set one.
     std::optional<ViewportRect> scissor;
 
     bool operator==(const DrawCommand&) const = default;
 };
 
-/// What dispatches of a frame may have in common.
+/// The state that dispatches of a frame may have in common.
 struct DispatchSetup
 {
     std::shared_ptr<const ShaderProgram> program;
     std::shared_ptr<const DrawBindings> bindings; ///< never null
-    // What `program` was compiled from, for reports and errors.
+    // These are what `program` was compiled from, for reports and errors.
     std::shared_ptr<const ComputeShader> shader;
     int kernel = 0;
 
     bool operator==(const DispatchSetup&) const = default;
 };
 
-/// Runs a kernel; it minds no target.
+/// Runs a kernel, and does not depend on the bound target.
 struct DispatchCommand
 {
     std::uint32_t setup = 0;                      ///< of FrameTables::dispatchSetups
-    std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< without DrawBindings::arguments
-    bool isKept = false;        ///< it is run whether anything reads what it writes
-    bool generatesMips = false; ///< behind the first, of the textures that it writes
+    std::array<std::uint32_t, 3> groups{1, 1, 1}; ///< unless it has DrawBindings::arguments
+    bool isKept = false; ///< it is run even if nothing reads what it writes
+    /// If true, the mip levels behind the first are made for the textures that it writes.
+    bool generatesMips = false;
 
     bool operator==(const DispatchCommand&) const = default;
 };
 
-/// Colour targets that can be drawn into at once.
+/// The largest number of colour targets that can be drawn into at once.
 inline constexpr std::size_t k_MostColors = std::tuple_size_v<decltype(PipelineState::targets)>;
 
-/// Later draws go here, over the whole target.
+/// Sets the target that later draws draw into; the viewport is the whole of it.
 struct SetRenderTargetCommand
 {
     FixedList<std::shared_ptr<const RenderTexture>, k_MostColors>
         colors;                                 ///< may be empty with a depth
     std::shared_ptr<const RenderTexture> depth; ///< may be null
-    bool isKept = false;                        ///< those draws are run whether anything reads them
-    bool generatesMips = false; ///< of colours with mip levels that do not make them themselves
+    bool isKept = false;                        ///< those draws are run even if nothing reads them
+    /// If true, mip levels are made for the colours that have them and do not make them themselves.
+    bool generatesMips = false;
 
     bool operator==(const SetRenderTargetCommand&) const = default;
 };
 
-/// Clears the bound target, or the viewport's part of it where one is set.
+/// Clears the bound target, or the viewport's part of it if a viewport is set.
 struct ClearCommand
 {
     ClearFlag flags = ClearFlag::None;
@@ -277,7 +285,7 @@ struct SetViewportCommand
     bool operator==(const SetViewportCommand&) const = default;
 };
 
-/// Opens or closes a named group of commands, for captures, timings and dumps.
+/// Begins a named group of commands, for captures, timings and dumps; EndSampleCommand ends it.
 struct BeginSampleCommand
 {
     SampleName name;
@@ -293,35 +301,37 @@ using FrameCommand =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, DrawCommand,
                  BeginSampleCommand, EndSampleCommand, DispatchCommand>;
 
-/// What the draws of a frame refer to by number. Each instance is an element of one of two lists.
+/// The tables to which the draws of a frame refer by number. Each instance is an element of one of
+/// two lists.
 struct FrameTables
 {
     std::vector<DrawSetup> setups;
     std::vector<DispatchSetup> dispatchSetups;
-    std::vector<std::shared_ptr<const Mesh>> meshes; ///< none is null
+    std::vector<std::shared_ptr<const Mesh>> meshes; ///< no element is null
     std::vector<std::uint32_t> instances; ///< elements of perDraw or objects; empty = 0, 1, 2 ...
-    std::vector<PerDrawData> perDraw;     ///< of draws of this frame only
+    std::vector<PerDrawData> perDraw;     ///< used by draws of this frame only
     std::shared_ptr<const InstanceData> objects; ///< of the scene; null = no draw has any
-    bool usesReversedZBuffer = true; ///< what its shaders count on, see ShaderCompilerOptions
+    /// The depth direction that its shaders expect, see ShaderCompilerOptions.
+    bool usesReversedZBuffer = true;
 
     const DrawSetup& Setup(const DrawCommand& draw) const { return setups[draw.setup]; }
     const DispatchSetup& Setup(const DispatchCommand& dispatch) const
     {
         return dispatchSetups[dispatch.setup];
     }
-    /// Null = the draw has none.
+    /// Returns the draw's mesh, or null if it has none.
     const std::shared_ptr<const Mesh>& MeshOf(const DrawCommand& draw) const;
-    /// The element of an instance.
+    /// Returns the element of an instance.
     std::uint32_t Element(std::uint32_t instance) const
     {
         return instances.empty() ? instance : instances[instance];
     }
-    /// What shaders get to know of an instance, now.
-    /// @pre the draw has so many instances
+    /// Returns the data that shaders get for an instance, as it is now.
+    /// @pre the draw has this many instances
     PerDrawData PerDraw(const DrawCommand& draw, std::uint32_t instance = 0) const;
 };
 
-/// All that a frame recorded, in order, with nothing left to look up: plain data.
+/// Everything that a frame recorded, in order, with nothing left to look up: plain data.
 struct FrameCommands : FrameTables
 {
     std::vector<FrameCommand> commands;

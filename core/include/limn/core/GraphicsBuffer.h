@@ -17,7 +17,7 @@ class GraphicsDevice;
 namespace detail
 {
 
-/// A vector, an array or a span: elements that lie one behind the other.
+/// A vector, an array or a span: elements that are contiguous in memory.
 template <typename Data>
 concept Contiguous = requires(const Data& data)
 {
@@ -26,34 +26,35 @@ concept Contiguous = requires(const Data& data)
 
 } // namespace detail
 
-/// Elements that shaders read and kernels write. As a Texture it is a description: the device makes
-/// its buffer, all zeros, when a frame first uses it, and frees it some frames after the last owner
-/// is gone. Not for use by several threads at once. Unity: UnityEngine.GraphicsBuffer (2022.3).
+/// A buffer of elements that shaders read and kernels write. Like a Texture it is a description:
+/// the device makes its buffer, all zeros, when a frame first uses it, and frees it some frames
+/// after the last owner is gone. It must not be used by several threads at once.
+/// Unity: UnityEngine.GraphicsBuffer (2022.3).
 class GraphicsBuffer
 {
 public:
-    /// What it can be bound to; bit flags, values Unity's. Unity: GraphicsBuffer.Target.
+    /// The uses that a buffer can be bound to; bit flags with Unity's values.
+    /// Unity: GraphicsBuffer.Target.
     enum class Target
     {
         Vertex = 1,
         Index = 2,
         CopySource = 4,
         CopyDestination = 8,
-        Structured = 16,         ///< StructuredBuffer, RWStructuredBuffer
-        Raw = 32,                ///< ByteAddressBuffer, RWByteAddressBuffer
-        Append = 64,             ///< AppendStructuredBuffer, ConsumeStructuredBuffer
-        Counter = 128,           ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
-        IndirectArguments = 256, ///< of draws and dispatches; kernels may write them as the above
-        Constant = 512           ///< cbuffer
+        Structured = 16, ///< StructuredBuffer, RWStructuredBuffer
+        Raw = 32,        ///< ByteAddressBuffer, RWByteAddressBuffer
+        Append = 64,     ///< AppendStructuredBuffer, ConsumeStructuredBuffer
+        Counter = 128,   ///< RWStructuredBuffer with IncrementCounter and DecrementCounter
+        /// Arguments of draws and dispatches; kernels may write them like those above.
+        IndirectArguments = 256,
+        Constant = 512 ///< cbuffer
     };
 
-    /// @param stride  bytes of one element: what a kernel's struct takes without padding between
-    /// its
-    ///                members
+    /// @param stride  the bytes of one element: the size of a kernel's struct without padding
+    ///     between its members
     /// @throws ContractError if count or stride is not positive, the stride of structured elements
-    ///         is no multiple of 4 or above 2048, that of raw ones is not 4, or the target is none
-    ///         of those that limn binds: Structured, Raw, Append, Counter, IndirectArguments,
-    ///         Constant
+    ///     is no multiple of 4 or above 2048, that of raw ones is not 4, or the target is none of
+    ///     those that limn binds: Structured, Raw, Append, Counter, IndirectArguments, Constant
     GraphicsBuffer(Target target, int count, int stride);
     GraphicsBuffer(const GraphicsBuffer&) = delete;
     GraphicsBuffer& operator=(const GraphicsBuffer&) = delete;
@@ -67,28 +68,28 @@ public:
     std::size_t size() const; ///< bytes of all elements
     bool Has(Target flag) const;
 
-    /// The elements from the first on, before whatever is executed next; what lies behind them
-    /// stays. Wins over what a kernel wrote there before.
-    /// @throws ContractError if they are more than there are, or the buffer is released
+    /// Sets the elements from the first on, before anything that is executed next; the elements
+    /// behind them stay. It overwrites what a kernel wrote there before.
+    /// @throws ContractError if `data` has more elements than the buffer, or the buffer is released
     template <detail::Contiguous Data>
     void SetData(const Data& data)
     {
         Set(PartOf(data));
     }
-    /// @param managedBufferStartIndex, count  which of `data`
-    /// @param graphicsBufferStartIndex        where they go, in elements of `data`
+    /// @param managedBufferStartIndex, count  the elements of `data` to copy
+    /// @param graphicsBufferStartIndex        their place in the buffer, in elements of `data`
     template <detail::Contiguous Data>
     void SetData(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                  int count)
     {
         Set(PartOf(data, managedBufferStartIndex, graphicsBufferStartIndex, count));
     }
-    /// Of a buffer that is appended to or counts.
-    /// @throws ContractError if it has none
+    /// Sets the counter of a buffer that is appended to or counts.
+    /// @throws ContractError if the buffer has no counter
     void SetCounterValue(std::uint32_t counterValue);
 
-    /// What the last frame on the device left in the first elements; waits for it. Unity's knows
-    /// the device by itself.
+    /// Copies the first elements into `data` as the last frame on the device left them, and waits
+    /// for that frame. Unity's function knows the device by itself.
     /// @throws ContractError if `data` is longer, or no frame on the device has used the buffer
     template <typename Element>
     void GetData(GraphicsDevice& device, std::span<Element> data) const
@@ -101,19 +102,19 @@ public:
     {
         GetData(device, std::span<Element>(data));
     }
-    /// The counter, as GetData. Unity: GraphicsBuffer.CopyCount into a buffer to read.
-    /// @throws ContractError if it has none
+    /// Returns the counter, as GetData does. Unity: GraphicsBuffer.CopyCount into a buffer to read.
+    /// @throws ContractError if the buffer has no counter
     std::uint32_t GetCounterValue(GraphicsDevice& device) const;
 
-    /// Nothing can be bound to it any more.
+    /// Releases the buffer, which cannot be bound any more.
     void Release();
     void Dispose() { Release(); }
     bool IsValid() const { return !m_IsReleased; }
 
-    /// What SetData sets.
+    /// The bytes that SetData sets.
     struct Part
     {
-        std::span<const std::byte> bytes; ///< of `data`
+        std::span<const std::byte> bytes; ///< bytes of `data`
         std::size_t offset = 0;           ///< bytes of the buffer
     };
     template <detail::Contiguous Data>
@@ -121,7 +122,7 @@ public:
     {
         return {std::as_bytes(Elements(data)), 0};
     }
-    /// @throws ContractError if one is negative, or `data` has not as many
+    /// @throws ContractError if a number is negative, or `data` has too few elements
     template <detail::Contiguous Data>
     static Part PartOf(const Data& data, int managedBufferStartIndex, int graphicsBufferStartIndex,
                        int count)
@@ -136,20 +137,21 @@ public:
     /// @throws ContractError as SetData does
     void Set(const Part& part);
 
-    // For devices:
+    // These are for devices:
 
-    /// Bytes that SetData has set.
+    /// A range of bytes that SetData has set.
     struct Change
     {
-        std::uint64_t version = 0; ///< that they came with
-        std::size_t offset = 0;    ///< of bytes()
+        std::uint64_t version = 0; ///< the version that they came with
+        std::size_t offset = 0;    ///< offset in bytes()
         std::size_t size = 0;
     };
-    /// Oldest first; those that later ones cover are gone.
+    /// Returns the changes, the oldest first; those that later ones cover are removed.
     const std::vector<Change>& changes() const { return m_Changes; }
-    /// Grows with each change.
+    /// Returns a number that grows with each change.
     std::uint64_t version() const { return m_Version; }
-    /// What SetData has set so far, else 0; the counter, if there is one, at counterOffset().
+    /// Returns the bytes that SetData has set so far, and 0 elsewhere; the counter, if there is
+    /// one, is at counterOffset().
     std::span<const std::byte> bytes() const { return m_Bytes; }
     std::size_t counterOffset() const;
     bool hasCounter() const { return Has(Target::Append) || Has(Target::Counter); }
@@ -187,7 +189,8 @@ inline bool GraphicsBuffer::Has(Target flag) const
     return (static_cast<int>(m_Target) & static_cast<int>(flag)) != 0;
 }
 
-/// Unity: UnityEngine.ComputeBufferType (2022.3), the members that limn has; values Unity's.
+/// The kinds of a ComputeBuffer that limn has, with Unity's values.
+/// Unity: UnityEngine.ComputeBufferType (2022.3).
 enum class ComputeBufferType
 {
     Default = 0, ///< Structured
@@ -199,7 +202,7 @@ enum class ComputeBufferType
     IndirectArguments = 256
 };
 
-/// A GraphicsBuffer as older code makes it. Unity: UnityEngine.ComputeBuffer (2022.3).
+/// A GraphicsBuffer for code that uses the older name. Unity: UnityEngine.ComputeBuffer (2022.3).
 class ComputeBuffer final : public GraphicsBuffer
 {
 public:
@@ -207,7 +210,7 @@ public:
     ComputeBuffer(int count, int stride, ComputeBufferType type = ComputeBufferType::Default);
 };
 
-/// A buffer as a property's value: all of it, or of a cbuffer's a part.
+/// A buffer as the value of a property: the whole of it, or a part of a cbuffer's.
 struct BufferRange
 {
     std::shared_ptr<const GraphicsBuffer> buffer; ///< null = none

@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// Texel formats; names and values are Unity's. Which of them can be made is said by
-/// GraphicsFormatProblem. Unity: UnityEngine.Experimental.Rendering.GraphicsFormat (2022.3, and
+/// Texel formats with Unity's names and values. GraphicsFormatProblem returns why one of them
+/// cannot be made. Unity: UnityEngine.Experimental.Rendering.GraphicsFormat (2022.3, and
 /// D16_UNorm_S8_UInt of 6).
 enum class GraphicsFormat
 {
@@ -161,7 +161,8 @@ enum class GraphicsFormat
     D16_UNorm_S8_UInt = 151
 };
 
-/// The older names, as render features still write them. Unity: UnityEngine.RenderTextureFormat.
+/// The older names of texel formats, which render features still use.
+/// Unity: UnityEngine.RenderTextureFormat.
 enum class RenderTextureFormat
 {
     ARGB32 = 0,
@@ -189,13 +190,13 @@ enum class RenderTextureFormat
     RG32 = 23,
     RGBAUShort = 24,
     RG16 = 25,
-    BGRA10101010_XR = 26, ///< refused, as the next one: there is no such picture
-    BGR101010_XR = 27,    ///< refused
+    BGRA10101010_XR = 26, ///< not accepted, nor is the next one: there is no such picture
+    BGR101010_XR = 27,    ///< not accepted
     R16 = 28
 };
 
-/// Names of what textures are made from; values are Unity's. Unity: UnityEngine.TextureFormat
-/// (2022.3).
+/// Names of the formats that textures are made of, with Unity's values.
+/// Unity: UnityEngine.TextureFormat (2022.3).
 enum class TextureFormat
 {
     Alpha8 = 1,
@@ -227,11 +228,11 @@ enum class TextureFormat
     RGBA64 = 74
 };
 
-/// Whether ARGB32 texels are sRGB-encoded; other formats never are.
+/// Selects whether ARGB32 texels are sRGB-encoded; other formats never are.
 /// Unity: UnityEngine.RenderTextureReadWrite.
 enum class RenderTextureReadWrite
 {
-    Default = 0, ///< they are: the project's colour space is Linear
+    Default = 0, ///< sRGB-encoded, since the project's colour space is Linear
     Linear = 1,
     sRGB = 2
 };
@@ -251,31 +252,32 @@ enum class TextureWrapMode
     MirrorOnce = 3
 };
 
-/// The format an older name stands for; ARGB32 and BGRA32 are sRGB-encoded only where `sRGB` says
-/// so, Depth is D32_SFloat.
+/// Returns the format that an older name stands for; ARGB32 and BGRA32 are sRGB-encoded only if
+/// `sRGB` is true, Depth is D32_SFloat.
 GraphicsFormat ToGraphicsFormat(RenderTextureFormat format, bool sRGB = false);
-/// The same of a texture's; sRGB-encoded are those of 8 bits a component that have a colour, and
-/// compressed ones. None for the two that no GraphicsFormat stands for.
+/// Returns the format that a texture's format stands for. With `sRGB`, those of 8 bits per
+/// component that have a colour are sRGB-encoded, and compressed ones if there is such a format.
+/// Returns None for the two that no GraphicsFormat stands for.
 GraphicsFormat ToGraphicsFormat(TextureFormat format, bool sRGB);
 
-/// Why no texture can be of this format, and which one would do: "is compressed; R8G8B8A8_SRGB
-/// would do". Empty if one can; the device may still lack it, as SystemInfo::IsFormatSupported
-/// tells.
+/// Returns why no texture can be of this format, and which one would do: "is compressed;
+/// R8G8B8A8_SRGB would do". Returns an empty string if one can; the device may still lack it, which
+/// SystemInfo::IsFormatSupported tells.
 std::string GraphicsFormatProblem(GraphicsFormat format);
 
-/// What a depth texture of this format is made as, whatever the device: D32_SFloat, or
-/// D32_SFloat_S8_UInt where it has a stencil. Any other format is itself.
+/// Returns the format as which a depth texture of this format is made on every device: D32_SFloat,
+/// or D32_SFloat_S8_UInt if it has a stencil. Any other format is returned as it is.
 GraphicsFormat MadeFormat(GraphicsFormat format);
 
-/// Bytes of one texel in memory; D32_SFloat_S8_UInt takes 8.
-/// @throws ContractError for None and what no texture can be of
+/// Returns the bytes of one texel in memory; D32_SFloat_S8_UInt takes 8.
+/// @throws ContractError for None and formats that no texture can have
 int BytesPerTexel(GraphicsFormat format);
 
-/// How many components a texel has, 1...4; depth and stencil are one each.
-/// @throws ContractError for None and what no texture can be of
+/// Returns the number of components of a texel, 1...4; depth and stencil are one each.
+/// @throws ContractError for None and formats that no texture can have
 int ChannelCount(GraphicsFormat format);
 
-/// Whether it is bound as depth or stencil.
+/// Returns whether the format is bound as depth or stencil.
 constexpr bool IsDepthFormat(GraphicsFormat format)
 {
     return (format >= GraphicsFormat::D16_UNorm && format <= GraphicsFormat::S8_UInt) ||
@@ -285,12 +287,12 @@ constexpr bool IsDepthFormat(GraphicsFormat format)
 /// Unity: GraphicsFormatUtility.IsSRGBFormat.
 bool IsSRGBFormat(GraphicsFormat format);
 
-/// What shaders have to take a texel's components for. Texels of integers are neither filtered nor
-/// blended; a clear writes the integers nearest to its colour's components.
-/// @throws ContractError for None and what no texture can be of
+/// Returns the type that shaders must use for a texel's components. Texels of integers are neither
+/// filtered nor blended; a clear writes the integers nearest to its colour's components.
+/// @throws ContractError for None and formats that no texture can have
 UniformType ComponentType(GraphicsFormat format);
 
-/// Whether the format holds a stencil.
+/// Returns whether the format has a stencil.
 constexpr bool HasStencil(GraphicsFormat format)
 {
     return format == GraphicsFormat::D24_UNorm_S8_UInt ||
@@ -298,7 +300,7 @@ constexpr bool HasStencil(GraphicsFormat format)
            format == GraphicsFormat::D16_UNorm_S8_UInt;
 }
 
-/// Unity's spelling, e.g. "R8_UNorm".
+/// Returns Unity's spelling, e.g. "R8_UNorm".
 const char* ToString(GraphicsFormat format);
 
 } // namespace limn

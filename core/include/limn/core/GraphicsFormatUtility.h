@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// Questions about formats. Where Unity's answer depends on the platform, it is the one of what
-/// limn makes. Unity: UnityEngine.Experimental.Rendering.GraphicsFormatUtility (2022.3).
+/// Questions about formats. If Unity's answer depends on the platform, the answer here is about
+/// what limn makes. Unity: UnityEngine.Experimental.Rendering.GraphicsFormatUtility (2022.3).
 namespace GraphicsFormatUtility
 {
 
@@ -20,47 +20,54 @@ inline GraphicsFormat GetGraphicsFormat(RenderTextureFormat format,
 {
     return ToGraphicsFormat(format, readWrite != RenderTextureReadWrite::Linear);
 }
-/// None for TextureFormat::ARGB32 and ARGB4444.
+/// Returns the format that a texture's format stands for; None for TextureFormat::ARGB32 and
+/// ARGB4444.
 inline GraphicsFormat GetGraphicsFormat(TextureFormat format, bool isSRGB)
 {
     return ToGraphicsFormat(format, isSRGB);
 }
-/// The older name that stands for the format or its sRGB-encoded pair; Default where there is none.
+/// Returns the older name that stands for the format or its sRGB-encoded pair; Default if there is
+/// none.
 RenderTextureFormat GetRenderTextureFormat(GraphicsFormat format);
-/// The one of Unity's two numbers that has so many bits of both at least; None for no bits.
+/// Returns a format with at least this many bits of both: D32_SFloat, or D32_SFloat_S8_UInt if
+/// there are bits of stencil; None for no bits.
 /// @throws ContractError for negative numbers, more than 32 bits of depth or 8 of stencil
 GraphicsFormat GetDepthStencilFormat(int minimumDepthBits, int minimumStencilBits);
-/// The same with a stencil for more than 16 bits, as RenderTextureDescriptor::depthBufferBits.
+/// Returns a depth-stencil format, with a stencil for more than 16 bits, as
+/// RenderTextureDescriptor::depthBufferBits does.
 GraphicsFormat GetDepthStencilFormat(int minimumDepthBits);
-int GetDepthBits(GraphicsFormat format); ///< that the format's name says; 0 for others
+int GetDepthBits(GraphicsFormat format); ///< the bits in the format's name; 0 for other formats
 
-/// The pair of a format with or without sRGB-encoded texels; itself where it has none.
+/// Returns the pair of a format with or without sRGB-encoded texels, or the format itself if it has
+/// none.
 GraphicsFormat GetSRGBFormat(GraphicsFormat format);
 GraphicsFormat GetLinearFormat(GraphicsFormat format);
 
-/// Unity's spelling.
+/// Returns Unity's spelling of a format.
 inline std::string GetFormatString(GraphicsFormat format)
 {
     return ToString(format);
 }
 
-/// Components of a texel of any format, a compressed one's too; depth and stencil are none.
+/// Returns the number of components of a texel of any format, also of a compressed one; depth and
+/// stencil count as none.
 std::uint32_t GetComponentCount(GraphicsFormat format);
 std::uint32_t GetColorComponentCount(GraphicsFormat format); ///< without alpha
 std::uint32_t GetAlphaComponentCount(GraphicsFormat format); ///< 0 or 1
 bool HasAlphaChannel(GraphicsFormat format);
 
-// Texels a side and bytes of a block; of what is not compressed, of one texel.
+// These return the texels per side and the bytes of a block; for a format that is not compressed, a
+// block is one texel.
 std::uint32_t GetBlockWidth(GraphicsFormat format);
 std::uint32_t GetBlockHeight(GraphicsFormat format);
 /// @throws ContractError for None and formats that leave the choice to Unity
 std::uint32_t GetBlockSize(GraphicsFormat format);
-/// Bytes of a picture of that format, in whole blocks.
+/// Returns the bytes of a picture of this format, in whole blocks.
 std::uint32_t ComputeMipmapSize(int width, int height, GraphicsFormat format);
 
 bool IsDepthFormat(GraphicsFormat format);        ///< it has a depth
 bool IsStencilFormat(GraphicsFormat format);      ///< it has a stencil
-bool IsDepthStencilFormat(GraphicsFormat format); ///< it has one of both
+bool IsDepthStencilFormat(GraphicsFormat format); ///< it has a depth and a stencil
 inline bool IsSRGBFormat(GraphicsFormat format)
 {
     return limn::IsSRGBFormat(format);
@@ -68,8 +75,8 @@ inline bool IsSRGBFormat(GraphicsFormat format)
 bool IsCompressedFormat(GraphicsFormat format);
 bool IsPackedFormat(GraphicsFormat format); ///< several components share bytes
 bool IsHalfFormat(GraphicsFormat format);
-bool IsFloatFormat(GraphicsFormat format);   ///< of 32 bits a component
-bool IsIEEE754Format(GraphicsFormat format); ///< one of these two
+bool IsFloatFormat(GraphicsFormat format);   ///< of 32 bits per component
+bool IsIEEE754Format(GraphicsFormat format); ///< half or float
 bool IsIntegerFormat(GraphicsFormat format);
 bool IsUIntFormat(GraphicsFormat format);
 bool IsSIntFormat(GraphicsFormat format);

@@ -30,11 +30,11 @@ struct EnumEntry
     int value = 0;
 };
 
-/// One sentence for the user, of settings where a name would look like a default.
+/// A tooltip: one sentence for the user, for settings where a name would look like a default.
 struct TooltipText
 {
-    /// A shader's name, "Hidden/Blur", which no word in lower case tells from one, does not
-    /// compile.
+    /// Does not compile for a shader's name such as "Hidden/Blur". A text counts as one if it has a
+    /// slash and none of its words begins in lower case.
     template <std::size_t Size>
     consteval TooltipText(const char (&words)[Size]) : text(words)
     {
@@ -55,11 +55,11 @@ struct TooltipText
     std::string_view text;
 };
 
-/// What a person is told about a setting.
+/// The description of a setting for the user.
 struct FieldInfo
 {
-    std::string_view name;                          ///< the serialised one, Unity's ("m_LayerMask")
-    std::string_view tooltip;                       ///< one sentence for the user
+    std::string_view name;    ///< the serialised name, Unity's ("m_LayerMask")
+    std::string_view tooltip; ///< one sentence for the user
     std::optional<ValueRange> range = std::nullopt; ///< of a number; none: any number
 };
 
@@ -70,36 +70,37 @@ struct EnumValue
     std::span<const EnumEntry> entries;
 };
 
-/// The index 0...31 of a rendering layer; may be given by the layer's name.
+/// The index 0...31 of a rendering layer; it may be given by the layer's name.
 struct RenderingLayerValue
 {
     int& value;
 };
 
-/// A setting, to be read or written where it is.
+/// A pointer to a setting, to read or write it in place.
 using FieldValue = std::variant<bool*, int*, std::uint32_t*, float*, Color*, glm::vec4*, LayerMask*,
                                 RenderingLayerMask*, RenderPassEvent*, std::string*,
                                 std::vector<std::string>*, std::shared_ptr<const Shader>*,
                                 std::shared_ptr<const Material>*, EnumValue, RenderingLayerValue>;
 
-/// What a feature's settings are told to, one by one, in the order a person should see them: a
-/// loader writes them, a printer reads them. The counterpart of Unity's [Header], [Range],
-/// [Tooltip] and [SerializeField]. A field's default is the value it has before anything is loaded.
+/// Receives a feature's settings one by one, in the order in which a person should see them: a
+/// loader writes them, a printer reads them. It is the counterpart of Unity's [Header], [Range],
+/// [Tooltip] and [SerializeField]. The default of a field is the value that it has before anything
+/// is loaded.
 class Inspector
 {
 public:
     virtual ~Inspector() = default;
 
-    /// A title over the fields that follow. Unity: [Header].
+    /// Begins a section with a title over the fields that follow. Unity: [Header].
     virtual void Header(std::string_view) {}
 
-    /// What every other Field comes down to.
+    /// Receives one setting; every other overload calls this one.
     virtual void Field(const FieldInfo& field, FieldValue value) = 0;
 
-    /// Fields until EndGroup are members of one setting: `stencilSettings: {stencilReference: 1}`,
-    /// "stencilSettings.stencilReference" on a command line. Groups may hold groups. Unity: a field
-    /// whose type is a [Serializable] class. A class that Describe does not group may still stand
-    /// in files: its members are then read as if they stood beside it.
+    /// Begins a group: the fields until EndGroup are members of one setting: `stencilSettings:
+    /// {stencilReference: 1}`, "stencilSettings.stencilReference" on a command line. Groups may
+    /// hold groups. Unity: a field whose type is a [Serializable] class. Files may also have a
+    /// class that Describe does not group: its members are then read as if they stood beside it.
     virtual void BeginGroup(std::string_view) {}
     virtual void EndGroup() {}
 
@@ -115,12 +116,13 @@ public:
             Field({name, tooltip}, &value);
         }
     }
-    /// A default is what the member begins with: `Shader.Find` in Create, or the file.
+    /// Receives a shader. Its default is the value of the member at the beginning; `Shader.Find` in
+    /// Create or the file sets it otherwise.
     void Field(std::string_view name, std::shared_ptr<const Shader>& value, TooltipText tooltip)
     {
         Field({name, tooltip.text}, &value);
     }
-    /// A material whose properties the feature may set, for all that use it, as in Unity.
+    /// Receives a material whose properties the feature may set, for all that use it, as in Unity.
     void Field(std::string_view name, std::shared_ptr<Material>& value, TooltipText tooltip)
     {
         std::shared_ptr<const Material> material = value;
@@ -158,7 +160,8 @@ public:
     }
 };
 
-/// All members of RenderPassEvent, CompareFunction and StencilOp, for settings of these types.
+/// Return all members of RenderPassEvent, CompareFunction and StencilOp, for settings of these
+/// types.
 std::span<const EnumEntry> RenderPassEventEntries();
 std::span<const EnumEntry> CompareFunctionEntries();
 std::span<const EnumEntry> StencilOpEntries();

@@ -11,34 +11,34 @@ namespace limn
 class Material;
 class Shader;
 
-/// Why a renderer is drawn or not by one DrawRenderers call. The rules are tried in this order and
-/// the first that rejects is named.
+/// The verdict of one DrawRenderers call on a renderer: why it is drawn or not. The rules are tried
+/// in this order, and the first that rejects is named.
 enum class FilterVerdict
 {
     Drawn,
     QueueOutOfRange,        ///< material's render queue outside FilteringSettings::renderQueueRange
     LayerMaskMiss,          ///< game object's layer not in layerMask
     RenderingLayerMaskMiss, ///< no common bit with renderingLayerMask
-    NoMatchingPass          ///< no pass of any of the LightMode tags, or those are off
+    NoMatchingPass          ///< no pass has any of the LightMode tags, or those passes are off
 };
 inline constexpr int k_FilterVerdictCount = 5;
 
-/// "layer mask", "render queue" ...: the rule in words.
+/// Returns the rule in words: "layer mask", "render queue" ...
 const char* ToString(FilterVerdict verdict);
 
-/// What filtering looks at of one (renderer, material) pair.
+/// The properties of a pair of renderer and material that filtering looks at.
 struct FilterItem
 {
     int renderQueue = 2000;                   ///< the material's, 0...5000
     int layer = 0;                            ///< the game object's, 0...31
     RenderingLayerMask renderingLayerMask{1}; ///< the renderer's
     const Shader* shader = nullptr;           ///< the material's; never null when judged
-    const Material* material = nullptr;       ///< may switch passes off; null = it does not
+    const Material* material = nullptr;       ///< may switch passes off; may be null
 
     bool operator==(const FilterItem&) const = default;
 };
 
-/// Queue and masks only: the part of Judge that needs no shader.
+/// Judges queue and masks only: the part of Judge that needs no shader.
 constexpr FilterVerdict JudgeMasks(const FilterItem& item, const FilteringSettings& filtering)
 {
     if (!filtering.renderQueueRange.Contains(item.renderQueue))
@@ -56,16 +56,16 @@ constexpr FilterVerdict JudgeMasks(const FilterItem& item, const FilteringSettin
     return FilterVerdict::Drawn;
 }
 
-/// Whether one item is drawn by a DrawRenderers call, and if not, by which rule. Pure; the draw
-/// path asks the same function.
+/// Returns the verdict of a DrawRenderers call on one item: it is drawn, or the first rule that
+/// rejects it. It is a pure function; the draw path calls the same one.
 FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,
                     const DrawingSettings& drawing);
 
-/// How many items each rule decided.
+/// The number of items that each rule decided, by FilterVerdict.
 using FilterCounts = std::array<int, k_FilterVerdictCount>;
 
-/// "0 of 214 renderers drawn: 201 layer mask, 13 render queue", followed by what is suspicious in
-/// the filter itself, e.g. "; the filter's layerMask is 0 (Nothing)".
+/// Returns a summary such as "0 of 214 renderers drawn: 201 layer mask, 13 render queue", followed
+/// by what is suspicious in the filter itself, e.g. "; the filter's layerMask is 0 (Nothing)".
 std::string Describe(const FilterCounts& counts, const FilteringSettings& filtering);
 
 } // namespace limn

@@ -10,8 +10,8 @@ namespace limn
 namespace detail
 {
 
-/// A set of 32 named bits. `Tag` keeps layer masks and rendering-layer masks apart: swapping the
-/// two does not compile, and neither does passing a plain number.
+/// A set of 32 named bits. `Tag` keeps layer masks and rendering-layer masks apart: mixing them up
+/// does not compile, nor does passing a plain number.
 template <typename Tag>
 struct BitMask32
 {
@@ -20,7 +20,7 @@ struct BitMask32
     constexpr BitMask32() = default;
     constexpr explicit BitMask32(std::uint32_t value) : bits(value) {}
 
-    /// The mask with only bit `index` set.
+    /// Returns the mask with only bit `index` set.
     /// @throws ContractError outside 0...31 (C# would wrap 32 to bit 0 without a word)
     static constexpr BitMask32 FromIndex(int index)
     {
@@ -62,7 +62,7 @@ struct RenderingLayerTag
 /// A set of layers; an object is in exactly one layer, 0...31. Unity: UnityEngine.LayerMask.
 using LayerMask = detail::BitMask32<detail::LayerTag>;
 
-/// A set of rendering layers; a renderer may be in any number, a new one is in bit 0.
+/// A set of rendering layers. A renderer may be in any number of them; a new one is in layer 0.
 /// Unity: UnityEngine.RenderingLayerMask (6000), the uint renderingLayerMask of 2022.3.
 using RenderingLayerMask = detail::BitMask32<detail::RenderingLayerTag>;
 

@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// How many texels of the shadow map a soft shadow's rim is wide: 3, 5 or 7 and what lies between
+/// The width of a soft shadow's edge in texels of the shadow map: 3, 5 or 7 and the part between
 /// texels. Unity: UnityEngine.Rendering.Universal.SoftShadowQuality (URP 14).
 enum class SoftShadowQuality
 {
@@ -19,24 +19,27 @@ enum class SoftShadowQuality
     High = 3
 };
 
-/// The shadows of lights, for all scenes of a pipeline; the names without `m_` and the
-/// defaults are those of UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14),
-/// which begins without soft shadows.
+/// The shadow settings of a pipeline, for all its scenes. The names, without `m_`, and the defaults
+/// are those of UnityEngine.Rendering.Universal.UniversalRenderPipelineAsset (URP 14), which begins
+/// without soft shadows.
 struct ShadowSettings
 {
     bool mainLightShadowsSupported = true;
     int mainLightShadowmapResolution = 2048; ///< texels along a side of all cascades, 64...8192
-    /// Of spots and points, on one map. Unity's assets begin with false.
+    /// Switches the shadows of spot and point lights, which share one map. Unity's assets begin
+    /// with false.
     bool additionalLightShadowsSupported = true;
     int additionalLightsShadowmapResolution = 2048; ///< texels along a side of it, 64...8192
-    // Texels along a side of a square of it, of lights of each tier: a spot has one, a point six.
-    // The power of two at or below; where they have no room, all are halved until they do.
+    // The texels along a side of a square of that map, for lights of each tier. A spot light has
+    // one square, a point light six. The size is the power of two at or below the value; if the
+    // squares do not fit, all are halved until they do.
     int additionalLightsShadowResolutionTierLow = 256; ///< 16...8192, as the next two
     int additionalLightsShadowResolutionTierMedium = 512;
     int additionalLightsShadowResolutionTierHigh = 1024;
     float shadowDistance = 50.0f; ///< metres from the camera to where shadows end, >= 0
     int shadowCascadeCount = 1;   ///< 1...4
-    // Where the cascades but the last end, as shares of the distance, each above the one before.
+    // The places where the cascades but the last end, as shares of the distance, each above the one
+    // before.
     float cascade2Split = 0.25f;
     glm::vec2 cascade3Split{0.1f, 0.3f};
     glm::vec3 cascade4Split{0.067f, 0.2f, 0.467f};
@@ -57,7 +60,8 @@ enum class LightType
     Point = 2
 };
 
-/// How a light's shadows end: at once, or softly. Unity: UnityEngine.LightShadows.
+/// Selects whether a light has no shadows, shadows with hard edges, or with soft ones.
+/// Unity: UnityEngine.LightShadows.
 enum class LightShadows
 {
     None = 0,
@@ -65,7 +69,7 @@ enum class LightShadows
     Soft = 2
 };
 
-/// Which of ShadowSettings' resolutions a light's shadows have. Unity: the constants of
+/// Selects which of ShadowSettings' resolutions a light's shadows have. Unity: the constants of
 /// UnityEngine.Rendering.Universal.UniversalAdditionalLightData (URP 14).
 enum class AdditionalLightsShadowResolutionTier
 {
@@ -86,11 +90,12 @@ struct Light
     float spotAngle = 30.0f;    ///< degrees across, where a spot's light ends
     float innerSpotAngle = 21.80208f; ///< degrees across, up to where it is full
 
-    LightShadows shadows = LightShadows::None; ///< a directional one has none, as in URP
+    LightShadows shadows = LightShadows::None; ///< ignored for a directional light, as in URP
     float shadowStrength = 1.0f;               ///< 0...1: the share of its light that shadows take
     SoftShadowQuality softShadowQuality = SoftShadowQuality::UsePipelineSettings;
     float shadowNearPlane = 0.2f; ///< metres, 0.01 at least: where the shadow map's depth begins
-    /// The biases are the pipeline's, not those that follow. Unity: UniversalAdditionalLightData.
+    /// If true, the biases are the pipeline's, not the two that follow.
+    /// Unity: UniversalAdditionalLightData.
     bool usePipelineSettings = true;
     float shadowBias = 0.05f;      ///< texels of the shadow map, towards the light
     float shadowNormalBias = 0.4f; ///< texels, along the normal
@@ -99,11 +104,12 @@ struct Light
     int shadowResolution = 128; ///< of tier Custom: texels, as ShadowSettings has them
 };
 
-/// How many lights besides the main one shaders get. Unity: MAX_VISIBLE_LIGHTS of its small
-/// platforms; 256 elsewhere.
+/// The largest number of lights besides the main one that shaders get. Unity: MAX_VISIBLE_LIGHTS of
+/// its small platforms; 256 elsewhere.
 inline constexpr int k_MaxVisibleAdditionalLights = 32;
 
-/// How many of them an object may have. Unity: UniversalRenderPipeline.maxPerObjectLights (URP 14).
+/// The largest number of these lights that an object may have.
+/// Unity: UniversalRenderPipeline.maxPerObjectLights (URP 14).
 inline constexpr int k_MaxPerObjectLights = 8;
 
 } // namespace limn

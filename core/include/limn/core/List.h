@@ -10,9 +10,9 @@
 namespace limn
 {
 
-/// A std::vector with the members that lines of C# call, for those lines alone: wherever limn takes
-/// a std::vector or a std::span, it takes a List.
-/// .NET: System.Collections.Generic.List<T>.
+/// A std::vector with the members that lines of C# call, which exists for such lines only: wherever
+/// limn takes a std::vector or a std::span, it takes a List. .NET:
+/// System.Collections.Generic.List<T>.
 template <typename T>
 class List : public std::vector<T>
 {
@@ -36,13 +36,13 @@ public:
     }
     void Clear() { this->clear(); }
     bool Contains(const T& item) const { return IndexOf(item) >= 0; }
-    /// The first that is equal; -1 = none.
+    /// Returns the index of the first item that is equal; -1 = none.
     int IndexOf(const T& item) const
     {
         const auto found = std::find(this->begin(), this->end(), item);
         return found == this->end() ? -1 : static_cast<int>(found - this->begin());
     }
-    /// The first that is equal. @return whether there was one
+    /// Removes the first item that is equal. @return whether there was one
     bool Remove(const T& item)
     {
         const int index = IndexOf(item);

@@ -5,11 +5,11 @@
 namespace limn
 {
 
-/// The number 0 as it stands in the source, which C# makes a member of any enum by itself: for
-/// parameters and members that such a line is to compile with.
+/// The literal 0, which C# converts to any enum implicitly. Parameters and members have this type
+/// so that such lines compile.
 struct LiteralZero
 {
-    /// Does not compile for another number.
+    /// Does not compile for any other number.
     consteval LiteralZero(int zero)
     {
         if (zero != 0)
@@ -19,7 +19,7 @@ struct LiteralZero
     }
 };
 
-/// A member of an enum that 0 may be assigned to. Unity: any enum.
+/// An enum value to which 0 may be assigned. Unity: any enum.
 template <typename Enum>
 class ZeroOr
 {

@@ -25,17 +25,17 @@ enum class MaterialPropertyType
     ComputeBuffer = 6
 };
 
-/// A shader with values for its properties, the defaults of its Properties block to begin with.
-/// Values of names that the shader does not have are kept and do nothing, as in Unity; the report
-/// of a frame that draws with the material names those that were set in it. Unity:
-/// UnityEngine.Material (2022.3).
+/// A shader with values for its properties, which begin with the defaults of its Properties block.
+/// Values of names that the shader does not have are kept and have no effect, as in Unity; the
+/// report of a frame that draws with the material names those that were set in it.
+/// Unity: UnityEngine.Material (2022.3).
 class Material
 {
 public:
     /// @throws ContractError if shader is null
     explicit Material(std::shared_ptr<const Shader> shader, std::string name = {});
-    /// The values of `source` for another shader, whose own defaults fill in what `source` lacks:
-    /// what assigning Material.shader does in Unity.
+    /// Makes a material with the values of `source` for another shader, whose own defaults fill in
+    /// what `source` lacks, as assigning Material.shader does in Unity.
     /// @throws ContractError if shader is null
     Material(const Material& source, std::shared_ptr<const Shader> shader);
 
@@ -47,8 +47,8 @@ public:
     /// @throws ContractError if there is no such pass
     const std::string& GetPassName(int pass) const { return m_Shader->passName(pass); }
 
-    // Setting a value throws ContractError naming material and property if it is not finite, or an
-    // array without elements.
+    // Setting a value throws ContractError naming material and property if it is not finite or is
+    // an array without elements.
     void SetFloat(ShaderPropertyId id, float value) { Set(id, value); }
     void SetFloat(ShaderPropertyId id, detail::WholeNumber auto value)
     {
@@ -61,15 +61,15 @@ public:
     {
         SetVector(id, detail::ToVector4(value));
     }
-    /// @param value  sRGB; linear for the shader, unless the property is declared [HDR]: those are
-    ///               linear already
+    /// @param value  in sRGB; it is converted to linear for the shader, unless the property is
+    ///     declared [HDR]: those values are linear already
     void SetColor(ShaderPropertyId id, const Color& value);
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
-    // Arrays: as MaterialPropertyBlock's.
+    // Arrays behave as those of MaterialPropertyBlock.
     void SetFloatArray(ShaderPropertyId id, std::vector<float> v) { Set(id, std::move(v)); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
     void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> v) { Set(id, std::move(v)); }
-    /// Each as SetColor does it with one of no [HDR] property.
+    /// Sets an array of colours, each as SetColor sets a property that is not [HDR].
     void SetColorArray(ShaderPropertyId id, const std::vector<Color>& values);
     void SetTexture(ShaderPropertyId id, std::shared_ptr<const Texture> value)
     {
@@ -78,7 +78,7 @@ public:
     /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
     ///         that stands for
     void SetTexture(ShaderPropertyId id, const RTHandle& value);
-    // Buffers: as MaterialPropertyBlock's.
+    // Buffers behave as those of MaterialPropertyBlock.
     void SetBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
         Set(id, BufferRange{std::move(value), 0, 0});
@@ -88,36 +88,38 @@ public:
     {
         Set(id, ConstantRange(std::move(value), offset, size));
     }
-    const MaterialPropertyBlock& values() const { return m_Values; } ///< that were set, or declared
+    /// Returns the values that were set, or declared.
+    const MaterialPropertyBlock& values() const { return m_Values; }
     bool hasBuffers() const { return m_Values.hasBuffers(); }
-    /// Names that were set and that the shader's Properties block lacks; its programs may read
-    /// them.
+    /// Returns the names that were set and that the shader's Properties block lacks; its programs
+    /// may read them.
     const std::vector<ShaderPropertyId>& undeclared() const { return m_Undeclared; }
-    /// How a mesh's coordinates map to the texture `id`: what its shader reads as X_ST.
+    /// Sets how a mesh's coordinates map to the texture `id`; its shader reads that as X_ST.
     void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
     void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);
     const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
 
-    // What was set, or else the default of the shader's Properties block. Where there is neither,
-    // or it is of another kind, they throw ContractError naming material and property (Unity logs,
-    // and gives 0).
+    // These return the value that was set, or else the default of the shader's Properties block. If
+    // there is neither, or it is of another kind, they throw ContractError naming material and
+    // property (Unity logs, and gives 0).
     float GetFloat(ShaderPropertyId id) const;
     int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
     int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
-    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
-    /// What SetColor would be given for it: sRGB, or linear for an [HDR] property.
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders read it: a colour is linear
+    /// Returns the colour that SetColor would take for it: sRGB, or linear for an [HDR] property.
     Color GetColor(ShaderPropertyId id) const;
     glm::mat4 GetMatrix(ShaderPropertyId id) const;
-    // None where none was set, or something else.
+    // These return null or an empty array if none was set, or something else was.
     std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
     std::vector<float> GetFloatArray(ShaderPropertyId id) const;
     std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
     std::vector<Color> GetColorArray(ShaderPropertyId id) const; ///< sRGB, as SetColorArray's
     std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
-    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 where none was set
-    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 where none was set
+    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 if none was set
+    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 if none was set
 
-    // Whether the shader's Properties block has it, of this kind: what was only set does not count.
+    // These return whether the shader's Properties block has the property, of this kind: one that
+    // was only set does not count.
     bool HasProperty(ShaderPropertyId id) const;
     bool HasFloat(ShaderPropertyId id) const; ///< Float, Range or Int, as in Unity
     bool HasInt(ShaderPropertyId id) const { return HasFloat(id); }
@@ -125,11 +127,12 @@ public:
     bool HasColor(ShaderPropertyId id) const;
     bool HasVector(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
-    // A Properties block has none of these: whether one was set.
+    // A Properties block has none of these kinds, so these return whether one was set.
     bool HasMatrix(ShaderPropertyId id) const { return m_Values.HasMatrix(id); }
     bool HasBuffer(ShaderPropertyId id) const { return m_Values.HasBuffer(id); }
     bool HasConstantBuffer(ShaderPropertyId id) const { return m_Values.HasConstantBuffer(id); }
-    // What SetBuffer and SetConstantBuffer set; null = nothing. Unity's are handles.
+    // These return what SetBuffer and SetConstantBuffer set; null = nothing. Unity's functions
+    // return handles.
     std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const
     {
         return m_Values.GetBuffer(id);
@@ -138,11 +141,12 @@ public:
     {
         return HasConstantBuffer(id) ? GetBuffer(id) : nullptr;
     }
-    /// No effect: equal meshes and states become instances of one draw by themselves.
+    /// Has no effect: equal meshes and states become instances of one draw by themselves.
     bool enableInstancing = false;
 
-    // Those of the property with the attribute [MainColor] or [MainTexture], or else of _Color and
-    // _MainTex; getting throws as GetColor does. Unity: Material.color, mainTexture ... (2022.3).
+    // These get and set the property with the attribute [MainColor] or [MainTexture], or else
+    // _Color and _MainTex; getting throws as GetColor does. Unity: Material.color, mainTexture ...
+    // (2022.3).
     Color color() const { return GetColor(MainColorId()); }
     void SetColor(const Color& value) { SetColor(MainColorId(), value); }
     std::shared_ptr<const Texture> mainTexture() const { return GetTexture(MainTextureId()); }
@@ -152,7 +156,7 @@ public:
     glm::vec2 mainTextureOffset() const { return GetTextureOffset(MainTextureId()); }
     void SetMainTextureOffset(const glm::vec2& v) { SetTextureOffset(MainTextureId(), v); }
 
-    // Names of the shader's Properties block, in its order.
+    // These return names of the shader's Properties block, in its order.
     std::vector<std::string> GetPropertyNames(MaterialPropertyType type) const;
     std::vector<std::string> GetTexturePropertyNames() const
     {
@@ -160,32 +164,34 @@ public:
     }
     std::vector<ShaderPropertyId> GetTexturePropertyNameIDs() const;
 
-    /// What SetOverrideTag set, or else a tag of the shader's SubShader, in any case;
-    /// `defaultValue` where there is none.
+    /// Returns the value that SetOverrideTag set, or else a tag of the shader's SubShader, in any
+    /// case; `defaultValue` if there is none.
     /// @param searchFallbacks  no effect: the SubShader that is drawn with has them
     /// @source Unity: Material.GetTag (2022.3)
     std::string GetTag(std::string_view tag, bool searchFallbacks,
                        std::string_view defaultValue = {}) const;
 
-    /// For GetTag. @param val  empty: the shader's own again
+    /// Sets the value that GetTag returns.
+    /// @param val  empty: the shader's own value again
     /// @source Unity: Material.SetOverrideTag (2022.3)
     void SetOverrideTag(std::string_view tag, std::string_view val);
 
-    /// Values between those of two materials at t = 0 and 1: what both have as a float, a vector or
-    /// a colour. The rest stays. t is clamped.
+    /// Sets values between those of two materials at t = 0 and 1, for what both have as a float, a
+    /// vector or a colour. The rest stays. t is clamped.
     /// @source Unity: Material.Lerp (2022.3)
     void Lerp(const Material& start, const Material& end, float t);
 
-    /// The values of another material for the properties that both shaders have.
+    /// Copies the values of another material for the properties that both shaders have.
     /// @source Unity: Material.CopyMatchingPropertiesFromMaterial (2022.3)
     void CopyMatchingPropertiesFromMaterial(const Material& mat);
-    /// Takes over the values, keywords and render queue of another material, not its shader.
+    /// Copies the values, keywords and render queue of another material, not its shader.
     /// @source Unity: Material.CopyPropertiesFromMaterial (2022.3)
     void CopyPropertiesFromMaterial(const Material& mat);
 
-    /// Keywords choose the variant of each pass; the shader's initial keywords to begin with. One
-    /// that the shader does not have is kept and does nothing, as in Unity. One of a dynamic_branch
-    /// is a value that draws bring along: toggling it compiles nothing.
+    /// Switches a keyword. Keywords choose the variant of each pass; they begin with the shader's
+    /// initial ones. A keyword that the shader does not have is kept and has no effect, as in
+    /// Unity. A keyword of a dynamic_branch is a value that draws pass to the shader: switching it
+    /// compiles nothing.
     void EnableKeyword(const std::string& keyword);
     void DisableKeyword(const std::string& keyword);
     bool IsKeywordEnabled(std::string_view keyword) const;
@@ -199,34 +205,37 @@ public:
     {
         value ? EnableKeyword(keyword) : DisableKeyword(keyword);
     }
-    /// Unity: Material.shaderKeywords. Sorted.
+    /// Returns the keywords that are on, sorted. Unity: Material.shaderKeywords.
     const std::vector<std::string>& shaderKeywords() const { return m_Keywords; }
-    /// The pass in the variant of these keywords, as Shader::Compile.
-    /// @param globalKeywords  that are on for all materials, sorted
+    /// Returns the pass in the variant of these keywords, as Shader::Compile does.
+    /// @param globalKeywords  the keywords that are on for all materials, sorted
     std::shared_ptr<const ShaderProgram>
     Compile(int passIndex, std::span<const std::string> globalKeywords = {}) const;
 
-    /// Whether renderers of this material are drawn with passes of this LightMode, as if its shader
-    /// had none otherwise. Only DrawRenderers and renderer lists look at it.
-    /// @param passName  a LightMode, in any case; one that the shader does not have does nothing
+    /// Switches whether renderers of this material are drawn with passes of this LightMode;
+    /// otherwise they are drawn as if its shader had none. Only DrawRenderers and renderer lists
+    /// look at it.
+    /// @param passName  a LightMode, in any case; one that the shader does not have has no effect
     /// @source Unity: Material.SetShaderPassEnabled (2022.3)
     void SetShaderPassEnabled(std::string_view passName, bool enabled);
     bool GetShaderPassEnabled(std::string_view passName) const;
-    /// The shader's first pass of this LightMode, or -1 where it has none or that is switched off.
+    /// Returns the shader's first pass of this LightMode, or -1 if it has none or that is switched
+    /// off.
     int FindEnabledPassByLightMode(ShaderTagId lightMode) const
     {
         const int pass = m_Shader->FindPassByLightMode(lightMode);
         return m_DisabledPasses.empty() || pass < 0 || isEnabled(pass) ? pass : -1;
     }
 
-    /// The queue filtering and sorting go by: the shader's unless set here.
+    /// Return the queue by which draws are filtered and sorted: the shader's unless it is set here.
     int rawRenderQueue() const { return m_RenderQueue; } ///< -1 = the shader's
     int renderQueue() const { return m_RenderQueue < 0 ? m_Shader->renderQueue() : m_RenderQueue; }
     /// @param queue  0...5000, or -1 for the shader's
     /// @throws ContractError outside these
     void SetRenderQueue(int queue);
 
-    /// Grows with every change; tells users of resolved values when to resolve again.
+    /// Returns a number that grows with every change, so that users of resolved values know when to
+    /// resolve them again.
     std::uint64_t version() const { return m_Version; }
 
 private:
@@ -252,11 +261,11 @@ private:
     std::uint64_t m_Version = 0;
 };
 
-/// A pass's state with the material's values in place of its property references; a name the
-/// material lacks is looked up in `globals`.
-/// @param readsGlobals  set to true if one was; null = nobody asks
+/// Returns a pass's state with the material's values in place of its property references; a name
+/// that the material lacks is looked up in `globals`.
+/// @param readsGlobals  set to true if a global was read; may be null
 /// @throws ContractError naming material, shader and property, if a value is missing or is no
-///         member of the enum
+///     member of the enum
 PipelineState ResolveState(const RenderState& state, const Material& material,
                            const MaterialPropertyBlock& globals, bool* readsGlobals = nullptr);
 

@@ -17,7 +17,7 @@
 namespace limn
 {
 
-/// The elements of an array property, a copy of what they are made of.
+/// The elements of an array property, copied from the values that it is made from.
 template <typename T>
 class PropertyArray
 {
@@ -38,26 +38,26 @@ private:
     std::vector<T, PooledAllocator<T>> m_Values;
 };
 
-/// What ComputeShader::SetFloats and SetInts set: components one behind the other in memory.
+/// The components that ComputeShader::SetFloats and SetInts set, which are consecutive in memory.
 struct ConsecutiveParams
 {
     std::variant<std::vector<float>, std::vector<int>> values;
     bool operator==(const ConsecutiveParams&) const = default;
 };
 
-/// A shader property's value. Color is sRGB and reaches the shader as linear; a vec4 goes as it is.
-/// No more than eleven kinds: up to there std::visit is a switch.
+/// The value of a shader property. A Color is sRGB and reaches the shader as linear; a vec4 is
+/// passed as it is. There must be no more than eleven kinds: up to there std::visit is a switch.
 using ShaderPropertyValue =
     std::variant<float, int, glm::vec4, Color, glm::mat4, PropertyArray<float>,
                  PropertyArray<glm::vec4>, PropertyArray<glm::mat4>, std::shared_ptr<const Texture>,
                  BufferRange, ConsecutiveParams>;
 
-/// A buffer for a cbuffer.
+/// Returns the range of a buffer for a cbuffer.
 /// @throws ContractError unless the offset is a multiple of 256, both are not negative, and the end
 ///         lies in the buffer
 BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size);
 
-/// Shader property values by name. Draws look values up in the block of the draw, then in the
+/// Values of shader properties by name. Draws look values up in the block of the draw, then in the
 /// material, then in the globals. Unity: UnityEngine.MaterialPropertyBlock (2022.3).
 class MaterialPropertyBlock
 {
@@ -76,7 +76,8 @@ public:
     }
     void SetColor(ShaderPropertyId id, const Color& value) { Set(id, value); } ///< sRGB
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
-    // A shader gets as many elements as both it and the array have; the rest of its own are 0.
+    // A shader gets as many elements as both its array and this one have; the rest of its own are
+    // 0.
     void SetFloatArray(ShaderPropertyId id, std::vector<float> v) { Set(id, std::move(v)); }
     void SetVectorArray(ShaderPropertyId id, std::vector<glm::vec4> v) { Set(id, std::move(v)); }
     void SetMatrixArray(ShaderPropertyId id, std::vector<glm::mat4> v) { Set(id, std::move(v)); }
@@ -87,36 +88,38 @@ public:
     /// @throws ContractError for a handle that wraps an identifier: only command buffers know what
     ///         that stands for
     void SetTexture(ShaderPropertyId id, const RTHandle& value);
-    /// What a StructuredBuffer or ByteAddressBuffer of this name reads.
+    /// Sets the buffer that a StructuredBuffer or ByteAddressBuffer of this name reads.
     void SetBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
         Set(id, BufferRange{std::move(value), 0, 0});
     }
-    /// A cbuffer of this name is read from the buffer, whatever its members are set to.
-    /// @param offset, size  bytes; the offset a multiple of 256, the size 0 up to the end
+    /// Makes the cbuffer of this name read from the buffer, whatever its members are set to.
+    /// @param offset, size  in bytes; the offset must be a multiple of 256; a size of 0 goes to the
+    ///     end
     void SetConstantBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value,
                            int offset, int size)
     {
         Set(id, ConstantRange(std::move(value), offset, size));
     }
     /// @throws ContractError naming the property, if a number is not finite or an array has no
-    ///         elements; so do all above
+    ///     elements; all functions above throw it, too
     void Set(ShaderPropertyId id, ShaderPropertyValue value);
-    /// Takes over all values of another block.
+    /// Sets all values of another block.
     void SetAll(const MaterialPropertyBlock& other);
 
-    /// The value, or null if none was set. Until the next change.
+    /// Returns the value, or null if none was set. The pointer is valid until the next change.
     const ShaderPropertyValue* Find(ShaderPropertyId id) const
     {
         const std::uint32_t place = FindPlace(id);
         return place != 0 ? &m_Values[place - 1] : nullptr;
     }
 
-    // What was set; zeros, an empty array or null where nothing was, or something of another kind.
+    // These return the value that was set; zeros, an empty array or null if nothing was set, or
+    // something of another kind.
     float GetFloat(ShaderPropertyId id) const;
     int GetInt(ShaderPropertyId id) const; ///< a float without its fraction
     int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
-    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders find it: a colour is linear
+    glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders read it: a colour is linear
     Color GetColor(ShaderPropertyId id) const;      ///< sRGB
     glm::mat4 GetMatrix(ShaderPropertyId id) const;
     std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
@@ -124,7 +127,7 @@ public:
     std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
     std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
 
-    // Whether one was set, of this kind.
+    // These return whether a value of this kind was set.
     bool HasProperty(ShaderPropertyId id) const { return Find(id) != nullptr; }
     bool HasFloat(ShaderPropertyId id) const;
     bool HasInt(ShaderPropertyId id) const;
@@ -134,11 +137,12 @@ public:
     bool HasMatrix(ShaderPropertyId id) const;
     bool HasTexture(ShaderPropertyId id) const;
     bool HasBuffer(ShaderPropertyId id) const;
-    bool HasConstantBuffer(ShaderPropertyId id) const; ///< one that is a cbuffer's
-    /// What SetBuffer or SetConstantBuffer set; null = nothing.
+    /// Returns whether a buffer is set for a cbuffer.
+    bool HasConstantBuffer(ShaderPropertyId id) const;
+    /// Returns the buffer that SetBuffer or SetConstantBuffer set; null = nothing.
     std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const;
 
-    /// Calls `function` with the name and value of each that was set.
+    /// Calls `function` with the name and value of each property that was set.
     template <typename Function>
     void ForEach(const Function& function) const
     {
@@ -149,10 +153,10 @@ public:
     }
 
     void Remove(ShaderPropertyId id);
-    /// Keeps the memory.
+    /// Removes all values and keeps the memory.
     void Clear();
     bool isEmpty() const { return m_Slots.empty(); }
-    bool hasBuffers() const { return m_HasBuffers; } ///< one was set since Clear
+    bool hasBuffers() const { return m_HasBuffers; } ///< returns whether one was set since Clear
 
 private:
     struct Slot
@@ -160,7 +164,7 @@ private:
         ShaderPropertyId id;
         std::uint32_t value = 0; ///< in m_Values
     };
-    /// One more than where the value is in m_Values; 0 = there is none.
+    /// Returns one more than the index of the value in m_Values; 0 = there is none.
     std::uint32_t FindPlace(ShaderPropertyId id) const
     {
         if (!m_Places.empty())
@@ -172,7 +176,7 @@ private:
             }
             return m_Places[at].value;
         }
-        // By halves, without branches: nothing foretells which way they go.
+        // This halves the range without branches, since nothing predicts which way they would go.
         const Slot* slot = m_Slots.data();
         for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
         {
@@ -186,17 +190,17 @@ private:
         return (id.value * 0x9E3779B1U >> 16U) & (m_Places.size() - 1);
     }
     void SetPlace(const Slot& slot);
-    void SetPlaces();          ///< all, in a table of the right size
+    void SetPlaces();          ///< sets all, in a table of the right size
     friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
-    /// As Set, of a value that is known to be finite.
+    /// Sets a value as Set does, if it is known to be finite.
     void Put(ShaderPropertyId id, const ShaderPropertyValue& value);
     void Put(ShaderPropertyId id, ShaderPropertyValue&& value);
     template <typename Value>
     void PutValue(ShaderPropertyId id, Value&& value);
 
     std::vector<Slot> m_Slots; ///< by id
-    /// This holds what FindPlace gives, in a table of a power of two that is half empty: an id is
-    /// where its bits say or behind, with no gap between. Small blocks have none.
+    /// A hash table for FindPlace, whose size is a power of two and which is half empty: an id is
+    /// at the place that its bits give, or behind it with no gap between. Small blocks have none.
     std::vector<Slot> m_Places;
     std::vector<ShaderPropertyValue> m_Values;
     bool m_HasBuffers = false;

@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// Unity's float functions by their names, so that C# lines go over as they are; where std:: does
-/// otherwise, the comment says what these do. Angles are radians.
+/// Unity's float functions under their names, so that lines of C# can be ported as they are. A
+/// comment documents a function that differs from the one of std::. Angles are in radians.
 /// Unity: UnityEngine.Mathf (2022.3).
 namespace Mathf
 {
@@ -18,7 +18,7 @@ inline constexpr float Deg2Rad = PI / 180.0f;
 inline constexpr float Rad2Deg = 180.0f / PI;
 inline constexpr float Infinity = std::numeric_limits<float>::infinity();
 inline constexpr float NegativeInfinity = -Infinity;
-/// The least float above 0 of any kind: C#'s float.Epsilon, not C++'s.
+/// The smallest float above 0, denormalised ones included: C#'s float.Epsilon, not C++'s.
 inline constexpr float Epsilon = std::numeric_limits<float>::denorm_min();
 
 inline float Sin(float x)
@@ -89,7 +89,7 @@ constexpr T Max(T a, T b)
 {
     return a > b ? a : b;
 }
-/// `minimum` wins where the two are the wrong way round; NaN stays.
+/// Returns x clamped to the range; `minimum` wins if the two are the wrong way round; NaN stays.
 template <typename T>
 constexpr T Clamp(T x, T minimum, T maximum)
 {
@@ -108,12 +108,14 @@ inline float Ceil(float x)
 {
     return std::ceil(x);
 }
-/// Halves go to the even neighbour: 0.5 is 0, 1.5 and 2.5 are 2.
+/// Returns the nearest whole number; halves go to the even neighbour: 0.5 gives 0, 1.5 and 2.5 give
+/// 2.
 inline float Round(float x)
 {
     return x - std::remainder(x, 1.0f);
 }
-/// What no int holds is the nearest int that there is, NaN is 0; undefined in C#.
+/// Returns the number as an int: the nearest int if none holds it, and 0 for NaN. C# leaves these
+/// undefined.
 inline int ToInt(float whole)
 {
     constexpr double k_Low = std::numeric_limits<int>::min();
@@ -133,13 +135,13 @@ inline int RoundToInt(float x)
     return ToInt(Round(x));
 }
 
-/// 1 for 0 too, and -1 below.
+/// Returns 1 for numbers from 0 on, and -1 below.
 constexpr float Sign(float x)
 {
     return x >= 0.0f ? 1.0f : -1.0f;
 }
 
-/// t is kept within 0...1.
+/// Interpolates between a and b; t is clamped to 0...1.
 constexpr float Lerp(float a, float b, float t)
 {
     return a + (b - a) * Clamp01(t);
@@ -148,12 +150,13 @@ constexpr float LerpUnclamped(float a, float b, float t)
 {
     return a + (b - a) * t;
 }
-/// Where x lies between the two, 0...1; 0 where they are equal.
+/// Returns the place of x between the two, 0...1; 0 if they are equal.
 constexpr float InverseLerp(float a, float b, float x)
 {
     return a == b ? 0.0f : Clamp01((x - a) / (b - a));
 }
-/// From one value to another: not HLSL's smoothstep, which takes the ends of x.
+/// Interpolates smoothly from one value to another. It is not HLSL's smoothstep, which takes the
+/// ends of x.
 constexpr float SmoothStep(float from, float to, float t)
 {
     const float x = Clamp01(t);
@@ -165,7 +168,7 @@ inline float MoveTowards(float current, float target, float maxDelta)
     return std::abs(target - current) <= maxDelta ? target
                                                   : current + Sign(target - current) * maxDelta;
 }
-/// x modulo `length`, never below 0.
+/// Returns x modulo `length`, which is never below 0.
 inline float Repeat(float x, float length)
 {
     return Clamp(x - std::floor(x / length) * length, 0.0f, length);
@@ -174,7 +177,8 @@ inline float PingPong(float x, float length)
 {
     return length - std::abs(Repeat(x, 2.0f * length) - length);
 }
-/// The two differ by at most a millionth of the larger one, or by eight times Epsilon.
+/// Returns whether the two differ by at most a millionth of the larger one, or by eight times
+/// Epsilon.
 inline bool Approximately(float a, float b)
 {
     return std::abs(b - a) < Max(1e-6f * Max(std::abs(a), std::abs(b)), Epsilon * 8.0f);
@@ -184,7 +188,7 @@ constexpr bool IsPowerOfTwo(int x)
 {
     return x > 0 && (x & (x - 1)) == 0;
 }
-/// The least power of two that is at least x; 0 for what is not above 0 or above 2^30.
+/// Returns the least power of two that is at least x; 0 if x is not above 0 or is above 2^30.
 constexpr int NextPowerOfTwo(int x)
 {
     if (x <= 0 || x > (1 << 30))

@@ -33,7 +33,7 @@ enum class IndexFormat
     UInt32 = 1
 };
 
-/// The triangles of one material slot: a run of the index list.
+/// The triangles of one material slot: a range of the index list.
 struct SubMesh
 {
     std::uint32_t indexStart = 0;
@@ -42,9 +42,10 @@ struct SubMesh
     bool operator==(const SubMesh&) const = default;
 };
 
-/// The arrays a mesh is made from. Each but `vertices` may be empty; otherwise it has one element a
-/// vertex. Left-handed, metres, clockwise triangles face the viewer. A tangent's w is +-1, so that
-/// cross(normal, tangent.xyz) * w points up in the picture (to smaller v), as normal maps want.
+/// The arrays that a mesh is made from. Each but `vertices` may be empty; otherwise it has one
+/// element per vertex. Space is left-handed and in metres; clockwise triangles face the viewer. A
+/// tangent's w is +-1, so that cross(normal, tangent.xyz) * w points up in the picture (to smaller
+/// v), as normal maps need.
 struct MeshData
 {
     std::vector<glm::vec3> vertices;
@@ -52,20 +53,21 @@ struct MeshData
     std::vector<glm::vec4> tangents; ///< xyz unit length, towards larger u
     std::vector<glm::vec4> colors;   ///< linear RGBA
     std::vector<glm::vec2> uv;       ///< v = 0 at the bottom of the picture, as in Unity
-    // More channels, read as TEXCOORD1 to TEXCOORD6: up to four numbers each, whatever they mean.
+    // These are further channels, which shaders read as TEXCOORD1 to TEXCOORD6: up to four numbers
+    // each, with any meaning.
     std::vector<glm::vec4> uv2;
     std::vector<glm::vec4> uv3;
     std::vector<glm::vec4> uv4;
     std::vector<glm::vec4> uv5;
     std::vector<glm::vec4> uv6;
     std::vector<glm::vec4> uv7;
-    /// A spare channel, read as TEXCOORD7. Unity: mesh.SetUVs(7, ...), called uv8.
+    /// A spare channel, which shaders read as TEXCOORD7. Unity: mesh.SetUVs(7, ...), called uv8.
     /// BakeOutlineNormals fills it.
     std::vector<glm::vec3> uv8;
-    std::vector<std::uint32_t> triangles; ///< three vertex indices a triangle
+    std::vector<std::uint32_t> triangles; ///< three vertex indices per triangle
     std::vector<SubMesh> subMeshes;       ///< empty = one over all of `triangles`
 
-    /// Of four bytes each, as Unity's editor paints them: linear, 255 = 1.
+    /// Sets the colours from four bytes each, as Unity's editor paints them: linear, 255 = 1.
     /// @source Unity: Mesh.colors32, Mesh.SetColors(List<Color32>) (2022.3)
     void SetColors(const std::vector<Color32>& inColors)
     {
@@ -87,12 +89,12 @@ public:
     ///         indices is no multiple of three, a sub-mesh leaves the list, a number is not finite
     Mesh(std::string name, MeshData data);
 
-    /// Unique in the process.
+    /// Returns a number that is unique in the process.
     std::uint64_t id() const { return m_Id; }
     const std::string& name() const { return m_Name; }
     const MeshData& data() const { return m_Data; }
     int subMeshCount() const { return static_cast<int>(m_Data.subMeshes.size()); }
-    /// Of a sub-mesh, as DrawMeshInstancedIndirect wants them.
+    /// Return the numbers of a sub-mesh that DrawMeshInstancedIndirect needs.
     /// @throws std::out_of_range if there is no such sub-mesh
     std::uint32_t GetIndexCount(int submesh) const { return subMesh(submesh).indexCount; }
     std::uint32_t GetIndexStart(int submesh) const { return subMesh(submesh).indexStart; }
@@ -108,9 +110,9 @@ public:
     {
         return m_Data.subMeshes.at(static_cast<std::size_t>(index));
     }
-    /// In object space.
+    /// Returns the bounds in object space.
     const Bounds& bounds() const { return m_Bounds; }
-    /// Of a sphere around the centre of bounds() that holds all vertices.
+    /// Returns the radius of a sphere around the centre of bounds() that holds all vertices.
     float boundingRadius() const { return m_BoundingRadius; }
 
 private:
@@ -121,19 +123,19 @@ private:
     float m_BoundingRadius = 0.0f;
 };
 
-/// An array of MeshData, as a vertex function reads it.
+/// An array of MeshData as a vertex function reads it.
 struct VertexAttribute
 {
     std::string_view semantic;    ///< "TEXCOORD0"
-    std::string_view array;       ///< MeshData's name of it: "uv"
-    std::size_t components;       ///< floats a vertex
-    std::array<float, 4> missing; ///< what a mesh that lacks the array gives
+    std::string_view array;       ///< its name in MeshData: "uv"
+    std::size_t components;       ///< floats per vertex
+    std::array<float, 4> missing; ///< the value for a mesh that lacks the array
     std::span<const float> (*values)(const MeshData& data);
 };
 
 inline constexpr std::size_t k_VertexAttributeCount = 12;
 
-/// All arrays of MeshData but the indices.
+/// Returns all arrays of MeshData but the indices.
 const std::array<VertexAttribute, k_VertexAttributeCount>& VertexAttributes();
 
 } // namespace limn

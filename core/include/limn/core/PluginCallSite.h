@@ -9,25 +9,28 @@
 namespace limn
 {
 
-/// A type's name as C++ writes it, without the namespace limn.
+/// Returns a type's name as C++ writes it, without the namespace limn.
 std::string TypeName(std::type_index type);
 
-/// A call into the code of whoever wrote a feature, a pass or a volume component.
+/// A call into the code of the author of a feature, a pass or a volume component.
 struct PluginCallSite
 {
-    const std::type_info& type; ///< whose member it is; in the module that defines the type
-    std::string_view name;      ///< the feature's, or the pass's profilingSampler's; "" = none
-    const char* member;         ///< "AddRenderPasses", "Execute" ...
-    /// That enqueued the pass, if it is one's and that is known. Lives during the call.
+    const std::type_info& type; ///< the type that has the member, in the module that defines it
+    /// The name of the feature, or of the pass's profilingSampler; "" = none.
+    std::string_view name;
+    const char* member; ///< "AddRenderPasses", "Execute" ...
+    /// The feature that enqueued the pass, if the call is a pass's and the feature is known. It
+    /// lives during the call.
     std::string_view featureOfPass = {};
-    const std::type_info* typeOfFeature = nullptr; ///< null where featureOfPass is not known
+    const std::type_info* typeOfFeature = nullptr; ///< null if featureOfPass is not known
 };
 
-/// Hears of an exception that such code let out, while it is being handled: it can throw another
-/// one in its place, which says whose code it is.
+/// Receives an exception that left an author's code, while it is being handled. It can throw
+/// another one in its place, which names the code.
 using PluginCodeListener = void (*)(const PluginCallSite& code);
 
-/// @param listener  in place of the one before; null = nobody
+/// Sets the listener of all calls.
+/// @param listener  replaces the listener before it; null = none
 void SetPluginCodeListener(PluginCodeListener listener);
 
 namespace detail
@@ -35,7 +38,7 @@ namespace detail
 void TellOfPluginCode(const PluginCallSite& code);
 }
 
-/// Calls `work`, which is such code; an exception goes through the listener.
+/// Calls `work`, which is an author's code; the listener receives its exceptions.
 template <typename Work>
 decltype(auto) RunPluginCode(const std::type_info& type, std::string_view name, const char* member,
                              Work&& work)

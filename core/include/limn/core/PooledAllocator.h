@@ -8,14 +8,15 @@ namespace limn
 namespace detail
 {
 
-/// Memory that the thread gave back before, where there is some of about this size.
+/// Returns memory that the thread gave back before, if there is some of about this size.
 void* TakePooled(std::size_t bytes);
-/// @param bytes  as it was taken
+/// @param bytes  the size with which the memory was taken
 void GivePooled(void* memory, std::size_t bytes) noexcept;
 
 } // namespace detail
 
-/// For what each frame makes anew: a frame like the one before asks the system for no memory.
+/// An allocator for what each frame makes anew: a frame like the one before asks the system for no
+/// memory.
 template <typename T>
 struct PooledAllocator
 {

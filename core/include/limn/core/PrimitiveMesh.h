@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// Unity's built-in shapes (UnityEngine.PrimitiveType), with its sizes, and a torus.
+/// The built-in shapes of Unity (UnityEngine.PrimitiveType), with its sizes, and a torus.
 enum class PrimitiveType
 {
     Sphere,   ///< diameter 1
@@ -21,14 +21,14 @@ enum class PrimitiveType
     Torus     ///< ring diameter 1, tube diameter 0.25, around y; limn's own
 };
 
-/// A new mesh with normals, tangents and uv, centred at the origin. Objects that are to be drawn as
-/// instances must share one. Texture v is 0 at the top of a shape, where Unity's is 1.
+/// Makes a mesh with normals, tangents and uv, centred at the origin. Objects that are to be drawn
+/// as instances must share one mesh. Texture v is 0 at the top of a shape, where Unity's is 1.
 std::shared_ptr<const Mesh> CreatePrimitive(PrimitiveType type);
 
-/// The type of a name as scene files write it ("cube", case-insensitive), if there is one.
+/// Returns the type of a name as scene files write it ("cube", case-insensitive), if there is one.
 std::optional<PrimitiveType> PrimitiveTypeFromName(std::string_view name);
 
-/// All names, lower case, for messages.
+/// Returns all names in lower case, for messages.
 std::vector<std::string_view> PrimitiveTypeNames();
 
 } // namespace limn

@@ -15,7 +15,7 @@ public:
     const std::string& name() const { return m_Name.name(); }
     SampleName sampleName() const { return m_Name; }
 
-    /// Opens and closes the group by hand; a ProfilingScope cannot forget the second.
+    /// Begins and ends the group by hand; a ProfilingScope cannot forget the end.
     void Begin(CommandBuffer& cmd) const { cmd.BeginSample(m_Name); }
     void End(CommandBuffer& cmd) const { cmd.EndSample(); }
 
@@ -23,8 +23,8 @@ private:
     SampleName m_Name;
 };
 
-/// Names everything that `cmd` records while the scope lives. The group may be executed in parts:
-/// the end is recorded into the same buffer.
+/// Names everything that `cmd` records while the scope lives. The buffer may be executed in parts
+/// within the scope: the end is recorded into the same buffer.
 /// Unity: UnityEngine.Rendering.ProfilingScope (core 14).
 class ProfilingScope
 {

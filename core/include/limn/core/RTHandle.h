@@ -17,22 +17,22 @@ namespace limn
 class RenderTargetIdentifier;
 class ScaledTexture;
 
-/// Of handles whose size follows the camera's: the part of a texture that is in use, which is all
-/// of it. Unity: UnityEngine.Rendering.RTHandleProperties (core 14).
+/// The sizes of handles that follow the camera's size: the part of a texture that is in use, which
+/// is all of it. Unity: UnityEngine.Rendering.RTHandleProperties (core 14).
 struct RTHandleProperties
 {
     glm::ivec2 previousViewportSize{1};     ///< texels; the camera's before this one
     glm::ivec2 previousRenderTargetSize{1}; ///< texels; equal to it
     glm::ivec2 currentViewportSize{1};      ///< texels; the camera's
     glm::ivec2 currentRenderTargetSize{1};  ///< texels; equal to it
-    /// What shaders multiply coordinates with: 1, as textures are never larger than what is in use.
+    /// The factor by which shaders multiply coordinates: 1, since textures are never larger than
+    /// the part in use.
     glm::vec4 rtHandleScale{1.0f};
 };
 
 /// A shared reference to a render texture, or a name that stands for one when a command buffer is
-/// executed, or none. Copies refer to the same texture, which lives as long as some handle to it;
-/// there is nothing to release by hand.
-/// Unity: UnityEngine.Rendering.RTHandle (core 14).
+/// executed, or empty. Copies refer to the same texture, which lives as long as some handle to it;
+/// nothing has to be released by hand. Unity: UnityEngine.Rendering.RTHandle (core 14).
 class RTHandle
 {
 public:
@@ -47,7 +47,7 @@ public:
     {
     }
 
-    /// Whose size follows the camera's: RTHandles::Alloc with a scale.
+    /// Makes a handle whose size follows the camera's: RTHandles::Alloc with a scale.
     explicit RTHandle(std::shared_ptr<ScaledTexture> texture) : m_Scaled(std::move(texture)) {}
 
     explicit operator bool() const
@@ -55,26 +55,28 @@ public:
         return m_Texture != nullptr || m_Identifier != nullptr || m_Scaled != nullptr;
     }
 
-    /// The texture; null for an empty handle and for one that wraps an identifier. One whose size
-    /// follows the camera's is made anew here when that has changed.
+    /// Returns the texture, or null for an empty handle and for one that wraps an identifier. If
+    /// the size follows the camera's and that has changed, this makes the texture anew.
     const std::shared_ptr<const RenderTexture>& rt() const
     {
         return m_Scaled ? ScaledToCamera() : m_Texture;
     }
-    /// Whether its size follows the camera's.
+    /// Returns whether the size follows the camera's.
     bool useScaling() const { return m_Scaled != nullptr; }
-    /// The factor of that; 0 for one that does not, or by a function (Unity: 1 then).
+    /// Returns the factor to the camera's size; 0 if the size does not follow it, or follows it by
+    /// a function (Unity: 1 then).
     glm::vec2 scaleFactor() const;
     bool isMSAAEnabled() const { return rt() && rt()->descriptor().msaaSamples > 1; }
-    /// The size for a camera of this one; of one that does not follow it, its own.
+    /// Returns the size for a camera of the size `refSize`, or the handle's own size if it does not
+    /// follow the camera's.
     glm::ivec2 GetScaledSize(const glm::ivec2& refSize) const;
     RTHandleProperties rtHandleProperties() const;
-    /// What stands for it in a command buffer; none for an empty handle.
+    /// Returns the identifier that stands for it in a command buffer; none for an empty handle.
     RenderTargetIdentifier nameID() const;
 
-    /// Lets go of the texture or identifier now.
+    /// Releases the texture or identifier now.
     void Release() { *this = RTHandle(); }
-    /// The same, for `m_Handle = nullptr`.
+    /// Releases the texture or identifier, for `m_Handle = nullptr`.
     RTHandle& operator=(std::same_as<std::nullptr_t> auto)
     {
         Release();
@@ -101,26 +103,27 @@ namespace RTHandles
 RTHandle Alloc(const RenderTextureDescriptor& descriptor, FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
 
-/// The size of a texture from that of the camera, texels. Unity: ScaleFunc (core 14).
+/// Returns the size of a texture for the size of the camera, in texels. Unity: ScaleFunc (core 14).
 using ScaleFunc = std::function<glm::ivec2(const glm::ivec2& size)>;
 
-/// A texture as large as the camera times `scaleFactor`, rounded, and at least 1x1; the
-/// descriptor's size does not matter. When the camera's changes, it becomes another one of
-/// undefined contents. (Unity: it never shrinks, and shaders have to look up the part in use.) A
-/// handle of this kind is for one thread.
+/// Makes a texture as large as the camera times `scaleFactor`, rounded, and at least 1x1; the
+/// descriptor's size is ignored. When the camera's size changes, the handle gets another texture of
+/// undefined contents. (Unity: it never shrinks, and shaders must look up the part in use.) Only
+/// one thread may use a handle of this kind.
 /// @throws ContractError as RenderTexture does; for a factor that is not positive
 /// @source Unity: RTHandles.Alloc(Vector2, RenderTextureDescriptor, ...) (core 14)
 RTHandle Alloc(const glm::vec2& scaleFactor, const RenderTextureDescriptor& descriptor,
                FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
-/// The same by a function. @throws ContractError if it is empty
+/// Makes a texture whose size a function computes. @throws ContractError if the function is empty
 RTHandle Alloc(ScaleFunc scaleFunc, const RenderTextureDescriptor& descriptor,
                FilterMode filterMode = FilterMode::Point,
                TextureWrapMode wrapMode = TextureWrapMode::Repeat, std::string name = {});
-/// What those follow, texels; the pipeline says so for each camera that it renders. Of this thread.
+/// Sets the camera's size that those handles follow, in texels, for this thread. The pipeline calls
+/// it for each camera that it renders.
 /// @throws ContractError unless both are positive
 void SetReferenceSize(int width, int height);
-// For lines of C# that go over as they are.
+// These exist so that lines of C# can be ported as they are.
 inline void Initialize(int width, int height)
 {
     SetReferenceSize(width, height);
@@ -129,10 +132,10 @@ inline void ResetReferenceSize(int width, int height)
 {
     SetReferenceSize(width, height);
 }
-int maxWidth();  ///< texels: of the camera
-int maxHeight(); ///< texels: of the camera
+int maxWidth();  ///< texels, the camera's
+int maxHeight(); ///< texels, the camera's
 RTHandleProperties rtHandleProperties();
-/// Lets go of its texture.
+/// Releases the handle's texture.
 inline void Release(RTHandle& handle)
 {
     handle.Release();
@@ -140,7 +143,7 @@ inline void Release(RTHandle& handle)
 
 } // namespace RTHandles
 
-/// The arguments of ReAllocateIfNeeded that C# gives by name: `wrapMode: W, name: "_X"` is
+/// The arguments of ReAllocateIfNeeded that C# passes by name: `wrapMode: W, name: "_X"` is
 /// `{.wrapMode = W, .name = "_X"}`, in this order.
 struct ReAllocateArguments
 {
@@ -155,9 +158,9 @@ struct ReAllocateArguments
 namespace RenderingUtils
 {
 
-/// Makes `handle` a texture of this descriptor, filter, wrap mode and name, keeping the one it has
-/// where all of them match. Contents of a new texture are undefined. A size below 1 becomes 1, so
-/// that a half-size descriptor of a 1x1 camera still is a texture.
+/// Makes `handle` a texture of this descriptor, filter, wrap mode and name, and keeps the one that
+/// it has if all of them match. The contents of a new texture are undefined. A size below 1 becomes
+/// 1, so that a half-size descriptor of a 1x1 camera still gives a texture.
 /// @return true if the texture was replaced
 /// @throws ContractError as RenderTexture does; the handle then keeps what it has
 /// @source Unity: RenderingUtils.ReAllocateIfNeeded (URP 14)
@@ -165,7 +168,7 @@ bool ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,
                         FilterMode filterMode = FilterMode::Point,
                         TextureWrapMode wrapMode = TextureWrapMode::Repeat,
                         std::string_view name = {});
-/// The same with the arguments that Unity's call has.
+/// Does the same with all arguments of Unity's call.
 bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
                         const ReAllocateArguments& arguments);
 bool ReAllocateIfNeeded(RTHandle& handle, const RenderTextureDescriptor& descriptor,
@@ -192,7 +195,7 @@ inline bool ReAllocateHandleIfNeeded(RTHandle& handle, const RenderTextureDescri
 {
     return ReAllocateIfNeeded(handle, descriptor, arguments);
 }
-/// The same for one whose size follows the camera's.
+/// Does the same for a handle whose size follows the camera's.
 /// @source Unity: RenderingUtils.ReAllocateIfNeeded(ref RTHandle, Vector2, ...) (URP 14)
 bool ReAllocateIfNeeded(RTHandle& handle, const glm::vec2& scaleFactor,
                         const RenderTextureDescriptor& descriptor,

@@ -15,14 +15,15 @@ namespace limn
 
 class Material;
 
-// What a CommandBuffer records of kernels: it is looked at when the buffer is executed.
+// These are what a CommandBuffer records about kernels, which are looked up when the buffer is
+// executed.
 
 struct RecordedDispatch
 {
     std::shared_ptr<const ComputeShader> shader;
     int kernel = 0;
     std::array<std::uint32_t, 3> groups{};
-    BufferRange arguments; ///< with a buffer: it has the groups
+    BufferRange arguments; ///< if it has a buffer, that has the groups
 };
 
 struct SetComputeParamCommand
@@ -33,7 +34,7 @@ struct SetComputeParamCommand
     ShaderPropertyValue value;
 };
 
-/// All that a material has a value for.
+/// Sets all values that a material has.
 struct SetComputeParamsCommand
 {
     std::shared_ptr<ComputeShader> shader;
@@ -58,23 +59,24 @@ struct SetComputeKeywordCommand
 
 struct RendererListParams;
 
-/// A draw as recorded: the material is looked at when the buffer is executed.
+/// A draw as it is recorded: the material is read when the buffer is executed.
 struct RecordedDraw
 {
     std::shared_ptr<const Mesh> mesh; ///< null = procedural
     int subMesh = 0;
     std::uint32_t vertexCount = 0; ///< procedural
-    glm::dmat4 matrix{1.0}; ///< in double: far away from the world's origin a float is coarse
+    glm::dmat4 matrix{1.0}; ///< in double, since a float is coarse far away from the world's origin
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
     std::uint32_t properties = k_NoProperties; ///< for CommandBuffer::PropertiesOf
     RenderingLayerMask renderingLayers{1};
     std::uint32_t instanceCount = 1; ///< procedural
     MeshTopology topology = MeshTopology::Triangles;
-    bool isBlit = false; ///< its mesh covers the target: what the pass promises of that holds
-    /// Its instances share what shaders get to know of the draw: see k_ProceduralInstancing.
+    bool isBlit = false; ///< its mesh covers the target, so the pass's promises about that hold
+    /// If true, its instances share the data that shaders get for the draw: see
+    /// k_ProceduralInstancing.
     bool isProcedural = false;
-    BufferRange arguments; ///< with a buffer: it has the draw's counts
+    BufferRange arguments; ///< if it has a buffer, that has the draw's counts
 
     static constexpr std::uint32_t k_NoProperties = ~std::uint32_t{0};
 };
@@ -93,7 +95,7 @@ struct SetKeywordCommand
     bool operator==(const SetKeywordCommand&) const = default;
 };
 
-/// Of one material.
+/// Switches a keyword of one material.
 struct SetMaterialKeywordCommand
 {
     std::shared_ptr<Material> material; ///< never null
@@ -101,7 +103,8 @@ struct SetMaterialKeywordCommand
     bool isOn = false;
 };
 
-/// Matrices that are globals in the end, kept unrounded until the frame's origin is known.
+/// Sets matrices that become globals in the end; they are kept unrounded until the frame's origin
+/// is known.
 struct SetViewProjectionCommand
 {
     glm::dmat4 view{1.0};
@@ -109,7 +112,7 @@ struct SetViewProjectionCommand
     bool inverses = false;
 };
 
-/// One of the matrices; the other one stays.
+/// Sets one of the matrices; the other one stays.
 struct SetViewCommand
 {
     glm::dmat4 view{1.0};
@@ -117,7 +120,7 @@ struct SetViewCommand
 
 struct SetProjectionCommand
 {
-    glm::dmat4 projection{1.0}; ///< as OpenGL has it: z from -w near to w far
+    glm::dmat4 projection{1.0}; ///< as in OpenGL: z from -w near to w far
 };
 
 struct SetBufferDataCommand
@@ -133,22 +136,22 @@ struct SetBufferCounterCommand
     std::uint32_t value = 0;
 };
 
-/// Bytes from one buffer to another, on the device.
+/// Copies bytes from one buffer to another on the device.
 struct CopyBufferCommand
 {
     std::shared_ptr<const GraphicsBuffer> source; ///< never null
     std::shared_ptr<const GraphicsBuffer> dest;   ///< never null
-    std::uint32_t from = 0;                       ///< words of `source`, the counter's among them
+    std::uint32_t from = 0;                       ///< words of `source`, which include its counter
     std::uint32_t to = 0;                         ///< words of `dest`
     std::uint32_t count = 0;                      ///< words
 };
 
-// What names its textures by identifiers, which are looked up when the buffer is executed.
+// These name their textures by identifiers, which are looked up when the buffer is executed.
 
 struct GetTemporaryRTCommand
 {
     ShaderPropertyId id;
-    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's
+    RenderTextureDescriptor descriptor; ///< a negative size is a part of the camera's size
     FilterMode filter = FilterMode::Point;
 };
 
@@ -160,7 +163,8 @@ struct ReleaseTemporaryRTCommand
 struct SetIdentifiedTargetCommand
 {
     std::vector<RenderTargetIdentifier> colors;
-    RenderTargetIdentifier depth; ///< none = what belongs to the colour, if there is one of them
+    /// The depth; none = the one that belongs to the colour, if there is exactly one.
+    RenderTargetIdentifier depth;
 };
 
 struct SetCameraColorCommand
@@ -182,16 +186,17 @@ struct IdentifiedBlitCommand
     int pass = -1;
 };
 
-/// Onto what is bound.
+/// Draws a copy onto the bound target.
 struct CopyDrawCommand
 {
     RenderTargetIdentifier source;
     glm::vec4 scaleBias{1.0f, 1.0f, 0.0f, 0.0f};
     bool isBilinear = false; ///< else the nearest texel
     float mipLevel = 0.0f;
-    /// Of the part of the target that a quad covers; none = a triangle over the whole.
+    /// The part of the target that a quad covers; none = a triangle over the whole.
     std::optional<glm::vec4> targetScaleBias = std::nullopt;
-    std::shared_ptr<const RenderTexture> depth = nullptr; ///< written as depth; null = none is
+    /// A texture that is written as depth; null = no depth is written.
+    std::shared_ptr<const RenderTexture> depth = nullptr;
 };
 
 struct CopyTextureCommand
@@ -205,7 +210,7 @@ struct GenerateMipsCommand
     RenderTargetIdentifier texture;
 };
 
-// What holds for all draws that follow, whichever buffer they are of.
+// These hold for all draws that follow, in any buffer.
 
 struct SetScissorCommand
 {

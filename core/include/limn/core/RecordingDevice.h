@@ -6,7 +6,7 @@
 namespace limn
 {
 
-/// A device that draws nothing and keeps every frame it was given: for tests without Vulkan.
+/// A device that draws nothing and keeps every frame it was given, for tests without Vulkan.
 class RecordingDevice final : public GraphicsDevice
 {
 public:
@@ -16,7 +16,7 @@ public:
         m_TextureStates = frame.states;
     }
     const TextureStates& textureStates() const override { return m_TextureStates; }
-    /// Texels without padding, in units of 256 bytes.
+    /// Returns the size of the texels without padding, in units of 256 bytes.
     TextureFootprint Footprint(const RenderTexture& texture) override
     {
         const auto bytes = static_cast<std::uint64_t>(texture.width()) *

@@ -20,7 +20,8 @@ enum class BlitFilterMode
     ClampBilinear = 1
 };
 
-/// What AddBlitPass draws: the source as _BlitTexture, with one triangle over the destination.
+/// The arguments of AddBlitPass, which draws the source as _BlitTexture with one triangle over the
+/// destination.
 struct BlitMaterialParameters
 {
     TextureHandle source;
@@ -42,13 +43,13 @@ struct BlitMaterialParameters
 
 } // namespace RenderGraphUtils
 
-/// Unity 6's way to write a ScriptableRenderPass: its RecordRenderGraph adds passes, each with what
-/// it reads and writes and a function that records it. They run in their order when
-/// RecordRenderGraph returns, and the frame compiler does with them what it does with all passes:
-/// culling, load and store, memory. Beside that each is compared with what its author declared:
-/// what Unity throws for or draws otherwise is a ContractError with all of it, with the lines to
-/// add; what is missing and harmless there, and what is declared for nothing, a note in the report.
-/// Unity: UnityEngine.Rendering.RenderGraphModule.RenderGraph (core 17).
+/// A render graph, with which Unity 6 writes a ScriptableRenderPass: its RecordRenderGraph adds
+/// passes, each with what it reads and writes and a function that records it. They run in their
+/// order when RecordRenderGraph returns, and the frame compiler treats them as it treats all
+/// passes: culling, load and store, memory. In addition each is compared with what its author
+/// declared. Where Unity throws or draws something else, a ContractError names all of it, with the
+/// lines to add. What is missing but harmless in Unity, and what is declared but not used, is a
+/// note in the report. Unity: UnityEngine.Rendering.RenderGraphModule.RenderGraph (core 17).
 class RenderGraph
 {
 public:
@@ -57,35 +58,36 @@ public:
     RenderGraph(const RenderGraph&) = delete;
     RenderGraph& operator=(const RenderGraph&) = delete;
 
-    /// A texture until the camera is done. A frame that asks for the same as the one before gets
-    /// the same textures.
+    /// Makes a texture that lives until the camera is done. A frame that asks for the same textures
+    /// as the one before gets the same ones.
     /// @throws ContractError as RenderTexture does
     TextureHandle CreateTexture(const TextureDesc& desc);
-    TextureHandle CreateTexture(const TextureHandle& texture); ///< one like it
-    /// One like it of another name; `clear`: a pass that draws into it first clears it.
+    TextureHandle CreateTexture(const TextureHandle& texture); ///< like this one
+    /// Makes a texture like another one with another name. If `clear` is true, a pass that draws
+    /// into it first clears it.
     TextureHandle CreateTexture(const TextureHandle& texture, std::string_view name,
                                 bool clear = false);
-    /// A texture of the pass's own; once more gives the same handle.
+    /// Imports a texture of the pass's own; importing it again returns the same handle.
     /// @throws ContractError if there is no texture
     TextureHandle ImportTexture(const RTHandle& rt, const ImportResourceParams& importParams = {});
-    /// A buffer until the camera is done. A frame that asks for the same as the one before gets the
-    /// same buffers, with what is in them.
+    /// Makes a buffer that lives until the camera is done. A frame that asks for the same buffers
+    /// as the one before gets the same ones, with their contents.
     /// @throws ContractError as GraphicsBuffer does
     BufferHandle CreateBuffer(const BufferDesc& desc);
-    /// A buffer of the pass's own; once more gives the same handle.
+    /// Imports a buffer of the pass's own; importing it again returns the same handle.
     /// @throws ContractError if it is null
     BufferHandle ImportBuffer(const std::shared_ptr<const GraphicsBuffer>& graphicsBuffer);
     /// @throws ContractError if there is no texture, or it is one of an earlier frame
     TextureDesc GetTextureDesc(const TextureHandle& texture) const;
     RenderTargetInfo GetRenderTargetInfo(const TextureHandle& texture) const;
-    /// Makes a texture where the handle has none. Unity: RenderGraph.CreateTextureIfInvalid.
+    /// Makes a texture if the handle has none. Unity: RenderGraph.CreateTextureIfInvalid.
     void CreateTextureIfInvalid(const TextureDesc& desc, TextureHandle& texture);
     /// @throws ContractError if there is no buffer, or it is one of an earlier frame
     BufferDesc GetBufferDesc(const BufferHandle& graphicsBuffer) const;
     RendererListHandle CreateRendererList(const RendererListParams& desc);
     RendererListHandle CreateRendererList(const RendererListDesc& desc);
 
-    /// @param passData  becomes the pass's data, made anew, which the render function is given
+    /// @param passData  set to the new data of the pass, which its render function receives
     template <typename PassData>
     RasterRenderGraphBuilder<PassData> AddRasterRenderPass(std::string_view passName,
                                                            PassData*& passData)
@@ -110,7 +112,7 @@ public:
         return {*this, AddPass(passName), std::move(data)};
     }
 
-    // The same with a sampler, which changes nothing: a pass is shown by its name.
+    // These take a sampler, which changes nothing: a pass is shown by its name.
     template <typename PassData>
     RasterRenderGraphBuilder<PassData>
     AddRasterRenderPass(std::string_view passName, PassData*& passData, const ProfilingSampler&)
@@ -130,20 +132,20 @@ public:
         return AddComputePass<PassData>(passName, passData);
     }
 
-    /// Draws the source through the material over the whole destination, whose contents stay where
-    /// it blends. The material may sample whatever is global.
+    /// Draws the source with the material over the whole destination, whose contents stay where the
+    /// material blends. The material may sample any global texture.
     /// @throws ContractError if the material is null
     void AddBlitPass(const RenderGraphUtils::BlitMaterialParameters& blitParameters,
                      std::string_view passName = "BlitMaterial");
-    /// Draws a part of the source, of size `scale` from `offset` on (1 = the whole), over the whole
-    /// destination.
+    /// Draws the part of the source of size `scale` that begins at `offset` (1 = the whole) over
+    /// the whole destination.
     void AddBlitPass(const TextureHandle& source, const TextureHandle& destination,
                      const glm::vec2& scale, const glm::vec2& offset,
                      RenderGraphUtils::BlitFilterMode filterMode =
                          RenderGraphUtils::BlitFilterMode::ClampBilinear,
                      std::string_view passName = "BlitTexture");
     /// Copies texel for texel.
-    /// @throws ContractError unless both are colours of one size, format and number of samples
+    /// @throws ContractError unless both are colours of the same size, format and number of samples
     void AddCopyPass(const TextureHandle& source, const TextureHandle& destination,
                      std::string_view passName = "CopyTexture");
 

@@ -20,7 +20,7 @@ struct RenderGraphFunction
 namespace detail
 {
 
-/// An author's render function with the data that it is given.
+/// An author's render function with the data that it receives.
 template <typename Commands, typename Context, typename PassData, typename Function>
 struct AuthorsRenderFunction final : RenderGraphFunction<Commands>
 {
@@ -49,9 +49,9 @@ MakeRenderFunction(const std::shared_ptr<PassData>& data, Function&& function)
 } // namespace detail
 
 /// Declares what a pass of a render graph does. Each call throws ContractError, naming pass and
-/// texture, for an empty handle, one of an earlier frame or of another pass's transient texture,
-/// and for what it says itself. Whether the pass does as declared is found out when it has run.
-/// In C# it is disposed of; here its scope ends, and nothing happens.
+/// texture, for an empty handle, a handle of an earlier frame or of another pass's transient
+/// texture, and in the cases that it documents itself. Whether the pass does as declared is checked
+/// when it has run. In C# a builder is disposed of; here its scope ends, and nothing happens.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.IBaseRenderGraphBuilder (core 17).
 class BaseRenderGraphBuilder
 {
@@ -61,27 +61,27 @@ public:
 
     /// @throws ContractError if the texture is an attachment of the pass, or written twice
     void UseTexture(const TextureHandle& input, AccessFlags flags = AccessFlags::Read);
-    /// @throws ContractError if the pass uses the buffer otherwise already
+    /// @throws ContractError if the pass already uses the buffer in another way
     BufferHandle UseBuffer(const BufferHandle& input, AccessFlags flags = AccessFlags::Read);
-    /// What is global under the name when the pass runs. @throws ContractError behind it, if
-    /// nothing is
+    /// Declares that the pass uses the texture that is global under the name when it runs.
+    /// @throws ContractError after the pass, if no texture is
     void UseGlobalTexture(ShaderPropertyId propertyId, AccessFlags flags = AccessFlags::Read);
-    /// Shaders may sample whatever is global: nothing is said about textures that they read.
+    /// Allows shaders to sample any global texture: the textures that they read are not checked.
     void UseAllGlobalTextures(bool enable);
     void SetGlobalTextureAfterPass(const TextureHandle& input, ShaderPropertyId propertyId);
-    /// A texture that this pass alone reads and writes.
+    /// Makes a texture that only this pass reads and writes.
     TextureHandle CreateTransientTexture(const TextureDesc& desc);
     TextureHandle CreateTransientTexture(const TextureHandle& texture);
-    /// A buffer for this pass, with whatever is in it.
+    /// Makes a buffer for this pass, whose contents are undefined.
     BufferHandle CreateTransientBuffer(const BufferDesc& desc);
     BufferHandle CreateTransientBuffer(const BufferHandle& computebuffer);
     void UseRendererList(const RendererListHandle& input);
-    /// False: what it draws is run whoever reads it. As by default it is left out where nothing
-    /// does.
+    /// Sets whether the pass may be culled. If false, it is run even if nothing reads what it
+    /// draws; by default it is left out then.
     void AllowPassCulling(bool value);
-    /// True: the pass may set globals, and is not culled.
+    /// Sets whether the pass may set globals; if true, it is not culled.
     void AllowGlobalStateModification(bool value);
-    /// No effect: limn has one queue, and the pass runs where it stands.
+    /// Has no effect: limn has one queue, and the pass runs in its place.
     void EnableAsyncCompute(bool) {}
 
 protected:
@@ -107,23 +107,23 @@ template <typename PassData>
 class RasterRenderGraphBuilder : public BaseRenderGraphBuilder
 {
 public:
-    /// What the texture holds stays where nothing is drawn, whatever `flags` are; with WriteAll it
-    /// need not.
-    /// @param index  0 ... 7; none below it may be left out
-    /// @throws ContractError if the texture is used otherwise by the pass, the index is taken, or
-    ///         it is a depth texture
+    /// Binds a colour target. The texture's contents stay where nothing is drawn, whatever `flags`
+    /// are; with WriteAll they need not.
+    /// @param index  0 ... 7; no lower index may be left out
+    /// @throws ContractError if the pass uses the texture in another way, the index is taken, or it
+    ///     is a depth texture
     void SetRenderAttachment(const TextureHandle& tex, int index,
                              AccessFlags flags = AccessFlags::Write)
     {
         SetAttachment(tex, index, flags);
     }
-    /// @throws ContractError as SetRenderAttachment, and if it is no depth texture
+    /// @throws ContractError as SetRenderAttachment does, and if it is no depth texture
     void SetRenderAttachmentDepth(const TextureHandle& tex,
                                   AccessFlags flags = AccessFlags::ReadWrite)
     {
         SetDepthAttachment(tex, flags);
     }
-    /// @param function  (PassData&, RasterGraphContext&): records the pass, once
+    /// @param function  (PassData&, RasterGraphContext&): records the pass; it is called once
     template <std::invocable<PassData&, RasterGraphContext&> Function>
     void SetRenderFunc(Function function)
     {
@@ -146,7 +146,7 @@ template <typename PassData>
 class UnsafeRenderGraphBuilder : public BaseRenderGraphBuilder
 {
 public:
-    /// As of a raster pass: it is bound when the render function begins.
+    /// Binds a colour target as a raster pass does; it is bound when the render function begins.
     void SetRenderAttachment(const TextureHandle& tex, int index,
                              AccessFlags flags = AccessFlags::Write)
     {
@@ -157,8 +157,8 @@ public:
     {
         SetDepthAttachment(tex, flags);
     }
-    /// @param function  (PassData&, UnsafeGraphContext&): records the pass, once. It may set
-    ///                  targets itself
+    /// @param function  (PassData&, UnsafeGraphContext&): records the pass; it is called once and
+    ///     may set targets itself
     template <std::invocable<PassData&, UnsafeGraphContext&> Function>
     void SetRenderFunc(Function function)
     {
@@ -181,7 +181,7 @@ template <typename PassData>
 class ComputeRenderGraphBuilder : public BaseRenderGraphBuilder
 {
 public:
-    /// @param function  (PassData&, ComputeGraphContext&): records the pass, once
+    /// @param function  (PassData&, ComputeGraphContext&): records the pass; it is called once
     template <std::invocable<PassData&, ComputeGraphContext&> Function>
     void SetRenderFunc(Function function)
     {

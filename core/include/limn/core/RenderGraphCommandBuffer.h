@@ -16,16 +16,16 @@ void DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> mate
 
 } // namespace CoreUtils
 
-// Blitter's calls for RasterCommandBuffer and UnsafeCommandBuffer: what they draw, CommandBuffer's
-// say. The graph pass declares the source as it does for any other draw.
-// Unity: UnityEngine.Rendering.Blitter (core 17).
+// These are Blitter's calls for RasterCommandBuffer and UnsafeCommandBuffer; those for
+// CommandBuffer document what they draw. The graph pass declares the source as it does for any
+// other draw. Unity: UnityEngine.Rendering.Blitter (core 17).
 namespace Blitter
 {
 
 void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// The source is global as _BlitTexture from then on, which the report notes unless the pass does
-/// AllowGlobalStateModification.
+/// Draws with the source, which is global as _BlitTexture from then on; the report notes that
+/// unless the pass has AllowGlobalStateModification.
 void BlitTexture(BaseCommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
 void BlitTexture(BaseCommandBuffer& cmd, const glm::vec4& scaleBias,
@@ -65,8 +65,8 @@ class UnsafeCommandBuffer;
 namespace CommandBufferHelpers
 {
 
-/// For what only a CommandBuffer can do, until the render function ends.
-/// Unity: UnityEngine.Rendering.CommandBufferHelpers (core 17).
+/// Returns the command buffer for what only a CommandBuffer can do; it is valid until the render
+/// function ends. Unity: UnityEngine.Rendering.CommandBufferHelpers (core 17).
 CommandBuffer& GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
 
 } // namespace CommandBufferHelpers
@@ -78,7 +78,7 @@ CommandBuffer& NativeOf(BaseCommandBuffer& cmd); ///< for Blitter and CoreUtils
 
 } // namespace detail
 
-/// What all render functions may record, as CommandBuffer says of each call.
+/// The calls that all render functions may record; CommandBuffer documents each of them.
 /// Unity: UnityEngine.Rendering.BaseCommandBuffer (core 17).
 class BaseCommandBuffer : protected CommandBuffer
 {
@@ -98,17 +98,17 @@ public:
     using CommandBuffer::DrawRenderer;
     using CommandBuffer::EndSample;
     using CommandBuffer::SetViewport;
-    // These end with the pass.
+    // These states end with the pass.
     using CommandBuffer::DisableScissorRect;
     using CommandBuffer::EnableScissorRect;
     using CommandBuffer::SetGlobalDepthBias;
     using CommandBuffer::SetInvertCulling;
 
-    /// @throws ContractError if the pass did not UseRendererList of it
+    /// @throws ContractError if the pass did not call UseRendererList for the list
     void DrawRendererList(const RendererListHandle& rendererList);
 
-    // Globals: @throws ContractError unless the pass does AllowGlobalStateModification, when it has
-    // recorded.
+    // These set globals. @throws ContractError after the pass has recorded, unless it has
+    // AllowGlobalStateModification
     void SetGlobalFloat(ShaderPropertyId id, float value) { Globals(id).SetGlobalFloat(id, value); }
     void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
     {
@@ -144,7 +144,7 @@ public:
     {
         Globals(id).SetGlobalMatrixArray(id, std::move(values));
     }
-    /// @throws ContractError for a texture of the graph that the pass does not declare, too
+    /// @throws ContractError also for a texture of the graph that the pass does not declare
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
     void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
@@ -206,15 +206,15 @@ private:
     RenderGraphRun& m_Run;
 };
 
-/// Of raster passes, whose targets are those that the builder was told: there is no call to set
-/// others. Unity: UnityEngine.Rendering.RasterCommandBuffer (core 17).
+/// The command buffer of raster passes. Their targets are those that the builder was given, so
+/// there is no call to set others. Unity: UnityEngine.Rendering.RasterCommandBuffer (core 17).
 class RasterCommandBuffer : public BaseCommandBuffer
 {
     friend class RenderGraphRun;
     using BaseCommandBuffer::BaseCommandBuffer;
 };
 
-/// Of compute passes: there is no call to draw or clear.
+/// The command buffer of compute passes, which has no call to draw or clear.
 /// Unity: UnityEngine.Rendering.ComputeCommandBuffer (core 17).
 class ComputeCommandBuffer : private BaseCommandBuffer
 {
@@ -258,7 +258,7 @@ private:
     using BaseCommandBuffer::BaseCommandBuffer;
 };
 
-/// Of unsafe passes. Unity: UnityEngine.Rendering.UnsafeCommandBuffer (core 17).
+/// The command buffer of unsafe passes. Unity: UnityEngine.Rendering.UnsafeCommandBuffer (core 17).
 class UnsafeCommandBuffer : public BaseCommandBuffer
 {
 public:
@@ -288,19 +288,21 @@ private:
     using BaseCommandBuffer::BaseCommandBuffer;
 };
 
-/// What a raster pass's render function gets.
+/// The argument of a raster pass's render function.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.RasterGraphContext (core 17).
 struct RasterGraphContext
 {
     RasterCommandBuffer& cmd;
 };
 
+/// The argument of a compute pass's render function.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.ComputeGraphContext (core 17).
 struct ComputeGraphContext
 {
     ComputeCommandBuffer& cmd;
 };
 
+/// The argument of an unsafe pass's render function.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.UnsafeGraphContext (core 17).
 struct UnsafeGraphContext
 {

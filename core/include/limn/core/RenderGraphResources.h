@@ -12,7 +12,7 @@ namespace limn
 
 class RenderGraph;
 
-/// What a pass does with a texture; bit flags, values Unity's.
+/// Describes what a pass does with a texture; bit flags with Unity's values.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.AccessFlags (core 17).
 enum class AccessFlags
 {
@@ -20,7 +20,7 @@ enum class AccessFlags
     Read = 1,
     Write = 2,
     ReadWrite = 3,
-    Discard = 4, ///< what was in it does not matter
+    Discard = 4, ///< its earlier contents do not matter
     WriteAll = 6 ///< Write and Discard
 };
 constexpr AccessFlags operator|(AccessFlags a, AccessFlags b)
@@ -36,7 +36,7 @@ constexpr bool operator&(AccessFlags a, AccessFlags b)
 enum class DepthBits
 {
     None = 0,
-    Depth8 = 8, ///< refused: there is no depth of so few
+    Depth8 = 8, ///< throws ContractError: no depth has so few bits
     Depth16 = 16,
     Depth24 = 24,
     Depth32 = 32
@@ -69,8 +69,8 @@ struct TextureDesc
     MSAASamples msaaSamples = MSAASamples::None;
     FilterMode filterMode = FilterMode::Bilinear;
     TextureWrapMode wrapMode = TextureWrapMode::Clamp;
-    /// Before the first pass that writes it, unless with AccessFlags::WriteAll. Else it holds
-    /// nothing in particular then.
+    /// If true, the texture is cleared before the first pass that writes it, unless that writes
+    /// with AccessFlags::WriteAll. Otherwise its contents are undefined then.
     bool clearBuffer = true;
     Color clearColor = Color::black; ///< linear; depth clears to far
     bool enableRandomWrite = false;  ///< kernels may write to it, see RenderTextureDescriptor
@@ -78,13 +78,13 @@ struct TextureDesc
     bool autoGenerateMips = true;
     int anisoLevel = 1;                                   ///< see SamplerState
     float mipMapBias = 0.0f;                              ///< see SamplerState
-    TextureSizeMode sizeMode = TextureSizeMode::Explicit; ///< else width and height do not matter
-    glm::vec2 scale{1.0f};     ///< of sizeMode Scale: times the camera's size, rounded
-    RTHandles::ScaleFunc func; ///< of sizeMode Functor
-    TextureDimension dimension = TextureDimension::Tex2D; ///< others are refused
-    int slices = 1;                                       ///< others are refused
-    bool bindTextureMS = false;                           ///< true is refused
-    // No effect: what is stored and kept is worked out, and nothing scales.
+    TextureSizeMode sizeMode = TextureSizeMode::Explicit; ///< other modes ignore width and height
+    glm::vec2 scale{1.0f};     ///< for sizeMode Scale: times the camera's size, rounded
+    RTHandles::ScaleFunc func; ///< for sizeMode Functor
+    TextureDimension dimension = TextureDimension::Tex2D; ///< others throw ContractError
+    int slices = 1;                                       ///< others throw ContractError
+    bool bindTextureMS = false;                           ///< true throws ContractError
+    // These have no effect: limn derives what is stored and kept, and nothing scales.
     bool discardBuffer = false;
     bool useDynamicScale = false;
     RenderTextureMemoryless memoryless = RenderTextureMemoryless::None;
@@ -102,32 +102,32 @@ struct TextureDesc
     }
     explicit TextureDesc(const RenderTextureDescriptor& descriptor);
 
-    /// Of its size for the camera that is rendered.
+    /// Returns the descriptor with the size for the camera that is rendered.
     /// @throws ContractError for a scale that is not positive, and an empty function
     RenderTextureDescriptor descriptor() const;
 };
 
-/// Unity: UnityEngine.Rendering.RenderGraphModule.ImportResourceParams (core 17). What is discarded
-/// the frame compiler works out.
+/// Options of an imported texture. The frame compiler derives what is discarded.
+/// Unity: UnityEngine.Rendering.RenderGraphModule.ImportResourceParams (core 17).
 struct ImportResourceParams
 {
     bool clearOnFirstUse = false;
     Color clearColor = Color::clear; ///< linear
 };
 
-/// What a texture is when it is drawn into.
+/// The properties of a texture as a target.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.RenderTargetInfo (core 17).
 struct RenderTargetInfo
 {
     int width = 0;  ///< texels
     int height = 0; ///< texels
     int volumeDepth = 1;
-    int msaaSamples = 1;                          ///< a texel
+    int msaaSamples = 1;                          ///< per texel
     GraphicsFormat format = GraphicsFormat::None; ///< of the depth, for a depth texture
     bool bindMS = false;
 };
 
-/// A texture of a camera's render graph, or none: until the camera is done.
+/// A texture of a camera's render graph, or none. It is valid until the camera is done.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.TextureHandle (core 17).
 class TextureHandle
 {
@@ -135,7 +135,7 @@ public:
     TextureHandle() = default;
 
     bool IsValid() const { return static_cast<bool>(m_Texture); }
-    /// As in Unity's render functions, where a texture is wanted.
+    /// Converts to a texture in render functions, as in Unity.
     operator const RTHandle&() const { return m_Texture; }
     const std::shared_ptr<const RenderTexture>& rt() const { return m_Texture.rt(); }
     /// @throws ContractError if there is no texture
@@ -158,7 +158,7 @@ private:
 
 inline const TextureHandle TextureHandle::nullHandle;
 
-/// A list of a camera's render graph, or none: until the camera is done.
+/// A renderer list of a camera's render graph, or none. It is valid until the camera is done.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.RendererListHandle (core 17).
 class RendererListHandle
 {
@@ -199,14 +199,14 @@ struct BufferDesc
     bool operator==(const BufferDesc&) const = default;
 };
 
-/// A buffer of a camera's render graph, or none: until the camera is done.
+/// A buffer of a camera's render graph, or none. It is valid until the camera is done.
 /// Unity: UnityEngine.Rendering.RenderGraphModule.BufferHandle (core 17).
 class BufferHandle
 {
 public:
     BufferHandle() = default;
     bool IsValid() const { return m_Buffer != nullptr; }
-    /// As in Unity's render functions, where a buffer is wanted.
+    /// Converts to a buffer in render functions, as in Unity.
     operator std::shared_ptr<const GraphicsBuffer>() const { return m_Buffer; }
     const std::shared_ptr<const GraphicsBuffer>& buffer() const { return m_Buffer; }
 

@@ -3,7 +3,7 @@
 namespace limn
 {
 
-/// When a pass runs. Any number in between is legal: `event + 1`.
+/// The point in a frame at which a pass runs. Any number in between is allowed: `event + 1`.
 /// Unity: UnityEngine.Rendering.Universal.RenderPassEvent (URP 14).
 enum class RenderPassEvent
 {
@@ -35,7 +35,7 @@ constexpr RenderPassEvent operator-(RenderPassEvent event, int offset)
     return event + -offset;
 }
 
-/// The four stretches of a frame. Unity: ScriptableRenderer.RenderPassBlock.
+/// The four parts of a frame. Unity: ScriptableRenderer.RenderPassBlock.
 enum class RenderPassBlock
 {
     BeforeRendering = 0,          ///< events below 150: camera matrices are not set
@@ -52,7 +52,7 @@ constexpr RenderPassBlock BlockOf(RenderPassEvent event)
                      : RenderPassBlock::AfterRendering;
 }
 
-/// What a pass wants the renderer to have made before it runs; bit flags.
+/// The textures that a pass needs the renderer to make before it runs; bit flags.
 /// Unity: UnityEngine.Rendering.Universal.ScriptableRenderPassInput (URP 14).
 enum class ScriptableRenderPassInput
 {

@@ -11,7 +11,7 @@ namespace limn
 /// The verdicts of one filter on the renderers that it was asked about.
 struct DrawRenderersReport
 {
-    SampleName pass; ///< name of the pass that asked
+    SampleName pass; ///< name of the pass that called the filter
     FilteringSettings filtering;
     DrawingSettings drawing;
     FilterCounts counts{};
@@ -24,8 +24,9 @@ struct DrawRenderersReport
 struct FeatureReport
 {
     SampleName name;
-    std::size_t passes = 0;    ///< number of passes that it added; with none it draws nothing
-    std::size_t firstNote = 0; ///< index into RenderReport::notes of what it said meanwhile
+    std::size_t passes = 0; ///< number of passes that it added; with none it draws nothing
+    /// The index in RenderReport::notes of the first note that it added meanwhile.
+    std::size_t firstNote = 0;
     std::size_t noteCount = 0;
 };
 
@@ -35,17 +36,18 @@ struct ExecutedPassReport
     RenderPassEvent renderPassEvent = RenderPassEvent::BeforeRendering;
 };
 
-/// What happened while one camera was rendered: data for people and tests.
+/// The events while one camera was rendered, as data for people and tests.
 struct RenderReport
 {
     std::vector<ExecutedPassReport> passes; ///< in the order they ran
     std::vector<DrawRenderersReport> draws; ///< DrawRenderers calls, in the order they were made
-    /// Filters of features that do not draw by DrawRenderers what they let through. A feature adds
-    /// its own in AddRenderPasses; the renderer fills in `pass`, the feature's name, and `feature`.
+    /// Filters of features that do not use DrawRenderers to draw what they let through. A feature
+    /// adds its own in AddRenderPasses; the renderer fills in `pass`, the feature's name, and
+    /// `feature`.
     std::vector<DrawRenderersReport> filters;
-    std::vector<FeatureReport> features; ///< in the renderer's order, once a camera of the stack
-    std::vector<std::string>
-        notes; ///< sentences for the user, each a reason why something is absent
+    std::vector<FeatureReport> features; ///< in the renderer's order, once per camera of the stack
+    /// Sentences for the user, each of which is a reason why something is absent.
+    std::vector<std::string> notes;
     std::vector<std::string> choices; ///< what features decided by themselves, and why
 };
 

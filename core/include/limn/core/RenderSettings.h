@@ -10,8 +10,8 @@ namespace limn
 class Material;
 class Texture;
 
-/// The source of ambient light: the sky, three colours by height, one colour, or what
-/// ambientProbe was set to. Unity: UnityEngine.Rendering.AmbientMode (2022.3).
+/// The source of ambient light: the sky, three colours by height, one colour, or the value of
+/// ambientProbe. Unity: UnityEngine.Rendering.AmbientMode (2022.3).
 enum class AmbientMode : std::uint8_t
 {
     Skybox = 0,
@@ -36,16 +36,16 @@ enum class DefaultReflectionMode : std::uint8_t
     Custom = 1
 };
 
-/// Light and fog of a scene besides its lights; each Scene has them. Where these are left
-/// as they are, the ambient light is one colour, nothing is mirrored and there is no fog: Unity's
-/// new scenes begin with Skybox twice. Unity: UnityEngine.RenderSettings (2022.3).
+/// The light and fog of a scene besides its lights; each Scene has them. By default the ambient
+/// light is one colour, nothing is mirrored and there is no fog, while Unity's new scenes begin
+/// with Skybox for both. Unity: UnityEngine.RenderSettings (2022.3).
 struct RenderSettings
 {
     RenderSettings() {} // a union does not make itself
 
     AmbientMode ambientMode = AmbientMode::Flat;
-    /// sRGB. Flat: from all sides; Trilight: what surfaces that face up have. Unity has both names
-    /// for this one colour.
+    /// An sRGB colour: for Flat the light from all sides, for Trilight the light on surfaces that
+    /// face up. Unity has both names for this one colour.
     union
     {
         Color ambientLight{0.2f, 0.2f, 0.2f, 1.0f};
@@ -65,24 +65,24 @@ struct RenderSettings
     float fogEndDistance = 300.0f;          ///< metres; nothing but fog is seen behind
 
     DefaultReflectionMode defaultReflectionMode = DefaultReflectionMode::Custom;
-    /// A cube whose mip levels 0 ... 6 are blurred more and more; of Custom. Null = none: URP's
+    /// A cube whose mip levels 0 ... 6 are increasingly blurred, for Custom. Null = none: URP's
     /// shaders mirror the ambient light then, and the cube that others read is black.
     std::shared_ptr<const Texture> customReflectionTexture;
-    /// The same of Skybox, which DynamicGI::UpdateEnvironment makes; null = none, too.
+    /// The cube for Skybox, which DynamicGI::UpdateEnvironment makes; null = none, too.
     /// Unity: ReflectionProbe.defaultTexture.
     std::shared_ptr<const Texture> skyReflection;
-    /// Texels along an edge of skyReflection: a power of two from 1 to 2048.
+    /// The number of texels along an edge of skyReflection: a power of two from 1 to 2048.
     int defaultReflectionResolution = 128;
-    float reflectionIntensity = 1.0f; ///< multiplies what is mirrored
+    float reflectionIntensity = 1.0f; ///< multiplies the reflections
 
-    /// The sky that cameras with CameraClearFlags::Skybox see; null = none. Its first
-    /// pass draws a ball around the camera whose POSITION is the direction in world axes; that of a
-    /// shader with six passes draws the cube's sides +Z -Z +X -X +Y -Y, one each, with TEXCOORD0
-    /// from bottom left to top right as seen from inside.
+    /// The sky that cameras with CameraClearFlags::Skybox see; null = none. Its first pass draws a
+    /// ball around the camera whose POSITION is the direction in world axes. A shader with six
+    /// passes draws the cube's sides +Z -Z +X -X +Y -Y, one each, with TEXCOORD0 from bottom left
+    /// to top right as seen from inside.
     std::shared_ptr<const Material> skybox;
 
-    /// Returns the ambient light of the mode that is set, as surfaces of each normal show it.
-    /// Trilight is exact for normals up, sideways and down and has the parabola between.
+    /// Returns the ambient light of the current mode, as surfaces of each normal show it. Trilight
+    /// is exact for normals up, sideways and down, and follows the parabola between them.
     SphericalHarmonicsL2 AmbientLight() const;
     /// Returns the cube that the mode mirrors; null = none.
     const std::shared_ptr<const Texture>& ReflectionTexture() const

@@ -72,8 +72,9 @@ struct DepthState
     bool operator==(const DepthState&) const = default;
 };
 
-/// Unity: UnityEngine.Rendering.StencilState (2022.3). A value made here is Unity's defaultValue;
-/// what C# makes of `new StencilState()`, disabled and all zero, has to be written out.
+/// The stencil state of a block. A default-constructed value is Unity's defaultValue; C#'s `new
+/// StencilState()`, disabled and all zero, must be written out.
+/// Unity: UnityEngine.Rendering.StencilState (2022.3).
 struct StencilState
 {
     bool enabled = true;
@@ -98,9 +99,9 @@ inline constexpr RasterState RasterState::defaultValue{};
 inline constexpr DepthState DepthState::defaultValue{};
 inline constexpr StencilState StencilState::defaultValue{};
 
-/// State that a DrawRenderers call puts in place of the shader passes' own. Each group in `mask`
-/// is replaced wholesale: Depth replaces ZWrite and ZTest, Stencil the reference, both masks and
-/// all operations. Groups outside `mask` stay as the pass has them.
+/// The state that a DrawRenderers call uses in place of the shader passes' own. Each group in
+/// `mask` is replaced as a whole: Depth replaces ZWrite and ZTest, Stencil the reference, both
+/// masks and all operations. Groups outside `mask` stay as the pass has them.
 /// Unity: UnityEngine.Rendering.RenderStateBlock (2022.3).
 struct RenderStateBlock
 {
@@ -118,7 +119,7 @@ struct RenderStateBlock
     bool operator==(const RenderStateBlock&) const = default;
 };
 
-/// `state` with the block's groups in place of its own.
+/// Returns `state` with the block's groups in place of its own.
 /// @throws ContractError if a stencil reference or mask is outside 0...255, or a writeMask outside
 ///         0...15
 PipelineState Override(const PipelineState& state, const RenderStateBlock& block);

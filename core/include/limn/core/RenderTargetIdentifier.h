@@ -7,20 +7,20 @@
 namespace limn
 {
 
-/// Targets that are there by themselves, values Unity's.
-/// Unity: UnityEngine.Rendering.BuiltinRenderTextureType (2022.3), the members that limn has.
+/// The built-in targets that limn has, with Unity's values.
+/// Unity: UnityEngine.Rendering.BuiltinRenderTextureType (2022.3).
 enum class BuiltinRenderTextureType
 {
     None = 0,
-    CurrentActive = 1, ///< what is bound when the command is executed
-    /// What the camera is drawn into, colour and depth, as ScriptableRenderer's
-    /// cameraColorTargetHandle. (Unity: the back buffer, which URP's final blit writes over.)
+    CurrentActive = 1, ///< the target that is bound when the command is executed
+    /// The target of the camera, colour and depth, as ScriptableRenderer's cameraColorTargetHandle.
+    /// (Unity: the back buffer, which URP's final blit overwrites.)
     CameraTarget = 2,
     CameraColor = 256 ///< limn's own: the camera's colour alone, see cameraColorTarget
 };
 
-// What a target is bound with; limn works out by itself what has to be loaded and stored, from what
-// is read later, and keeps no less than is asked for.
+// These are the actions with which a target is bound. From what is read later, limn derives by
+// itself what must be loaded and stored, and keeps no less than is requested.
 
 /// Unity: UnityEngine.Rendering.RenderBufferLoadAction (2022.3).
 enum class RenderBufferLoadAction
@@ -39,9 +39,9 @@ enum class RenderBufferStoreAction
     DontCare = 3
 };
 
-/// What a command buffer draws into or reads, looked up when the buffer is executed: a texture, a
-/// name given by CommandBuffer::GetTemporaryRT or SetGlobalTexture, or one of the built-in ones.
-/// Unity: UnityEngine.Rendering.RenderTargetIdentifier (2022.3).
+/// Names what a command buffer draws into or reads, and is looked up when the buffer is executed: a
+/// texture, a name given by CommandBuffer::GetTemporaryRT or SetGlobalTexture, or a built-in
+/// target. Unity: UnityEngine.Rendering.RenderTargetIdentifier (2022.3).
 class RenderTargetIdentifier
 {
 public:
@@ -55,7 +55,7 @@ public:
     RenderTargetIdentifier(const Text& name) : m_Content(ShaderPropertyId(name))
     {
     }
-    /// Its nameID(). @throws ContractError for an empty handle
+    /// Makes the identifier of a handle, its nameID(). @throws ContractError for an empty handle
     RenderTargetIdentifier(const RTHandle& handle);
     /// @param texture  null = none
     RenderTargetIdentifier(std::shared_ptr<const Texture> texture);
@@ -70,24 +70,24 @@ private:
 namespace RTHandles
 {
 
-/// A handle for whoever takes handles, around what a name, a texture or CameraTarget stands for
-/// when a command buffer is executed; its rt() is null.
+/// Makes a handle for the texture that a name, a texture or CameraTarget stands for when a command
+/// buffer is executed, for functions that take handles; its rt() is null.
 /// @throws ContractError if the identifier is none
 /// @source Unity: RTHandles.Alloc(RenderTargetIdentifier), Alloc(Texture) (core 14)
 RTHandle Alloc(RenderTargetIdentifier texture);
-/// Wraps the texture itself. @throws ContractError if it is null
+/// Makes a handle of the texture itself. @throws ContractError if it is null
 /// @source Unity: RTHandles.Alloc(RenderTexture) (core 14), whose Release destroys the texture
 RTHandle Alloc(std::shared_ptr<const RenderTexture> texture);
 RTHandle Alloc(const RTHandle&) = delete; ///< it is one already
 
 } // namespace RTHandles
 
-/// A name for a temporary texture, or the camera's target, which one that was not initialised is.
+/// The name of a temporary texture, or the camera's target if it was not initialised.
 /// Unity: UnityEngine.Rendering.Universal.RenderTargetHandle (URP 12).
 class RenderTargetHandle
 {
 public:
-    ShaderPropertyId id; ///< for CommandBuffer::GetTemporaryRT; the empty name unless by a name
+    ShaderPropertyId id; ///< for CommandBuffer::GetTemporaryRT; empty unless initialised by a name
 
     static const RenderTargetHandle CameraTarget;
 

@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// A texture of a RenderTexturePool, which gets it back when this goes or is released. May outlive
-/// its pool.
+/// A texture of a RenderTexturePool, which gets it back when this is destroyed or released. It may
+/// outlive its pool.
 class TemporaryTexture
 {
 public:
@@ -16,9 +16,9 @@ public:
     TemporaryTexture& operator=(TemporaryTexture&& other) noexcept;
     ~TemporaryTexture() { Release(); }
 
-    /// The texture; an empty handle for none.
+    /// Returns the texture, or an empty handle if there is none.
     const RTHandle& handle() const;
-    /// As any other texture is used.
+    /// Converts to the texture's handle.
     operator const RTHandle&() const { return handle(); }
     const std::shared_ptr<const RenderTexture>& rt() const { return handle().rt(); }
     explicit operator bool() const { return m_Entry != nullptr; }
@@ -32,23 +32,23 @@ private:
     {
         RTHandle texture;
         bool isTaken = false;
-        int idleFrames = 0; ///< begun since it was last given out
+        int idleFrames = 0; ///< frames begun since it was last given out
     };
     explicit TemporaryTexture(std::shared_ptr<Entry> entry) : m_Entry(std::move(entry)) {}
 
     std::shared_ptr<Entry> m_Entry;
 };
 
-/// Textures that are needed for a part of a frame. What one pass is done with the next one gets; in
-/// a frame that asks for the same as the one before, each request is given the texture that it was
-/// given there, so that such a frame makes nothing and is not compiled again. A pipeline has one,
-/// which passes find in RenderingData. One thread at a time.
-/// Unity: UnityEngine.RenderTexture.GetTemporary, ReleaseTemporary (2022.3).
+/// A pool of textures that are needed for a part of a frame. A texture that one pass has released
+/// goes to the next pass that asks. In a frame that asks for the same as the one before, each
+/// request gets the texture that it got there, so that such a frame makes nothing and is not
+/// compiled again. A pipeline has one, which passes find in RenderingData. Only one thread at a
+/// time may use it. Unity: UnityEngine.RenderTexture.GetTemporary, ReleaseTemporary (2022.3).
 class RenderTexturePool
 {
 public:
-    /// A texture for as long as the result lives. What is in it is undefined: clear it, or draw
-    /// over the whole of it.
+    /// Returns a texture that stays taken as long as the result lives. Its contents are undefined:
+    /// clear it, or draw over the whole of it.
     /// @param depthBuffer  bits of a depth that the colour has, see RenderTextureDescriptor
     /// @throws ContractError as RenderTexture does
     TemporaryTexture
@@ -59,17 +59,17 @@ public:
     TemporaryTexture GetTemporary(const RenderTextureDescriptor& descriptor,
                                   FilterMode filterMode = FilterMode::Bilinear,
                                   TextureWrapMode wrapMode = TextureWrapMode::Clamp);
-    /// Gives `texture` back before its scope ends; it is none afterwards.
+    /// Gives `texture` back before its scope ends; it is empty afterwards.
     static void ReleaseTemporary(TemporaryTexture& texture) { texture.Release(); }
 
-    /// Returns the ids of the textures that are given out: of what is not, nothing is kept for the
-    /// next frame, whoever gets it then.
+    /// Returns the ids of the textures that are given out. Nothing of the others is kept for the
+    /// next frame.
     std::vector<std::uint64_t> held() const;
 
-    /// Forgets textures that nobody has asked for in the last 15 frames.
+    /// Forgets textures that nothing has asked for in the last 15 frames.
     void BeginFrame();
 
-    /// Textures that it holds, given out or not.
+    /// Returns the number of textures that it holds, given out or not.
     std::size_t size() const { return m_Entries.size(); }
 
 private:

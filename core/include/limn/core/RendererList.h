@@ -15,7 +15,7 @@ namespace limn
 
 struct Camera;
 
-/// What a list of renderers holds and how they are drawn.
+/// Describes a list of renderers and how they are drawn.
 /// Unity: UnityEngine.Rendering.RendererListParams (2022.3), with one state block for all.
 struct RendererListParams
 {
@@ -34,13 +34,13 @@ struct RendererListParams
     RenderStateBlock stateBlock{RenderStateMask::Nothing};
 };
 
-/// The shorter way to say the same. Everything is taken that has a pass of the tags, unless a
-/// member says otherwise (Unity: nothing but render queue 0, until renderQueueRange is set).
+/// A shorter description of the same. It takes everything that has a pass of the tags, unless a
+/// member limits it (Unity: nothing but render queue 0, until renderQueueRange is set).
 /// Unity: UnityEngine.Rendering.RendererUtils.RendererListDesc (2022.3).
 struct RendererListDesc
 {
-    /// @param results  as RendererListParams'
-    /// @param camera   whose distances sort; must outlive the call that takes this
+    /// @param results  as those of RendererListParams
+    /// @param camera   sorts by distances from it; must outlive the call that takes this
     RendererListDesc(ShaderTagId passName, const CullingResults& results, const Camera& camera);
     /// @throws ContractError for no pass name, and for more than 16
     RendererListDesc(std::span<const ShaderTagId> passNames, const CullingResults& results,
@@ -65,13 +65,13 @@ private:
     FixedList<ShaderTagId, DrawingSettings::maxShaderPasses> m_PassNames;
 };
 
-/// What CommandBuffer::DrawRendererList draws, or none. Cheap to copy.
+/// A list of renderers for CommandBuffer::DrawRendererList, or none. It is cheap to copy.
 /// Unity: UnityEngine.Rendering.RendererList (2022.3).
 class RendererList
 {
 public:
     RendererList() = default;
-    /// ScriptableRenderContext::CreateRendererList.
+    /// Makes a list, as ScriptableRenderContext::CreateRendererList does.
     explicit RendererList(RendererListParams params)
         : m_Params(std::allocate_shared<const RendererListParams>(
               PooledAllocator<RendererListParams>(), std::move(params)))

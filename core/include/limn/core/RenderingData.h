@@ -19,8 +19,8 @@ class Scene;
 struct Light;
 struct LightData;
 
-/// What shadows the pipeline and the frame's lights ask for; whether a map is drawn depends on what
-/// there is to throw them and to show them.
+/// The shadows that the pipeline and the frame's lights ask for. Whether a map is drawn also
+/// depends on whether objects throw and show them.
 /// Unity: UnityEngine.Rendering.Universal.ShadowData (URP 14).
 struct ShadowData
 {
@@ -30,25 +30,26 @@ struct ShadowData
     int mainLightShadowCascadesCount = 0;         ///< 1...4
     glm::vec3 mainLightShadowCascadesSplit{0.0f}; ///< shares of the distance; 1, 0, 0 = one only
     float mainLightShadowCascadeBorder = 0.0f;    ///< share of the distance, 0...1
-    bool supportsAdditionalLightShadows = false;  ///< as of the main one
+    bool supportsAdditionalLightShadows = false;  ///< as for the main light
     int additionalLightsShadowmapWidth = 0;       ///< texels
     int additionalLightsShadowmapHeight = 0;
     bool supportsSoftShadows = false;
     int shadowmapDepthBufferBits = 0; ///< 32 (Unity: 16)
 
     ShadowData() = default;
-    /// @param lights  what they point to must outlive calls of bias()
+    /// @param lights  the lights that it points to must outlive calls of bias()
     ShadowData(const ShadowSettings& settings, const LightData& lights);
 
-    /// Of each of LightData::visibleLights(), texels: towards the light and along the normal, 0, 0.
-    /// Worked out when asked for. Unity: ShadowData.bias, a list.
+    /// Returns for each of LightData::visibleLights() the biases in texels: towards the light and
+    /// along the normal, 0, 0. They are computed at each call. Unity: ShadowData.bias, a list.
     std::vector<glm::vec4> bias() const;
-    /// Of each of them, texels along a side of a square that it asks for on the map of additional
-    /// lights. The main one is of tier High, and has another map. Unity: ShadowData.resolution.
+    /// Returns for each of these lights the texels along a side of a square that it asks for on the
+    /// map of additional lights. The main light is of tier High, and has another map.
+    /// Unity: ShadowData.resolution.
     std::vector<int> resolution() const;
 
 private:
-    const Scene* m_Scene = nullptr; ///< with a main light
+    const Scene* m_Scene = nullptr; ///< the scene, if it has a main light
     std::span<const Light* const> m_AdditionalLights;
     glm::vec4 m_Bias{0.0f}; ///< the pipeline's
     glm::ivec3 m_Tiers{0};  ///< low, medium, high
@@ -58,12 +59,13 @@ class RenderTexturePool;
 class ScriptableRenderer;
 class VolumeStack;
 
-/// A blended stack, or one of defaults where none was given: never null, as in Unity. Stacks belong
-/// to the layer above, whose header whoever uses `->` includes; only there is this looked into.
+/// A pointer to a blended stack, or to one of defaults if none was given: never null, as in Unity.
+/// VolumeStack belongs to the layer above; code that uses `->` includes its header, and only then
+/// is the type complete.
 class VolumeStackPointer
 {
 public:
-    /// @param stack  must outlive this; null for the defaults
+    /// @param stack  must outlive this; null = the defaults
     VolumeStackPointer(const VolumeStack* stack = nullptr) : m_Stack(stack) {}
 
     template <typename Stack = VolumeStack>
@@ -85,11 +87,12 @@ private:
 struct CameraData
 {
     const Camera* camera = nullptr; ///< never null during rendering
-    /// The camera's target: pixel size, colour format, 32 depth bits, samples a texel. A pass that
-    /// wants a plain colour texture sets depthBufferBits to 0 and msaaSamples to 1, as in Unity.
+    /// The camera's target: pixel size, colour format, 32 depth bits, samples per texel. A pass
+    /// that needs a plain colour texture sets depthBufferBits to 0 and msaaSamples to 1, as in
+    /// Unity.
     RenderTextureDescriptor cameraTargetDescriptor;
     ScriptableRenderer* renderer = nullptr; ///< never null during rendering
-    int pixelWidth = 0;                     ///< of the picture; the target's is times renderScale
+    int pixelWidth = 0; ///< of the picture; the target's is that times renderScale
     int pixelHeight = 0;
     float aspectRatio = 1.0f;      ///< of the picture, width / height
     float renderScale = 1.0f;      ///< UniversalRenderPipeline::renderScale, or 1
@@ -98,17 +101,18 @@ struct CameraData
     CameraRenderType renderType = CameraRenderType::Base;
     bool clearDepth = true;         ///< Camera::clearDepth, of an overlay
     bool resolveFinalTarget = true; ///< the last camera of its stack: the picture is done
-    /// Camera::targetTexture of the stack's base camera; null = the frame's output.
+    /// The Camera::targetTexture of the stack's base camera; null = the frame's output.
     std::shared_ptr<const RenderTexture> targetTexture;
     SortingCriteria defaultOpaqueSortFlags = SortingCriteria::CommonOpaque;
     glm::dmat4 viewMatrix{1.0}; ///< in double: far away from the world's origin a float is coarse
-    /// View to clip space with y turned over, for draws into textures.
+    /// The matrix from view to clip space with y flipped, for draws into textures.
     glm::mat4 gpuProjectionMatrix{1.0f};
     glm::vec3 worldSpaceCameraPos{0.0f}; ///< metres
-    /// What positions are relative to on the device: Camera::renderOrigin of the base camera.
+    /// The point to which positions are relative on the device: Camera::renderOrigin of the base
+    /// camera.
     glm::dvec3 renderOrigin{0.0};
-    /// Depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1 far.
-    /// Unity: SystemInfo.usesReversedZBuffer (2022.3).
+    /// If true, depth is 1 near ... 0 far, as the renderer's shaders expect it; else 0 near ... 1
+    /// far. Unity: SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;
     CameraType cameraType = CameraType::Game;
     bool postProcessEnabled = true; ///< Camera::renderPostProcessing
@@ -122,10 +126,10 @@ struct CameraData
 
     const glm::dmat4& GetViewMatrix() const { return viewMatrix; }
     const glm::mat4& GetGPUProjectionMatrix() const { return gpuProjectionMatrix; }
-    /// View to clip space as Unity's scripts see it, whichever way the device has depth: OpenGL's,
-    /// z from -w at the near plane to w at the far one.
+    /// Returns the matrix from view to clip space as Unity's scripts see it, whichever depth
+    /// direction the device has: OpenGL's, z from -w at the near plane to w at the far one.
     glm::dmat4 GetProjectionMatrix() const { return camera->projectionMatrixFor(aspectRatio); }
-    // Nothing jitters.
+    // There is no jitter.
     glm::dmat4 GetProjectionMatrixNoJitter() const { return GetProjectionMatrix(); }
     const glm::mat4& GetGPUProjectionMatrixNoJitter() const { return gpuProjectionMatrix; }
     /// Returns true: cameras draw into textures, and a back buffer gets its picture by a blit.
@@ -136,13 +140,15 @@ struct CameraData
     {
         return IsHandleYFlipped(color ? color : depth);
     }
-    /// Returns the same; true for a handle that is empty or only a name.
+    /// Returns whether a camera's projection is flipped for this target; true for a handle that is
+    /// empty or only a name.
     bool IsHandleYFlipped(const RTHandle& handle) const
     {
         return !handle.rt() || IsProjectionFlipped(*handle.rt());
     }
 
-    /// World to clip space with z from w near to 0 far, whichever way round the device's depth is.
+    /// Returns the matrix from world to clip space with z from w near to 0 far, whatever the
+    /// device's depth direction is.
     glm::dmat4 reversedViewProjection() const
     {
         const glm::dmat4 projection(gpuProjectionMatrix);
@@ -153,7 +159,7 @@ struct CameraData
 /// A light that reaches into the camera's view. Unity: UnityEngine.Rendering.VisibleLight (2022.3).
 struct VisibleLight
 {
-    const Light* light = nullptr; ///< as long as the scene's list stays; null = Scene::mainLight
+    const Light* light = nullptr; ///< null = Scene::mainLight; valid as long as the scene's list
     LightType lightType = LightType::Directional;
     Color finalColor;                   ///< linear, with its intensity
     glm::dmat4 localToWorldMatrix{1.0}; ///< it shines along its +z
@@ -164,43 +170,48 @@ struct VisibleLight
 /// The lights that shaders get. Unity: UnityEngine.Rendering.Universal.LightData (URP 14).
 struct LightData
 {
-    int mainLightIndex = -1;       ///< of visibleLights(); -1 = the scene's has no intensity
+    /// The index in visibleLights(); -1 = the scene's main light has no intensity.
+    int mainLightIndex = -1;
     int additionalLightsCount = 0; ///< besides the main one
     int maxPerObjectAdditionalLightsCount =
         0; ///< UniversalRenderPipeline::maxAdditionalLightsCount
-    bool shadeAdditionalLightsPerVertex = false; ///< never
+    bool shadeAdditionalLightsPerVertex = false; ///< always false
     bool supportsAdditionalLights = true;        ///< the limit is not 0
     bool supportsLightLayers = true;
 
-    /// The main one first, if it is one. Worked out when asked for.
+    /// Returns the visible lights, the main one first if it is visible. They are computed at each
+    /// call.
     std::vector<VisibleLight> visibleLights() const;
 
-    const Scene* scene = nullptr;                   ///< null where no pipeline renders
-    std::span<const Light* const> additionalLights; ///< until the camera is done; none is null
+    const Scene* scene = nullptr; ///< null if no pipeline renders
+    /// Valid until the camera is done; no element is null.
+    std::span<const Light* const> additionalLights;
 };
 
-/// What passes and features get to see of the frame; valid during the camera's rendering only.
-/// Unity: UnityEngine.Rendering.Universal.RenderingData (URP 14).
+/// The data of a frame that passes and features receive. It is valid only while the camera is
+/// rendered. Unity: UnityEngine.Rendering.Universal.RenderingData (URP 14).
 struct RenderingData
 {
     CameraData cameraData;
     CullingResults cullResults;
     LightData lightData;
     bool postProcessingEnabled = true; ///< a camera of the stack has renderPostProcessing on
-    /// What is rendered, for whoever has to cull it once more; null where no pipeline renders.
+    /// The scene that is rendered, for code that must cull it once more; null if no pipeline
+    /// renders.
     const Scene* scene = nullptr;
     ShadowSettings shadowSettings; ///< of the pipeline
     ShadowData shadowData;
-    /// UniversalRenderPipeline::enableRenderCompatibilityMode
+    /// If true, passes that override both run Execute:
+    /// UniversalRenderPipeline::enableRenderCompatibilityMode.
     bool enableRenderCompatibilityMode = false;
-    double time = 0.0; ///< seconds, what _Time shows rounded to float
-    /// The blended volumes, where a feature reads its component. (Unity:
-    /// VolumeManager.instance.stack; limn has no singletons.)
+    double time = 0.0; ///< seconds; _Time has it rounded to float
+    /// The blended volumes, in which a feature reads its component.
+    /// (Unity: VolumeManager.instance.stack; limn has no singletons.)
     VolumeStackPointer volumeStack;
-    /// Textures for a while; never null where a pipeline renders. (Unity:
-    /// RenderTexture.GetTemporary, one pool for all.)
+    /// The pool of temporary textures; never null while a pipeline renders.
+    /// (Unity: RenderTexture.GetTemporary, one pool for all.)
     RenderTexturePool* temporaryTextures = nullptr;
-    /// Where to say why something is not drawn; never null during rendering.
+    /// The report, to which code adds why something is not drawn; never null during rendering.
     RenderReport* report = nullptr;
 };
 

@@ -21,8 +21,8 @@ namespace limn
 
 class Material;
 
-/// The materials of a renderer: a vector, but the only one that most renderers have takes no memory
-/// of its own. Iterators and references hold until the next change of the length.
+/// The materials of a renderer. It is a vector that stores a single material, which most renderers
+/// have, without memory of its own. Iterators and references are valid until the length changes.
 class MaterialList
 {
 public:
@@ -54,7 +54,7 @@ public:
     const value_type& at(std::size_t index) const;
 
     void push_back(value_type material) { resize(m_Size + std::size_t{1}, material); }
-    /// @param material  of those that are added
+    /// @param material  the value of those that are added
     void resize(std::size_t count, const value_type& material = nullptr);
     void clear() { *this = MaterialList(); }
 
@@ -69,14 +69,14 @@ private:
     union
     {
         value_type m_One;   ///< null in an empty list
-        value_type* m_Many; ///< of new[]
+        value_type* m_Many; ///< allocated with new[]
     };
     std::uint32_t m_Size = 0;
 };
 
-/// What a renderer was given by SetPropertyBlock, for itself and for single materials. Copies have
-/// lists of their own of the same blocks. A renderer without any, as most are, has one pointer
-/// here.
+/// The property blocks that SetPropertyBlock has set, for a renderer and for single materials.
+/// Copies have lists of their own of the same blocks. A renderer without any, as most are, has one
+/// pointer here.
 class RendererPropertyBlocks
 {
 public:
@@ -88,18 +88,18 @@ public:
     RendererPropertyBlocks& operator=(RendererPropertyBlocks other) noexcept;
     ~RendererPropertyBlocks() = default;
 
-    /// @param block  copied; an empty one takes what there is away
+    /// @param block  copied; an empty one removes the block that was set
     void Set(const MaterialPropertyBlock& block);
     void Set(const MaterialPropertyBlock& block, std::size_t material);
 
     bool isEmpty() const { return m_Lists == nullptr; }
-    // Null = none was set. Until the next change.
+    // These return null if none was set. The reference is valid until the next change.
     const Block& ofRenderer() const { return m_Lists ? m_Lists->ofRenderer : k_None; }
     const Block& OfMaterial(std::size_t material) const
     {
         return material < materialCount() ? m_Lists->ofMaterials[material] : k_None;
     }
-    /// Materials behind these have none.
+    /// Returns the number of materials that may have a block; those behind them have none.
     std::size_t materialCount() const { return m_Lists ? m_Lists->ofMaterials.size() : 0; }
 
 private:
@@ -108,18 +108,19 @@ private:
         Block ofRenderer;
         std::vector<Block> ofMaterials; ///< by index
     };
-    /// To be changed; freed again by DropEmpty.
+    /// Returns the lists to change them; DropEmpty frees them again.
     Lists& Own();
     void DropEmpty();
 
     static const Block k_None;
-    std::unique_ptr<Lists> m_Lists; ///< null, or not without any block
+    std::unique_ptr<Lists> m_Lists; ///< null, or with at least one block
 };
 
 class RendererTable;
 
-/// Whether an object throws a shadow: not at all, the faces that a camera would see, all of its
-/// faces, or a shadow while it is not seen itself. Unity: UnityEngine.Rendering.ShadowCastingMode.
+/// Selects whether an object throws a shadow: not at all, with the faces that a camera would see,
+/// with all of its faces, or without being seen itself.
+/// Unity: UnityEngine.Rendering.ShadowCastingMode.
 enum class ShadowCastingMode : std::uint8_t
 {
     Off = 0,
@@ -128,24 +129,26 @@ enum class ShadowCastingMode : std::uint8_t
     ShadowsOnly = 3
 };
 
-/// Draws a mesh, sub-mesh i with material i. More materials than sub-meshes: the last sub-mesh is
-/// drawn once for each further one. Unity: UnityEngine.MeshRenderer with its MeshFilter (2022.3).
+/// Draws a mesh, sub-mesh i with material i. If there are more materials than sub-meshes, the last
+/// sub-mesh is drawn once for each further one. Unity: UnityEngine.MeshRenderer with its MeshFilter
+/// (2022.3).
 struct MeshRenderer
 {
     std::shared_ptr<const Mesh> mesh;
     MaterialList sharedMaterials;
     RenderingLayerMask renderingLayerMask{1}; ///< a new renderer is in rendering layer 0 only
     bool enabled = true;
-    /// With the pass of LightMode ShadowCaster that its materials' shaders have.
+    /// Selects how the renderer throws shadows, which it does with the ShadowCaster pass of its
+    /// materials' shaders.
     ShadowCastingMode shadowCastingMode = ShadowCastingMode::On;
-    RendererPropertyBlocks propertyBlocks = {}; ///< that SetPropertyBlock was given
+    RendererPropertyBlocks propertyBlocks = {}; ///< set by SetPropertyBlock
 
-    /// The first material; null where there is none. Unity: Renderer.sharedMaterial.
+    /// Returns the first material, or null if there is none. Unity: Renderer.sharedMaterial.
     std::shared_ptr<const Material> sharedMaterial() const
     {
         return sharedMaterials.empty() ? nullptr : sharedMaterials.front();
     }
-    /// The list becomes that of sharedMaterials. Unity: Renderer.GetSharedMaterials (2022.3).
+    /// Copies sharedMaterials into the list. Unity: Renderer.GetSharedMaterials (2022.3).
     void GetSharedMaterials(std::vector<std::shared_ptr<const Material>>& m) const
     {
         m.assign(sharedMaterials.begin(), sharedMaterials.end());
@@ -155,27 +158,28 @@ struct MeshRenderer
         sharedMaterials = materials;
     }
 
-    /// Values that win over those of its materials, and of what overrides these. Renderers of
-    /// different blocks are separate draws.
-    /// @param block  copied; an empty one takes the renderer's away
+    /// Sets values that win over those of its materials and of materials that override these.
+    /// Renderers with different blocks are separate draws.
+    /// @param block  copied; an empty one removes the renderer's block
     /// @source Unity: Renderer.SetPropertyBlock (2022.3)
     void SetPropertyBlock(const MaterialPropertyBlock& block) { propertyBlocks.Set(block); }
-    /// A copy; an empty one where the renderer has none. Unity: Renderer.GetPropertyBlock.
+    /// Sets `block` to a copy of the renderer's block; an empty one if it has none.
+    /// Unity: Renderer.GetPropertyBlock.
     void GetPropertyBlock(MaterialPropertyBlock& block) const
     {
         const auto& own = propertyBlocks.ofRenderer();
         block = own ? *own : MaterialPropertyBlock();
     }
-    /// For one of its materials, which does not look at the block of the whole renderer then.
-    /// @param block  an empty one takes the material's away
+    /// Sets a block for one of its materials, which then ignores the block of the whole renderer.
+    /// @param block  an empty one removes the material's block
     /// @throws ContractError if there is no such material
     void SetPropertyBlock(const MaterialPropertyBlock& block, int materialIndex);
-    /// What was set for this material; an empty one where there is none.
+    /// Sets `block` to a copy of the block of this material; an empty one if it has none.
     void GetPropertyBlock(MaterialPropertyBlock& block, int materialIndex) const;
-    /// Of the renderer, or of any material.
+    /// Returns whether the renderer or any of its materials has a block.
     bool HasPropertyBlock() const { return !propertyBlocks.isEmpty(); }
 
-    /// What draws with this material take; null = none.
+    /// Returns the block that draws with this material use; null = none.
     const std::shared_ptr<const MaterialPropertyBlock>& PropertiesOf(std::size_t material) const
     {
         const auto& own = propertyBlocks.OfMaterial(material);
@@ -183,8 +187,8 @@ struct MeshRenderer
     }
 };
 
-/// An object of a scene. It cannot be copied: `auto object = scene.Add("x")` would change a copy
-/// that is in no scene; write `GameObject&`. Unity: UnityEngine.GameObject (2022.3).
+/// An object of a scene. It cannot be copied, since `auto object = scene.Add("x")` would change a
+/// copy that is in no scene; write `GameObject&`. Unity: UnityEngine.GameObject (2022.3).
 struct GameObject
 {
     GameObject() = default;
@@ -206,21 +210,22 @@ struct DirectionalLight
     glm::vec3 direction{0.0f, -1.0f, 0.0f}; ///< world, the way the light travels; unit length
     Color color;                            ///< sRGB
     float intensity = 1.0f;                 ///< multiplies the linear colour
-    /// What it lights, where a shader has _LIGHT_LAYERS on.
+    /// The rendering layers that it lights, if a shader has _LIGHT_LAYERS on.
     RenderingLayerMask renderingLayerMask{1};
 
     LightShadows shadows = LightShadows::None;
     float shadowStrength = 1.0f; ///< 0...1: the share of its light that shadows take
     SoftShadowQuality softShadowQuality = SoftShadowQuality::UsePipelineSettings;
-    /// The biases are the pipeline's, not those that follow. Unity: UniversalAdditionalLightData.
+    /// If true, the biases are the pipeline's, not the two that follow.
+    /// Unity: UniversalAdditionalLightData.
     bool usePipelineSettings = true;
     float shadowBias = 0.05f;      ///< texels of the shadow map, along the light
     float shadowNormalBias = 0.4f; ///< texels, along the normal
 };
 
-/// Objects to draw, and what lights them: `scene.fog` is Unity's RenderSettings.fog. Objects
-/// keep their address, so that transforms can be parents. One that was moved from can be destroyed
-/// and assigned to only.
+/// A scene: objects to draw, and what lights them. `scene.fog` is Unity's RenderSettings.fog.
+/// Objects keep their address, so that transforms can be parents. A scene that was moved from can
+/// only be destroyed and assigned to.
 class Scene : public RenderSettings
 {
 public:
@@ -232,20 +237,21 @@ public:
     DirectionalLight mainLight{{0.0f, -1.0f, 0.0f}, Color::white, 1.0f};
     std::vector<Light> additionalLights; ///< besides the main one
 
-    /// A new object at the end of the list; the reference holds as long as the scene.
+    /// Adds an object at the end of the list; the reference is valid as long as the scene.
     GameObject& Add(std::string name);
 
     const GameObjects& objects() const { return *m_Objects; }
 
-    /// The first object of this name, or null.
+    /// Returns the first object of this name, or null.
     GameObject* Find(std::string_view name);
 
-    /// The renderers as arrays, up to date; for Cull. One thread at a time.
-    /// @param origin  what places are relative to
+    /// Returns the renderers as arrays, up to date, for Cull. Only one thread at a time may call
+    /// it.
+    /// @param origin  the point to which places are relative
     std::shared_ptr<const RendererTable> UpdateRenderers(const glm::dvec3& origin) const;
 
 private:
-    /// Frames drawn before the scene's end may look at them.
+    /// The objects. Frames that were drawn before the scene's end may still look at them.
     std::shared_ptr<GameObjects> m_Objects = std::make_shared<GameObjects>();
     mutable std::shared_ptr<RendererTable> m_Renderers; ///< follows the objects
 };

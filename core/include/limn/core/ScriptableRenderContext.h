@@ -15,18 +15,18 @@ class DrawRecorder;
 class RenderTargetResolver;
 class RenderTexturePool;
 
-/// What identifiers stand for while a camera is rendered.
+/// The targets that identifiers stand for while a camera is rendered.
 struct CameraTargets
 {
     RTHandle color;
     RTHandle depth;
-    RenderTexturePool* temporaryTextures = nullptr; ///< null = there are none to be had
-    /// Passes 0 and 1 draw _BlitTexture over the whole target, the nearest texel and bilinear; null
-    /// where the renderer has no shaders.
+    RenderTexturePool* temporaryTextures = nullptr; ///< null = none can be made
+    /// The material whose passes 0 and 1 draw _BlitTexture over the whole target, with the nearest
+    /// texel and bilinearly; null if the renderer has no shaders.
     std::shared_ptr<const Material> copy;
 };
 
-/// What holds for all draws until it is set otherwise.
+/// The state that holds for all draws until it is set again.
 struct CommonDrawState
 {
     std::optional<ViewportRect> scissor; ///< none = the whole target
@@ -35,13 +35,13 @@ struct CommonDrawState
     float slopeDepthBias = 0.0f;
 };
 
-/// Turns what passes record into the frame's list of commands, with materials, globals and
-/// LightMode tags looked up: the list is plain data.
+/// Turns what passes record into the frame's list of commands. Materials, globals and LightMode
+/// tags are looked up, so that the list is plain data.
 /// Unity: UnityEngine.Rendering.ScriptableRenderContext (2022.3).
 class ScriptableRenderContext
 {
 public:
-    /// Begin comes first.
+    /// Makes a context that is not begun: call Begin first.
     ScriptableRenderContext();
     explicit ScriptableRenderContext(RenderReport& report,
                                      const glm::dvec3& origin = glm::dvec3(0.0));
@@ -51,30 +51,31 @@ public:
 
     /// Forgets everything that was recorded and made global. One context for all frames is cheaper
     /// than one for each.
-    /// @param report  must outlive the frame
-    /// @param origin  what the device sees positions relative to, see Camera::renderOrigin
-    /// @param spare   of an earlier frame: the memory of its lists is used again
+    /// @param report               must outlive the frame
+    /// @param origin               the point to which positions are relative on the device, see
+    ///     Camera::renderOrigin
+    /// @param spare                commands of an earlier frame, whose memory is used again
     /// @param usesReversedZBuffer  see ShaderCompilerOptions
     void Begin(RenderReport& report, const glm::dvec3& origin, FrameCommands spare = {},
                bool usesReversedZBuffer = true);
 
-    /// DrawRenderers gives each object the brightest of these, at most so many of them. Where there
-    /// are no more than that, and for draws by command buffers, what is global holds.
-    /// @param lights  what shaders call the additional lights; none is null, at most 32
+    /// Sets the lights from which DrawRenderers gives each object the brightest, up to `limit`. If
+    /// there are no more than that, and for draws by command buffers, the global lights are used.
+    /// @param lights  the additional lights of shaders; none is null, at most 32
     /// @param limit   0...8
     void SetObjectLights(std::span<const Light* const> lights, int limit);
 
-    /// From here to EndCamera identifiers in command buffers stand for these.
+    /// Sets the targets that identifiers in command buffers stand for until EndCamera.
     void BeginCamera(CameraTargets camera);
-    /// Gives back the temporary textures that nobody released.
+    /// Gives back the temporary textures that were not released.
     void EndCamera();
 
     /// Appends the buffer's commands; the buffer may be cleared and used again afterwards.
     /// @throws AssetError if a shader pass does not compile
     void ExecuteCommandBuffer(const CommandBuffer& commandBuffer);
 
-    /// Appends draws of what passes the filter into the target that is bound, and counts in the
-    /// report what became of every item.
+    /// Appends draws of the items that pass the filter into the bound target, and counts in the
+    /// report the verdict on every item.
     /// @param stateBlock  replaces groups of the passes' own state
     /// @throws AssetError if a shader pass does not compile and there is no fallbackMaterial
     /// @throws ContractError if an override's pass index is none of its shader's
@@ -82,32 +83,32 @@ public:
                        const FilteringSettings& filteringSettings,
                        const RenderStateBlock& stateBlock = RenderStateBlock());
 
-    /// For CommandBuffer::DrawRendererList in this camera's frame. Nothing is worked out before it
-    /// is drawn. Unity: ScriptableRenderContext.CreateRendererList (2022.3).
+    /// Makes a list for CommandBuffer::DrawRendererList in this camera's frame. Nothing is computed
+    /// before it is drawn. Unity: ScriptableRenderContext.CreateRendererList (2022.3).
     RendererList CreateRendererList(const RendererListParams& param) const;
     RendererList CreateRendererList(const RendererListDesc& desc) const;
 
-    /// Whose calls these are, for the report.
+    /// Sets the name of the pass that makes the following calls, for the report.
     void SetPassName(std::string_view name) { m_PassName = SampleName(name); }
     void SetPassName(SampleName name) { m_PassName = name; }
 
-    /// A place between two commands of the frame, and what held for all draws there.
+    /// A place between two commands of the frame, with the state that held for all draws there.
     struct Place
     {
         std::size_t command = 0;
         std::size_t globalChange = 0;
         CommonDrawState state;
     };
-    /// Here and now, for RecordAt.
+    /// Returns the current place, for RecordAt.
     Place MarkPlace();
-    /// Puts what `record` records at an earlier place; draws see the globals of then, and what it
-    /// makes global ends with it. No place behind it may be used any more.
+    /// Inserts what `record` records at an earlier place. Its draws see the globals of that place,
+    /// and what it makes global ends with it. Places behind it must not be used any more.
     void RecordAt(const Place& place, const std::function<void()>& record);
 
-    /// Whether a draw of this camera so far has the texture bound.
+    /// Returns whether a draw of this camera so far has the texture bound.
     bool Reads(const Texture& texture) const;
 
-    /// Everything so far; the context is empty afterwards.
+    /// Returns everything recorded so far; the context is empty afterwards.
     FrameCommands TakeCommands();
 
 private:

@@ -8,7 +8,7 @@ namespace limn
 
 class Inspector;
 
-/// An effect added to a renderer: makes its passes once, offers them each frame.
+/// An effect that is added to a renderer: it makes its passes once and enqueues them each frame.
 /// Unity: UnityEngine.Rendering.Universal.ScriptableRendererFeature (URP 14).
 class ScriptableRendererFeature
 {
@@ -18,34 +18,37 @@ public:
     ScriptableRendererFeature(const ScriptableRendererFeature&) = delete;
     ScriptableRendererFeature& operator=(const ScriptableRendererFeature&) = delete;
 
-    std::string name; ///< as the user calls it; reports use it
+    std::string name; ///< the user's name for it; reports use it
 
-    /// Makes the passes. Called after the settings were filled in, and again after they changed: it
-    /// replaces what it made before.
+    /// Makes the passes. It is called after the settings were filled in, and again after they
+    /// changed: it replaces what it made before.
     virtual void Create() = 0;
-    /// Once a camera a frame, while active: enqueue passes. Camera targets do not exist yet.
+    /// Enqueues passes. It is called once per camera and frame, while active. Camera targets do not
+    /// exist yet.
     virtual void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) = 0;
-    /// Once a camera a frame, while active, when the camera's targets exist; not for
-    /// CameraType::Preview.
+    /// Sets passes up when the camera's targets exist. It is called once per camera and frame,
+    /// while active, but not for CameraType::Preview.
     virtual void SetupRenderPasses(ScriptableRenderer& renderer,
                                    const RenderingData& renderingData);
 
-    /// How far outside of the picture objects lie that this feature still wants among the culling
-    /// results, pixels; not negative. Asked before culling, while active.
+    /// Returns how far outside of the picture objects may lie that this feature still needs among
+    /// the culling results, in pixels; must not be negative. It is called before culling, while
+    /// active.
     virtual float cullingMargin(const VolumeStackPointer& volumeStack) const;
 
-    /// Names every setting to `inspector`, which reads or writes them.
+    /// Describes every setting to `inspector`, which reads or writes it.
     virtual void Describe(Inspector& inspector);
 
     bool isActive() const { return m_Active; }
-    /// Only a flag: an inactive feature keeps what it made.
+    /// Sets a flag only: an inactive feature keeps what it made.
     void SetActive(bool active) { m_Active = active; }
 
-    /// Once, by the renderer that it was added to, before it is destroyed with that.
+    /// Disposes of the feature. The renderer that it was added to calls it once, before it is
+    /// destroyed with that.
     void Dispose() { Dispose(true); }
 
 protected:
-    /// What of the feature destructors do not let go of. What it throws is lost.
+    /// Releases what destructors do not. What it throws is lost.
     /// @param disposing  true
     virtual void Dispose(bool disposing);
 

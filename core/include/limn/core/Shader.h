@@ -21,49 +21,50 @@
 namespace limn
 {
 
-/// What a pass promises of its draws without a mesh by the tag "LimnFullScreen", which Unity passes
-/// over: they cover their target, and leave no texel as it was but by blending. Only what is
-/// promised lets limn leave such draws out, or draw a part of them; the value is one of
+/// The promise of a pass for its draws without a mesh, made by the tag "LimnFullScreen", which
+/// Unity ignores: they cover their target, and leave no texel as it was except by blending. limn
+/// may leave such draws out, or draw a part of them, only as far as that is promised. The value is
+/// one of
 ///
 ///     True
 ///     0 0 0 1 where _BlitTexture or _OutlineWidth is 0
 ///     0 0 0 1 where _BlitTexture or _OutlineWidth is 0 within _OutlineWidth texels
 ///     _BlitTexture with alpha 1
 ///
-/// The second: the fragment function gives (0, 0, 0, 1) where every component of every texel of one
-/// of these textures, or of a vector or number, is 0. The third: so many texels of the texture
-/// around its own place are enough for that (a number or a property; what bilinear filtering takes
-/// besides need not be counted). The last: it gives the texture's texel at its own place.
+/// The second: the fragment function returns (0, 0, 0, 1) if every component of every texel of one
+/// of these textures, or of a vector or number, is 0. The third: it is enough that this holds for
+/// so many texels of the texture around its own place (a number or a property; the further texels
+/// that bilinear filtering reads need not be counted). The last: it returns the texture's texel at
+/// its own place.
 struct FullScreenTag
 {
     std::vector<ShaderPropertyId> zeroes;
     Color output; ///< linear
     std::optional<ShaderPropertyId> copied;
-    /// Of "within … texels": a number, or else a property; neither = it may look anywhere.
+    /// The number in "within … texels", or else the property; neither = it may look anywhere.
     std::optional<float> reach;
     std::optional<ShaderPropertyId> reachProperty;
 };
 
-/// The tag "LimnWithinMesh" = "True": the vertex function moves no vertex from where the object's
-/// transform and the camera put it, so that nothing is drawn outside of the object's bounds.
+/// Returns whether the pass has the tag "LimnWithinMesh" = "True": the vertex function moves no
+/// vertex from where the object's transform and the camera put it, so that nothing is drawn outside
+/// of the object's bounds.
 bool StaysWithinMesh(const ShaderLabPass& pass);
 
-/// Nothing where the pass has no such tag.
+/// Returns the value of the pass's tag, or nothing if it has none.
 /// @param file  for the message
-/// @throws AssetError if the tag says something else, at its place
+/// @throws AssetError if the tag has another value, at its place
 std::optional<FullScreenTag> ReadFullScreenTag(const ShaderLabPass& pass, const std::string& file);
 
-/// The SubShader of a ShaderLab file that URP draws with (ResolveShader), its passes compiled when
-/// first drawn.
-/// Unity: UnityEngine.Shader (2022.3).
+/// The SubShader of a ShaderLab file that URP draws with (ResolveShader). Its passes are compiled
+/// when they are first drawn. Unity: UnityEngine.Shader (2022.3).
 class Shader
 {
 public:
-    /// @param database  where UsePass and Fallback look, needed no longer than the call; may be
-    /// null
+    /// @param database  where UsePass and Fallback look; may be null, and is not needed after the
+    ///     call
     /// @throws AssetError if the document has no SubShader to draw with, a UsePass leads nowhere,
-    /// or
-    ///         a LimnFullScreen tag is wrong
+    ///     or a LimnFullScreen tag is wrong
     Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
            const ShaderDatabase* database = nullptr);
 
@@ -71,27 +72,28 @@ public:
     static std::shared_ptr<const Shader> Load(const std::filesystem::path& path,
                                               std::shared_ptr<ShaderCompiler> compiler,
                                               const ShaderDatabase* database = nullptr);
-    /// The shader of this name, its passes compiled by `compiler`; null if the database has none.
-    /// Unity: Shader.Find, which looks in the whole project.
+    /// Returns the shader of this name, whose passes `compiler` compiles; null if the database has
+    /// none. Unity: Shader.Find, which looks in the whole project.
     /// @throws AssetError as the constructor
     static std::shared_ptr<const Shader> Find(std::string_view name, const ShaderDatabase& database,
                                               std::shared_ptr<ShaderCompiler> compiler);
-    /// Those of limn, of plug-ins and of files that the scene names: in a feature's Create, and
-    /// while a camera is rendered (see ShaderSource). Where there is none, null and a warning with
-    /// the nearest name.
+    /// Returns a shader of limn, of plug-ins or of a file that the scene names. It works in a
+    /// feature's Create and while a camera is rendered (see ShaderSource). If there is none, it
+    /// returns null and logs a warning with the nearest name.
     /// @throws AssetError as the constructor
     static std::shared_ptr<const Shader> Find(std::string_view name);
-    /// @param file  what error messages call the text
+    /// @param file  the name of the text in error messages
     static std::shared_ptr<const Shader> FromText(std::string_view text, std::string file,
                                                   std::shared_ptr<ShaderCompiler> compiler);
 
     /// Unity: Shader.PropertyToID.
     static ShaderPropertyId PropertyToID(std::string_view name) { return ShaderPropertyId(name); }
 
-    // For all shaders of the process, until they are set otherwise: what comes behind the values of
-    // draws, materials, and CommandBuffer::SetGlobalFloat and its like in the frame. Reaches what
-    // is executed after the call. A value that is not finite and an array without elements throw
-    // ContractError naming it. Any thread. Unity: Shader.SetGlobalFloat and its like (2022.3).
+    // These set globals for all shaders of the process, until they are set again. They are used if
+    // neither draws, materials nor CommandBuffer::SetGlobalFloat and its like in the frame have a
+    // value. They hold for what is executed after the call. A value that is not finite and an array
+    // without elements throw ContractError naming it. Any thread may call them.
+    // Unity: Shader.SetGlobalFloat and its like (2022.3).
     static void SetGlobalFloat(ShaderPropertyId id, float value) { SetGlobal(id, value); }
     static void SetGlobalFloat(ShaderPropertyId id, detail::WholeNumber auto value)
     {
@@ -104,7 +106,7 @@ public:
     {
         SetGlobalVector(id, detail::ToVector4(value));
     }
-    /// As it is, see CommandBuffer::SetGlobalColor.
+    /// Sets the colour as it is, see CommandBuffer::SetGlobalColor.
     static void SetGlobalColor(ShaderPropertyId id, const Color& v) { SetGlobal(id, v.vector()); }
     static void SetGlobalMatrix(ShaderPropertyId id, const glm::mat4& v) { SetGlobal(id, v); }
     static void SetGlobalFloatArray(ShaderPropertyId id, std::vector<float> values)
@@ -125,7 +127,7 @@ public:
         SetGlobal(id, std::move(value));
     }
     static void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value);
-    // Buffers: as MaterialPropertyBlock's; null = none.
+    // Buffers behave as those of MaterialPropertyBlock; null = none.
     static void SetGlobalBuffer(ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> value)
     {
         SetGlobal(id, BufferRange{std::move(value), 0, 0});
@@ -137,9 +139,9 @@ public:
         SetGlobal(id, ConstantRange(std::move(value), offset, size));
     }
 
-    // What those said last; zeros or null where they said nothing, or something of another kind.
-    // What command buffers set is not among it: that is a frame's. Unity: Shader.GetGlobalFloat and
-    // its like (2022.3).
+    // These return the value that those functions set last; zeros or null if they set nothing, or
+    // something of another kind. They do not return what command buffers set, which belongs to a
+    // frame. Unity: Shader.GetGlobalFloat and its like (2022.3).
     static float GetGlobalFloat(ShaderPropertyId id);
     static int GetGlobalInt(ShaderPropertyId id);
     static int GetGlobalInteger(ShaderPropertyId id) { return GetGlobalInt(id); }
@@ -151,8 +153,8 @@ public:
     static std::vector<glm::vec4> GetGlobalVectorArray(ShaderPropertyId id);
     static std::vector<glm::mat4> GetGlobalMatrixArray(ShaderPropertyId id);
 
-    /// For all materials of the process: as CommandBuffer::EnableShaderKeyword, which comes before
-    /// it in the frame.
+    /// Switches a keyword for all materials of the process. CommandBuffer::EnableShaderKeyword,
+    /// which does the same, takes precedence in the frame.
     /// @source Unity: Shader.EnableKeyword and its like (2022.3)
     static void EnableKeyword(std::string_view keyword)
     {
@@ -168,7 +170,7 @@ public:
     {
         SetGlobal(keyword.id(), value ? 1 : 0);
     }
-    /// What EnableKeyword and DisableKeyword said last; command buffers do not change it.
+    /// Returns what EnableKeyword and DisableKeyword set last; command buffers do not change it.
     static bool IsKeywordEnabled(std::string_view keyword);
 
     std::uint64_t id() const { return m_Id; } ///< unique in the process
@@ -176,45 +178,48 @@ public:
     const ShaderLabDocument& document() const { return m_Document; }
     int renderQueue() const { return m_RenderQueue; } ///< of the Queue tag, 0...5000
     int passCount() const { return static_cast<int>(m_SubShader.passes.size()); }
-    /// What it draws with: UsePass is replaced by the pass it names. As long as the shader.
+    /// Returns the SubShader that it draws with, in which each UsePass is replaced by the pass that
+    /// it names. It lives as long as the shader.
     const ShaderLabSubShader& subShader() const { return m_SubShader; }
 
-    /// The index of the first pass of this LightMode, or -1. A pass without the tag counts as
-    /// SRPDefaultUnlit.
+    /// Returns the index of the first pass of this LightMode, or -1. A pass without the tag counts
+    /// as SRPDefaultUnlit.
     int FindPassByLightMode(ShaderTagId lightMode) const;
-    /// The index of the pass of this name (case does not matter), or -1.
+    /// Returns the index of the pass of this name (case does not matter), or -1.
     int FindPassByName(std::string_view passName) const;
 
     const RenderState& passState(int passIndex) const;
     const std::string& passName(int passIndex) const;
-    /// The pass's LightMode; "SRPDefaultUnlit" where it has none.
+    /// Returns the pass's LightMode; "SRPDefaultUnlit" if it has none.
     std::string_view passLightMode(int passIndex) const;
 
-    /// What the pass promises by the tag LimnFullScreen; null = nothing. As long as the shader.
+    /// Returns the promise of the pass's tag LimnFullScreen; null = none. It lives as long as the
+    /// shader.
     const FullScreenTag* fullScreenTag(int passIndex) const;
-    /// Whether the pass has the tag LimnWithinMesh.
+    /// Returns whether the pass has the tag LimnWithinMesh.
     bool staysWithinMesh(int passIndex) const
     {
         return m_StaysWithinMesh.at(static_cast<std::size_t>(passIndex));
     }
 
-    /// What compiles the passes; other shaders may be made with it.
+    /// Returns the compiler of the passes; other shaders may be made with it.
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
-    /// What it counts on, see ShaderCompilerOptions.
+    /// Returns the depth direction that it expects, see ShaderCompilerOptions.
     bool usesReversedZBuffer() const { return !m_Compiler || m_Compiler->usesReversedZBuffer(); }
 
-    /// Which of the properties has this name; -1 = none.
+    /// Returns the index of the property with this name; -1 = none.
     /// @source Unity: Shader.FindPropertyIndex (2022.3)
     int FindPropertyIndex(std::string_view propertyName) const;
-    /// A SubShader was found; whether a pass compiles is found out when it is drawn.
+    /// Returns true, since a SubShader was found; whether a pass compiles is known when it is
+    /// drawn.
     bool isSupported() const { return true; }
-    /// The keywords that a new material has on, by the defaults of its properties.
+    /// Returns the keywords that a new material has on, by the defaults of its properties.
     const std::vector<std::string>& initialKeywords() const { return m_InitialKeywords; }
-    /// Whether a pass has this keyword. Unity: Shader.keywordSpace.
+    /// Returns whether a pass has this keyword. Unity: Shader.keywordSpace.
     bool HasKeyword(std::string_view keyword) const;
 
-    /// The keywords that Compile sets: of each set the first that is `enabled`, else its default;
-    /// sorted. Without `enabled`, by the initial keywords.
+    /// Returns the keywords that Compile sets, sorted: of each set the first that is `enabled`,
+    /// else its default. Without `enabled`, the initial keywords are used.
     /// @throws ContractError naming the shader, if there is no such pass
     std::vector<std::string> keywords(int passIndex, std::span<const std::string> enabled,
                                       std::span<const std::string> globalKeywords = {}) const;
@@ -223,17 +228,18 @@ public:
         return keywords(passIndex, m_InitialKeywords);
     }
 
-    /// The pass ready to draw; compiled on the first call, any thread. Equal variants are one
-    /// object; who asks for one that is being compiled waits for that one only. Without `enabled`,
-    /// by the initial keywords. What does not compile is not tried again: load the shader anew.
+    /// Returns the program of the pass, ready to draw; it is compiled on the first call. Any thread
+    /// may call it. Equal variants are one object; a thread that needs one that is being compiled
+    /// waits for that one only. Without `enabled`, the initial keywords are used. A variant that
+    /// does not compile is not tried again: load the shader anew.
     /// @throws AssetError with the HLSL errors at their lines
     /// @throws ContractError naming the shader, if there is no such pass
     std::shared_ptr<const ShaderProgram> Compile(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     Compile(int passIndex, std::span<const std::string> enabled,
             std::span<const std::string> globalKeywords = {}) const;
-    /// By the initial keywords and those that are on for all; the same ones as the last time cost
-    /// no search for the variant.
+    /// Compiles the pass with the initial keywords and those that are on for all shaders. If they
+    /// are the same as the last time, no variant is searched for.
     std::shared_ptr<const ShaderProgram>
     CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const;
 
@@ -243,7 +249,7 @@ private:
     {
         std::mutex mutex; ///< held while it is compiled
         std::shared_ptr<const ShaderProgram> compiled;
-        std::exception_ptr failure; ///< of the one attempt; a frame asks for each object anew
+        std::exception_ptr failure; ///< of the one attempt; a frame asks again for each object
     };
 
     /// The variants that global keywords chose last: those of shadow passes and of others.
@@ -256,7 +262,7 @@ private:
         };
         std::mutex mutex;
         std::vector<Choice> choices;
-        std::size_t next = 0; ///< to be replaced
+        std::size_t next = 0; ///< the next one to be replaced
     };
 
     static void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);

@@ -14,13 +14,14 @@ namespace limn
 namespace detail
 {
 
-/// What C# makes a float of by itself.
+/// A type that C# converts to float implicitly.
 template <typename T>
 concept WholeNumber = std::integral<T> && !std::same_as<T, bool>;
 template <typename T>
 concept FloatArgument = std::same_as<T, float> || WholeNumber<T>;
 
-/// The number of a name, the same for equal names over the whole process; any thread.
+/// Returns the number of a name, which is the same for equal names in the whole process. Any thread
+/// may call it.
 std::uint32_t InternName(std::string_view name);
 const std::string& InternedName(std::uint32_t id);
 
@@ -35,8 +36,9 @@ struct NameId
     std::uint32_t value = 0; ///< 0 = the empty name
 
     constexpr NameId() = default;
-    /// A property may be called by its name wherever its number is taken, as in Unity, and a
-    /// resource's name is a text there.
+    /// Makes the number of a name. The conversion is implicit for properties and resources, since
+    /// in Unity a property may be given by its name wherever its number is taken, and the name of a
+    /// resource is a string.
     template <std::convertible_to<std::string_view> Text>
     explicit(!std::is_same_v<Tag, PropertyTag> && !std::is_same_v<Tag, ResourceTag>)
         NameId(const Text& name)
@@ -56,21 +58,21 @@ struct NameId
 
 } // namespace detail
 
-/// A shader property's name as a number. Whatever takes one takes a string, too, which is looked up
-/// in a table of the process each time: keep the number in a static where that is each frame. Each
-/// name is kept to the end of the process. Unity: Shader.PropertyToID, and the overloads of
-/// Material.SetFloat and the like that take a string (2022.3).
+/// The name of a shader property as a number. Functions that take one take a string, too, which is
+/// looked up in a table of the process each time: if that happens each frame, keep the number in a
+/// static. Each name is kept until the process ends. Unity: Shader.PropertyToID, and the overloads
+/// of Material.SetFloat and the like that take a string (2022.3).
 using ShaderPropertyId = detail::NameId<detail::PropertyTag>;
 
 /// The name of a ShaderLab tag's value, above all of LightMode. Unity:
 /// UnityEngine.Rendering.ShaderTagId.
 using ShaderTagId = detail::NameId<detail::ShaderTag>;
 
-/// The name of a group of GPU work. Each that a process uses is kept to its end.
+/// The name of a group of GPU work. Each name that a process uses is kept until it ends.
 using SampleName = detail::NameId<detail::SampleTag>;
 
-/// What a render graph calls a texture or buffer: the same text each frame costs no memory. Each
-/// that a process uses is kept to its end.
+/// The name of a texture or buffer in a render graph: the same text each frame costs no memory.
+/// Each name that a process uses is kept until it ends.
 using ResourceName = detail::NameId<detail::ResourceTag>;
 
 } // namespace limn

@@ -14,8 +14,8 @@ class Shader;
 class LocalKeyword
 {
 public:
-    /// @throws ContractError naming the shader's keywords, if it has no such one (Unity logs, and
-    ///         the keyword does nothing)
+    /// @throws ContractError naming the shader's keywords, if it does not have this one (Unity
+    ///     logs, and the keyword has no effect)
     LocalKeyword(const Shader& shader, std::string_view name);
 
     const std::string& name() const { return m_Name; }
@@ -23,12 +23,12 @@ public:
     bool operator==(const LocalKeyword&) const = default;
 
 private:
-    const Shader* m_Shader; ///< tells keywords apart, no more
+    const Shader* m_Shader; ///< only tells keywords of different shaders apart
     std::string m_Name;
 };
 
 /// A keyword that a command buffer switches for all materials at once. A keyword set that a shader
-/// declares with `_local` does not look at it. Unity: UnityEngine.Rendering.GlobalKeyword (2022.3).
+/// declares with `_local` ignores it. Unity: UnityEngine.Rendering.GlobalKeyword (2022.3).
 class GlobalKeyword
 {
 public:
@@ -36,10 +36,11 @@ public:
     static GlobalKeyword Create(std::string_view name) { return GlobalKeyword(name); }
 
     std::string_view name() const { return std::string_view(m_Id.name()).substr(k_Prefix.size()); }
-    /// Under which a frame's globals keep 1 while it is on: no shader has a property of this name.
+    /// Returns the name under which a frame's globals keep 1 while it is on: no shader has a
+    /// property of this name.
     ShaderPropertyId id() const { return m_Id; }
 
-    /// The keyword that is kept under this; nothing for a property's.
+    /// Returns the keyword that is kept under this name; nothing for a property's name.
     static std::optional<GlobalKeyword> OfId(ShaderPropertyId id)
     {
         const std::string_view name = id.name();

@@ -10,26 +10,26 @@
 namespace limn
 {
 
-/// Where Shader::Find looks while code of a feature runs: shaders of a database, each made once,
-/// and others that are known. Any thread.
+/// The shaders that Shader::Find finds while code of a feature runs: those of a database, each made
+/// once, and others that were added. Any thread may use it.
 class ShaderSource
 {
 public:
-    /// @param shaders   gives the database, which may grow
-    /// @param compiler  of the shaders
+    /// @param shaders   returns the database, which may grow
+    /// @param compiler  compiles the shaders
     ShaderSource(const ShaderDatabase& (*shaders)(), std::shared_ptr<ShaderCompiler> compiler)
         : m_Shaders(shaders), m_Compiler(std::move(compiler))
     {
     }
 
-    /// Null where there is none.
+    /// Returns the shader of this name, or null if there is none.
     /// @throws AssetError as the constructor of Shader
     std::shared_ptr<const Shader> Find(std::string_view name);
-    /// Makes one known that comes from elsewhere, for those who find no other of its name.
+    /// Adds a shader from elsewhere, which is found if the database has none of its name.
     void Add(const std::shared_ptr<const Shader>& shader);
-    /// Makes all anew when they are next asked for, and knows nothing that was added.
+    /// Makes all shaders anew when they are next needed, and forgets those that were added.
     void Clear();
-    /// "'Toom'; did you mean 'Toon'?"
+    /// Returns a text such as "'Toom'; did you mean 'Toon'?".
     std::string UnknownShader(std::string_view name) const;
 
 private:
@@ -42,7 +42,7 @@ private:
     Shaders m_Added;
 };
 
-/// Shader::Find of this thread looks there as long as it lives.
+/// Makes Shader::Find of this thread look in a source as long as the scope lives.
 class ShaderSourceScope
 {
 public:

@@ -32,19 +32,20 @@ struct SphericalHarmonicsL2
     /// Adds light of this linear colour from all sides.
     void AddAmbientLight(const Color& color);
 
-    /// Returns the linear colour of a white matt surface, which is below 0 where so few functions
-    /// swing below it.
+    /// Returns the linear colour of a white matt surface, which can be below 0, since so few
+    /// functions swing below it.
     /// @param normal  unit length. Unity: Evaluate, of one direction.
     glm::vec3 Evaluate(const glm::vec3& normal) const;
 
-    /// Returns what shaders have of it: unity_SHAr, unity_SHAg, unity_SHAb, unity_SHBr, unity_SHBg,
-    /// unity_SHBb, unity_SHC.
+    /// Returns its constants in shaders: unity_SHAr, unity_SHAg, unity_SHAb, unity_SHBr,
+    /// unity_SHBg, unity_SHBb, unity_SHC.
     std::array<glm::vec4, 7> shaderConstants() const;
 
     SphericalHarmonicsL2& operator*=(float scale);
     bool operator==(const SphericalHarmonicsL2&) const = default;
 
-    std::array<float, std::size_t{k_Channels} * k_Coefficients> weights{}; ///< red's nine first
+    /// The nine of red come first.
+    std::array<float, std::size_t{k_Channels} * k_Coefficients> weights{};
 
 private:
     static constexpr std::size_t Index(int rgb, int coefficient)

@@ -5,8 +5,8 @@
 namespace limn
 {
 
-/// What a format is wanted for; values Unity's.
-/// Unity: UnityEngine.Experimental.Rendering.FormatUsage (2022.3).
+/// The uses of a format, with Unity's values. Unity: UnityEngine.Experimental.Rendering.FormatUsage
+/// (2022.3).
 enum class FormatUsage
 {
     Sample = 0,
@@ -14,7 +14,7 @@ enum class FormatUsage
     Sparse = 2, ///< never
     Render = 4,
     Blend = 5,
-    GetPixels = 6, ///< this and the next two: what textures are made from is at hand
+    GetPixels = 6, ///< this and the next two: the texels that textures are made from are available
     SetPixels = 7,
     SetPixels32 = 8,
     ReadPixels = 9,
@@ -25,7 +25,7 @@ enum class FormatUsage
     StencilSampling = 16 ///< never
 };
 
-/// The same as flags, as Unity 6 writes it; values Unity's.
+/// The uses of a format as flags, which Unity 6 has, with Unity's values.
 /// Unity: UnityEngine.Experimental.Rendering.GraphicsFormatUsage (6).
 enum class GraphicsFormatUsage
 {
@@ -50,42 +50,43 @@ constexpr GraphicsFormatUsage operator|(GraphicsFormatUsage a, GraphicsFormatUsa
     return static_cast<GraphicsFormatUsage>(static_cast<int>(a) | static_cast<int>(b));
 }
 
-/// What a platform takes for a purpose. Unity: UnityEngine.Experimental.Rendering.DefaultFormat
-/// (2022.3).
+/// The purposes for which a platform has a default format.
+/// Unity: UnityEngine.Experimental.Rendering.DefaultFormat (2022.3).
 enum class DefaultFormat
 {
     LDR = 0,
     HDR = 1,
     DepthStencil = 2,
     Shadow = 3,
-    Video = 4 ///< refused: there is none
+    Video = 4 ///< throws ContractError: there is none
 };
 
 /// Unity: UnityEngine.SystemInfo (2022.3).
 namespace SystemInfo
 {
 
-/// Of the device that was made last and still is. Where there is none, what every Vulkan device
-/// does. Any thread, while none is made or goes.
+/// Returns whether the device that was made last and still exists supports the usage. If there is
+/// none, it returns what every Vulkan device supports. Any thread may call it, while no device is
+/// made or destroyed.
 bool IsFormatSupported(GraphicsFormat format, FormatUsage usage);
-/// Whether it does all of the usages; false for None.
+/// Returns whether the device supports all of the usages; false for None.
 bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage);
-/// The format, or one with as many bits a component at least that does the usage; None where there
-/// is none. Unity's own choice is the platform's.
+/// Returns the format, or one with at least as many bits per component that supports the usage;
+/// None if there is none. Unity's own choice is the platform's.
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, FormatUsage usage);
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage usage);
 /// @throws ContractError for Video
 GraphicsFormat GetGraphicsFormat(DefaultFormat format);
-/// As a target: a depth format as a depth.
+/// Returns whether the format can be a target: a depth format as a depth.
 bool SupportsRenderTextureFormat(RenderTextureFormat format);
 bool SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format);
 bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format);
-/// To be sampled.
+/// Returns whether the format can be sampled.
 bool SupportsTextureFormat(TextureFormat format);
 
 } // namespace SystemInfo
 
-/// Whether each Vulkan device does it, by the tables of the specification.
+/// Returns whether every Vulkan device supports it, by the tables of the specification.
 bool EveryDeviceSupports(GraphicsFormat format, FormatUsage usage);
 
 } // namespace limn

@@ -11,42 +11,44 @@
 namespace limn
 {
 
-/// How a shader reads a texture.
+/// Describes how a shader reads a texture.
 struct SamplerState
 {
     FilterMode filterMode = FilterMode::Bilinear;
     TextureWrapMode wrapModeU = TextureWrapMode::Repeat;
     TextureWrapMode wrapModeV = TextureWrapMode::Repeat;
-    TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< of 3D textures
-    bool comparison = false; ///< depth comparison: passes what is as near as the texel or nearer
-    bool standardZ = false;  ///< of the comparison: 0 is near
-    /// Samples along the direction in which a surface is seen flat: 1 ... 16, 1 = one only. Where
-    /// the device cannot, one. Unity: Texture.anisoLevel.
+    TextureWrapMode wrapModeW = TextureWrapMode::Repeat; ///< for 3D textures
+    /// If true, samples compare depths, and depths pass that are as near as the texel or nearer.
+    bool comparison = false;
+    bool standardZ = false; ///< of the comparison: 0 is near
+    /// The number of samples along the direction in which a surface is seen flat: 1 ... 16, where 1
+    /// = one only. It is one on devices that do not support more. Unity: Texture.anisoLevel.
     int anisoLevel = 1;
     float mipMapBias = 0.0f; ///< added to the mip level. Unity: Texture.mipMapBias
 
     bool operator==(const SamplerState&) const = default;
 };
 
-/// How large a texture is. `slices`: the depth of a 3D texture, the elements of an array, six for
-/// each cube, else 1.
+/// The size of a texture. `slices` is the depth of a 3D texture, the number of elements of an
+/// array, six for each cube, else 1.
 struct TextureShape
 {
     TextureDimension dimension = TextureDimension::Tex2D;
     int width = 0;  ///< texels
     int height = 0; ///< texels
     int slices = 1;
-    int mipCount = 1; ///< levels, each half as wide and high as the one before, at least a texel
+    /// The number of levels, each half as wide and high as the one before, but at least a texel.
+    int mipCount = 1;
 };
 
-/// The levels down to 1x1 (and 1 slice of a 3D texture).
+/// Returns the number of levels down to 1x1 (and 1 slice of a 3D texture).
 int FullMipCount(const TextureShape& shape);
 
-/// As ShaderLab spells it: "2D", "3D", "Cube", "2DArray", "CubeArray".
+/// Returns ShaderLab's spelling: "2D", "3D", "Cube", "2DArray", "CubeArray".
 const char* ToString(TextureDimension dimension);
 
-/// Something a shader can sample. An object of this type is a description: the device makes the
-/// image when a frame first uses it and frees it some frames after the last owner is gone.
+/// Something that a shader can sample. An object of this type is a description: the device makes
+/// the image when a frame first uses it, and frees it some frames after the last owner is gone.
 /// Unity: UnityEngine.Texture.
 class Texture
 {
@@ -55,7 +57,7 @@ public:
     Texture(const Texture&) = delete;
     Texture& operator=(const Texture&) = delete;
 
-    /// Unique in the process, never used again.
+    /// Returns a number that is unique in the process and never used again.
     std::uint64_t id() const { return m_Id; }
     const std::string& name() const { return m_Name; }
     TextureDimension dimension() const { return m_Shape.dimension; }
@@ -63,8 +65,8 @@ public:
     int height() const { return m_Shape.height; }
     int slices() const { return m_Shape.slices; } ///< see TextureShape
     int mipmapCount() const { return m_Shape.mipCount; }
-    /// For messages: "256x256", "32x32x16 3D", "64x64 Cube", "64x64x8 2DArray", "64x64x12
-    /// CubeArray"
+    /// Returns the size for messages: "256x256", "32x32x16 3D", "64x64 Cube", "64x64x8 2DArray",
+    /// "64x64x12 CubeArray"
     std::string DescribeSize() const;
     GraphicsFormat graphicsFormat() const { return m_Format; }
     const SamplerState& sampler() const { return m_Sampler; }
@@ -91,13 +93,14 @@ private:
 /// in limn's left-handed axes, which is how Unity, Direct3D and Vulkan look a direction up.
 using CubemapFaces = std::array<std::vector<std::byte>, 6>;
 
-/// A texture whose texels come from the CPU: those of mip level 0, or of all of them. Where there
-/// are more, the device makes each from the one before when it uploads them, by its linear filter:
-/// of an even size the mean of 2x2 (sRGB is averaged in linear space).
+/// A texture whose texels come from the CPU: those of mip level 0, or of all levels. If only level
+/// 0 is given and there are more, the device makes each from the one before when it uploads them,
+/// with its linear filter: for an even size the mean of 2x2 (sRGB is averaged in linear space).
 class TexelTexture : public Texture
 {
 public:
-    /// Level by level, and slice by slice; in each, rows of texels, tightly packed.
+    /// Returns the texels level by level, and slice by slice; in each, rows of texels, tightly
+    /// packed.
     const std::vector<std::byte>& texels() const { return m_Texels; }
     /// Returns how many levels texels() has: 1 or mipmapCount().
     int levelsOfTexels() const { return m_LevelsOfTexels; }
@@ -106,12 +109,13 @@ protected:
     TexelTexture(std::string name, const TextureShape& shape, GraphicsFormat format,
                  SamplerState sampler);
 
-    /// Appends texels. @param slices  how many they make
+    /// Appends texels. @param slices  the number of slices that they make
     /// @param part  for messages: "face +X: ", or nothing for all of the texture
-    /// @throws ContractError naming the texture, if there are not just as many bytes as that takes
+    /// @throws ContractError naming the texture, if the number of bytes is not exactly the one
+    ///     needed
     void Append(std::vector<std::byte> texels, int slices = 1, const std::string& part = {});
     void AppendFaces(CubemapFaces faces, const std::string& part = {});
-    /// Goes on with the next mip level, of which all slices are to be appended.
+    /// Begins the next mip level, of which all slices must be appended.
     void BeginNextLevel() { ++m_LevelsOfTexels; }
 
 private:
@@ -120,16 +124,16 @@ private:
 };
 
 // The textures below throw ContractError naming the texture, if a size is not positive, the bytes
-// do not fit it, or the format is None or a depth format. What is larger than the device can is
-// refused when it is first drawn with.
+// do not fit it, or the format is None or a depth format. A texture larger than the device supports
+// throws when it is first drawn with.
 
-/// A picture. Row 0 is at v = 0: it goes in bottom row first, as Unity imports it, so that it
-/// stands upright on a mesh. Unity: UnityEngine.Texture2D.
+/// A picture. Row 0 is at v = 0: the texels are given bottom row first, as Unity imports them, so
+/// that the picture stands upright on a mesh. Unity: UnityEngine.Texture2D.
 class Texture2D final : public TexelTexture
 {
 public:
     /// @param texels    height rows of width texels in `format`, tightly packed
-    /// @param mipChain  with all mip levels, else with one
+    /// @param mipChain  if true, it has all mip levels, else one
     Texture2D(std::string name, int width, int height, GraphicsFormat format,
               std::vector<std::byte> texels, SamplerState sampler = {}, bool mipChain = false);
 };
@@ -153,14 +157,15 @@ public:
                    bool mipChain = false);
 };
 
-/// What is seen all around a point. Unity: UnityEngine.Cubemap.
+/// The surroundings of a point in all directions. Unity: UnityEngine.Cubemap.
 class Cubemap final : public TexelTexture
 {
 public:
-    /// @param width  of a face, which is as high
+    /// @param width  the width of a face, which is as high
     Cubemap(std::string name, int width, GraphicsFormat format, CubemapFaces faces,
             SamplerState sampler = {}, bool mipChain = false);
-    /// Makes mip levels that need not be smaller pictures of the first, as those of reflections.
+    /// Makes a cube map whose mip levels need not be smaller pictures of the first, as for
+    /// reflections.
     /// @param levels  at least one; each half as wide as the one before, at least a texel
     Cubemap(std::string name, int width, GraphicsFormat format, std::vector<CubemapFaces> levels,
             SamplerState sampler = {});
@@ -170,7 +175,7 @@ public:
 class CubemapArray final : public TexelTexture
 {
 public:
-    /// @param width  of a face, which is as high
+    /// @param width  the width of a face, which is as high
     CubemapArray(std::string name, int width, GraphicsFormat format,
                  std::vector<CubemapFaces> cubes, SamplerState sampler = {}, bool mipChain = false);
 };

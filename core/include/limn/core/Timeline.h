@@ -9,7 +9,7 @@
 namespace limn
 {
 
-/// How long named stretches of work took.
+/// Records how long named pieces of work took.
 class Timeline
 {
 public:
@@ -20,10 +20,10 @@ public:
         double duration = 0.0; ///< milliseconds
         std::uint64_t allocations = 0;
     };
-    /// The heap allocations of the program so far.
+    /// Returns the heap allocations of the program so far.
     using AllocationCount = std::uint64_t (*)();
 
-    /// @param count  null = allocations are not counted, and 0 in all spans
+    /// @param count  null = allocations are not counted and are 0 in all spans
     explicit Timeline(AllocationCount count = nullptr) : m_Count(count) {}
 
     /// Runs `work` and records it under `name`.
@@ -34,7 +34,7 @@ public:
         return work();
     }
 
-    /// The milliseconds of all spans of that name together.
+    /// Returns the milliseconds of all spans of that name together.
     double Total(const std::string& name) const
     {
         double total = 0.0;
@@ -73,7 +73,7 @@ private:
     std::vector<Span> m_Spans;
 };
 
-/// Runs `work` and records it where there is a timeline; without one it costs nothing more.
+/// Runs `work` and records it if there is a timeline; without one it costs nothing more.
 template <typename Work>
 auto Measure(Timeline* timeline, const char* name, Work&& work)
 {

@@ -7,15 +7,15 @@
 namespace limn
 {
 
-/// Euler angles in degrees as a rotation: about z, then x, then y, world axes.
+/// Returns the rotation of Euler angles in degrees: about z, then x, then y, world axes.
 /// Unity: Quaternion.Euler.
 glm::quat EulerToRotation(const glm::vec3& degrees);
 
-/// The rotation that looks along `forward` with `up` upwards; both need not be unit length.
+/// Returns the rotation that looks along `forward` with `up` upwards; both need not be unit length.
 /// @throws ContractError if forward is zero. Unity: Quaternion.LookRotation.
 glm::quat LookRotation(const glm::vec3& forward, const glm::vec3& up = {0.0f, 1.0f, 0.0f});
 
-/// Position, rotation and scale in the parent's space, or in the world's without one.
+/// A position, rotation and scale in the parent's space, or in world space without a parent.
 /// Unity: UnityEngine.Transform (2022.3).
 struct Transform
 {
@@ -25,11 +25,12 @@ struct Transform
     const Transform* parent = nullptr; ///< must outlive this
 
     glm::mat4 localToParentMatrix() const;
-    // What is in world space throws ContractError if the parents form a circle.
+    // These throw ContractError if the parents form a cycle.
     glm::mat4 localToWorldMatrix() const;
     glm::vec3 position() const; ///< world
-    glm::quat rotation() const; ///< world; scales, the parents' too, do not matter
-    // The same before they are rounded: far away from the world's origin a float is coarse.
+    glm::quat rotation() const; ///< world; ignores all scales, also those of the parents
+    // These return the values before they are rounded: far away from the world's origin a float is
+    // coarse.
     glm::dmat4 worldMatrix() const;
     glm::dquat worldRotation() const;
     glm::vec3 forward() const; ///< world, +z turned by rotation(), unit length

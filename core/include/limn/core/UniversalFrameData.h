@@ -6,23 +6,24 @@
 namespace limn
 {
 
-/// The camera's textures, for RecordRenderGraph.
-/// Unity: UnityEngine.Rendering.Universal.UniversalResourceData (URP 17), what limn has of it.
+/// The camera's textures that limn has, for RecordRenderGraph.
+/// Unity: UnityEngine.Rendering.Universal.UniversalResourceData (URP 17).
 class UniversalResourceData final : public ContextItem
 {
 public:
-    /// What later passes draw into and the picture is made of: another texture of the camera's size
-    /// assigned here takes its place when RecordRenderGraph returns, so that nothing need be copied
-    /// back.
+    /// The colour into which later passes draw and of which the picture is made. Another texture of
+    /// the camera's size that is assigned here replaces it when RecordRenderGraph returns, so that
+    /// nothing need be copied back.
     TextureHandle cameraColor;
     TextureHandle cameraDepth;
-    // What shaders find under these names at the pass's event; none where nothing makes it by then.
+    // These are the textures that shaders find under these names at the pass's event; none if
+    // nothing makes them by then.
     TextureHandle cameraDepthTexture;
     TextureHandle cameraNormalsTexture;
     TextureHandle cameraOpaqueTexture;
-    // None in frames without such shadows.
+    // These are none in frames without such shadows.
     TextureHandle mainShadowsTexture;
-    TextureHandle additionalShadowsTexture; ///< of spots and points
+    TextureHandle additionalShadowsTexture; ///< of spot and point lights
 
     const TextureHandle& activeColorTexture() const { return cameraColor; }
     const TextureHandle& activeDepthTexture() const { return cameraDepth; }
@@ -75,7 +76,8 @@ public:
 namespace RenderingUtils
 {
 
-/// As ScriptableRenderPass::CreateDrawingSettings. Unity: the same (URP 17).
+/// Returns drawing settings as ScriptableRenderPass::CreateDrawingSettings does. Unity: the same
+/// (URP 17).
 DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
                                       const UniversalRenderingData& renderingData,
                                       const UniversalCameraData& cameraData,

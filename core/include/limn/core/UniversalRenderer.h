@@ -16,11 +16,11 @@ class MainLightShadowCasterPass;
 class RenderGraph;
 class TextureHandle;
 
-/// URP's forward renderer in small: shadow maps where something shows shadows (event 50), opaque
-/// objects (250), the skybox if the camera shows one (350), transparent objects (450), final copy
-/// to the output (1001) behind the last camera of a stack; and before them what makes the camera's
-/// depth, normals and opaque colour, in frames that draw with a shader that reads these. Unity:
-/// UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
+/// A small version of URP's forward renderer: shadow maps if something shows shadows (event 50),
+/// opaque objects (250), the skybox if the camera shows one (350), transparent objects (450), final
+/// copy to the output (1001) behind the last camera of a stack. Before them it makes the camera's
+/// depth, normals and opaque colour, in frames that draw with a shader that reads these.
+/// Unity: UnityEngine.Rendering.Universal.UniversalRenderer (URP 14).
 class UniversalRenderer final : public ScriptableRenderer
 {
 public:
@@ -32,15 +32,16 @@ public:
 
     std::shared_ptr<ShaderCompiler> shaderCompiler() const override { return m_Compiler; }
 
-    /// A texture of a render graph. Unity: the same (URP 17).
-    /// @param clear  to black, or to far, before the first pass that writes it
+    /// Makes a texture of a render graph. Unity: the same (URP 17).
+    /// @param clear  if true, clears it to black, or to far, before the first pass that writes it
     static TextureHandle
     CreateRenderGraphTexture(RenderGraph& renderGraph, const RenderTextureDescriptor& desc,
                              ResourceName name, bool clear,
                              FilterMode filterMode = FilterMode::Point,
                              TextureWrapMode wrapMode = TextureWrapMode::Clamp);
 
-    /// Where the picture ends up: a colour of the camera's size. Set before rendering.
+    /// Sets the output that receives the picture: a colour of the camera's size. Call it before
+    /// rendering.
     void SetOutput(RTHandle output) { m_Output = std::move(output); }
 
 protected:
@@ -53,15 +54,15 @@ protected:
                     const ScriptableRenderPass* next, const PassPlace& place) override;
 
 private:
-    /// Makes a base camera's targets, which the overlays of its stack draw onto.
+    /// Makes a base camera's targets, onto which the overlays of its stack draw.
     void MakeTargets(const CameraData& camera);
     bool BringsDepth(const CameraData& camera) const;
 
     std::shared_ptr<ShaderCompiler> m_Compiler;
     std::shared_ptr<const Material> m_CopyMaterial; ///< of CoreBlit.shader
     RTHandle m_Output;
-    std::array<RTHandle, 2> m_Colors; ///< the second one is made when it is asked for
-    std::size_t m_Current = 0;        ///< of them, what cameraColorTargetHandle gives
+    std::array<RTHandle, 2> m_Colors; ///< the second one is made when it is needed
+    std::size_t m_Current = 0;        ///< index of the colour that cameraColorTargetHandle returns
     RTHandle m_Depth;
     std::unique_ptr<MainLightShadowCasterPass> m_MainLightShadowCasterPass;
     std::unique_ptr<AdditionalLightsShadowCasterPass> m_AdditionalLightsShadowCasterPass;

@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// The least and the greatest number allowed; both are allowed themselves.
+/// The smallest and the largest number allowed; both are allowed themselves.
 struct ValueRange
 {
     double min = -std::numeric_limits<double>::infinity();

@@ -22,8 +22,8 @@ namespace limn
 
 class Importer;
 
-/// What plug-ins are loaded from: their files, where debuggers and profilers find them, or copies,
-/// so that the files may be built anew meanwhile.
+/// The files that plug-ins are loaded from: their own files, where debuggers and profilers find
+/// them, or copies, so that the files may be built anew meanwhile.
 enum class PluginLoading
 {
     File,
@@ -31,71 +31,74 @@ enum class PluginLoading
 };
 
 /// Loads what scenes refer to, each thing once: two materials of one shader share it, and objects
-/// of one mesh can be drawn as instances. Everything stays loaded as long as the context.
+/// of one mesh can be drawn as instances. Everything stays loaded as long as the context lives.
 class AssetContext
 {
 public:
-    /// @param options  its includeFolders are roots of references as well; its process imports
-    ///     models and pictures, so that a library that crashes on one costs that one only (without
-    ///     a process it costs the program), and its cacheFolder keeps what they become, up to four
-    ///     times its cacheLimit
+    /// @param options  the compiler's options. Its includeFolders are roots of references as well.
+    ///     Its process imports models and pictures, so that a library that crashes on one costs
+    ///     that one only; without a process it costs the program. Its cacheFolder keeps what they
+    ///     become, up to four times its cacheLimit
     explicit AssetContext(ShaderCompilerOptions options = {},
                           PluginLoading pluginLoading = PluginLoading::File);
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
 
     /// Adds the features, volume components and shaders of a shared module, once; see
-    /// <limn/features/Plugin.h>. Before scenes and profiles that name them are loaded.
-    /// @throws AssetError if it is no plug-in for this limn, or a name of it is taken
+    /// <limn/features/Plugin.h>. Must be called before scenes and profiles that name them are
+    /// loaded.
+    /// @throws AssetError if it is no plug-in for this limn, or if one of its names is taken
     void LoadPlugin(const std::filesystem::path& path);
     /// Loads the plug-ins that another context has, as LoadPlugin does.
     void LoadPluginsOf(const AssetContext& other);
-    /// Reads a plug-in's file again, for contexts that load it from now on; this one keeps what it
-    /// has, and the older code stays loaded for it.
-    /// @return whether the file is a plug-in of this context; nothing is done if not
-    /// @throws AssetError if it cannot be used; contexts then go on with what they had
+    /// Reads a plug-in's file again, for contexts that load it from now on. This context keeps what
+    /// it has, and the older code stays loaded for it.
+    /// @return true if the file is a plug-in of this context; else nothing is done
+    /// @throws AssetError if the file cannot be used; contexts then go on with what they had
     bool ReloadPlugin(const std::filesystem::path& path);
 
-    /// A shader that comes with limn or a plug-in; null for any other name.
+    /// Returns the shader of this name that comes with limn or a plug-in, or null if there is none.
     std::shared_ptr<const Shader> FindShader(std::string_view name)
     {
         return m_ShaderSource->Find(name);
     }
-    /// Where Shader::Find of features looks: shaders that come with limn or a plug-in, and those
-    /// that were loaded from files.
+    /// Returns the source in which Shader::Find of features looks: shaders that come with limn or a
+    /// plug-in, and those that were loaded from files.
     const std::shared_ptr<ShaderSource>& shaderSource() const { return m_ShaderSource; }
-    /// A .shader file. What its UsePass and Fallback name is looked for in the files of its folder
-    /// and below, or of the Unity project's Assets folder that it lies in, and among limn's own.
+    /// Loads a .shader file. The shaders that its UsePass and Fallback name are looked for in the
+    /// files of its folder and below, or of the Assets folder of the Unity project it lies in, and
+    /// among limn's own.
     /// @throws AssetError as Shader::Load
     std::shared_ptr<const Shader> LoadShader(const std::filesystem::path& path);
 
     std::shared_ptr<const Mesh> Primitive(PrimitiveType type);
     /// @throws AssetError as LoadGltfMesh
     std::shared_ptr<const Mesh> LoadMesh(const std::filesystem::path& path);
-    /// A picture (PNG, TIFF, JPEG, TGA, BMP, PSD, OpenEXR, Radiance HDR), upright on a mesh, its
-    /// colours sRGB and with mip maps unless Unity's .meta file beside it says otherwise; that
-    /// one's size, channels, filter, wrap modes and anisotropy.
-    /// @throws AssetError if the file is none of these, for wrong values of the .meta file, and for
-    ///         one that a link has outside of the roots in which the texture lies
+    /// Loads a picture (PNG, TIFF, JPEG, TGA, BMP, PSD, OpenEXR, Radiance HDR), upright on a mesh.
+    /// Its colours are sRGB, and it has mip maps, unless Unity's .meta file beside it says
+    /// otherwise. That file also gives its size, channels, filter, wrap modes and anisotropy.
+    /// @throws AssetError if the file is none of these, if the .meta file has wrong values, or if a
+    ///     link leads to a .meta file outside of the roots in which the texture lies
     std::shared_ptr<const Texture2D> LoadTexture(const std::filesystem::path& path);
-    /// A .material.yaml file: what a scene writes for one of its materials.
+    /// Loads a .material.yaml file, which holds what a scene writes for one of its materials.
     /// @throws AssetError with every problem of the file
     std::shared_ptr<const Material> LoadMaterial(const std::filesystem::path& path);
-    /// A profile with the textures and materials it refers to.
-    /// @param layers  of the scene; a profile loaded with other names is loaded anew
+    /// Loads a profile with the textures and materials that it refers to.
+    /// @param layers  the names of the scene's layers; a profile that was loaded with other names
+    ///     is loaded anew
     /// @throws AssetError as LoadVolumeProfile
     const VolumeProfileLoadResult& LoadProfile(const std::filesystem::path& path,
                                                const LayerNames& layers = {});
 
-    /// Folders that what files refer to may lie in. References that lead elsewhere, be it by a
-    /// link, are refused; paths that a program or a person gives are not asked about.
+    /// Returns the folders that references of files may lead into. References that lead elsewhere,
+    /// even by a link, are refused; paths that a program or a person gives are not checked.
     const FileRoots& roots() const { return m_Roots; }
-    /// Makes a root of the folder of a file that a person named, and of the Unity project it is in:
-    /// of the one file that all others are for.
+    /// Makes roots of the folder of a file that a person named and of the Unity project it is in.
+    /// The file is the one that all others are loaded for.
     void AddRootsAround(const std::filesystem::path& file);
 
-    /// The roots while one file is loaded: where it lies in none of them, it was named by a person
-    /// or a program, and then has those around it for itself, and no other file has.
+    /// Adds the roots around a file while that file is loaded, if it lies in no root. Such a file
+    /// was named by a person or a program; no other file may use the roots around it.
     class RootsFor
     {
     public:
@@ -109,28 +112,30 @@ public:
         FileRoots m_Before;
     };
 
-    /// Adds a file to reachedFiles() that a caller reads itself.
+    /// Adds a file that the caller reads itself to reachedFiles().
     void Reach(const std::filesystem::path& path) { m_Reached.insert(path.lexically_normal()); }
-    /// Every file asked for so far, found or not, the buffers of meshes and what shaders include;
-    /// normal paths.
+    /// Returns the normal paths of all files asked for so far, found or not, with the buffers of
+    /// meshes and the files that shaders include.
     std::set<std::filesystem::path> reachedFiles() const;
 
-    /// Reads a loaded profile again, into the object that everybody shares; null, and nothing read,
-    /// if it is not loaded, or a link took its place that leads out of the roots.
+    /// Reads a loaded profile again, into the object that everybody shares. Returns null, and reads
+    /// nothing, if the profile is not loaded, or if a link that leads out of the roots took its
+    /// place.
     /// @throws AssetError as LoadVolumeProfile; the profile then stays as it was
     const VolumeProfileLoadResult* ReloadProfile(const std::filesystem::path& path);
-    /// Drops what was loaded from a file, so that it is read again when it is next asked for; for
-    /// an include, all shaders; for a .gltf file's buffer, its meshes. Who owns the old asset keeps
-    /// it.
+    /// Drops what was loaded from a file, so that it is read again when it is next asked for. For
+    /// an include it drops all shaders, for a buffer of a .gltf file its meshes. Owners of the old
+    /// asset keep it.
     void Forget(const std::filesystem::path& path);
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
     const Importer& importer() const { return *m_Importer; }
-    /// All features that come with limn, to which a program adds its own before it loads scenes.
+    /// Returns all features that come with limn. A program adds its own to them before it loads
+    /// scenes.
     FeatureRegistry& features() { return m_Features; }
     const FeatureRegistry& features() const { return m_Features; }
-    /// All volume components that come with limn, to which a program adds its own before it loads
-    /// profiles.
+    /// Returns all volume components that come with limn. A program adds its own to them before it
+    /// loads profiles.
     VolumeComponentRegistry& volumeComponents() { return m_VolumeComponents; }
     const VolumeComponentRegistry& volumeComponents() const { return m_VolumeComponents; }
 
@@ -138,9 +143,9 @@ private:
     struct Profile
     {
         VolumeProfileLoadResult result;
-        LayerNames layers;          ///< that its names of layers stand for
-        bool hasReferences = false; ///< it holds other assets
-        bool isInside = false;      ///< it lay in the roots when it was loaded
+        LayerNames layers;          ///< the layer names that it was loaded with
+        bool hasReferences = false; ///< true if it refers to other assets
+        bool isInside = false;      ///< true if it lay in the roots when it was loaded
     };
 
     std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);
@@ -153,20 +158,22 @@ private:
     std::shared_ptr<const Importer> m_Importer;
     FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;
-    std::shared_ptr<ShaderSource> m_ShaderSource; ///< of shipped ones and those that were loaded
+    /// Finds shipped shaders and those that were loaded.
+    std::shared_ptr<ShaderSource> m_ShaderSource;
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;
-    // Files go by their normal path.
+    // The keys of these maps are normal paths.
     std::map<std::filesystem::path, std::shared_ptr<const Shader>> m_Shaders;
     std::map<std::filesystem::path, ShaderDatabase> m_Databases; ///< by folder
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
     std::map<std::filesystem::path, std::shared_ptr<const Texture2D>> m_Textures;
-    std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes; ///< by their headers
+    /// The bytes of textures, by the headers of their files.
+    std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes;
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
     std::map<std::filesystem::path, Profile> m_Profiles;
     std::set<std::filesystem::path> m_Reached;
     PluginLoading m_PluginLoading;
-    std::set<std::filesystem::path> m_PluginFiles; ///< that were asked for, loaded or not
+    std::set<std::filesystem::path> m_PluginFiles; ///< the files that were asked for, loaded or not
     std::set<std::filesystem::path> m_Plugins;     ///< canonical
 };
 

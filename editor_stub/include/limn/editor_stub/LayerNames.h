@@ -22,12 +22,12 @@ public:
         m_Names.at(static_cast<std::size_t>(index)) = std::move(name);
     }
 
-    /// "" for a layer without a name.
+    /// Returns the name of a layer, or "" if it has none.
     const std::string& Name(int index) const { return m_Names.at(static_cast<std::size_t>(index)); }
 
     std::optional<int> Find(std::string_view name) const;
 
-    /// The names there are, by ascending number.
+    /// Returns the names there are, by ascending number.
     std::vector<std::string_view> names() const;
 
     bool operator==(const LayerNames&) const = default;

@@ -16,30 +16,30 @@
 namespace limn
 {
 
-/// The renderer of a scene, before it is made: features may still be changed, their Create has not
-/// run. Unity: UniversalRendererData (URP 14).
+/// The renderer of a scene before it is made. Its features may still be changed, since their Create
+/// has not run. Unity: UniversalRendererData (URP 14).
 struct RendererAsset
 {
     std::vector<std::unique_ptr<ScriptableRendererFeature>> features;
     std::vector<std::string> featureTypes; ///< the type's name of each feature
     LayerMask opaqueLayerMask = LayerMask::Everything();
     LayerMask transparentLayerMask = LayerMask::Everything();
-    std::optional<int> pipelineVersion; ///< of the Unity project that it was read from
+    std::optional<int> pipelineVersion; ///< the version of the Unity project that it was read from
 };
 
 /// An object that turns by itself.
 struct Turn
 {
     GameObject* object = nullptr; ///< of the scene, never null
-    glm::quat rest;               ///< its rotation at time 0
+    glm::quat rest;               ///< the rotation at time 0
     glm::vec3 degreesPerSecond{0.0f};
 };
 
-/// All that a scene file says, everything it refers to loaded.
+/// The content of a scene file, with everything that it refers to loaded.
 struct SceneAsset
 {
     std::filesystem::path path;
-    int width = 1280; ///< of the picture, pixels
+    int width = 1280; ///< of the picture, in pixels
     int height = 720;
     int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
     bool supportsHDR = true; ///< UniversalRenderPipeline::supportsHDR
@@ -56,16 +56,16 @@ struct SceneAsset
     RendererAsset renderer;
     std::vector<Volume> volumes;
     std::vector<Turn> turns;
-    std::vector<Selected> selected; ///< by whoever loaded it, in that order
-    std::vector<Diagnostic> notes;  ///< what of Unity's assets was left out, and the like
+    std::vector<Selected> selected; ///< selected by whoever loaded the scene, in that order
+    std::vector<Diagnostic> notes; ///< the parts of Unity's assets that were left out, and the like
 };
 
-/// Puts the objects that turn where they are at `seconds`. Whole turns are taken off in double
-/// precision, so that the angle is good after days as well.
+/// Turns the objects to where they are at `seconds`. Whole turns are subtracted in double
+/// precision, so that the angle is still accurate after days.
 void TurnObjects(const std::vector<Turn>& turns, double seconds);
 
-/// Returns what is wrong with the size that cameras draw in, which is renderScale times the
-/// picture's; "" if nothing is.
+/// Returns what is wrong with the size that cameras draw in, or "" if nothing is. That size is
+/// renderScale times the picture's.
 std::string ScaledSizeProblem(const SceneAsset& scene);
 
 /// The treatment of meshes, pictures and materials that only inactive objects use.
@@ -75,12 +75,12 @@ enum class InactiveObjects
     Check ///< they are looked for, and not decoded; such an object has no mesh and no material
 };
 
-/// A scene from a *.scene.yaml file, from a .unity file, or of the Unity project that a folder is.
-/// Paths in a *.scene.yaml file start from its folder and lead into that folder,
-/// the Unity project around it or another root of the assets.
+/// Loads a scene from a *.scene.yaml file, from a .unity file, or from a folder that is a Unity
+/// project. Paths in a *.scene.yaml file start from its folder, and lead into that folder, the
+/// Unity project around it or another root of the assets.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
 ///     of the wrong type or outside their range, and files it refers to that are missing or wrong,
-///     with the errors of those
+///     with the errors of those files
 SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
                      InactiveObjects inactive = InactiveObjects::Load);
 

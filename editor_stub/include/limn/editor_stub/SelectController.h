@@ -11,12 +11,12 @@ namespace limn
 struct Selected
 {
     GameObject* object = nullptr; ///< never null
-    double time = 0.0;            ///< when, seconds
+    double time = 0.0;            ///< when it was selected, in seconds
 
     bool operator==(const Selected&) const = default;
 };
 
-/// What a click on a part of a whole selects.
+/// The object that a click on a part of a whole selects.
 enum class SelectUnit
 {
     Whole, ///< the topmost object that the part hangs below
@@ -25,45 +25,47 @@ enum class SelectUnit
 
 struct SelectSettings
 {
-    /// Marks the selected: their renderers are in these rendering layers, all others are not.
+    /// Marks the selected objects: their renderers are in these rendering layers, all others are
+    /// not.
     RenderingLayerMask renderingLayers;
     SelectUnit unit = SelectUnit::Whole;
-    /// What a click can hit and what hides what is behind it; objects outside of the camera's
-    /// culling mask or its clip planes are not hit whatever it says.
+    /// The objects that a click can hit, and that hide what is behind them. Objects outside of the
+    /// camera's culling mask or its clip planes are never hit.
     RaycastSettings raycast;
-    /// A click on an object in no such layer is one on nothing, as on the article's ground, though
-    /// the object hides what is behind it.
+    /// A click on an object in none of these layers counts as a click on nothing, as on the
+    /// article's ground, though the object hides what is behind it.
     LayerMask selectableLayers = LayerMask::Everything();
 };
 
-/// What is selected in a scene, by clicks as in Unity's editor: one selects what is seen there and
-/// nothing else, one with Ctrl adds it or takes it away, one on nothing, with Ctrl as well, leaves
-/// nothing selected.
+/// Selects objects of a scene by clicks, as Unity's editor does. A click selects the object that is
+/// seen there and nothing else. A click with Ctrl adds the object or takes it away. A click on
+/// nothing, with or without Ctrl, leaves nothing selected.
 /// @source SelectController of the article on outlines of selected objects (Unity)
 class SelectController
 {
 public:
-    /// What the scene has in the rendering layers already is selected, since time 0: the topmost
-    /// objects all of whose renderers are.
+    /// Selects what the scene already has in the rendering layers, since time 0: the topmost
+    /// objects whose renderers are all in them.
     /// @lifetime  keeps `scene` by reference
     SelectController(Scene& scene, SelectSettings settings);
 
-    /// A mouse button goes up over a pixel.
-    /// @param x, y  column and row from the top left of the picture
+    /// Handles a mouse button that goes up over a pixel.
+    /// @param x, y  the column and the row from the top left of the picture
     /// @throws ContractError as PixelToRay
     void Click(const Camera& camera, int width, int height, int x, int y, bool isCtrl, double time);
-    /// The same for what GetHitObj gave; null is nothing.
+    /// Handles a click on an object that GetHitObj returned, or on nothing if `hit` is null.
     void Click(GameObject* hit, bool isCtrl, double time);
-    /// What a click on this pixel would select; null for nothing.
+    /// Returns the object that a click on this pixel would select, or null if it would select none.
     GameObject* GetHitObj(const Camera& camera, int width, int height, int x, int y);
-    /// What is seen there, whether it can be selected or not.
+    /// Returns what is seen at this pixel, even if it cannot be selected.
     std::optional<RaycastHit> Raycast(const Camera& camera, int width, int height, int x, int y);
 
-    /// Selects exactly these, each once. Those that were selected remember since when.
+    /// Selects exactly these objects, each once. Those that were selected already keep their time.
     void Select(std::span<GameObject* const> objects, double time);
 
-    /// In the order in which they were selected. One that a click without Ctrl selects again keeps
-    /// its time; one that was not selected meanwhile has a new one.
+    /// Returns the selected objects in the order in which they were selected. An object that a
+    /// click without Ctrl selects again keeps its time. An object that was not selected meanwhile
+    /// has a new one.
     const std::vector<Selected>& selected() const { return m_Targets; }
 
 private:

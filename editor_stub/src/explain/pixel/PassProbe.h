@@ -19,11 +19,11 @@ namespace limn
 /// A draw of a pass, instance by instance where these differ, or a clear within it.
 struct PassStep
 {
-    std::size_t command = 0;         ///< of CompiledRenderPass::commands
-    std::uint32_t firstInstance = 0; ///< of the draw's own
+    std::size_t command = 0;         ///< index into CompiledRenderPass::commands
+    std::uint32_t firstInstance = 0; ///< counted within the draw's instances
     std::uint32_t instanceCount = 1;
-    std::optional<ViewportRect> viewport; ///< in effect; none = the whole target
-    std::string sample;                   ///< the innermost one it was recorded in
+    std::optional<ViewportRect> viewport; ///< the one in effect; none = the whole target
+    std::string sample;                   ///< the innermost sample that it was recorded in
 };
 
 /// Returns a pass's steps in their order.
@@ -33,18 +33,18 @@ std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables&
 struct TargetTexels
 {
     std::vector<std::vector<std::byte>> colors;
-    std::vector<std::byte> depth;   ///< as D32_SFloat; empty = the pass has none
-    std::vector<std::byte> stencil; ///< as R8_UInt; empty likewise
+    std::vector<std::byte> depth;   ///< as D32_SFloat; empty if the pass has no depth
+    std::vector<std::byte> stencil; ///< as R8_UInt; empty if the pass has no stencil
 };
 
-/// Programs of draws that show nothing but where they are: the draws' own places, white.
+/// Programs that show only where draws are: they draw at the same places, in white.
 class CoverPrograms
 {
 public:
     explicit CoverPrograms(const std::shared_ptr<ShaderCompiler>& compiler);
 
-    /// Returns the draw with what its fragments show taken out, and the textures that only they
-    /// read.
+    /// Returns the draw without its fragments' colours, and without the textures that only the
+    /// fragments read.
     DrawSetup Cover(const DrawSetup& draw);
 
 private:
@@ -52,21 +52,21 @@ private:
     std::unordered_map<const ShaderProgram*, std::shared_ptr<const ShaderProgram>> m_Programs;
 };
 
-/// Looks at one texel of a pass's targets, by running the frame again up to there.
+/// Looks at one texel of a pass's targets by running the frame again up to that pass.
 class PassProbe
 {
 public:
-    /// @param x, y  of the texel, from the top left of the picture
+    /// @param x, y  the texel, counted from the top left of the picture
     PassProbe(const CompiledFrame& frame, std::size_t pass, int x, int y, VulkanDevice& device,
               CoverPrograms& covers);
 
     const std::vector<PassStep>& steps() const { return m_Steps; }
-    /// Returns the places among steps() of those that reach the texel, whatever tests and shaders
+    /// Returns the indices in steps() of the steps that reach the texel, whatever tests and shaders
     /// make of it. No others change it.
     const std::vector<std::size_t>& reaching() const { return m_Reaching; }
 
-    /// Returns what the targets hold behind the first `count` that reach the texel; 0 where that
-    /// is nothing.
+    /// Returns what the targets hold after the first `count` steps that reach the texel, and 0 for
+    /// targets without contents.
     TargetTexels After(std::size_t count) const;
 
     // Each of these answers for the which-th draw that reaches the texel.
@@ -76,17 +76,17 @@ public:
     bool LiesInScissor(std::size_t which) const;
     /// Returns whether the texel lies in this part of the targets.
     bool LiesIn(const ViewportRect& rect) const;
-    /// Returns whether it reaches the texel with these faces culled.
+    /// Returns whether the draw reaches the texel with these faces culled.
     bool Reaches(std::size_t which, CullMode cull) const;
-    /// Returns whether a fragment gets past all tests, in this state in place of its own.
+    /// Returns whether a fragment passes all tests, with this state in place of the draw's own.
     bool Passes(std::size_t which, const PipelineState& state) const;
-    /// Returns what its shader gives; nothing where that is no colour.
+    /// Returns the output of the draw's shader, or nothing if that is no colour.
     std::optional<std::vector<float>> OutputOf(std::size_t which) const;
     /// Returns the depth of the nearest fragment, 1 = near.
     float DepthOf(std::size_t which) const;
 
 private:
-    /// Steps from `begin` on, before `end`.
+    /// The steps from `begin` on, before `end`.
     struct Range
     {
         std::size_t begin = 0;
@@ -98,7 +98,7 @@ private:
     const CompiledRenderPass& pass() const { return m_Frame.passes[m_Pass]; }
     const PassStep& Step(std::size_t which) const { return m_Steps[m_Reaching[which]]; }
     const DrawCommand& DrawOf(const PassStep& step) const;
-    /// The draw of this step only, and of this texel.
+    /// Returns the draw of only this step and only this texel.
     DrawCommand AtTexel(const PassStep& step) const;
     RenderTextureDescriptor ProbeDescriptor(GraphicsFormat format) const;
     ViewportRect TexelRect() const;
@@ -107,7 +107,8 @@ private:
     {
         return std::holds_alternative<ClearCommand>(pass().commands[step.command]);
     }
-    static void Split(const Range& range, std::vector<Range>& ranges); ///< into up to four
+    /// Cuts a range into at most four.
+    static void Split(const Range& range, std::vector<Range>& ranges);
     void FindReaching();
     /// Finds out which of at most four ranges reach the texel.
     Reached Cover(std::span<const Range> ranges, CullMode cull) const;
@@ -115,7 +116,7 @@ private:
     FrameReplay BeforePass() const;
     FrameReplay Begin(std::size_t count) const;
     void AddAtTexel(FrameReplay& replay, const PassStep& step) const;
-    /// Draws onto a target of its own, which is cleared to white, with the pass's depth.
+    /// Draws into a target of its own, which is cleared to white, with the pass's depth.
     Image Draw(std::size_t which, const PipelineState& state, GraphicsFormat format) const;
     std::vector<std::byte> TexelOf(const Image& image) const { return TexelAt(image, m_X, m_Y); }
 
@@ -131,13 +132,13 @@ private:
 
 /// Finds the reason for which a draw that reaches the texel leaves it as it was: the first test
 /// that rejects it.
-/// @param which    of PassProbe::reaching
-/// @param before   what the targets hold before it
-/// @param isEmpty  whether the frame is known to have nothing there for it to show
+/// @param which    index into PassProbe::reaching
+/// @param before   what the targets hold before the draw
+/// @param isEmpty  true if the frame is known to have nothing there for the draw to show
 std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size_t which,
                                                const TargetTexels& before, bool isEmpty);
 
-/// "(0.25, 0, 1)", or "0.25".
+/// Returns numbers as text: "(0.25, 0, 1)", or "0.25" for one.
 std::string NumbersText(const std::vector<float>& numbers);
 
 } // namespace limn

@@ -10,28 +10,28 @@
 namespace limn
 {
 
-/// A frame as it was recorded, and what it shows.
+/// A recorded frame, and what it shows.
 struct TracedFrame
 {
     const CompiledFrame& frame;
     const RenderReport& report;
-    const std::vector<const GameObject*>& objects; ///< of the scene, all
+    const std::vector<const GameObject*>& objects; ///< all objects of the scene
     std::shared_ptr<const RenderTexture> output;
     std::shared_ptr<ShaderCompiler> compiler;
 };
 
-/// Goes through a frame's passes and says what each does at one pixel.
+/// Goes through a frame's passes and finds out what each does at one pixel.
 class FrameTrace
 {
 public:
-    /// @param history  has pixel and size; gets all that passes do
+    /// @param history  has the pixel and the size; receives all that passes do
     FrameTrace(TracedFrame traced, VulkanDevice& device, PixelHistory& history);
 
     void Run(const std::function<void(const std::string&)>& progress);
 
-    /// Objects that passes of the picture draw, by their places in the scene.
+    /// Returns the objects that passes of the picture draw, as indices in the scene.
     const std::set<std::uint32_t>& drawn() const { return m_Drawn; }
-    /// The ones among drawn() that reach the pixel.
+    /// Returns the objects of drawn() that reach the pixel.
     const std::set<std::uint32_t>& reaching() const { return m_Reaching; }
 
 private:
@@ -73,8 +73,8 @@ private:
     PixelHistory& m_History;
     CoverPrograms m_Covers;
     std::map<std::uint64_t, Known> m_Known; ///< by Texture::id
-    /// Draws that the device runs where `limn render` draws, by DrawCommand::firstInstance, with
-    /// the part of the target that they are drawn in.
+    /// The draws that the device runs for `limn render`, by DrawCommand::firstInstance, with the
+    /// part of the target that each is drawn into.
     std::map<std::uint32_t, std::optional<ViewportRect>> m_Run;
     std::set<std::uint32_t> m_Drawn;
     std::set<std::uint32_t> m_Reaching;

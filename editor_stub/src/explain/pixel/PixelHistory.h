@@ -26,23 +26,23 @@ enum class PixelFate
     Dispatched, ///< a kernel changed the texel
     Scissor,
     Culled,
-    Discarded, ///< by the shader, or by AlphaToMask
+    Discarded, ///< discarded by the shader, or by AlphaToMask
     Stencil,
     Depth,
     ColorMask,
-    OutOfReach, ///< of a full-screen pass: all that it looks at there is empty
-    Blend,      ///< mixed with what was there, it leaves that as it was
-    Same        ///< it wrote what was there
+    OutOfReach, ///< for a full-screen pass: all that it reads there is empty
+    Blend,      ///< blending left the old value as it was
+    Same        ///< it wrote the value that was there
 };
 
-/// Returns the word for programs: "drawn", "depth" ...
+/// Returns the fate as a word for programs: "drawn", "depth" ...
 const char* ToString(PixelFate fate);
 
 /// A texture's texel at the pixel's place.
 struct PixelValue
 {
     std::string texture;
-    int x = 0; ///< texel, from the top left of the picture
+    int x = 0; ///< the texel, from the top left of the picture
     int y = 0;
     int width = 0; ///< of the texture
     int height = 0;
@@ -56,15 +56,16 @@ struct PixelValue
 struct PixelEvent
 {
     PixelFate fate = PixelFate::Drawn;
-    std::string pass;                 ///< the innermost sample that it was recorded in
-    std::vector<std::string> objects; ///< that are drawn; none where it is no object of the scene
-    std::string mesh;                 ///< "" = none
-    std::string material;             ///< "" = not known
-    std::string shader;               ///< "" of a clear
-    int shaderPass = 0;               ///< or kernel
-    std::string shaderPassName;       ///< "" if it has none
-    std::string reason;               ///< of a rejection, a clause: "it is behind what is there"
-    bool isRun = true;                ///< else the frame does without: the picture is the same
+    std::string pass; ///< the innermost sample that it was recorded in
+    /// The drawn objects; none if it draws no object of the scene.
+    std::vector<std::string> objects;
+    std::string mesh;           ///< "" = none
+    std::string material;       ///< "" = not known
+    std::string shader;         ///< "" for a clear
+    int shaderPass = 0;         ///< index of the pass or the kernel
+    std::string shaderPassName; ///< "" if it has none
+    std::string reason;         ///< why it was rejected, a clause: "it is behind what is there"
+    bool isRun = true; ///< false if the frame leaves it out, which does not change the picture
     std::vector<PixelValue> colors;
     std::optional<PixelValue> depth;   ///< one component, 1 = near
     std::optional<PixelValue> stencil; ///< one component
@@ -83,10 +84,10 @@ struct PixelAbsent
 {
     std::string object;
     std::string reason;
-    bool isHere = false; ///< it would be seen at the pixel, or behind what is
+    bool isHere = false; ///< true if it would be seen at the pixel, or behind what is seen there
 };
 
-/// Draws of no object, all of one kind, that do not cover the pixel.
+/// Draws without an object, all of one kind, that do not cover the pixel.
 struct PixelUncovered
 {
     std::string pass;
@@ -95,8 +96,8 @@ struct PixelUncovered
     int count = 0;
 };
 
-/// A pass into a texture that is not laid out as the picture is: of another shape, or seen from a
-/// light.
+/// A pass into a texture whose layout is not that of the picture: it has another shape, or is seen
+/// from a light.
 struct PixelElsewhere
 {
     std::string pass;
@@ -104,28 +105,28 @@ struct PixelElsewhere
     std::string size;
 };
 
-/// All that passes do at one pixel of the picture, and all that they leave out there.
+/// Everything that passes do at one pixel of the picture, and everything that they leave out there.
 struct PixelHistory
 {
     int x = 0; ///< from the top left of the picture
     int y = 0;
     int width = 0; ///< of the picture
     int height = 0;
-    std::vector<float> color;       ///< in the end; linear
+    std::vector<float> color;       ///< the final colour, linear
     std::array<int, 3> written{};   ///< red, green and blue of the PNG
-    std::vector<PixelEvent> events; ///< in their order
+    std::vector<PixelEvent> events; ///< in the order of the frame
     std::vector<PixelFiltered> filtered;
     std::vector<PixelAbsent> absent;
     std::vector<std::string> uncovered; ///< objects that are drawn, but not over the pixel
     std::vector<PixelUncovered> uncoveredDraws;
     std::vector<PixelElsewhere> elsewhere;
-    std::vector<std::string> notes; ///< of rendering, for the user
+    std::vector<std::string> notes; ///< notes of rendering, for the user
 };
 
-/// Draws the scene and finds out what became of each draw at one of its pixels: by drawing parts of
-/// the frame again, at that pixel, with one test at a time switched off.
-/// @param x, y      from the top left of the picture
-/// @param progress  told what is being looked at: a pass, and which of how many
+/// Draws the scene and finds out what became of each draw at one of its pixels. For this it draws
+/// parts of the frame again, at that pixel, with one test at a time switched off.
+/// @param x, y      the pixel, from the top left of the picture
+/// @param progress  receives what is being looked at: a pass, its number and how many there are
 /// @throws AssetError for a shader with errors
 /// @throws VulkanError
 /// @pre the pixel lies in the picture
@@ -137,15 +138,15 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
 /// @param texel  BytesPerTexel(format) bytes
 std::vector<float> TexelValue(std::span<const std::byte> texel, GraphicsFormat format);
 
-/// Returns the bytes of one texel.
-/// @param x, y  from the top left
+/// Returns the bytes of one texel of an image.
+/// @param x, y      from the top left
 std::vector<std::byte> TexelAt(const Image& image, int x, int y);
 
-/// Writes the history for a person, in lines of about 80 columns.
-/// @param isLong  names also what does not cover the pixel
+/// Returns the history as text for a person, in lines of about 80 columns.
+/// @param isLong  also names what does not cover the pixel
 std::string PixelText(const PixelHistory& history, bool isLong);
 
-/// Writes all of it for programs.
+/// Returns the whole history as JSON for programs.
 Json PixelJson(const PixelHistory& history);
 
 } // namespace limn

@@ -13,20 +13,20 @@ namespace limn
 class CSharpConditions
 {
 public:
-    /// @param file  for messages; must outlive this
+    /// @param file  the file's name in messages; must outlive this
     CSharpConditions(const std::string& file, const CSharpTarget& target)
         : m_File(file), m_Target(target)
     {
     }
 
-    /// Takes a directive in; others than those above mean nothing.
-    /// @param line  from the # on
-    /// @throws AssetError if it stands where it cannot, or its condition is none
+    /// Handles a directive. Other directives than those above have no effect.
+    /// @param line  the line from the # on
+    /// @throws AssetError if the directive is not allowed there, or if its condition is none
     void Take(std::string_view line, const SourceLocation& location);
     /// @throws AssetError if an #if has no #endif
     void Finish() const;
 
-    /// Whether what follows counts.
+    /// Returns whether the lines that follow count.
     bool isTaken() const { return m_Open.empty() || m_Open.back().isTaken; }
     const std::vector<CSharpCondition>& answered() const { return m_Answered; }
 
@@ -35,7 +35,7 @@ private:
     {
         SourceLocation location;
         bool isOuterTaken = true;
-        bool wasTaken = false; ///< an earlier branch of it
+        bool wasTaken = false; ///< true if an earlier branch was taken
         bool isTaken = false;
     };
 

@@ -11,9 +11,10 @@
 namespace limn
 {
 
-using CSharpWords = std::span<const CSharpToken>; ///< of a CSharpFile; a part has no End
+/// Words of a CSharpFile; a part of them has no End.
+using CSharpWords = std::span<const CSharpToken>;
 
-/// [Range(0, 1)]
+/// An attribute: [Range(0, 1)].
 struct CSharpAttribute
 {
     std::string name; ///< without "Attribute" and namespaces
@@ -24,14 +25,14 @@ struct CSharpField
 {
     std::vector<CSharpAttribute> attributes;
     bool isPublic = false;
-    bool isStatic = false; ///< const as well
+    bool isStatic = false; ///< also true for const
     bool isConst = false;
     bool isReadonly = false;
     bool isProperty = false; ///< { get; set; }
-    std::string type;        ///< without spaces, '?' and namespaces: "List<ShaderTagId>"
+    std::string type;        ///< its type without spaces, '?' and namespaces: "List<ShaderTagId>"
     std::string name;
     SourceLocation location; ///< of the name
-    CSharpWords value;       ///< what it begins with; empty where it is not said
+    CSharpWords value;       ///< its initial value; empty if there is none
 
     const CSharpAttribute* Find(std::string_view attribute) const;
 };
@@ -47,7 +48,7 @@ struct CSharpParameter
 struct CSharpMethod
 {
     std::string name;
-    std::string type; ///< what it returns; "" for a constructor
+    std::string type; ///< the type that it returns; "" for a constructor
     bool isOverride = false;
     bool isProtected = false;
     bool isStatic = false;
@@ -67,7 +68,8 @@ struct CSharpEnumerator
     CSharpWords value;
 };
 
-/// Maps a name to the place of its first bearer: a class may have tens of thousands of members.
+/// Maps a name to the index of the first member that has it. A class may have tens of thousands of
+/// members.
 using CSharpNames = std::map<std::string, std::size_t, std::less<>>;
 
 struct CSharpClass
@@ -79,12 +81,12 @@ struct CSharpClass
     bool isGeneric = false;
     bool isPartial = false;
     SourceLocation location; ///< of the name
-    CSharpWords words;       ///< all of it, from its keyword to its }
+    CSharpWords words;       ///< the whole class, from its keyword to its }
     std::vector<CSharpField> fields;
     std::vector<CSharpMethod> methods;
     std::vector<CSharpClass> classes;
     std::vector<CSharpEnumerator> enumerators;
-    // ParseCSharp makes them when all members are there.
+    // ParseCSharp fills these when all members are there.
     CSharpNames fieldNames;
     CSharpNames methodNames;
     CSharpNames classNames;
@@ -109,27 +111,27 @@ struct CSharpFile
     ~CSharpFile() = default;
 };
 
-/// Reads the classes of a file with their members; bodies stay words. What #if leaves out becomes
-/// spaces in the text.
-/// @param file  its path and text are there already
+/// Reads the classes of a file with their members. Bodies stay words. Text that #if leaves out
+/// becomes spaces.
+/// @param file  must already have its path and text
 /// @throws AssetError with line and column if it is no C#, or nested too deeply to be read
 void ParseCSharp(CSharpFile& file, const CSharpTarget& target = {});
 
-/// The text of the words, as the file has it.
+/// Returns the text of the words, as the file has it.
 std::string_view TextOf(const CSharpFile& file, CSharpWords words);
 
-/// A type without namespaces, '?' and spaces at `at`, which then stands behind it; "" if there is
-/// none.
+/// Reads the type at `at` and moves `at` behind it. Returns the type without namespaces, '?' and
+/// spaces, or "" if there is none.
 std::string ReadCSharpType(const CSharpToken*& at);
 
-/// The "<A, B>" at `at`, without spaces, which then stands behind it; "" if the < there is no
-/// bracket.
+/// Reads the "<A, B>" at `at` and moves `at` behind it. Returns it without spaces, or "" if the <
+/// is no bracket.
 std::string ReadCSharpGenerics(const CSharpToken*& at);
 
 /// Cuts words at the commas outside of brackets.
 std::vector<CSharpWords> SplitArguments(CSharpWords words);
 
-/// Of "List<int>[]" "List".
+/// Returns the name of a type without its arguments and brackets: "List" for "List<int>[]".
 std::string_view PlainTypeName(std::string_view type);
 
 } // namespace limn

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// What stands before a member.
+/// The words and attributes before a member.
 struct CSharpModifiers
 {
     std::vector<CSharpAttribute> attributes;
@@ -17,11 +17,11 @@ struct CSharpModifiers
     bool Has(std::string_view word) const { return words.contains(word); }
 };
 
-/// Whether a class, struct, interface, enum or record begins there.
+/// Returns whether a class, struct, interface, enum or record begins there.
 bool IsClassKeyword(const CSharpToken& token);
 
-/// Reads a file's words from the first to the last; CSharpFile.cpp has what stands outside of
-/// classes and classes themselves, CSharpMembers.cpp what is in them.
+/// Reads a file's words from the first to the last. CSharpFile.cpp reads classes and what is
+/// outside of them, CSharpMembers.cpp reads what is in classes.
 class CSharpParser
 {
 public:
@@ -36,15 +36,15 @@ private:
     std::string ExpectName(const char* what);
 
     const CSharpToken* Closing() const { return m_At + m_At->match; }
-    /// To the word, past brackets.
+    /// Skips to one of the words, past brackets.
     void SkipTo(std::initializer_list<std::string_view> words);
 
-    /// What may stand outside of classes.
+    /// Reads what may be outside of classes.
     void ParseSpace(const CSharpToken* end);
     CSharpModifiers ParseModifiers();
     void ParseAttributes(std::vector<CSharpAttribute>& attributes);
     CSharpClass ParseClass(const CSharpModifiers& modifiers);
-    /// The parts of a partial class are one.
+    /// Adds a class. The parts of a partial class become one.
     static void AddClass(std::vector<CSharpClass>& classes, CSharpClass one);
     void SkipGenerics();
     void ParseEnumerators(CSharpClass& result, const CSharpToken* close);
@@ -53,12 +53,12 @@ private:
     void SkipBody() { m_At = m_At->match > 0 ? Closing() + 1 : m_At + 1; }
     void ParseMember(CSharpClass& owner, const CSharpModifiers& modifiers);
     void ParseFields(CSharpClass& owner, const CSharpModifiers& modifiers, const std::string& type);
-    /// To the ; or , behind a value; the , of Dictionary<A, B> is none.
+    /// Skips to the ; or , behind a value. The , of Dictionary<A, B> does not count.
     void SkipPastGenerics();
     CSharpMethod BeginMethod(const CSharpModifiers& modifiers, const std::string& type);
     void ParseMethod(CSharpClass& owner, const CSharpModifiers& modifiers, const std::string& type);
     void ParseParameter(CSharpMethod& method, const CSharpToken* close);
-    /// At { or => or ;
+    /// Reads a method's body, from { or => or ; on.
     void ParseBody(CSharpMethod& method);
     void ParseProperty(CSharpClass& owner, const CSharpModifiers& modifiers,
                        const std::string& type);

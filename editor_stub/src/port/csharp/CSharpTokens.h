@@ -15,11 +15,11 @@ namespace limn
 
 enum class CSharpTokenKind
 {
-    Identifier, ///< keywords too; without the @ of a verbatim one
+    Identifier, ///< also keywords; without the @ of a verbatim one
     Number,
-    String, ///< of any kind, with its quotes
+    String, ///< a string of any kind, with its quotes
     Character,
-    Punctuation, ///< one character each, but for => :: ?. ?? and operators with =
+    Punctuation, ///< one character each, except => :: ?. ?? and operators with =
     End          ///< the last of every list
 };
 
@@ -27,11 +27,11 @@ enum class CSharpTokenKind
 struct CSharpToken
 {
     CSharpTokenKind kind = CSharpTokenKind::End;
-    std::string_view text; ///< of the file
+    std::string_view text; ///< a part of the file's text
     std::size_t offset = 0;
     SourceLocation location;
-    std::ptrdiff_t match = 0;      ///< of a bracket: how many words on the other one is
-    std::vector<CSharpToken> hole; ///< what an interpolated string computes
+    std::ptrdiff_t match = 0;      ///< for a bracket: how many words further the matching one is
+    std::vector<CSharpToken> hole; ///< the expressions of an interpolated string
 
     bool Is(std::string_view other) const
     {
@@ -61,40 +61,42 @@ struct CSharpTokens
 {
     std::vector<CSharpToken> tokens; ///< ends with End; brackets match
     std::vector<CSharpCondition> conditions;
-    std::vector<CSharpRange> leftOut; ///< directives, and what #if leaves out, by lines
+    std::vector<CSharpRange> leftOut; ///< the lines of directives, and those that #if leaves out
 };
 
 /// The Unity that the conditions of C# are answered for.
 struct CSharpTarget
 {
-    int year = 2022; ///< of Unity: the version that limn mirrors
+    int year = 2022; ///< the year of the Unity version; the default is the one that limn mirrors
     int release = 3;
-    bool isUnknownDefined = false; ///< symbols of a project, whose values no file says
+    /// The answer for the project's own symbols, whose values no file gives: true if they count as
+    /// defined.
+    bool isUnknownDefined = false;
 
     int urp() const { return year >= 6000 ? 17 : 14; }
     std::string name() const; ///< "Unity 2022.3 (URP 14)"
 };
 
-/// Whether the symbol is defined: UNITY_2021_3_OR_NEWER, UNITY_2022_3, URP_12_OR_NEWER,
-/// UNITY_STANDALONE and the like. The version of URP is that of the target, under whatever name a
-/// project asks for it.
+/// Returns whether the symbol is defined: UNITY_2021_3_OR_NEWER, UNITY_2022_3, URP_12_OR_NEWER,
+/// UNITY_STANDALONE and the like. The version of URP is that of the target, whatever name a project
+/// uses for it.
 bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target);
 
-/// Cuts C# into words: comments go, so does what #if leaves out.
+/// Cuts C# into words. Comments and what #if leaves out are removed.
 /// @param text  must outlive the result
-/// @param file  for messages
+/// @param file  the file's name in messages
 /// @throws AssetError with line and column if a text or a comment does not end, brackets do not
 ///     match, an #if is broken, or the file is not text
 CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
                             const CSharpTarget& target = {});
 
-/// A type that nobody said.
+/// The name of a type that is not known.
 inline constexpr const char* k_UnknownType = "?";
 
-/// Words of the language, but for types, `new`, `this` and `base`.
+/// Returns whether a word is a keyword of the language other than a type, `new`, `this` or `base`.
 bool IsCSharpKeyword(std::string_view word);
 
-/// Of "T[]" and "List<T>" T.
+/// Returns the type of the elements: T for "T[]" and "List<T>".
 std::string ElementType(const std::string& type);
 
 } // namespace limn

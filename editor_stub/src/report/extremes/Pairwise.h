@@ -8,18 +8,19 @@
 namespace limn::study
 {
 
-/// A level of each factor, by its position.
+/// One level for each factor, as an index.
 using Combination = std::vector<int>;
 
-/// Combinations in which every two levels of different factors meet at least once: what goes wrong
-/// where two extremes meet shows in a few dozen tries instead of all tens of thousands. Always the
-/// same for the same arguments. Where a factor's level does not matter it has its first one, so
-/// make that the cheapest.
-/// @param levelCounts  how many levels each factor has, at least two factors, at least one level
+/// Returns combinations in which every two levels of different factors meet at least once. An error
+/// that occurs where two extremes meet then shows in a few dozen tries instead of tens of
+/// thousands. The result is always the same for the same arguments. A factor whose level does not
+/// matter has its first level, so make that the cheapest.
+/// @param levelCounts  the number of levels of each factor; at least two factors, at least one
+///     level
 /// @source greedy one-test-at-a-time search: Cohen, Dalal, Fredman, Patton, "The AETG System", 1997
 std::vector<Combination> CoverPairs(std::span<const int> levelCounts, std::uint32_t seed = 1);
 
-/// Every combination that `isAllowed` lets through, the last factor changing fastest.
+/// Returns every combination that `isAllowed` accepts. The last factor changes fastest.
 std::vector<Combination>
 AllCombinations(std::span<const int> levelCounts,
                 const std::function<bool(const Combination&)>& isAllowed = {});

@@ -15,104 +15,107 @@ class VulkanDevice;
 namespace limn::study
 {
 
-/// How many cases each technique is put through.
+/// The number of cases that each technique is tested with.
 enum class SweepSize
 {
-    Sampled,  ///< it meets every level; every two levels meet for one technique or another
-    Pairwise, ///< every two levels meet for it
-    Full      ///< all, where pictures of more than 256 pixels leave the first level of two factors
-              ///< at most; a width that is no finite number is tried once
+    Sampled,  ///< every level for it; every two levels meet for some technique
+    Pairwise, ///< every two levels meet for each technique
+    /// All combinations. For pictures of more than 256 pixels and for untidy meshes, at most three
+    /// factors are not at their first level. A width that is no finite number is tried once.
+    Full
 };
 
-/// The technique of cells that are formulas, see FormulaCell: the subject is the formula, the
-/// variant its input.
+/// The technique's name in cells that are formulas, see FormulaCell. Their subject is the formula,
+/// their variant its input.
 inline constexpr const char* k_FormulasName = "Formulas";
 
-/// A cell for each technique and case. Cells know nothing of each other: any of them may be
-/// measured alone, in any process.
+/// Returns a cell for each technique and case. Cells are independent: any of them may be measured
+/// alone, in any process.
 std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
                               const ExtremeLevels& levels = {});
-/// Those and one for each cell of the table of formulas.
+/// Returns the cells of PlanSweep and one cell for each formula of the table.
 std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
                                   const ExtremeLevels& levels = {});
 
-/// What an error bound has to know of the drawn object.
+/// The facts about the drawn object that an error bound depends on.
 struct ShapeFacts
 {
-    double size = 0.0;              ///< the smaller one of width and height, pixels
-    double thickness = 0.0;         ///< of the thinnest part, pixels
-    std::size_t comparedPixels = 0; ///< how many the mean error is over
-    std::size_t borderPixels = 0;   ///< those of them that the object covers in part
+    double size = 0.0;              ///< the smaller of width and height, in pixels
+    double thickness = 0.0;         ///< of the thinnest part, in pixels
+    std::size_t comparedPixels = 0; ///< the number of pixels that the mean error is over
+    std::size_t borderPixels = 0;   ///< the number of these that the object covers in part
 };
 
-/// The largest mean error of alpha in the band that a technique's README leaves room for, and half
-/// a pixel in all, which counts where there are few; none where it says nothing about such a case.
+/// Returns the largest mean error of alpha in the band that a technique's README allows, plus half
+/// a pixel in all, which matters if there are few pixels. For small objects it adds an allowance
+/// for each border pixel. Returns nothing if the README does not cover such a case.
 std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
                                  const ShapeFacts& shape);
 
-/// Values of all channels of a picture that no picture should have.
+/// The number of values, in all channels of a picture, that no picture should have.
 struct BadValues
 {
     int notFinite = 0;
-    int outOfRange = 0; ///< of 0...1, by more than 1e-3
+    int outOfRange = 0; ///< outside 0...1 by more than 1e-3
 };
 /// @throws std::invalid_argument for formats that ChannelOf does not read
 BadValues CountBadValues(const Image& colors);
 
-/// A formula of an article and the one that limn has in its place, for one input.
+/// A formula of an article and the one that limn uses in its place, for one input.
 struct FormulaCell
 {
     std::string formula;    ///< "pow(x, 2)"
-    std::string where;      ///< which technique it is of
+    std::string where;      ///< the technique that it belongs to
     std::string input;      ///< "x = -0.5"
-    double meant = 0.0;     ///< what it should give, in double precision
-    double tolerance = 0.0; ///< how far off it may be
-    double article = 0.0;   ///< what the article's gives on this device, in float
-    double ours = 0.0;      ///< what limn's gives there
-    /// Whether the article's is known to be good for this input; on lavapipe, where it is
-    /// undefined.
+    double meant = 0.0;     ///< the right result, in double precision
+    double tolerance = 0.0; ///< the largest error that is allowed
+    double article = 0.0;   ///< the result of the article's formula on this device, in float
+    double ours = 0.0;      ///< the result of limn's formula there
+    /// Set if the article's formula is known to be good for this input. Where it is undefined, this
+    /// holds for lavapipe.
     bool articleHolds = false;
-    std::string reason; ///< why the article's fails, and what is done in its place
+    std::string reason; ///< why the article's formula fails, and what replaces it
 
-    bool IsGood(double value) const; ///< finite, and no farther off than the tolerance
+    bool IsGood(double value) const; ///< true if finite and within the tolerance
 };
 
-/// The table without what came out.
+/// Returns the table of formulas without results.
 std::vector<FormulaCell> Formulas();
 
-/// Everything that is known to fail in a formula of the articles: a few inputs each, those for
-/// which the article's is as good as ours among them. What a shader does is evaluated on the
-/// device, in floats; the rest as the library does it.
-/// @throws ContractError, VulkanError as any frame
+/// Evaluates everything that is known to fail in a formula of the articles, with a few inputs each.
+/// For some of the inputs the article's formula is as good as ours. Formulas of shaders are
+/// evaluated on the device, in floats, the others as the library does it.
+/// @throws ContractError, VulkanError as for any frame
 std::vector<FormulaCell> EvaluateFormulas(AssetContext& assets, GraphicsDevice& device);
 
-/// Measures cells of PlanStability, in any order.
+/// Measures the cells of PlanStability, in any order.
 class StabilityStudy
 {
 public:
-    /// @param assets  cases take its plug-ins and its compiler's options, whose cacheFolder makes
-    /// the
-    ///     difference between seconds and minutes; the direction of Z is each case's
-    /// @param device  made with VulkanDeviceOptions::validation, or no messages are counted; must
-    ///     outlive this, as must the assets
+    /// @param assets  gives the cases its plug-ins and its compiler's options, whose cacheFolder
+    ///     makes the difference between seconds and minutes; each case has its own direction of Z
+    /// @param device  must be made with VulkanDeviceOptions::validation, or no messages are
+    ///     counted; device and assets must outlive this
     StabilityStudy(const AssetContext& assets, VulkanDevice& device)
         : m_Assets(assets), m_Device(device)
     {
     }
 
-    /// Draws the case that the cell's id says, with its width and with twice that.
+    /// Draws the case that the cell's id describes, with its width and with twice that width.
     ///
-    /// The checks, each a sentence in CellResult::notes that begins with "failed: ": no texel of
-    /// the camera's colour (half floats, before they are rounded) NaN, infinite or outside 0...1;
-    /// no exception; no message of the validation layer; no less area for twice the width; an error
-    /// within ErrorBound; nothing drawn for the width 0, something for a pixel and more. A width
-    /// that is no finite number has to be refused with a sentence.
+    /// Each check that fails adds a sentence to CellResult::notes that begins with "failed: ". The
+    /// checks: no texel of the camera's colour (half floats, before they are rounded) is NaN,
+    /// infinite or outside 0...1; there is no exception and no message of the validation layer; the
+    /// area does not shrink for twice the width; the error is within ErrorBound; nothing is drawn
+    /// for the width 0, and something for a pixel and more. A width that is no finite number must
+    /// be refused with a sentence.
     ///
-    /// Of formulas: that ours is as near to what is meant as it should be.
+    /// For formulas the check is that the result of ours is as near to the right one as it should
+    /// be.
     ///
-    /// values: formulaMeant, formulaArticle, formulaOurs; badTexels, outOfRange,
-    /// validationMessages, meanAbsoluteError, bandPixels, errorBound, areaGrowth, failures; those
-    /// that there are.
+    /// The values are those that apply of formulaMeant, formulaArticle, formulaOurs; badTexels,
+    /// outOfRange, validationMessages, meanAbsoluteError, bandPixels, errorBound, areaGrowth,
+    /// failures.
     /// @throws ContractError for a cell that is not of PlanStability
     CellResult Measure(const CellId& cell);
 

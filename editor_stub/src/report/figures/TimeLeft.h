@@ -8,27 +8,29 @@
 namespace limn::study
 {
 
-/// How much of a long run is done and how long the rest will take, as Console::Progress shows it.
-/// Steps may differ in their work, which is in any unit.
+/// The progress of a long run and the time that the rest will take, for Console::Progress. Steps
+/// may differ in their work, which can be in any unit.
 class TimeLeft
 {
 public:
     using Clock = std::function<std::chrono::steady_clock::time_point()>;
 
-    /// The time runs from here.
-    /// @param steps, work  of the whole run, with what an earlier one did
+    /// Starts the clock.
+    /// @param steps, work  the number of steps and the work of the whole run, including what an
+    ///     earlier run did
     explicit TimeLeft(std::size_t steps, double work, Clock clock = std::chrono::steady_clock::now);
 
-    /// A step that an earlier run did: it took none of this run's time.
+    /// Counts a step that an earlier run did. It took none of this run's time.
     void Skip(double work);
-    /// A step is done.
+    /// Counts a step that is done.
     void Add(double work);
 
-    /// Of the whole work, 0...1; 1 if there is none.
+    /// Returns the part of the whole work that is done, 0...1, or 1 if there is no work.
     double done() const;
-    /// At the speed so far; nothing before this run has done any work.
+    /// Returns the seconds left at the speed so far, or nothing before this run has done any work.
     std::optional<double> seconds() const;
-    /// "[######......]  51 %, 12 of 34, 1 min 20 s left: what is being done".
+    /// Returns a line of progress: "[######......]  51 %, 12 of 34, 1 min 20 s left: what is being
+    /// done".
     std::string Line(const std::string& now) const;
 
 private:

@@ -15,12 +15,12 @@
 namespace limn::study
 {
 
-/// What a cell of kind Numerical may have as its variant: "" is against the technique's twin in
-/// double precision (reference/twins), the others compare two pictures of the device: half of 16
-/// bits, depth that is not reversed, a camera of 8 bits (what is brighter than 1 counts as 1).
+/// Returns the variants that a cell of kind Numerical may have. "" compares with the technique's
+/// twin in double precision (reference/twins). The others compare two pictures of the device: half
+/// of 16 bits, depth that is not reversed, a camera of 8 bits (a value above 1 counts as 1).
 const std::vector<std::string>& NumericalVariants();
 
-/// Measures how far rounding takes techniques.
+/// Measures the errors of techniques by rounding.
 class NumericalBench
 {
 public:
@@ -29,7 +29,7 @@ public:
     {
     }
 
-    /// A cell of kind Numerical of a shape.
+    /// Measures a cell of kind Numerical of a shape.
     /// @throws ContractError for an unknown technique, subject or variant
     CellResult Measure(const CellId& id);
 
@@ -47,31 +47,33 @@ class StudyBench
 {
 public:
     /// @param scene   the file of the subject "scene"
-    /// @param folder  of the study; pictures are written below it, "" writes none
+    /// @param folder  the study's folder, below which pictures are written; "" writes none
     /// @param assets, device  must outlive this
     StudyBench(std::filesystem::path scene, std::filesystem::path folder, AssetContext& assets,
                VulkanDevice& device);
     ~StudyBench();
 
-    /// A cell of any kind but cost.
+    /// Measures a cell of any kind but cost.
     CellResult Measure(const CellId& id);
-    /// A cell of geometry: the drawn outline against the exact one.
+    /// Measures a cell of geometry: the drawn outline against the exact one.
     CellResult MeasureGeometry(const CellId& id);
-    /// A cell of temporal: what flickers while the subject, a shape, moves by sixteenths of a
-    /// pixel, seventeen frames long. The errors of neighbour frames are subtracted, so that the
-    /// motion itself counts for nothing.
+    /// Measures a cell of kind Temporal: the flicker while the subject, a shape, moves by
+    /// sixteenths of a pixel, for seventeen frames. The errors of neighbour frames are subtracted,
+    /// so that the motion itself does not count.
     CellResult MeasureTemporal(const CellId& id);
-    /// Cells of cost that differ in their techniques only. Frames of all of them take turns,
-    /// each between two without an outline (TurnsOf).
-    /// @param rounds  how many frames of each are measured at least; more, if they are quick
+    /// Measures cells of cost that differ only in their techniques. Frames of all of them take
+    /// turns, each between two without an outline (TurnsOf).
+    /// @param rounds  the least number of frames of each that are measured; more are if they are
+    ///     quick
     std::vector<CellResult> MeasureCosts(std::span<const CellId> ids, int rounds);
-    /// Bytes a second that the device copies: measured once, before the first cell of cost.
+    /// Returns the bytes a second that the device copies. They are measured once, before the first
+    /// cell of cost.
     double copyBandwidth();
 
 private:
     struct Reference;
 
-    /// The subject with the technique of the cell.
+    /// Returns the cell's subject with the cell's technique.
     std::unique_ptr<StudyPicture> Picture(const CellId& id, bool isBlack);
     Reference& ReferenceOf(const CellId& id);
     void WritePictures(const Coverage& alpha, const Coverage& exact, const Silhouette& silhouette,
@@ -82,14 +84,16 @@ private:
     AssetContext& m_Assets;
     VulkanDevice& m_Device;
     NumericalBench m_Numerical;
-    double m_CopyBandwidth = 0.0;           ///< 0 = not measured yet
-    std::unique_ptr<Reference> m_Reference; ///< of the last cell: neighbours share it
+    double m_CopyBandwidth = 0.0; ///< 0 = not measured yet
+    /// The reference of the last cell, which its neighbours share.
+    std::unique_ptr<Reference> m_Reference;
 };
 
-/// Why a cell's technique is not drawn at its width; "" if it is.
+/// Returns why a cell's technique is not drawn at its width, or "" if it is drawn.
 std::string WhyNotDrawn(const CellId& id, const AssetContext& assets);
 
-/// Bytes that the frame's passes load, store and read, each texture whole; and those it draws into.
+/// The bytes that the frame's passes load, store and read, each texture as a whole, and those of
+/// its targets.
 struct FrameBytes
 {
     double moved = 0.0;

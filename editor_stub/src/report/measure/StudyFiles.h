@@ -11,72 +11,78 @@
 namespace limn::study
 {
 
-// A study's folder holds study.json, what it is about, and cells.jsonl, a line for each cell that
-// is measured, written as soon as it is. Whatever ends the program, at most the last line is lost.
+// A study's folder holds study.json, which describes the study, and cells.jsonl, with a line for
+// each measured cell, which is written as soon as the cell is measured. Whatever ends the program,
+// at most the last line is lost.
 
-/// A file below a study's folder, which somebody else may have made: it need not be there.
+/// Returns the path of a file below a study's folder, which somebody else may have made. The file
+/// may be missing.
 /// @throws AssetError if a link leads out of the folder
 std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std::string& name);
 
-/// @throws AssetError with line and column if a file is missing, no study's, or says what cannot be
+/// @throws AssetError with line and column if a file is missing, belongs to no study, or has values
+///     that cannot be
 Study ReadStudy(const std::filesystem::path& folder);
 
-/// The folder of a study that is being made.
+/// The folder of a study that is being measured.
 class StudyFolder
 {
 public:
-    /// Makes the folder, or goes on with what is in it.
-    /// @param study  without cells; those that are there already are added
+    /// Makes the folder, or continues the study that is in it.
+    /// @param study  must have no cells; those that the folder has already are added to it
     /// @throws AssetError if the folder has another study's files, if another StudyFolder holds it,
     ///     in whatever process, or if it cannot be written
     StudyFolder(std::filesystem::path folder, Study& study);
 
     const std::filesystem::path& path() const { return m_Path; }
     bool Has(const CellId& id) const { return m_Names.contains(id.Name()); }
-    /// Writes the cell; it is there, whatever happens afterwards, when this returns.
+    /// Writes the cell. When this returns, the cell is on disk, whatever happens afterwards.
     /// @throws AssetError if it cannot be written
     void Add(CellResult cell);
-    /// Writes study.json again: what was found out about the machine since.
+    /// Writes study.json again, with what was found out about the machine since.
     void Update();
 
 private:
     std::filesystem::path m_Path;
     FileLock m_Lock;
     Study& m_Study;
-    std::set<std::string> m_Names; ///< of the cells that are there
+    std::set<std::string> m_Names; ///< the names of the cells that are there
 };
 
-/// Parts of one study, put together: same scene, options, limn and device.
+/// A study put together from parts with the same scene, options, limn and device.
 struct MergedStudy
 {
     Study study;
     std::vector<std::string> missing; ///< planned cells that no part has
-    std::vector<std::string> doubled; ///< cells that several parts have; the first one's stands
+    /// Cells that several parts have; the first one's result is kept.
+    std::vector<std::string> doubled;
 };
 
-/// One for each scene, device, options and version of limn, in the order of the parts.
+/// Returns one study for each scene, device, options and version of limn, in the order of the
+/// parts.
 std::vector<MergedStudy> MergeStudies(std::span<const Study> parts);
 
 /// Writes a merged study with its pictures into a folder of its own.
-/// @param parts  folders that the pictures are copied from
-/// @throws AssetError if the folder is a part, if it holds another study, cells that are not in
-///     this one, or another picture of the same name, or if something cannot be written
+/// @param parts  the folders from which the pictures are copied
+/// @throws AssetError if the folder is a part, if it holds another study, cells that this one lacks
+///     or another picture of the same name, or if something cannot be written
 void WriteMerged(const std::filesystem::path& folder, const Study& study,
                  std::span<const std::string> parts);
 
-/// What two studies of the same cells say differently, a line each, what is measured apart
-/// (Metric::isMeasured).
+/// Returns the differences between two studies of the same cells, a line each. Measured figures
+/// (Metric::isMeasured) are not compared.
 std::vector<std::string> CompareStudies(const Study& first, const Study& second);
 
-/// All but the cells.
+/// Returns everything but the cells.
 Json ToJson(const Study& study);
-/// NaN and infinities are the strings "nan", "inf" and "-inf", which JSON has no numbers for.
+/// Returns the cell's result. NaN and infinities are the strings "nan", "inf" and "-inf", since
+/// JSON has no such numbers.
 Json ToJson(const CellResult& cell);
 
-/// @param file  what errors call it
+/// @param file  the file's name in errors
 /// @throws AssetError with the line and the column of every problem
 Study StudyFromJson(std::string_view text, const std::string& file);
-/// @param lineNumber  of the line in the file
+/// @param lineNumber  the line's number in the file
 /// @throws AssetError with the line and the column of every problem
 CellResult CellFromJson(std::string_view line, const std::string& file, int lineNumber);
 

@@ -6,25 +6,26 @@
 namespace limn::study
 {
 
-/// A scene that is drawn again and again, and what it shows as numbers.
+/// Draws a scene again and again, and returns its pictures as numbers.
 class StudyPicture
 {
 public:
-    /// @param asset   as UseTechnique left it; its features are created here
+    /// @param asset   the scene after UseTechnique; its features are created here
     /// @param assets, device  must outlive this
     StudyPicture(SceneAsset asset, const AssetContext& assets, GraphicsDevice& device);
 
     SceneAsset& asset() { return m_View.asset(); } ///< without its features
-    double time = 0.0;                             ///< seconds, what the next frame's _Time shows
+    double time = 0.0;                             ///< in seconds, the _Time of the next frame
 
-    /// @param timeline  gets how long the phases take; may be null
+    /// Draws a frame.
+    /// @param timeline  receives the times of the phases; may be null
     const RenderResult& Render(Timeline* timeline = nullptr);
-    /// The camera's colour of a new frame before it is rounded to 8 bits: R16G16B16A16_SFloat where
-    /// the camera allows HDR.
+    /// Draws a frame and returns the camera's colour before it is rounded to 8 bits:
+    /// R16G16B16A16_SFloat if the camera allows HDR.
     Image Colors();
-    /// The first channel of Colors(), linear.
+    /// Draws a frame and returns the first channel of Colors(), linear.
     Coverage Alpha();
-    /// What a person sees, R8G8B8A8_SRGB, of a new frame.
+    /// Draws a frame and returns what a person sees, in R8G8B8A8_SRGB.
     Image Output();
 
 private:

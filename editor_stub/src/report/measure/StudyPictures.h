@@ -9,29 +9,30 @@
 namespace limn::study
 {
 
-/// A square of a picture, for people to look at.
+/// A square of a picture, enlarged for people to look at.
 struct PictureWindow
 {
     int x = 0;
     int y = 0;
     int side = 64;
-    int scale = 4; ///< a pixel becomes so many
+    int scale = 4; ///< a pixel becomes scale x scale pixels
 };
 
-/// Around the place on the silhouette's border that is nearest to the picture's upper left corner:
-/// the same for all techniques.
+/// Returns the window around the place on the silhouette's border that is nearest to the picture's
+/// upper left corner. It is the same for all techniques.
 PictureWindow WindowOnBorder(const Silhouette& silhouette, int width, int height);
 
-/// Alpha as a shade of grey, not encoded as sRGB.
+/// Returns alpha as shades of grey, not encoded as sRGB.
 Image AlphaImage(const Coverage& alpha, const PictureWindow& window);
-/// White where they agree, red where too much is drawn, blue where too little.
+/// Returns an image that is white where the two agree, red where too much is drawn, and blue where
+/// too little is drawn.
 Image DifferenceImage(const Coverage& alpha, const Coverage& exact, const PictureWindow& window);
 
 /// Writes a picture of a cell below the study's folder.
-/// @returns its name, relative to the folder
+/// @returns the picture's name, relative to the folder
 std::string WriteStudyPicture(const Image& image, const std::filesystem::path& folder,
                               const CellId& id, const std::string& what);
-/// The same of the part of the whole scene that the outline is in.
+/// Writes the part of the whole scene that has the outline, in the same way.
 std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
                               const std::filesystem::path& folder, const CellId& id);
 

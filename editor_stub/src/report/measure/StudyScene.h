@@ -9,63 +9,64 @@
 namespace limn::study
 {
 
-/// A black picture seen by an orthographic camera: a unit is a pixel, x to the right and y up from
-/// the middle.
+/// Returns a black scene with an orthographic camera. A unit is a pixel, x to the right and y up
+/// from the middle.
 SceneAsset EmptyPicture(int width, int height);
 
-/// A black, outlined object at the origin.
+/// Adds a black, outlined object at the origin.
 GameObject& AddOutlined(SceneAsset& picture, const std::string& name,
                         std::shared_ptr<const Mesh> mesh, AssetContext& assets);
-/// A black, flat, outlined object from pixels of an EmptyPicture.
+/// Adds a black, flat, outlined object, given in pixels of an EmptyPicture.
 GameObject& AddShape(SceneAsset& picture, const std::string& name, const ScreenTriangles& triangles,
                      AssetContext& assets);
 
-/// Puts what the scene's first outline feature that is active would outline, and the camera draws,
-/// into the rendering layer k_OutlinedLayer, and nothing else.
-/// @throws AssetError if there is no such feature, or it takes no object
+/// Puts the objects that the scene's first active outline feature would outline, and that the
+/// camera draws, into the rendering layer k_OutlinedLayer, and no others.
+/// @throws AssetError if there is no such feature, or if it takes no object
 void MarkOutlined(SceneAsset& asset);
 
 /// @throws AssetError if nothing in the rendering layer k_OutlinedLayer is in the picture
 void RequireOutlineInPicture(const SceneAsset& asset);
 
-/// Makes everything black, lit by nothing, before a black background, so that a white outline is
-/// its own alpha. The picture gets the size that the camera draws in, which renderScale may make
-/// another than the scene's; cameras that draw over this one are left out, as are objects that are
+/// Makes everything black and unlit on a black background, so that a white outline is its own
+/// alpha. The picture gets the size that the camera draws in, which differs from the scene's if
+/// renderScale is set. Cameras that draw over this one are removed, and so are objects that are
 /// transparent and not outlined, which hide nothing.
 void MakeBlack(SceneAsset& asset, AssetContext& assets);
 
-/// What the outlined objects cover in the scene's picture, whatever is in front of them; in double
-/// precision, from their triangles.
+/// Returns what the outlined objects cover in the scene's picture, whatever is in front of them. It
+/// is computed in double precision from their triangles.
 Silhouette OutlinedSilhouette(const SceneAsset& asset);
 
-/// The surfaces of a scene that MarkOutlined has been called for: those that are outlined, and the
-/// opaque ones that the camera draws besides and that may stand in front of them.
+/// The surfaces of a scene after MarkOutlined: those that are outlined, and the other opaque ones
+/// that the camera draws and that may be in front of them.
 struct SceneSurfaces
 {
     Surfaces outlined;
     Surfaces others;
-    std::vector<std::string> names; ///< of the objects, by the owner of a surface
+    std::vector<std::string> names; ///< the names of the objects, by the owner of a surface
 };
 SceneSurfaces SurfacesOf(const SceneAsset& asset);
 
 /// Returns whether an object hides a place of the outlined objects' border that is in the picture.
 bool IsPartlyHidden(const SceneAsset& asset);
 
-/// The scene that the study is about; every other subject is made up.
+/// The subject that is the scene of the study. All other subjects are synthetic.
 inline constexpr const char* k_SceneSubject = "scene";
-/// As many balls as the variant says, "100 objects".
+/// The subject with as many balls as the variant names, "100 objects".
 inline constexpr const char* k_BallsSubject = "balls";
 
-/// The flat shapes that can be outlined: "disc", "ring", "star", "needle", "two".
+/// Returns the names of the flat shapes that can be outlined: "disc", "ring", "star", "needle",
+/// "two".
 const std::vector<std::string>& ShapeNames();
 bool IsShape(const std::string& subject);
 
-/// A shape in the middle of a picture, its size going by the picture's height.
-/// @throws ContractError for another name
+/// Returns a shape in the middle of a picture. Its size depends on the picture's height.
+/// @throws ContractError for any other name
 ScreenTriangles ShapeTriangles(const std::string& name, int width, int height);
 
-/// The cell's subject, its objects in the rendering layer k_OutlinedLayer.
-/// @param isBlack  everything black on black
+/// Makes the cell's subject, with its objects in the rendering layer k_OutlinedLayer.
+/// @param isBlack  makes everything black on black
 /// @throws AssetError as LoadScene and MarkOutlined, for the scene
 SceneAsset MakeSubject(const CellId& id, bool isBlack, const std::filesystem::path& scene,
                        AssetContext& assets);

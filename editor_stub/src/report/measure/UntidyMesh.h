@@ -12,12 +12,12 @@ namespace limn::study
 enum class Untidiness
 {
     None,
-    OneTriangleTurned, ///< its corners go round the other way
-    OneFaceTurned,     ///< two neighbours
-    TurnedAtRandom,    ///< half of all triangles
+    OneTriangleTurned, ///< one triangle's corners go round the other way
+    OneFaceTurned,     ///< two neighbour triangles are turned
+    TurnedAtRandom,    ///< half of all triangles are turned
     Doubled,           ///< each triangle is there twice
-    DoubleSided,       ///< twice, once the other way round
-    TwoObjects,        ///< at the same place; the mesh itself is tidy
+    DoubleSided,       ///< each triangle is there twice, once the other way round
+    TwoObjects,        ///< two objects are at the same place; the mesh itself is tidy
     Soup,              ///< no triangle shares a vertex with another, half of them are turned
     TJunctions,        ///< every other triangle has a corner in the middle of its neighbour's side
     NoArea,            ///< beside every other triangle lie two that are a line and a point
@@ -25,11 +25,11 @@ enum class Untidiness
     Fins               ///< three faces meet at some edges, the third one standing off the mesh
 };
 
-/// "tidy", "one triangle turned", ... in the order of Untidiness.
+/// Returns the names "tidy", "one triangle turned", ... in the order of Untidiness.
 const std::vector<std::string>& UntidinessNames();
 
-/// A copy with vertices and normals only.
-/// @param tidy  one list of triangles; with normals
+/// Returns an untidy copy of a mesh, with vertices and normals only.
+/// @param tidy  must have one list of triangles, and normals
 std::shared_ptr<const Mesh> MakeUntidy(const Mesh& tidy, Untidiness untidiness);
 
 } // namespace limn::study

@@ -15,26 +15,27 @@ struct TableColumn
     bool isNumber = false;
 };
 
-/// Text as it is, no markup in it.
+/// A table of plain text without markup.
 struct Table
 {
     std::string id; ///< unique in a report: letters and '-'
     std::string title;
     std::vector<TableColumn> columns;
     std::vector<std::vector<std::string>> rows;
-    std::vector<std::size_t> marked; ///< rows that stand out
+    std::vector<std::size_t> marked; ///< the rows that stand out
 };
 
 /// Pictures of one cell side by side.
 struct Strip
 {
     std::string title;
-    std::vector<std::pair<std::string, std::string>> pictures; ///< what it is, file
+    /// Pairs of a description and a file.
+    std::vector<std::pair<std::string, std::string>> pictures;
 };
 
 struct Section
 {
-    std::string id; ///< as a table's
+    std::string id; ///< as Table::id
     std::string title;
     std::vector<std::string> paragraphs;
     std::vector<std::string> plots; ///< Plot::file
@@ -42,7 +43,7 @@ struct Section
     std::vector<Strip> strips;
 };
 
-/// A report as people read it, whatever it is written in.
+/// A report for people, independent of the format of the file.
 struct ReportText
 {
     std::string title;
@@ -50,7 +51,7 @@ struct ReportText
     std::string recommendation;
     std::vector<std::string> remarks;
     std::vector<Section> sections;
-    std::vector<Plot> plots; ///< that are not empty
+    std::vector<Plot> plots; ///< those that are not empty
 };
 
 /// Returns the notes of the scene's compared outlines as sentences, each with the techniques that
@@ -68,30 +69,33 @@ struct DrawnPlot
 };
 using DrawnPlots = std::map<std::string, DrawnPlot>; ///< by Plot::file
 
-/// @param folder  where the pictures are
+/// @param folder  the folder that has the pictures
 /// @param drawn   empty if there is no gnuplot
 std::string HtmlPage(const ReportText& report, const std::filesystem::path& folder,
                      const DrawnPlots& drawn);
 std::string MarkdownPage(const ReportText& report, const DrawnPlots& drawn);
 
-// The tables of a report. All figures are the study's, as Readable; "–" where there is none.
+// The tables of a report. All figures are the study's, as Readable returns them; "–" if there is
+// none.
 
-/// All techniques at the comparison's width, the front's marked.
+/// Returns all techniques at the comparison's width. Those on the front are marked.
 Table TechniquesTable(const Comparison& comparison);
-/// From which budget on which technique has the least error.
+/// Returns which technique has the least error from which budget on.
 Table BudgetsTable(const Comparison& comparison);
-/// Cells as rows: what makes their ids, those of the metrics that any of them has, their notes.
+/// Returns cells as rows: the parts of their ids, the metrics that any of them has, and their
+/// notes.
 Table CellsTable(const Study& study, const std::string& id, const std::string& title,
                  const std::function<bool(const CellResult&)>& isWanted);
-/// Mean error, a technique a row, a width a column.
+/// Returns the mean errors, with a row for each technique and a column for each width.
 Table WidthsTable(const Study& study, const std::string& subject);
-/// What each technique was put through, and what came out.
+/// Returns what each technique was tested with, and the results.
 Table StabilityTable(const Study& study, const Comparison& comparison);
-/// Inputs for which a formula of an article fails, what comes out of it and of ours, and why.
+/// Returns the inputs for which a formula of an article fails, the results of it and of ours, and
+/// the reason.
 Table FormulasTable(const Study& study);
-/// Techniques that no width can be asked of.
+/// Returns the techniques that have no width.
 Table NoWidthTable(const Study& study);
-/// Where, when and by what it was measured.
+/// Returns where, when and by what the study was measured.
 Table ProvenanceTable(const Study& study);
 
 } // namespace limn::study

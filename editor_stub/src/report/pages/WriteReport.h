@@ -11,36 +11,40 @@ namespace limn::study
 
 struct ReportOptions
 {
-    /// GPU time that an outline may add to a frame: the report begins with what to take then.
+    /// The GPU time that an outline may add to a frame. The report begins with the technique to
+    /// take for it.
     std::optional<double> budgetMilliseconds;
-    double width = 0.0; ///< pixels, that techniques are compared at; 0 = where most can be
-    std::vector<std::string> remarks; ///< sentences that readers must know: cells there twice, ...
+    /// The width at which techniques are compared, in pixels; 0 = where most can be.
+    double width = 0.0;
+    /// Sentences that readers must know: cells that are there twice, ...
+    std::vector<std::string> remarks;
 };
 
 struct ReportFiles
 {
-    std::vector<std::filesystem::path> files; ///< what was written, report.html first
+    std::vector<std::filesystem::path> files; ///< the files written, report.html first
     std::string recommendation;               ///< sentences for people
-    std::vector<std::string> warnings;        ///< sentences: what the times are worth
-    std::vector<std::string> sceneRemarks;    ///< sentences: what the scene was measured against
-    std::string noPlots;                      ///< why there are none; "" if they were drawn
+    std::vector<std::string> warnings;        ///< sentences about the reliability of the times
+    /// Sentences about the exact outline that the scene was compared with.
+    std::vector<std::string> sceneRemarks;
+    std::string noPlots; ///< why there are no plots; "" if they were drawn
 };
 
-/// Writes what was measured for people and for programs: report.html, which needs no other file,
+/// Writes the results for people and for programs: report.html, which needs no other file,
 /// report.md, results.csv, results.json and plots/*.svg and *.png, drawn by the program `gnuplot`.
-/// All is computed before the first file is written, and each file appears whole.
-/// @param folder  the study's, where CellResult::pictures are; it must exist
+/// Everything is computed before the first file is written, and each file appears as a whole.
+/// @param folder  the study's folder, which has CellResult::pictures; it must exist
 /// @throws AssetError if a file cannot be written, or gnuplot fails
 ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
                         const ReportOptions& options = {});
 
-/// One row a cell: what makes its id, all of Metrics() and their quartiles where there are any, the
-/// notes. RFC 4180 with \n at line ends; figures read back as they were, "nan", "inf" and "-inf"
-/// among them; empty where there is none.
+/// Returns a row for each cell: the parts of its id, all of Metrics(), their quartiles if there are
+/// any, and the notes. The format is RFC 4180 with line feeds at line ends. Figures read back as
+/// they were, "nan", "inf" and "-inf" among them. A field without a figure is empty.
 std::string ResultsCsv(const Study& study);
 
-/// All that a study holds, the metrics and the comparison with its front. Figures read back as they
-/// were; those that JSON has no number for are the strings "nan", "inf" and "-inf".
+/// Returns all that a study holds, the metrics and the comparison with its front. Figures read back
+/// as they were; those that JSON has no number for are the strings "nan", "inf" and "-inf".
 std::string ResultsJson(const Study& study, const Comparison& comparison);
 
 } // namespace limn::study

@@ -9,26 +9,27 @@
 namespace limn::study
 {
 
-/// A logarithmic axis that all finite values from 1e-150 to 1e150 are on. Those of zero and below
-/// have no place on one: they are drawn at its lower end, whose tick says so.
+/// A logarithmic axis for all finite values from 1e-150 to 1e150. Values of zero and below have no
+/// place on it: they are drawn at its lower end, whose tick marks that.
 struct LogAxis
 {
     double low = 0.1;
     double high = 1.0;
-    bool clamps = false; ///< some values are drawn at `low`
-    /// Where ticks are and what stands there.
+    bool clamps = false; ///< true if some values are drawn at `low`
+    /// The values of ticks and their texts.
     std::vector<std::pair<double, std::string>> ticks;
 
-    double Clamped(double value) const; ///< NaN stays
-    double Part(double value) const;    ///< of the axis: 0 at `low`, 1 at `high`
+    double Clamped(double value) const; ///< the value as it is drawn; NaN stays NaN
+    double Part(double value) const;    ///< the value's place on the axis: 0 at `low`, 1 at `high`
 };
 
-/// @param values  those that are not finite have no say
+/// Returns an axis that fits the values.
+/// @param values  values that are not finite are ignored
 LogAxis MakeLogAxis(std::span<const double> values);
-/// With ticks where they are given, of which there must be one above zero, and nowhere else.
+/// Returns an axis with the given ticks and no others. At least one must be above zero.
 LogAxis MakeLogAxis(std::vector<std::pair<double, std::string>> ticks);
 
-/// Pixels; y goes down.
+/// A box in pixels; y goes down.
 struct PixelBox
 {
     double left;
@@ -37,7 +38,7 @@ struct PixelBox
     double bottom;
 };
 
-/// The area that two boxes share.
+/// Returns the area that two boxes share.
 double Overlap(const PixelBox& a, const PixelBox& b);
 
 /// A name that is to stand beside a point.
@@ -47,14 +48,14 @@ struct LabelWish
     double y;      ///< of the point
     double width;  ///< of the text
     double height; ///< of the text
-    bool isNeeded; ///< placed even where it covers something
+    bool isNeeded; ///< true if it is placed even where it covers something
 };
 
-/// Where names stand so that they cover neither each other nor an obstacle: as near to their points
-/// as there is room. Earlier ones choose first.
-/// @param obstacles  points, lines
-/// @param frame      that names stay in
-/// @return for each wish its text's box; nothing if it found no room and is not needed
+/// Places names so that they cover neither each other nor an obstacle, as near to their points as
+/// there is room. Earlier names choose first.
+/// @param obstacles  the boxes of points and lines
+/// @param frame      the box that names stay in
+/// @return the box of each wish's text; nothing for a text that found no room and is not needed
 std::vector<std::optional<PixelBox>> PlaceLabels(std::span<const LabelWish> wishes,
                                                  std::span<const PixelBox> obstacles,
                                                  const PixelBox& frame);

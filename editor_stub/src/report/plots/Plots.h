@@ -9,41 +9,42 @@ namespace limn::study
 
 struct PlotPoint
 {
-    TimeAndError at{}; ///< x and y, whatever they are of
+    TimeAndError at{}; ///< x and y, in the units of the plot
     std::pair<double, double> barX{};
     std::pair<double, double> barY{}; ///< NaN for none
-    std::string name;                 ///< stands beside it; "" for none
+    std::string name;                 ///< shown beside the point; "" for none
     bool isOnFront = false;
 };
 
-/// Points that look alike.
+/// Points that have the same look.
 struct PlotSeries
 {
     std::string name;
     std::size_t style = 0;  ///< the same for a technique in all plots
-    bool isArticle = false; ///< hollow points, broken lines
+    bool isArticle = false; ///< true for hollow points and broken lines
     bool hasLine = false;
     std::vector<PlotPoint> points;
 };
 
-/// What is to be drawn; both axes are logarithmic.
+/// A plot to draw. Both axes are logarithmic.
 struct Plot
 {
-    std::string file; ///< its name without ending, "error_time"
+    std::string file; ///< the file's name without its ending, "error_time"
     std::string title;
-    std::string caption; ///< sentences: what is drawn, of what
+    std::string caption; ///< sentences about what is drawn
     std::string labelX;
     std::string labelY;
     std::vector<std::pair<double, std::string>> ticksX;    ///< {} = by the values
-    std::vector<std::pair<double, std::string>> verticals; ///< lines and what they are
+    std::vector<std::pair<double, std::string>> verticals; ///< vertical lines and their texts
     std::vector<PlotSeries> series;
     std::vector<TimeAndError> front; ///< {} = none
 
-    bool isEmpty() const; ///< it has no point that is finite
+    bool isEmpty() const; ///< true if it has no finite point
 };
 
-/// Error against time, error against width, time against resolution, time against the number of
-/// objects, flicker against time; those for which nothing was measured are empty.
+/// Returns the plots: error against time, error against width, time against resolution, time
+/// against the number of objects, flicker against time. Plots for which nothing was measured are
+/// empty.
 std::vector<Plot> PlotsOf(const Study& study, const Comparison& comparison,
                           std::optional<double> budgetMilliseconds);
 
@@ -54,7 +55,7 @@ enum class PlotFormat
     Png
 };
 
-/// The plot in gnuplot's language, to its standard output.
+/// Returns a script in gnuplot's language that draws the plot to gnuplot's standard output.
 std::string PlotScript(const Plot& plot, PlotFormat format);
 
 } // namespace limn::study

@@ -12,7 +12,7 @@
 namespace limn::study
 {
 
-/// An axis-aligned box of the plane; empty until something is added.
+/// An axis-aligned box in the plane. It is empty until something is added.
 struct Box
 {
     glm::dvec2 low{std::numeric_limits<double>::infinity()};
@@ -28,7 +28,7 @@ struct Box
         low = glm::min(low, other.low);
         high = glm::max(high, other.high);
     }
-    /// 0 inside.
+    /// Returns the distance from the box to a point, or 0 inside.
     double DistanceTo(const glm::dvec2& point) const
     {
         const double x = point.x < low.x ? low.x - point.x : std::max(0.0, point.x - high.x);
@@ -42,7 +42,7 @@ struct Box
     }
 };
 
-/// A tree of boxes, halved at the median of their centres, to find those near a place.
+/// Finds boxes near a place by a tree that is halved at the median of the boxes' centres.
 class BoxTree
 {
 public:
@@ -56,14 +56,16 @@ public:
         }
     }
 
-    /// Calls visit(index) for the boxes that overlap `box`, until one answers true.
+    /// Calls visit(index) for the boxes that overlap `box`, until one call returns true. Returns
+    /// whether one did.
     template <typename Visit>
     bool AnyOverlapping(const Box& box, double margin, Visit&& visit) const
     {
         return !m_Nodes.empty() && AnyBelow(0, box, margin, visit);
     }
 
-    /// Calls distance(index) for all that may be nearer than `limit` and than what it gave before.
+    /// Calls distance(index) for all boxes that may be nearer than `limit` and than the distances
+    /// that it returned before.
     template <typename Distance>
     void Nearest(const glm::dvec2& point, double limit, Distance&& distance) const
     {
@@ -80,7 +82,7 @@ private:
         Box box;
         std::size_t first = 0;
         std::size_t end = 0;
-        std::size_t second = 0; ///< the child behind the one that follows this; 0 = a leaf
+        std::size_t second = 0; ///< the second child; the first one follows this node; 0 = a leaf
     };
 
     void Build(std::size_t first, std::size_t end)
@@ -173,7 +175,7 @@ private:
     std::vector<Node> m_Nodes;
 };
 
-/// The box around the corners of an item.
+/// Returns the box around the corners of an item.
 template <typename Corners>
 Box BoxOf(const Corners& corners)
 {

@@ -13,7 +13,7 @@ struct Image;
 namespace limn::study
 {
 
-/// Numbers 0...1, one a pixel, row 0 at the top.
+/// A picture of numbers 0...1, one for each pixel. Row 0 is at the top.
 struct Coverage
 {
     int width = 0;
@@ -37,7 +37,7 @@ private:
     }
 };
 
-/// One channel of an R8_UNorm, R8G8B8A8 or R16G16B16A16_SFloat image as numbers; nothing is
+/// Returns one channel of an R8_UNorm, R8G8B8A8 or R16G16B16A16_SFloat image as numbers. Nothing is
 /// decoded from sRGB.
 /// @throws std::invalid_argument for other formats
 Coverage ChannelOf(const Image& image, int channel);
@@ -49,27 +49,28 @@ enum class OutlineSide
     Centred
 };
 
-/// Which points an outline is made of, by their signed distance to the silhouette's border.
+/// The points of an outline, by their signed distance to the silhouette's border.
 struct OutlineBand
 {
-    double width = 0.0; ///< pixels
+    double width = 0.0; ///< in pixels
     OutlineSide side = OutlineSide::Outer;
-    double gap = 0.0; ///< pixels the line keeps off the border: inwards for Inner, else outwards
+    /// The distance of the line from the border, in pixels: inwards for Inner, else outwards.
+    double gap = 0.0;
 
     double Low() const;
     double High() const;
 };
 
-/// The part of each pixel's square in which the signed distance is between the band's ends.
-/// Pixels that an end crosses are cut into 2^levels x 2^levels squares, and an end is a straight
-/// line across the smallest.
+/// Returns the part of each pixel's square in which the signed distance is between the band's ends.
+/// Pixels that an end crosses are cut into 2^levels x 2^levels squares. Across the smallest squares
+/// an end is a straight line.
 Coverage ExactOutlineCoverage(const Silhouette& silhouette, const OutlineBand& band, int width,
                               int height, int levels = 4);
-/// The part of each pixel's square that the silhouette covers.
+/// Returns the part of each pixel's square that the silhouette covers.
 Coverage ExactFillCoverage(const Silhouette& silhouette, int width, int height, int levels = 4);
 
-/// How far an outline's alpha is off. Errors count pixels that are in the outline, the measured or
-/// the exact one: the rest of the picture would hide them.
+/// The errors of an outline's alpha. They are taken over the pixels in the measured or the exact
+/// outline, since the rest of the picture would hide them.
 struct OutlineScore
 {
     double meanAbsoluteError = 0.0;
@@ -79,20 +80,22 @@ struct OutlineScore
     double intersectionOverUnion = 1.0; ///< of the pixels above one half
     double areaRatio = 1.0;             ///< measured : exact
     double widthBias = 0.0;             ///< areaRatio - 1
-    double effectiveWidth = 0.0; ///< pixels: sum of alpha / perimeter; 0 if no perimeter was given
+    /// The sum of alpha / perimeter, in pixels; 0 if no perimeter was given.
+    double effectiveWidth = 0.0;
     std::size_t bandPixels = 0;
     std::size_t badValues = 0; ///< NaN, infinite or outside 0...1 by more than 1e-3
 };
 /// @throws std::invalid_argument if sizes differ
 OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, double perimeter = 0.0);
 
-/// How far the places where alpha crosses one half, between two neighbour pixels, are from where
-/// the outline ends in truth, pixels; positive = too far from the silhouette's inside.
+/// The distance, in pixels, of the places where alpha crosses one half, between two neighbour
+/// pixels, from the true end of the outline. It is positive if they are too far from the
+/// silhouette's inside.
 struct ContourScore
 {
     double mean = 0.0;
-    double spread = 0.0;  ///< standard deviation: how uneven the line's end is
-    double largest = 0.0; ///< absolute
+    double spread = 0.0;  ///< the standard deviation: how uneven the line's end is
+    double largest = 0.0; ///< the largest absolute distance
     std::size_t crossings = 0;
 };
 struct ContourScores
@@ -103,15 +106,15 @@ struct ContourScores
 ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouette,
                             const OutlineBand& band);
 
-/// How far the places where alpha crosses one half are apart, pixels: the greatest distance from
-/// one of either picture to the nearest one of the other. 0 if neither has any, infinite if one
-/// has.
+/// Returns the distance, in pixels, between the places where alpha crosses one half in two
+/// pictures. It is the greatest distance from such a place in either picture to the nearest one in
+/// the other. It is 0 if neither picture has any, and infinite if only one has.
 /// @throws std::invalid_argument if sizes differ
 double HausdorffDistance(const Coverage& a, const Coverage& b);
 
-/// How much the error of an outline's alpha changes from one frame to the next, on average over the
-/// pixels that are in an outline of either: what flickers. Motion alone, followed by the drawn
-/// outline as by the exact one, counts for nothing.
+/// Returns the flicker: the change of the error of an outline's alpha from one frame to the next,
+/// on average over the pixels that are in an outline of either frame. Motion alone, which the drawn
+/// outline follows as the exact one does, does not count.
 /// @throws std::invalid_argument if sizes differ
 double MeanErrorChange(const Coverage& measuredBefore, const Coverage& exactBefore,
                        const Coverage& measured, const Coverage& exact);

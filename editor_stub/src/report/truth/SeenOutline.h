@@ -9,11 +9,12 @@
 namespace limn::study
 {
 
-/// A triangle of the picture: x and y in pixels as in ScreenTriangles, z is the nearness, from 1 at
-/// the near plane to 0 at the far one. The nearness is a linear function of x and y.
+/// A triangle of the picture. x and y are in pixels, as in ScreenTriangles. z is the nearness, from
+/// 1 at the near plane to 0 at the far one. The nearness is a linear function of x and y.
 using DepthTriangle = std::array<glm::dvec3, 3>;
 
-/// Returns what of one sub-mesh is between the camera's near and far plane, as MeshTriangles does.
+/// Returns the part of one sub-mesh that is between the camera's near and far plane, as
+/// MeshTriangles does.
 /// @param cull  the faces that are left out
 std::vector<DepthTriangle> MeshDepths(const Mesh& mesh, int subMesh, const Transform& transform,
                                       const Camera& camera, int width, int height, CullMode cull);
@@ -53,7 +54,7 @@ struct SeenOutline
 /// nearer to the camera than the object by more than a thousandth of the nearness: what touches the
 /// object hides nothing.
 /// @param whole   the outline of `width` pixels around the silhouette, whatever stands in front
-/// @param own     the surfaces that the silhouette is of
+/// @param own     the surfaces of the silhouette's objects
 /// @param others  the surfaces that may stand in front
 SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhouette, double width,
                                 const Surfaces& own, const Surfaces& others, HiddenAt where);

@@ -6,7 +6,7 @@
 namespace limn::study
 {
 
-/// An image of doubles, row 0 at the top, `channels` values a texel.
+/// An image of doubles with `channels` values for each texel. Row 0 is at the top.
 struct Field
 {
     int width = 0;
@@ -16,23 +16,27 @@ struct Field
 
     double& At(int x, int y, int channel = 0);
     double At(int x, int y, int channel = 0) const;
-    /// Bilinear, clamped at the border; u, v in 0...1, (0, 0) the top left corner.
+    /// Returns a bilinear sample, clamped at the border. u and v are in 0...1; (0, 0) is the top
+    /// left corner.
     double Sample(double u, double v, int channel = 0) const;
 };
 
-/// The article's second pass in double precision: Roberts cross of a mask with bilinear taps.
-/// @param width  of the outline, pixels of the full-size picture
+/// Returns the result of the article's second pass in double precision: Roberts cross of a mask
+/// with bilinear taps.
+/// @param width  the outline's width, in pixels of the full-size picture
 Field RobertsReference(const Field& mask, double width);
 
-/// The article's third pass: base.rgb + edge * colour, alpha of the base.
-/// @param color  linear
+/// Returns the result of the article's third pass: base.rgb + edge * colour, with the alpha of the
+/// base.
+/// @param color  the colour, linear
 Field CompositeReference(const Field& base, const Field& edge, const std::array<double, 3>& color);
 
-/// The article's blur: the largest colour and the mean alpha of four bilinear taps.
-/// @param offset  texels along both axes
+/// Returns the result of the article's blur: the largest colour and the mean alpha of four bilinear
+/// taps.
+/// @param offset  the offset of the taps in texels, along both axes
 Field BlurReference(const Field& source, double offset);
 
-/// The article's composite of a picture of four channels.
+/// Returns the article's composite of a picture with four channels.
 Field CompositeReference(const Field& source, const Field& stencil, const Field& blur,
                          double strength);
 
