@@ -80,8 +80,8 @@ Flag PluginFlag(std::vector<std::string>& plugins)
 Flag SceneFlag(RenderOptions& options)
 {
     return {"scene", "FILE",
-            "Of a Unity project, whose folder SCENE is, the .unity file, by its path from there; "
-            "without it the first scene of the build settings",
+            "The .unity file to take where SCENE is the folder of a Unity project, as a path from "
+            "that folder; by itself the first scene of the build settings",
             Into(options.sceneInProject)};
 }
 
@@ -159,8 +159,8 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         SetFlag(options.overrides),
         SelectFlag(options),
         {"click", "X,Y[@SECONDS]",
-         "Select what is seen at this pixel, counted from the top left, as a whole, or nothing; at "
-         "time 0 or at SECONDS; after what stands before it",
+         "Click on this pixel, counted from the top left: it selects the whole object that is seen "
+         "there, or nothing, at time 0 or at SECONDS; selections count in the order of the flags",
          IntoSelection(options.selection, Kind::Click), Any},
         {"ctrl-click", "X,Y[@SECONDS]",
          "Add what is seen at this pixel, or take it away if it is selected",
@@ -233,8 +233,8 @@ Verb ExplainVerb(ExplainOptions& options)
              {"object", "NAME", "Only objects of this name and what hangs below them",
               Into(options.object)},
              {"pixel", "X,Y",
-              "Say what is drawn at this pixel of the picture, counted from the top left, and what "
-              "is rejected there, by which test; this draws, on a device",
+              "Show what is drawn at this pixel, counted from the top left, and which test rejects "
+              "the rest; this draws the scene, so it needs a device",
               Into(options.pixel, CheckPixel)},
              Switch("json", "As JSON", options.json),
              {"graph", "FILE",
@@ -268,8 +268,8 @@ Verb CheckVerb(CheckOptions& options)
                       Into(options.expectations, CheckOutput)),
              SceneFlag(rendering),
              Switch("update",
-                    "Write the values that do not hold anew, and nothing besides: only comments "
-                    "within them are lost; a file that is not there is written in full",
+                    "Replace the values that do not hold, and change nothing else; comments within "
+                    "a replaced value are lost; a missing file is written in full",
                     options.isUpdate),
              {"junit", "FILE", "Write the results as JUnit XML, which CI shows as tests",
               Into(options.junit, CheckOutput)},
@@ -286,41 +286,45 @@ Verb CheckVerb(CheckOptions& options)
 
 Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
 {
-    return {"report",
-            "Measure the error and the cost of every outline technique in a scene",
-            [&](Console& console) { return RunReport(render, options, console); },
-            {Argument("SCENE|DIR",
-                      "A scene, as for 'limn render'; for --merge and --compare folders of reports",
-                      Into(options.paths), AtLeastOnce),
-             {"output", "DIR",
-              "The folder for the report; what an interrupted run left there is taken over",
-              Into(options.output, CheckOutput), Once, 'o', "compare"},
-             Switch("quick", "Fewer widths, shapes and sizes: within a minute", options.isQuick),
-             Switch("stability",
-                    "Put the techniques through extreme inputs, every two together, under the "
-                    "Vulkan validation layer, in place of all else",
-                    options.hasStability),
-             Switch("all-combinations", "Of extreme inputs; takes days", options.isFull),
-             {"technique", "NAME", "Only this one", Into(options.techniques), Any},
-             {"budget", "MS", "Say what to take if an outline may add so much GPU time to a frame",
-              IntoBudget(options.budget)},
-             {"shard", "I/N", "Measure the I-th of N parts, which --merge puts together",
-              IntoPart(options.shard, options.shards)},
-             Switch("merge", "Make one report of the folders of all parts; nothing is drawn",
-                    options.isMerge),
-             Switch("compare",
-                    "Say in which cells two folders differ, times apart; exit code 1 if they do",
-                    options.isCompare),
-             SizeFlag(render),
-             DeviceFlag(render.device),
-             PluginFlag(render.plugins),
-             PackageFlag(render.packages),
-             RootFlag(render.roots)},
-            {{"quick", "all-combinations"},
-             {"all-combinations", "stability", true},
-             {"shard", "merge"},
-             {"shard", "compare"},
-             {"merge", "compare"}}};
+    return {
+        "report",
+        "Measure the error and the cost of every outline technique in a scene",
+        [&](Console& console) { return RunReport(render, options, console); },
+        {Argument("SCENE|DIR",
+                  "A scene, as for 'limn render'; for --merge and --compare folders of reports",
+                  Into(options.paths), AtLeastOnce),
+         {"output", "DIR",
+          "The folder for the report; what an interrupted run left there is taken over",
+          Into(options.output, CheckOutput), Once, 'o', "compare"},
+         Switch("quick", "Fewer widths, shapes and sizes: within a minute", options.isQuick),
+         Switch("stability",
+                "Only test the techniques with extreme inputs, in all pairs, under the Vulkan "
+                "validation layer",
+                options.hasStability),
+         Switch("all-combinations",
+                "Test all combinations of extreme inputs in place of all pairs; this takes days",
+                options.isFull),
+         {"technique", "NAME", "Only this one", Into(options.techniques), Any},
+         {"budget", "MS",
+          "Recommend a technique that adds at most so many milliseconds of GPU time",
+          IntoBudget(options.budget)},
+         {"shard", "I/N", "Measure the I-th of N parts, which --merge puts together",
+          IntoPart(options.shard, options.shards)},
+         Switch("merge", "Make one report of the folders of all parts; nothing is drawn",
+                options.isMerge),
+         Switch("compare",
+                "Say in which cells two folders differ, times apart; exit code 1 if they do",
+                options.isCompare),
+         SizeFlag(render),
+         DeviceFlag(render.device),
+         PluginFlag(render.plugins),
+         PackageFlag(render.packages),
+         RootFlag(render.roots)},
+        {{"quick", "all-combinations"},
+         {"all-combinations", "stability", true},
+         {"shard", "merge"},
+         {"shard", "compare"},
+         {"merge", "compare"}}};
 }
 
 Verb SetVerb(SetOptions& options)
@@ -393,30 +397,32 @@ Verb NewVerb(NewOptions& options)
     Flag folder = NewFolderFlag(options.folder);
     folder.times = AtMostOnce;
     folder.help = "Of a feature: a new or empty folder";
-    return {"new",
-            "Write a scene, a volume profile or a material to start from, or the folder of a "
-            "render feature that builds and draws at once",
-            [&options](Console& console) { return RunNew(options, console); },
-            {Argument("scene|profile|material|feature",
-                      "What to write: scene, profile, material or feature", Into(options.kind)),
-             Argument("NAME",
-                      "The file, hero for hero.scene.yaml; of a feature its classes' name, "
-                      "such as DepthFog",
-                      Into(options.name)),
-             Argument("CONTENT",
-                      "Of a profile its volume components, StrokeOutline without any; of a "
-                      "material its shader, \"Universal Render Pipeline/Lit\" without one",
-                      Into(options.contents), Any),
-             std::move(folder),
-             {"style", "urp14|unity6",
-              "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
-              Into(options.style)}}};
+    return {
+        "new",
+        "Write a scene, a volume profile or a material to start from, or the folder of a "
+        "render feature that builds and draws at once",
+        [&options](Console& console) { return RunNew(options, console); },
+        {Argument("scene|profile|material|feature",
+                  "What to write: scene, profile, material or feature", Into(options.kind)),
+         Argument("NAME",
+                  "The name of the file, hero for hero.scene.yaml; for a feature the name of its "
+                  "classes, such as DepthFog",
+                  Into(options.name)),
+         Argument("CONTENT",
+                  "For a profile its volume components, by itself StrokeOutline; for a material "
+                  "its shader, by itself \"Universal Render Pipeline/Lit\"",
+                  Into(options.contents), Any),
+         std::move(folder),
+         {"style", "urp14|unity6",
+          "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
+          Into(options.style)}}};
 }
 
 Verb PortVerb(PortOptions& options)
 {
     return {"port",
-            "Begin the C++ of a render feature of Unity's, and say what limn has of what it uses",
+            "Start a C++ port of a Unity render feature, and report which of the members that it "
+            "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
             {Argument("FILE.cs", "Its C#: feature, passes, volume component", Into(options.files),
                       AtLeastOnce),
