@@ -15,7 +15,8 @@
 namespace limn::detail
 {
 
-/// What a reader gets: the node, what errors call it, where they go, and the limits of a number.
+/// The input of a reader: the node, its name in errors, where errors go, and the limits of a
+/// number.
 struct ValueSource
 {
     const YamlNode& node;
@@ -28,7 +29,7 @@ struct ValueSource
     {
         return {below, itsSubject, diagnostics, range, context};
     }
-    /// Adds "subject: problem" and is false.
+    /// Adds the error "subject: problem" and returns false.
     bool Refuse(std::string_view problem) const;
 };
 

@@ -175,9 +175,9 @@ public:
     std::string_view typeName() const override { return "NoInterpClampedFloat"; }
 };
 
-/// A whole number; a blend is rounded toward zero, or to the whole number that it misses by no more
-/// than t is rounded (0 to 10 at 0.7f is 7), and stops at the greatest and the least int.
-/// Unity: IntParameter (URP 14).
+/// A whole number. A blend is rounded toward zero, unless it misses a whole number by no more than
+/// the rounding error of t (0 to 10 at 0.7f is 7). It is clamped to the range of int. Unity:
+/// IntParameter (URP 14).
 class IntParameter : public detail::LerpParameter<int>
 {
 public:
@@ -194,7 +194,7 @@ public:
 };
 
 /// A whole number from 0 up to 32 bits, such as the bits of rendering layers; blending switches as
-/// soon as t > 0. Unity: a class of one's own that derives from VolumeParameter<uint>.
+/// soon as t > 0. Unity has no such class; a user derives one from VolumeParameter<uint>.
 class UIntParameter : public detail::ValueParameter<std::uint32_t>
 {
 public:
@@ -256,7 +256,7 @@ public:
 namespace detail
 {
 
-/// Limits a pair as Unity does: x only from below and y only from above, not x by y.
+/// Limits a pair as Unity does: x only from below and y only from above. It does not limit x by y.
 template <typename Base>
 class RangeLimited : public Base
 {
@@ -301,7 +301,8 @@ public:
     std::string_view typeName() const override { return "FloatRange"; }
 };
 
-/// The same, switching as soon as t > 0. Unity: NoInterpFloatRangeParameter (URP 14).
+/// A FloatRangeParameter that switches as soon as t > 0. Unity: NoInterpFloatRangeParameter (URP
+/// 14).
 class NoInterpFloatRangeParameter : public detail::RangeLimited<detail::ValueParameter<glm::vec2>>
 {
 public:
