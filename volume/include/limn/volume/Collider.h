@@ -33,7 +33,7 @@ struct SphereCollider
     glm::vec3 center{0.0f}; ///< in the object's space
     float radius = 0.5f;    ///< in the object's space; the longest axis of its scale multiplies it
 
-    /// As BoxCollider::ClosestPoint.
+    /// Returns the closest point like BoxCollider::ClosestPoint.
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;
 };
@@ -48,7 +48,7 @@ struct CapsuleCollider
     float height = 1.0f;    ///< from tip to tip, times the scale of its axis; at least a sphere
     int direction = 1;      ///< the axis it stands along: 0 = x, 1 = y, 2 = z
 
-    /// As BoxCollider::ClosestPoint.
+    /// Returns the closest point like BoxCollider::ClosestPoint.
     /// @throws ContractError if direction is none of the three
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;

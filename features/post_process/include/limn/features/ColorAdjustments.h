@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// Exposure, contrast, tint, hue and saturation of the whole picture.
-/// Unity: ColorAdjustments (URP 14).
+/// Adjusts exposure, contrast, tint, hue and saturation of the whole picture. Unity:
+/// ColorAdjustments (URP 14).
 class ColorAdjustments final : public VolumeComponent, public IPostProcessComponent
 {
 public:
