@@ -50,7 +50,7 @@ struct Plugin
     const char* standardLibrary; ///< LIMN_STANDARD_LIBRARY
     std::uint64_t layout;        ///< PluginLayout()
     void (*registerFeatures)(FeatureRegistry&, VolumeComponentRegistry&);
-    /// The shaders and the files they include; null = none
+    /// The shaders and the files they include; null = none.
     std::span<const EmbeddedFile> (*shaders)();
     const char* name;              ///< "Glow.so", set by limn_add_feature; "" without shaders
     const char* (*shaderFolder)(); ///< the folder of the embedded shaders; null = none

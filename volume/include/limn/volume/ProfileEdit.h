@@ -33,7 +33,7 @@ struct ValuePath
 struct ValueAssignment
 {
     std::string path; ///< "NAME.group.value"
-    /// YAML; the # of a colour needs no quotes, and nothing stands for empty text
+    /// YAML; the # of a colour needs no quotes, and nothing stands for empty text.
     std::string value;
     char sign = '='; ///< '+', '-' or '*' where the value is added, subtracted or multiplied
 

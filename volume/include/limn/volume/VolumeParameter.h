@@ -17,7 +17,7 @@ namespace limn
 struct ParameterInfo
 {
     std::string tooltip = {}; ///< one sentence; Unity's [Tooltip]
-    /// The unit of the number: "pixels", "metres", "degrees"; "" if it has none
+    /// The unit of the number: "pixels", "metres", "degrees"; "" if it has none.
     std::string unit = {};
 };
 
@@ -66,7 +66,7 @@ public:
     const std::string& unit() const { return m_Info.unit; } ///< "pixels"; "" for none
 
     virtual std::string ValueText() const = 0; ///< the value in limn's YAML, on one line
-    /// The value as m_Value of Unity's YAML, on one line
+    /// The value as m_Value of Unity's YAML, on one line.
     virtual std::string UnityText() const = 0;
     virtual std::string_view typeName() const = 0; ///< "ClampedFloat"
 

@@ -59,7 +59,7 @@ private:
 
     std::vector<Slot> m_Slots; ///< ordered by type
     bool m_RequiresReset = true;
-    /// The manager's count of the changes of its defaults
+    /// The manager's count of the changes of its defaults.
     std::shared_ptr<const std::uint64_t> m_Defaults;
     std::uint64_t m_DefaultsSeen;
 };

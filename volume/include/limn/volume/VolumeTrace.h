@@ -38,7 +38,7 @@ struct VolumeComponentTrace
 struct VolumeTraceStep
 {
     std::string volume; ///< its name
-    /// 0...1: weight times fade, the part of the way to the target that the value moved
+    /// 0...1: weight times fade, the part of the way to the target that the value moved.
     float factor = 0.0f;
     float weight = 0.0f;           ///< 0...1
     std::optional<float> distance; ///< metres to the closest collider; nullopt for a global volume

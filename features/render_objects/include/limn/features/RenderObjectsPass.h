@@ -36,7 +36,7 @@ private:
     FilteringSettings m_FilteringSettings;
     RenderObjectsSettings::CustomCameraSettings m_CameraSettings;
     std::vector<ShaderTagId> m_ShaderTagIdList;
-    /// True if the user chose them, so that a name that fits nothing is reported
+    /// The user chose the tags, so a name that fits nothing is reported.
     bool m_TagsAreChosen;
     RenderStateBlock m_RenderStateBlock;
 };

@@ -45,10 +45,10 @@ struct ScreenSpaceAmbientOcclusionSettings
 
     AOMethodOptions AOMethod = AOMethodOptions::BlueNoise;
     bool Downsample = false; ///< uses half as many texels per side
-    /// Darkens the finished picture, whatever its shaders do with ambient light
+    /// Darkens the finished picture, whatever its shaders do with ambient light.
     bool AfterOpaque = false;
     DepthSource Source = DepthSource::DepthNormals;
-    /// The quality of the normals of DepthSource::Depth
+    /// The quality of the normals of DepthSource::Depth.
     NormalQuality NormalSamples = NormalQuality::Medium;
     float Intensity = 3.0f;               ///< not negative; 0 = no pass
     float DirectLightingStrength = 0.25f; ///< 0...1

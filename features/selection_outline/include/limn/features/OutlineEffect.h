@@ -24,7 +24,8 @@ struct SelectionOutlineSettings : OutlineSettings
 {
     SelectionOutlineSettings();
 
-    /// Null: limn's own; this also holds for the other two
+    /// The shader that draws the stencil; null stands for limn's own, also in the other two
+    /// members.
     std::shared_ptr<const Shader> m_StencilShader;
     std::shared_ptr<const Shader> m_BlurShader;      ///< reads _MainTex, _OffsetScale
     std::shared_ptr<const Shader> m_CompositeShader; ///< reads _MainTex (the picture), _StencilTex,

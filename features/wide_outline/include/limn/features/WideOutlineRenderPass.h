@@ -77,7 +77,7 @@ private:
     std::shared_ptr<Material> m_Material;
     std::vector<Group> m_Groups;
     WideOutlineMethod m_Method = WideOutlineMethod::JumpFlood;
-    /// The distance of the outline's end from the edge, on either side, in pixels
+    /// The distance of the outline's end from the edge, on either side, in pixels.
     float m_Farthest = 0.0f;
     int m_Reach = 0; ///< pixels: no place on the edge that is farther away matters
     RTHandle m_Mask;
