@@ -10,7 +10,8 @@
 namespace limn
 {
 
-/// `[modifiers] type name[dimensions] : SEMANTIC`, of a global, a struct member or a parameter.
+/// The declaration of a global, a struct member or a parameter: `[modifiers] type name[dimensions]
+/// : SEMANTIC`.
 struct HlslVariable
 {
     std::vector<std::string_view> modifiers;
@@ -64,7 +65,7 @@ struct HlslAlias
     std::string_view argument; ///< of the template that it is
 };
 
-/// What preprocessed HLSL declares at file scope. All views point into the source.
+/// The declarations of preprocessed HLSL at file scope. All views point into the source.
 struct HlslDeclarations
 {
     std::vector<HlslStruct> structs;
@@ -72,15 +73,15 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
-    /// What is no declaration, or none that limn reads.
+    /// The text that is no declaration, or none that limn can read.
     std::vector<HlslProblem> problems;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
 
-    /// The type behind a typedef; other names stay as they are.
+    /// Returns the type behind a typedef; returns other names unchanged.
     ///
-    /// @param argument  gets that of the template that it is; may be null
+    /// @param argument  receives the template argument of the type; may be null
     std::string_view ResolveAlias(std::string_view type,
                                   std::string_view* argument = nullptr) const;
     const HlslStruct* FindStruct(std::string_view name) const;

@@ -15,9 +15,9 @@
 namespace limn
 {
 
-/// Recursive descent over the tokens of one file. Each scope is a table of commands; what no table
-/// knows is reported and skipped. Only Category blocks can be nested without end, so their depth is
-/// limited; everything else that could grow beyond the size of the file is counted.
+/// Parses the tokens of one file by recursive descent. Each scope has a table of commands; unknown
+/// commands are reported and skipped. Only Category blocks can be nested without end, so their
+/// depth is limited; everything else that could grow beyond the size of the file is counted.
 class Parser
 {
 public:
@@ -34,7 +34,7 @@ private:
     };
     using CommandTable = std::vector<Command>;
 
-    /// What a scope hands on to the scopes inside it.
+    /// The state that a scope passes to the scopes inside it.
     struct Scope
     {
         RenderState state;
@@ -198,7 +198,7 @@ private:
     bool m_IsStopped = false;
     std::vector<const CommandTable*> m_Tables;          ///< of the scopes around the current place
     std::array<std::vector<SourceChunk>, 3> m_Includes; ///< by ProgramLanguage, of the file so far
-    std::size_t m_RepeatedBytes = 0; ///< of what inner scopes were handed copies of
+    std::size_t m_RepeatedBytes = 0; ///< bytes of the copies that inner scopes received
     int m_CategoryDepth = 0;
     Scope m_Scope;
     ShaderLabSubShader* m_SubShader = nullptr;

@@ -29,7 +29,7 @@ struct DeviceCapabilities
     std::map<VkShaderStageFlagBits, std::vector<MissingCapability>> missingCapabilities;
     bool vertexStores = false; ///< vertex and geometry functions may write to buffers and textures
     bool fragmentStores = false;
-    /// Of samplers; not every device with VK_KHR_portability_subset has it.
+    /// A feature of samplers; not every device with VK_KHR_portability_subset has it.
     bool mipLodBias = false;
     bool comparisonSamplers = false; ///< likewise
 };

@@ -43,7 +43,7 @@ struct PooledImage
     UniqueImageView view;      ///< all aspects of mip level 0, for attachments
     UniqueImageView depthView; ///< the depth alone, if there is also stencil
     UniqueImageView mipView;   ///< all mip levels, if there are several
-    /// Of an image with several samples, once something reads them.
+    /// The resolved image of one with several samples, once something reads them.
     std::optional<ResolvedImage> resolved;
     VkImageAspectFlags aspects = 0;
     std::uint32_t samples = 1; ///< samples per texel
