@@ -71,7 +71,7 @@ struct TestFrame
 {
     RenderResult result;
     const Scene* scene = nullptr; ///< never null
-    CullingResults seen;          ///< by the camera
+    CullingResults seen;          ///< the objects that the camera sees
 };
 
 /// A scene with a camera that looks along z from 10 m away, the renderer that draws it, the volume
@@ -96,7 +96,7 @@ public:
     Scene scene;
     Camera camera;
     UniversalRenderer renderer; ///< features are added to it
-    glm::ivec2 size{256, 256};  ///< of the picture, pixels
+    glm::ivec2 size{256, 256};  ///< the size of the picture in pixels
 
 private:
     VolumeManager m_Volumes;

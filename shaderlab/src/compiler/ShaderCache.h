@@ -16,7 +16,7 @@ namespace limn
 class ShaderCache
 {
 public:
-    /// The parameters are those of a FileCache.
+    /// Takes the parameters of a FileCache.
     ShaderCache(std::filesystem::path folder, std::uintmax_t limit);
 
     bool isEnabled() const { return m_Files.isEnabled(); }

@@ -64,7 +64,7 @@ private:
     const HlslTokens& m_Tokens;
     const HlslGlobals& m_Globals;
     std::unordered_map<std::string_view, std::vector<Entry>> m_Names;
-    std::vector<std::vector<std::string_view>> m_Scopes; ///< what each declares
+    std::vector<std::vector<std::string_view>> m_Scopes; ///< the names that each scope declares
     std::vector<HlslNode*> m_Renamed;
     std::vector<HlslProblem> m_Unknown;
 };

@@ -22,8 +22,8 @@ public:
 
     /// Parses a block from its `{` on.
     HlslNode* ParseBlock(std::size_t open);
-    /// Returns the words that follow a declaration without a `;` between them, as glslang does not
-    /// report that.
+    /// Returns the words that follow a declaration without the missing `;`, because glslang does
+    /// not report it.
     const std::vector<HlslProblem>& unended() const { return m_Unended; }
 
     /// Returns the tokens that are in the place of a type but name none.

@@ -20,7 +20,7 @@ enum class HlslScalar : std::uint8_t
     Bool,
     Int,
     Uint,
-    Literal, ///< 1.5, which becomes what it meets
+    Literal, ///< 1.5, which takes the type of the other operand
     Half,    ///< min16float as well
     Float,
     Double,
@@ -41,11 +41,11 @@ struct HlslType
 
     Kind kind = Kind::Unknown;
     HlslScalar scalar = HlslScalar::None;
-    std::uint8_t rows = 0; ///< of a matrix, else 0
+    std::uint8_t rows = 0; ///< the rows of a matrix, otherwise 0
     /// The columns of a matrix, or the length of a vector; 1 without rows: a scalar.
     std::uint8_t columns = 1;
-    std::uint8_t dimensions = 0; ///< of an array
-    std::string_view name;       ///< of a struct or object
+    std::uint8_t dimensions = 0; ///< the dimensions of an array
+    std::string_view name;       ///< the name of a struct or object
     std::string_view element;    ///< an object's template argument
 
     static HlslType Number(HlslScalar scalar, int columns = 1, int rows = 0);

@@ -189,15 +189,17 @@ private:
 
     Lexer m_Lexer;
     Token m_Token;
-    SourceLocation m_Command; ///< of the command word being parsed
+    SourceLocation m_Command; ///< the place of the command word being parsed
     std::string_view m_Word;  ///< the command word being parsed, as the tables spell it
     bool m_ReportedEnd = false;
     int m_FailedLine = 0; ///< line of an error in the command being parsed; 0 = none so far
     std::array<std::size_t, 3> m_Reported{}; ///< by severity
     std::size_t m_Items = 0;
     bool m_IsStopped = false;
-    std::vector<const CommandTable*> m_Tables;          ///< of the scopes around the current place
-    std::array<std::vector<SourceChunk>, 3> m_Includes; ///< by ProgramLanguage, of the file so far
+    /// The tables of the scopes around the current place.
+    std::vector<const CommandTable*> m_Tables;
+    /// The include blocks of the file so far, by ProgramLanguage.
+    std::array<std::vector<SourceChunk>, 3> m_Includes;
     std::size_t m_RepeatedBytes = 0; ///< bytes of the copies that inner scopes received
     int m_CategoryDepth = 0;
     Scope m_Scope;

@@ -15,8 +15,8 @@ namespace limn
 struct PreprocessedHlsl
 {
     std::string text;
-    /// True if the text names a SHADER_STAGE_… macro, so that other stages may have another text.
-    /// Most programs name none, and then one run of the preprocessor serves all stages.
+    /// The text names a SHADER_STAGE_… macro, so other stages may have another text. Most programs
+    /// name none, and then one run of the preprocessor serves all stages.
     bool namesStages = false;
 };
 

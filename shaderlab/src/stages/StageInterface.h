@@ -58,7 +58,7 @@ struct StageInterfaceError
 {
     std::string message;
     std::size_t token = 0; ///< the token of the wrong parameter or member; 0 = the function
-    /// For errors of LinkStages: the function with the error.
+    /// The function with the error, for errors of LinkStages.
     const HlslFunction* function = nullptr;
 };
 

@@ -104,9 +104,9 @@ private:
     int m_FirstLine;
     std::vector<OpenNode> m_Open;
     std::unordered_map<YAML::anchor_t, BuiltNode> m_Anchors; ///< finished ones of this document
-    std::string m_AnchorName;                                ///< of the node that comes next
+    std::string m_AnchorName; ///< the anchor of the node that comes next
     std::optional<YAML::Mark> m_LastQuoted;
-    std::size_t m_Count = 0; ///< of values the file holds itself
+    std::size_t m_Count = 0; ///< the number of values in the file itself
     std::size_t m_RepeatedCount = 0;
 };
 

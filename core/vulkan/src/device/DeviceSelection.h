@@ -11,7 +11,7 @@ namespace limn::vulkan
 struct DeviceChoice
 {
     std::size_t index = 0; ///< its index in the list of devices
-    std::string sentence;  ///< which device and why
+    std::string sentence;  ///< names the chosen device and the reason
 };
 
 /// Picks the device that VulkanDeviceOptions::device asks for.

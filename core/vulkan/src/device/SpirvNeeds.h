@@ -12,7 +12,7 @@ namespace limn::vulkan
 /// A capability of SPIR-V that a device does not accept, and the feature that it would need.
 struct MissingCapability
 {
-    std::uint32_t capability = 0; ///< of OpCapability
+    std::uint32_t capability = 0; ///< the operand of OpCapability
     const char* feature = "";     ///< Vulkan's name
 };
 

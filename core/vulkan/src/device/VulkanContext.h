@@ -21,7 +21,7 @@ struct DeviceCapabilities
     bool mirrorOnce = false;
     bool anisotropy = false;
     bool cubeArray = false;
-    bool extendedImageFormats = false;    ///< of writable textures
+    bool extendedImageFormats = false;    ///< for writable textures
     std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};

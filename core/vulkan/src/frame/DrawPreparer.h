@@ -42,12 +42,13 @@ private:
     std::uint64_t m_Number;
     PreparedFrame& m_Frame;
     const CompiledRenderPass* m_Pass = nullptr;
-    const TargetFormats* m_Formats = nullptr; ///< of m_Pass
-    const DrawCommand* m_Last = nullptr;      ///< of this pass
-    ProgramObjects* m_Program = nullptr;      ///< of the last draw, like the following members
+    const TargetFormats* m_Formats = nullptr; ///< the formats of m_Pass
+    const DrawCommand* m_Last = nullptr;      ///< the last draw of this pass
+    /// The program of the last draw, like the following members.
+    ProgramObjects* m_Program = nullptr;
     bool m_HasBindings = false;
     PreparedDraw m_Draw;
-    PreparedRun m_LastRun;         ///< of m_Last
+    PreparedRun m_LastRun;         ///< the run of m_Last
     bool m_LastIsIndirect = false; ///< likewise
 };
 

@@ -21,8 +21,9 @@ struct DescriptorLists
 {
     using SetKey = std::tuple<const DrawBindings*, VkDescriptorSetLayout, bool, std::size_t>;
 
-    SetContent content;                                        ///< of the set that is being made
-    std::array<std::vector<VkDescriptorBufferInfo>, 2> pieces; ///< of perDraw and of objects
+    SetContent content; ///< the content of the set that is being made
+    /// The pieces of perDraw and of objects.
+    std::array<std::vector<VkDescriptorBufferInfo>, 2> pieces;
     std::pmr::unsynchronized_pool_resource memory;
     std::pmr::map<SetKey, VkDescriptorSet> sets{&memory};
 };

@@ -27,7 +27,7 @@ struct PreparedDraw
     VkPipeline pipeline = VK_NULL_HANDLE;
     std::size_t state = 0;            ///< index in PreparedFrame::states
     const PooledMesh* mesh = nullptr; ///< null = there is none
-    SubMesh indices;                  ///< of the mesh
+    SubMesh indices;                  ///< the indices of the mesh
     std::size_t firstRun = 0;         ///< index in PreparedFrame::runs
     std::size_t runCount = 0;
     PreparedArguments arguments;
@@ -59,7 +59,7 @@ struct PreparedFrame
 {
     std::vector<PreparedPass> passes;
     std::vector<VkImageMemoryBarrier2> barriers;
-    std::vector<VkMemoryBarrier2> memoryBarriers; ///< of buffers
+    std::vector<VkMemoryBarrier2> memoryBarriers; ///< the barriers of buffers
     std::vector<PreparedDispatch> dispatches;
     std::size_t firstFinalBarrier = 0;
     std::vector<PreparedDraw> draws;

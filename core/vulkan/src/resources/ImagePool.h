@@ -24,7 +24,7 @@ struct ResolvedImage
 struct ImageUse
 {
     TextureUsage usage = TextureUsage::Undefined;
-    TextureUsage resolvedUsage = TextureUsage::Undefined; ///< of PooledImage::resolved
+    TextureUsage resolvedUsage = TextureUsage::Undefined; ///< the use of PooledImage::resolved
     bool isStale = false;                    ///< the last draw into the samples is not resolved yet
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 
@@ -109,7 +109,7 @@ public:
     }
     void Commit();                                ///< the prepared frame is submitted
     void Rollback(std::uint64_t number) noexcept; ///< the frame will never be submitted
-    void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
+    void Sweep(std::uint64_t finished);           ///< frees images that have no owner and no use
 
     std::size_t size() const { return m_Images.size(); }
     /// Returns a count that grows whenever an image is destroyed or moved.
@@ -128,7 +128,7 @@ private:
     {
         std::uint64_t id = 0; ///< Texture::id
         PooledImage image;
-        std::uint64_t number = 0; ///< of the submission that moved it
+        std::uint64_t number = 0; ///< the number of the submission that moved it
     };
 
     /// Memory that textures share.
@@ -136,7 +136,7 @@ private:
     {
         std::shared_ptr<MemoryAllocation> memory;
         VkDeviceSize size = 0;
-        VkDeviceSize needed = 0; ///< by the frames so far
+        VkDeviceSize needed = 0; ///< the size that the frames so far needed
     };
 
     PooledImage& Add(const std::shared_ptr<const Texture>& texture, std::uint64_t number,

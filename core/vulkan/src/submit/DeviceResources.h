@@ -39,7 +39,7 @@ struct DeviceResources
         return m_Allocator.returnedCount() + images.changeCount() + meshes.freedCount() +
                programs.freedCount() + samplers.freedCount();
     }
-    /// Frees the objects that nobody owns or uses.
+    /// Frees the objects that have no owner and no use.
     void Sweep(std::uint64_t finished)
     {
         images.Sweep(finished);

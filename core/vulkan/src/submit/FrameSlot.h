@@ -22,7 +22,7 @@ public:
     const DescriptorCache& descriptors() const { return m_Descriptors; }
     FrameRecording& recording() { return m_Recording; }
     const FrameRecording& recording() const { return m_Recording; }
-    /// The number of its last submission, 0 = none.
+    /// Returns the number of its last submission, 0 = none.
     std::uint64_t number() const { return m_Number; }
 
     /// Begins a frame: drops the uploads and keeps the commands.

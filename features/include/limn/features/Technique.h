@@ -12,8 +12,9 @@ namespace limn
 /// At either place the object's depth is its own depth at the nearest point of its border.
 enum class HiddenAt
 {
-    Border, ///< at that point of the border: the outline ends where the border's visible part ends
-    Point   ///< at the outline's own point, as the depth test of a hull does
+    /// At the nearest point of the border: the outline ends where the border's visible part ends.
+    Border,
+    Point ///< at the outline's own point, as the depth test of a hull does
 };
 
 /// An outline technique: its description for people, and the settings with which it draws a line of

@@ -47,9 +47,10 @@ struct ShaderCompilerOptions
     std::shared_ptr<WorkerProcess> process = nullptr;
     /// The longest time that the compilation of a pass in `process` may take.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
-    /// True if depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and UNITY_NEAR_CLIP_VALUE is
-    /// 1; false if it is the other way round, as on OpenGL, to study precision. The whole pipeline
-    /// uses the setting of its renderer's compiler. Unity: SystemInfo.usesReversedZBuffer (2022.3).
+    /// The direction of depth. If true, depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and
+    /// UNITY_NEAR_CLIP_VALUE is 1. If false, it is the other way round, as on OpenGL, to study
+    /// precision. The whole pipeline uses the setting of its renderer's compiler. Unity:
+    /// SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;
     /// Makes half and min16float 16-bit values where they are assigned, passed, returned and
     /// computed only from halves and constants, as on phones, to study precision. If false, they

@@ -44,7 +44,7 @@ struct ShaderProperty
     ShaderPropertyType type = ShaderPropertyType::Float;
     TextureDimension dimension = TextureDimension::Tex2D; ///< `Rect` and `Any` count as 2D
     std::string textureType; ///< the keyword of a Texture in Unity's spelling: "2DArray", "Any"
-    float rangeMin = 0.0f;   ///< of a Range
+    float rangeMin = 0.0f;   ///< the limits of a Range
     float rangeMax = 0.0f;
     std::array<float, 4> defaultValue{}; ///< as written: a Color is not converted; numbers in [0]
     std::string defaultTexture;          ///< "white", "bump" …; "" and unknown names mean gray
@@ -117,13 +117,13 @@ struct ShaderLabPass
     ShaderLabPassKind kind = ShaderLabPassKind::Pass;
     std::string usePass;     ///< "Shader/Path/PASSNAME" as written; the name follows the last '/'
     std::string grabTexture; ///< "" = _GrabTexture
-    /// True for a program directly in a SubShader, which is a surface shader.
+    /// The pass is a program directly in a SubShader, which is a surface shader.
     bool isSurface = false;
     std::string name; ///< as written; Unity compares pass names without case
     ShaderTags tags;
     std::vector<PackageRequirement> packageRequirements;
     RenderState state;                         ///< includes what the scopes around the pass set
-    std::vector<LegacyCommand> legacyCommands; ///< those of the scopes around it first
+    std::vector<LegacyCommand> legacyCommands; ///< the commands of the scopes around it come first
     std::optional<PassProgram> program;        ///< absent: a legacy pass of fixed-function commands
 
     /// Returns the LightMode tag, or k_DefaultLightMode if there is none. Entries that URP never
@@ -175,7 +175,7 @@ struct ShaderLabDocument
     std::vector<ShaderProperty> properties;
     std::vector<ShaderLabSubShader> subShaders;
     std::string fallback;            ///< "" = off or none given
-    SourceLocation fallbackLocation; ///< of the command
+    SourceLocation fallbackLocation; ///< the place of the Fallback command
     std::string customEditor;
     std::vector<PipelineEditor> pipelineEditors;
     std::vector<ShaderDependency> dependencies;

@@ -51,7 +51,7 @@ struct UniformMember
 {
     std::string name;
     UniformType type = UniformType::Float;
-    int components = 1;       ///< of the vector; 4 for Matrix4x4
+    int components = 1;       ///< the components of the vector; 4 for Matrix4x4
     std::uint32_t offset = 0; ///< bytes from the start of the buffer
     std::uint32_t size = 0;   ///< bytes, arrays included
     int arraySize = 0;        ///< 0 = not an array
@@ -91,7 +91,7 @@ struct TextureBinding
     TextureDimension dimension = TextureDimension::Tex2D;
     bool multisampled = false;
     bool combinedSampler = false;          ///< sampler2D: one descriptor holds texture and sampler
-    UniformType type = UniformType::Float; ///< of its components in the shader
+    UniformType type = UniformType::Float; ///< the type of its components in the shader
 
     bool operator==(const TextureBinding&) const = default;
 };
@@ -127,7 +127,7 @@ struct StorageTextureBinding
     ShaderStage stages = ShaderStage::None;
     std::uint32_t binding = 0;
     TextureDimension dimension = TextureDimension::Tex2D;
-    UniformType type = UniformType::Float; ///< of its components in the shader
+    UniformType type = UniformType::Float; ///< the type of its components in the shader
     bool isRead = false;                   ///< if false, it is only written
 
     bool operator==(const StorageTextureBinding&) const = default;
@@ -165,15 +165,15 @@ struct PropertyLayout
     std::vector<TextureBinding> textures;
     std::vector<SamplerBinding> samplers;
     std::vector<StorageBufferBinding> storageBuffers;
-    std::vector<StorageTextureBinding> storageTextures; ///< of kernels only
+    std::vector<StorageTextureBinding> storageTextures; ///< only kernels have them
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
     /// The type of each; Float for those that it does not write.
     std::vector<UniformType> outputTypes;
     GeometryInput geometryInput = GeometryInput::None;
     ShaderStage pushStages = ShaderStage::None; ///< the stages that read the DrawConstants
-    /// True if the fragment function reads anything that differs from pixel to pixel, its own
-    /// position included.
+    /// The fragment function reads something that differs from pixel to pixel, its own position
+    /// included.
     bool fragmentHasInputs = true;
 
     bool operator==(const PropertyLayout&) const = default;
@@ -186,8 +186,8 @@ struct ShaderProgram
     std::vector<std::uint32_t> vertexSpirv;
     std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
     std::vector<std::uint32_t> fragmentSpirv;
-    std::vector<std::uint32_t> computeSpirv;        ///< of a kernel, which has no other stage
-    std::array<std::uint32_t, 3> threadGroupSize{}; ///< of a kernel: [numthreads(x, y, z)]
+    std::vector<std::uint32_t> computeSpirv; ///< the code of a kernel, which has no other stage
+    std::array<std::uint32_t, 3> threadGroupSize{}; ///< the [numthreads(x, y, z)] of a kernel
     PropertyLayout layout;
     /// The warnings of the compiler, also about pragmas; and notes without a line, "uses X, which
     /// limn does not have: Y", about functions that the pass uses and that the ShaderLibrary only

@@ -34,7 +34,7 @@ struct Keyframe
     float inTangent = 0.0f;  ///< slope before the key; infinite: the value jumps at the key
     float outTangent = 0.0f; ///< slope behind it; infinite: the value waits until the next key
     float inWeight = 0.0f;   ///< 0...1, the part of the way to the key before that a handle takes
-    float outWeight = 0.0f;  ///< likewise to the key behind; a tangent without weight takes 1/3
+    float outWeight = 0.0f;  ///< the same for the key behind; a tangent without weight takes 1/3
     WeightedMode weightedMode = WeightedMode::None;
 
     bool operator==(const Keyframe&) const = default;

@@ -28,7 +28,7 @@ public:
     {
     }
 
-    /// NaN becomes the limit, as with Unity's Mathf.Max.
+    /// Sets the value, limited from below; NaN becomes the limit, as with Unity's Mathf.Max.
     void SetValue(const T& value) override { this->m_Value = value > m_Min ? value : m_Min; }
     std::optional<ValueRange> range() const override
     {
@@ -57,7 +57,7 @@ public:
     {
     }
 
-    /// NaN becomes the limit, as with Unity's Mathf.Min.
+    /// Sets the value, limited from above; NaN becomes the limit, as with Unity's Mathf.Min.
     void SetValue(const T& value) override { this->m_Value = value < m_Max ? value : m_Max; }
     std::optional<ValueRange> range() const override
     {
@@ -88,7 +88,7 @@ public:
         CheckLimits(this->name(), static_cast<double>(min), static_cast<double>(max));
     }
 
-    /// NaN stays NaN, as with Unity's Mathf.Clamp.
+    /// Sets the value, clamped to the limits; NaN stays NaN, as with Unity's Mathf.Clamp.
     void SetValue(const T& value) override
     {
         this->m_Value = value < m_Min ? m_Min : value > m_Max ? m_Max : value;

@@ -41,7 +41,7 @@ template <typename Asset>
 struct LoadedAsset
 {
     std::shared_ptr<const Asset> asset = {};
-    std::string note = {}; ///< "" where there is nothing to say
+    std::string note = {}; ///< "" if there is nothing to report
 };
 
 /// Resolves what the values of a profile refer to outside their file: layers and other assets. This

@@ -39,7 +39,7 @@ public:
 
 private:
     AnimationCurve m_Curve;
-    AnimationCurve m_LoopingCurve; ///< with the neighbours of the first and the last key
+    AnimationCurve m_LoopingCurve; ///< the curve with the neighbours of the first and the last key
     float m_ZeroValue = 0.0f;
     bool m_Loop = false;
     float m_Range = 1.0f;

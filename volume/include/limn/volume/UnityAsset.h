@@ -30,7 +30,7 @@ struct UnityHeader
     int classID = 0; ///< 1 GameObject, 4 Transform, 114 MonoBehaviour
     /// Stands for an object of a prefab and holds little more than its identity.
     bool isStripped = false;
-    int line = 0;              ///< of the file, from 1
+    int line = 0;              ///< the line of the file, from 1
     std::size_t bodyBegin = 0; ///< offset of the text below the header
     std::size_t bodyEnd = 0;
 };

@@ -81,10 +81,11 @@ struct Volume : detail::VolumePlace
     int layer = 0;       ///< 0...31; the camera's volume layer mask must contain it
     std::shared_ptr<const VolumeProfile> sharedProfile; ///< null: the volume does nothing
 
-    glm::vec3 position{0.0f};        ///< world, metres
-    glm::quat rotation{1, 0, 0, 0};  ///< world, unit length
-    glm::vec3 scale{1.0f};           ///< world
-    std::vector<Collider> colliders; ///< of a local volume; the closest enabled one counts
+    glm::vec3 position{0.0f};       ///< world, metres
+    glm::quat rotation{1, 0, 0, 0}; ///< world, unit length
+    glm::vec3 scale{1.0f};          ///< world
+    /// The shapes of a local volume; the closest enabled one counts.
+    std::vector<Collider> colliders;
 
     /// Returns the volume's own copy of the shared profile. The first call makes it (an empty
     /// profile if there is no shared one); from then on it counts in place of the shared one,

@@ -66,7 +66,7 @@ public:
     const std::string& unit() const { return m_Info.unit; } ///< "pixels"; "" for none
 
     virtual std::string ValueText() const = 0; ///< the value in limn's YAML, on one line
-    /// The value as m_Value of Unity's YAML, on one line.
+    /// Returns the value as m_Value of Unity's YAML, on one line.
     virtual std::string UnityText() const = 0;
     virtual std::string_view typeName() const = 0; ///< "ClampedFloat"
 

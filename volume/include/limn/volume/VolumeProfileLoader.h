@@ -44,7 +44,7 @@ VolumeProfileLoadResult ParseVolumeProfile(std::string_view text, const std::str
 /// The two forms of a profile's YAML.
 enum class YamlForm
 {
-    Limn, ///< component, parameter, value; only what is overridden
+    Limn, ///< component, parameter, value; only overridden parameters
     Unity ///< a VolumeProfile asset; every parameter with m_OverrideState and m_Value
 };
 

@@ -24,7 +24,7 @@ struct VolumeComponentTrace
     };
 
     std::string component;                        ///< its type in files: "ScreenSpaceOutline"
-    std::shared_ptr<const VolumeComponent> start; ///< with the values of the defaults
+    std::shared_ptr<const VolumeComponent> start; ///< a component with the values of the defaults
     std::vector<Step> steps;                      ///< in the order they were applied
     std::function<std::unique_ptr<VolumeComponent>()> create; ///< a new one of its type
 

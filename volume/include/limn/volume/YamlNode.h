@@ -46,7 +46,7 @@ public:
     const std::string& anchor() const; ///< the name behind &; "" if none given
 
     std::span<const YamlNode> items() const; ///< the items of a Sequence; empty for any other kind
-    /// The entries of a Map, in the order of the file; empty for any other kind.
+    /// Returns the entries of a Map, in the order of the file; empty for any other kind.
     std::span<const YamlEntry> entries() const;
 
     /// Returns the value of a Map's key, or null if there is no such key or this is no Map. The

@@ -22,7 +22,7 @@ public:
     /// Returns whether the device is lost. Every call of that device then fails; the program needs
     /// another device.
     bool isDeviceLost() const { return m_Result == "VK_ERROR_DEVICE_LOST"; }
-    /// The name of the affected object, or "".
+    /// Returns the name of the affected object, or "".
     const std::string& object() const { return m_Object; }
 
 private:

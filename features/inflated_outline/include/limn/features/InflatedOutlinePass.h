@@ -33,7 +33,7 @@ private:
     const InflatedOutlineSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
     int m_HullPass = 0;
-    std::vector<Items> m_Groups; ///< of this frame, the farthest first
+    std::vector<Items> m_Groups; ///< the groups of this frame, the farthest first
 };
 
 } // namespace limn

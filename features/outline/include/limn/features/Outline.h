@@ -38,7 +38,8 @@ public:
     std::shared_ptr<Material> CreateMaterial(std::string_view shader) const;
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
-    VolumeComponentRegistry& components() { return m_Components; } ///< those that come with limn
+    /// The components that come with limn.
+    VolumeComponentRegistry& components() { return m_Components; }
     VolumeProfile& profile() { return *m_Profile; } ///< the profile of volume(); empty at first
     Volume& volume() { return m_Volume; }           ///< global, registered
     VolumeManager& volumes() { return m_Volumes; }

@@ -19,7 +19,7 @@ enum class OutlineRenderQueueRange
 enum class OutlineGrouping
 {
     Together, ///< all outlined objects
-    PerGroup, ///< those below one object without parent
+    PerGroup, ///< the objects below one object without parent
     PerObject
 };
 

@@ -26,8 +26,8 @@ struct OutlinedObjects
     std::string why; ///< if there are no objects: what happened to the renderers
 };
 
-/// Returns what a feature outlines, and adds the filter to RenderReport::filters. An object whose
-/// shader has none of URP's forward passes is neither drawn nor outlined.
+/// Returns the objects that a feature outlines, and adds the filter to RenderReport::filters. An
+/// object whose shader has none of URP's forward passes is neither drawn nor outlined.
 ///
 /// @throws ContractError as OutlineSettings::filtering
 OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,

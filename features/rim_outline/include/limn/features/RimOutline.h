@@ -10,7 +10,7 @@ namespace limn
 enum class RimVariant
 {
     Soft,      ///< the whole surface, as strongly as the sine of theta
-    Threshold, ///< where theta is above an angle
+    Threshold, ///< parts where theta is above an angle
     Pixels ///< parts within a distance from the silhouette in pixels, estimated from the curvature
 };
 

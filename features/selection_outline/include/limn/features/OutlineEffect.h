@@ -101,7 +101,7 @@ private:
     Step m_BlurStep;
     Step m_CompositeStep;
     std::shared_ptr<const Material> m_CopyMaterial; ///< null: the composite blends in place
-    int m_Width = 0;                                ///< of the picture, pixels
+    int m_Width = 0;                                ///< the width of the picture in pixels
     int m_Height = 0;
     int m_BlurCount = 0;
     std::vector<OutlinedObject> m_Objects;
