@@ -11,7 +11,8 @@
 namespace limn
 {
 
-// Options become these macros in HLSL: they are on as keywords are, and are in the cache's key.
+// Options become these macros in HLSL. Like keywords, they are on or off and part of the cache's
+// key.
 
 /// The macro that is defined if ShaderCompilerOptions::usesReversedZBuffer is off.
 inline constexpr const char* k_StandardZMacro = "LIMN_STANDARD_Z";

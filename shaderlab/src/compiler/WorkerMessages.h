@@ -11,7 +11,7 @@
 namespace limn
 {
 
-// What CompileInWorker and its workers send to each other.
+// The messages between CompileInWorker and its workers.
 
 /// The program that a worker must compile.
 struct CompilerRequest

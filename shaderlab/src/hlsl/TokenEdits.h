@@ -26,7 +26,7 @@ public:
 
     const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }
-    // As written; see HlslTokens.
+    // These return the original text; see HlslTokens.
     std::string_view Text(std::size_t index) const { return m_Tokens.Text(index); }
     bool isWord(std::size_t index) const { return m_Tokens.isWord(index); }
     int Step(std::size_t index) const { return m_Tokens.Step(index); }

@@ -59,7 +59,7 @@ struct HlslNode
     /// The type of an expression or a declarator. Those of a Cast and a Construct are known from
     /// the text, the others from ResolveTypes().
     HlslType type;
-    // Of a Name, by ResolveTypes(); both null where nobody declares it.
+    // The declaration of a Name, set by ResolveTypes(); both are null if it is not declared.
     HlslNode* local = nullptr;              ///< Declarator
     const HlslVariable* variable = nullptr; ///< a parameter, member or global
     const HlslFunction* function = nullptr; ///< the author's function that a Call or Method means

@@ -7,8 +7,8 @@
 namespace limn
 {
 
-// What glslang 12 makes of HLSL's buffers and writable textures, put right in its SPIR-V before
-// that is optimised.
+// Corrects glslang 12's translation of HLSL's buffers and writable textures, in its SPIR-V before
+// it is optimised.
 
 /// Packs the elements of structured buffers as Direct3D does: each member directly behind the one
 /// before it, but at a multiple of its component's size. A program on the CPU writes them so;

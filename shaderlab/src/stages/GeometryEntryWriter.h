@@ -8,9 +8,9 @@
 namespace limn
 {
 
-// The author's geometry function stays an ordinary function, but for two things: its stream takes
-// vertices of a generated type with explicit locations, and each vertex goes through a generated
-// function into that type.
+// The author's geometry function stays an ordinary function, except for two things: its stream
+// takes vertices of a generated type with explicit locations, and each vertex goes through a
+// generated function into that type.
 
 inline constexpr std::string_view k_GeometryOutput = "limn_Output"; ///< the generated type
 inline constexpr std::string_view k_PackFunction = "limn_Pack";

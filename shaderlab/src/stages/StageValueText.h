@@ -7,7 +7,7 @@
 namespace limn
 {
 
-// HLSL spelling of what generated entry functions take and give.
+// The HLSL spelling of the inputs and outputs of generated entry functions.
 
 /// Returns the type that the pipeline gives a system value, whatever type the author declares.
 std::string SystemType(const StageValue& value);

@@ -9,8 +9,8 @@
 #include <limn/volume/TextureCurve.h>
 #include <limn/volume/YamlRead.h>
 
-// How the value of each type of parameter is read, written as limn has it (LimnText) and as Unity
-// does (UnityText). All texts fit on one line.
+// Reads the value of each type of parameter, and writes it in limn's form (LimnText) and in Unity's
+// (UnityText). All texts fit on one line.
 
 namespace limn::detail
 {
@@ -33,7 +33,7 @@ struct ValueSource
     bool Refuse(std::string_view problem) const;
 };
 
-// Each says whether it set the value; if not, there is an error.
+// Each returns whether it set the value; if not, there is an error.
 bool ReadValue(const ValueSource& source, bool& value);
 bool ReadValue(const ValueSource& source, int& value);
 bool ReadValue(const ValueSource& source, std::uint32_t& value);

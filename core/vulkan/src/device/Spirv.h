@@ -10,7 +10,7 @@ namespace limn::vulkan
 
 using Words = std::vector<std::uint32_t>;
 
-// Of a module's header.
+// The header of a module.
 inline constexpr std::size_t k_HeaderSize = 5; // words
 inline constexpr std::size_t k_BoundWord = 3;
 

@@ -6,7 +6,7 @@
 namespace limn::vulkan
 {
 
-// What textures are to Vulkan.
+// Describes textures to Vulkan.
 
 /// Returns the samples per texel, which is 1 except for render textures.
 std::uint32_t SampleCount(const Texture& texture);

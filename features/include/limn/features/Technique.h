@@ -12,9 +12,9 @@ namespace limn
 /// At either place the object's depth is its own depth at the nearest point of its border.
 enum class HiddenAt
 {
-    /// At the nearest point of the border: the outline ends where the border's visible part ends.
+    /// The nearest point of the border: the outline ends where the border's visible part ends.
     Border,
-    Point ///< at the outline's own point, as the depth test of a hull does
+    Point ///< the outline's own point, as in the depth test of a hull
 };
 
 /// An outline technique: its description for people, and the settings with which it draws a line of

@@ -18,8 +18,8 @@ std::string PrintShaderLab(const ShaderLabDocument& document);
 /// program's text into include blocks do not count.
 bool SameContent(const ShaderLabDocument& a, const ShaderLabDocument& b);
 
-// A value of a pass's state as ShaderLab writes it: "LEqual", "On", "0.5", or "[_Property]".
-// They throw ContractError for a value that ShaderLab has no name for.
+// These return a value of a pass's state as ShaderLab writes it: "LEqual", "On", "0.5", or
+// "[_Property]". They throw ContractError if ShaderLab has no name for the value.
 std::string StateText(const StateValue<CullMode>& value);
 std::string StateText(const StateValue<CompareFunction>& value);
 std::string StateText(const StateValue<bool>& value);
@@ -32,7 +32,7 @@ std::string ColorMaskText(const StateValue<int>& mask); ///< "RGB", "0"
 std::string BlendText(const PassBlendState& target);    ///< "Off", "One Zero, SrcAlpha One"
 std::string BlendOpText(const PassBlendState& target);  ///< "Max", "Add, Max"
 
-// A property's type and default as a Properties block has them.
+// These return a property's type and default as a Properties block has them.
 std::string PropertyTypeText(const ShaderProperty& property);    ///< "Range(0, 1)", "2D"
 std::string PropertyDefaultText(const ShaderProperty& property); ///< "(1, 1, 1, 1)", "\"white\" {}"
 

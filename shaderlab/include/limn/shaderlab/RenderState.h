@@ -8,7 +8,7 @@
 namespace limn
 {
 
-// Values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), since materials carry them as
+// The values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), because materials hold them as
 // numbers.
 
 enum class CompareFunction
@@ -140,8 +140,8 @@ struct StateValue
     bool operator==(const StateValue&) const = default;
 };
 
-// What stands in a pass's text, where Value<T> is StateValue<T>, and what a draw uses once the
-// properties are read, where it is T.
+// The state in a pass's text, if Value<T> is StateValue<T>, or the state that a draw uses after the
+// properties are read, if Value<T> is T.
 
 template <template <typename> typename Value>
 struct BasicStencilFace

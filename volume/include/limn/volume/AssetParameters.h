@@ -14,8 +14,8 @@ using TextureReference = AssetReference<Texture>;
 
 /// A texture of any dimension or of one dimension; blending switches as soon as t > 0. YAML has a
 /// path, relative to the file ("" or nothing stands for no texture), or Unity's {fileID: 2800000,
-/// guid: ..., type: 3}. Unity's form cannot name a path, so UnityText writes "none" for a reference
-/// that has only a path.
+/// guid: ..., type: 3}. Unity's form cannot name a path, so UnityText writes a null reference for a
+/// reference that has only a path.
 ///
 /// Reading loads the texture if the ProfileContext does that and the parameter is overridden. Only
 /// flat textures can be loaded: a cubemap, a volume texture or a render texture keeps its location,
@@ -50,7 +50,7 @@ private:
     std::optional<TextureDimension> m_Dimension;
 };
 
-/// A TextureParameter under the name that Unity gives a parameter whose value switches. Unity:
+/// The same as TextureParameter, whose value also switches instead of blending. Unity:
 /// NoInterpTextureParameter (URP 14).
 class NoInterpTextureParameter : public TextureParameter
 {
@@ -87,8 +87,8 @@ public:
     std::string_view typeName() const override { return "RenderTexture"; }
 };
 
-/// A RenderTextureParameter under the name that Unity gives a parameter whose value switches.
-/// Unity: NoInterpRenderTextureParameter (URP 14).
+/// The same as RenderTextureParameter, whose value also switches instead of blending. Unity:
+/// NoInterpRenderTextureParameter (URP 14).
 class NoInterpRenderTextureParameter : public RenderTextureParameter
 {
 public:
@@ -105,7 +105,7 @@ public:
     std::string_view typeName() const override { return "Cubemap"; }
 };
 
-/// A CubemapParameter under the name that Unity gives a parameter whose value switches. Unity:
+/// The same as CubemapParameter, whose value also switches instead of blending. Unity:
 /// NoInterpCubemapParameter (URP 14).
 class NoInterpCubemapParameter : public CubemapParameter
 {

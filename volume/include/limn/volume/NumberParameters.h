@@ -7,8 +7,8 @@
 namespace limn::detail
 {
 
-// Parameters of numbers with limits, which SetValue(value) and files hold to; the constructor,
-// Override and Interp do not. `Base` is the parameter without them.
+// Parameters of numbers with limits. SetValue(value) and files keep to the limits; the constructor,
+// Override and Interp do not. `Base` is the parameter without limits.
 
 template <typename Base>
 class MinParameter : public Base

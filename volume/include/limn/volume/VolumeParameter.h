@@ -58,7 +58,8 @@ public:
 
     virtual void SetOverrideState(bool state) { m_OverrideState = state; }
 
-    /// Returns whether the parameter is set in its profile or, in a stack, whether a volume set it.
+    /// Returns whether its profile sets the parameter or, in a stack, whether a volume overrides
+    /// it.
     bool overrideState() const { return m_OverrideState; }
     const std::string& name() const { return m_Name; } ///< Unity's serialised name
 

@@ -13,8 +13,8 @@
 namespace limn
 {
 
-// Each reader gives the value, or nothing and one error at the node's place. `subject` names the
-// value in that error: "camera.fieldOfView".
+// Each reader returns the value, or nullopt and adds one error at the node's place. `subject` names
+// the value in that error: "camera.fieldOfView".
 
 /// Reads true, false, and 1 and 0 as Unity writes them, but not yes, no, on or off.
 std::optional<bool> ReadBool(const YamlNode& node, std::string_view subject,

@@ -31,8 +31,7 @@ public:
         0.0f,
         {.tooltip = "Hardened: how far a surface has to leave its plane for a line.",
          .unit = "metres"}};
-    /// The least angle is 2 degrees because normals with 8 bits per component are off by up to 0.4
-    /// degrees each.
+    /// Normals with 8 bits per component have errors of up to 0.4 degrees each.
     ClampedFloatParameter m_AngleThreshold{
         this,
         "m_AngleThreshold",

@@ -45,8 +45,8 @@ std::filesystem::path BehindLinks(std::filesystem::path path);
 [[nodiscard]] std::error_code WriteToDescriptor(int descriptor, std::string_view bytes);
 
 /// A lock that one owner at a time can hold, in any process. An owner that reads a file, changes it
-/// and writes it back loses nothing that another owner writes. The constructor waits until the lock
-/// is free.
+/// and writes it back loses nothing that another owner writes. The first constructor waits until
+/// the lock is free.
 class FileLock
 {
 public:

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-// What a WorkerProcess and its workers send to each other.
+// The messages between a WorkerProcess and its workers.
 
 /// Sends the number of bytes and the bytes. Returns false if the other side is gone.
 bool SendMessage(int socket, std::string_view bytes);
