@@ -26,8 +26,8 @@ struct ActiveEffects
 };
 
 /// Draws the active effects. Textures: _BloomMipDown<i>, _BloomMipUp<i> [H / 2^(i+1), W / 2^(i+1)],
-/// B10G11R11_UFloatPack32; _UberPost [H, W], in the format of the camera's colour. Unity:
-/// PostProcessPass (URP 14).
+/// B10G11R11_UFloatPack32; _UberPost [H, W], in the format of the camera's colour.
+/// Unity: PostProcessPass (URP 14).
 class PostProcessPass final : public ScriptableRenderPass
 {
 public:

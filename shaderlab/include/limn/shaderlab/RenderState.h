@@ -102,8 +102,8 @@ enum class CullMode
     Back = 2
 };
 
-/// The bits of ColorMask; red is the high bit, as in Unity. Unity:
-/// UnityEngine.Rendering.ColorWriteMask (2022.3).
+/// The bits of ColorMask; red is the high bit, as in Unity.
+/// Unity: UnityEngine.Rendering.ColorWriteMask (2022.3).
 struct ColorWriteMask
 {
     static constexpr int Alpha = 1;

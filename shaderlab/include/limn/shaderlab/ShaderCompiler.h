@@ -49,8 +49,8 @@ struct ShaderCompilerOptions
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
     /// The direction of depth. If true, depth is 1 near ... 0 far, UNITY_REVERSED_Z is defined and
     /// UNITY_NEAR_CLIP_VALUE is 1. If false, it is the other way round, as on OpenGL, to study
-    /// precision. The whole pipeline uses the setting of its renderer's compiler. Unity:
-    /// SystemInfo.usesReversedZBuffer (2022.3).
+    /// precision. The whole pipeline uses the setting of its renderer's compiler.
+    /// Unity: SystemInfo.usesReversedZBuffer (2022.3).
     bool usesReversedZBuffer = true;
     /// Makes half and min16float 16-bit values where they are assigned, passed, returned and
     /// computed only from halves and constants, as on phones, to study precision. If false, they

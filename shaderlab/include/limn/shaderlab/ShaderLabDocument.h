@@ -165,8 +165,8 @@ struct PipelineEditor
     bool operator==(const PipelineEditor&) const = default;
 };
 
-/// A ShaderLab file as plain data: its text in the order of the file; nothing is compiled. Unity:
-/// ShaderLab (2022.3).
+/// A ShaderLab file as plain data: its text in the order of the file; nothing is compiled.
+/// Unity: ShaderLab (2022.3).
 struct ShaderLabDocument
 {
     std::string file;

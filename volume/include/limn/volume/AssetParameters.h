@@ -50,8 +50,8 @@ private:
     std::optional<TextureDimension> m_Dimension;
 };
 
-/// The same as TextureParameter, whose value also switches instead of blending. Unity:
-/// NoInterpTextureParameter (URP 14).
+/// The same as TextureParameter, whose value also switches instead of blending.
+/// Unity: NoInterpTextureParameter (URP 14).
 class NoInterpTextureParameter : public TextureParameter
 {
 public:
@@ -87,8 +87,8 @@ public:
     std::string_view typeName() const override { return "RenderTexture"; }
 };
 
-/// The same as RenderTextureParameter, whose value also switches instead of blending. Unity:
-/// NoInterpRenderTextureParameter (URP 14).
+/// The same as RenderTextureParameter, whose value also switches instead of blending.
+/// Unity: NoInterpRenderTextureParameter (URP 14).
 class NoInterpRenderTextureParameter : public RenderTextureParameter
 {
 public:
@@ -105,8 +105,8 @@ public:
     std::string_view typeName() const override { return "Cubemap"; }
 };
 
-/// The same as CubemapParameter, whose value also switches instead of blending. Unity:
-/// NoInterpCubemapParameter (URP 14).
+/// The same as CubemapParameter, whose value also switches instead of blending.
+/// Unity: NoInterpCubemapParameter (URP 14).
 class NoInterpCubemapParameter : public CubemapParameter
 {
 public:
@@ -170,8 +170,8 @@ private:
 /// map of the object's parameters; those named are overridden. {} stands for no object.
 ///
 /// The object is a VolumeComponent, because parameters register with one. It belongs to this
-/// parameter alone: copying a value copies the parameters, where Unity shares the object. Unity:
-/// ObjectParameter<T> (URP 14).
+/// parameter alone: copying a value copies the parameters, where Unity shares the object.
+/// Unity: ObjectParameter<T> (URP 14).
 template <std::derived_from<VolumeComponent> T>
 class ObjectParameter final : public detail::ObjectParameterBase
 {

@@ -9,8 +9,8 @@
 namespace limn
 {
 
-/// A box fixed to an object; it is the space that a local volume fills. Unity:
-/// UnityEngine.BoxCollider (2022.3), of which only ClosestPoint is here.
+/// A box fixed to an object; it is the space that a local volume fills.
+/// Unity: UnityEngine.BoxCollider (2022.3), of which only ClosestPoint is here.
 struct BoxCollider
 {
     bool enabled = true;
@@ -76,8 +76,8 @@ private:
     std::shared_ptr<const Mesh> m_Mesh;
 };
 
-/// The shape of a local volume: one of those that Unity's Collider.ClosestPoint supports. Unity:
-/// UnityEngine.Collider (2022.3).
+/// The shape of a local volume: one of those that Unity's Collider.ClosestPoint supports.
+/// Unity: UnityEngine.Collider (2022.3).
 using Collider = std::variant<BoxCollider, SphereCollider, CapsuleCollider, MeshCollider>;
 
 } // namespace limn

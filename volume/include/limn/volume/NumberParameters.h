@@ -176,8 +176,8 @@ public:
 };
 
 /// A whole number. A blend is rounded toward zero, unless it misses a whole number by no more than
-/// the rounding error of t (0 to 10 at 0.7f is 7). It is clamped to the range of int. Unity:
-/// IntParameter (URP 14).
+/// the rounding error of t (0 to 10 at 0.7f is 7). It is clamped to the range of int.
+/// Unity: IntParameter (URP 14).
 class IntParameter : public detail::LerpParameter<int>
 {
 public:

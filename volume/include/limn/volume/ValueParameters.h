@@ -62,8 +62,8 @@ namespace limn
 class BoolParameter : public detail::ValueParameter<bool>
 {
 public:
-    /// The control that an editor shows; blending and files ignore it. Unity:
-    /// BoolParameter.DisplayType (URP 14).
+    /// The control that an editor shows; blending and files ignore it.
+    /// Unity: BoolParameter.DisplayType (URP 14).
     enum class DisplayType
     {
         Checkbox = 0,
@@ -110,8 +110,8 @@ public:
 
 } // namespace detail
 
-/// A colour, blended linearly per channel (also alpha), in the colour space of its values. Unity:
-/// ColorParameter (URP 14).
+/// A colour, blended linearly per channel (also alpha), in the colour space of its values.
+/// Unity: ColorParameter (URP 14).
 class ColorParameter : public detail::ColorHints<detail::LerpParameter<Color>>
 {
 public:
@@ -177,8 +177,8 @@ public:
 
 /// A set of layers; blending switches as soon as t > 0. YAML has the bits as one number, "Nothing",
 /// "Everything", a list of indices or of Unity's built-in layers' names ("Default", "UI"), or
-/// {m_Bits: 5}. A profile does not know the names that a scene gives its layers. Unity:
-/// LayerMaskParameter (URP 14).
+/// {m_Bits: 5}. A profile does not know the names that a scene gives its layers.
+/// Unity: LayerMaskParameter (URP 14).
 class LayerMaskParameter : public detail::ValueParameter<LayerMask>
 {
 public:

@@ -57,8 +57,8 @@ private:
     std::vector<VolumeParameter*> m_Parameters;
 };
 
-/// The interface of a volume component of a visual effect, asked before its pass is added. Unity:
-/// UnityEngine.Rendering.Universal.IPostProcessComponent (URP 14).
+/// The interface of a volume component of a visual effect, asked before its pass is added.
+/// Unity: UnityEngine.Rendering.Universal.IPostProcessComponent (URP 14).
 class IPostProcessComponent
 {
 public:

@@ -44,8 +44,8 @@ public:
     void OnVolumeProfileChanged(const VolumeProfile& profile);
 
     /// Returns the stack of the camera that this thread renders, for helpers that are given no
-    /// RenderingData. Returns the stack of the defaults while no camera is rendered. Unity:
-    /// VolumeManager.instance.stack.
+    /// RenderingData. Returns the stack of the defaults while no camera is rendered.
+    /// Unity: VolumeManager.instance.stack.
     static VolumeStackPointer stack();
     /// Lets code ported from C# keep `VolumeManager.instance.stack`; limn has no global manager.
     struct Instance

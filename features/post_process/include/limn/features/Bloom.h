@@ -8,8 +8,8 @@
 namespace limn
 {
 
-/// The size of the largest picture of the bloom, as a part of the camera's. Unity:
-/// BloomDownscaleMode (URP 14).
+/// The size of the largest picture of the bloom, as a part of the camera's.
+/// Unity: BloomDownscaleMode (URP 14).
 enum class BloomDownscaleMode
 {
     Half = 0,

@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// Adjusts exposure, contrast, tint, hue and saturation of the whole picture. Unity:
-/// ColorAdjustments (URP 14).
+/// Adjusts exposure, contrast, tint, hue and saturation of the whole picture.
+/// Unity: ColorAdjustments (URP 14).
 class ColorAdjustments final : public VolumeComponent, public IPostProcessComponent
 {
 public:
