@@ -12,7 +12,7 @@ class FullScreenRenderPass final : public ScriptableRenderPass
 public:
     explicit FullScreenRenderPass(const std::string& passName);
 
-    /// @param material  never null
+    /// @param material  must not be null
     void SetupMembers(std::shared_ptr<const Material> material, int passIndex,
                       bool fetchActiveColor, bool bindDepthStencilAttachment,
                       ScriptableRenderPassInput requirements);

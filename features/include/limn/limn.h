@@ -1,6 +1,6 @@
 #pragma once
 
-// Everything a program that renders with limn needs, but for the device: add
+// Everything that a program that renders with limn needs, except the device: add
 // <limn/vulkan/VulkanDevice.h> to draw, <limn/core/RecordingDevice.h> to test without a GPU.
 
 #include <limn/core/AsyncGPUReadback.h>

@@ -13,7 +13,7 @@
 namespace limn
 {
 
-/// The answer of a check, and a sentence that says why: "drawn by Outline: Lamp is left out:
+/// The result of a check, and a sentence with its reason: "drawn by Outline: Lamp is left out:
 /// rendering layer mask".
 class CheckResult
 {
@@ -40,19 +40,20 @@ private:
     std::string m_Sentence;
 };
 
-/// A cube at the origin, in layer 0 and rendering layer 0, with an opaque material, until it is
-/// told otherwise.
+/// The description of a renderer. By default it is a cube at the origin, in layer 0 and rendering
+/// layer 0, with an opaque material.
 struct ARenderer
 {
     explicit ARenderer(std::string rendererName) : name(std::move(rendererName)) {}
 
-    /// @throws ContractError outside 0...31
+    /// @throws ContractError if the index is outside 0...31
     ARenderer& OnLayer(int index);
-    /// Adds a rendering layer to those that it has. @throws ContractError outside 0...31
+    /// Adds a rendering layer to those that it has.
+    /// @throws ContractError if the index is outside 0...31
     ARenderer& WithRenderingLayer(int index);
-    /// @param renderQueue  of its material, 0...5000
+    /// @param renderQueue  the queue of its material, 0...5000
     ARenderer& WithQueue(int renderQueue) { return queue = renderQueue, *this; }
-    /// @param worldPosition  metres
+    /// @param worldPosition  its position in the world, in metres
     ARenderer& At(const glm::vec3& worldPosition) { return position = worldPosition, *this; }
 
     std::string name;
@@ -65,12 +66,12 @@ struct ARenderer
 /// Returns whether a filter takes a renderer by its queue, layer and rendering layers.
 CheckResult Takes(const FilteringSettings& filter, const ARenderer& renderer);
 
-/// A frame of a TestScene. Valid as long as the scene is neither changed nor destroyed.
+/// A frame of a TestScene. It is valid as long as the scene is neither changed nor destroyed.
 struct TestFrame
 {
     RenderResult result;
     const Scene* scene = nullptr; ///< never null
-    CullingResults seen;          ///< by the camera
+    CullingResults seen;          ///< the objects that the camera sees
 };
 
 /// A scene with a camera that looks along z from 10 m away, the renderer that draws it, the volume
@@ -81,20 +82,21 @@ public:
     TestScene();
 
     GameObject& Add(const ARenderer& renderer);
-    /// Adds a global volume of the profile that this YAML text is.
-    /// @throws AssetError for a wrong profile
+    /// Adds a global volume whose profile is this YAML text.
+    /// @throws AssetError if the profile is wrong
     void AddVolume(std::string_view profile);
-    /// Returns a shader that comes with limn; null for an unknown name.
+    /// Returns a shader that comes with limn, or null if the name is unknown.
     std::shared_ptr<const Shader> FindShader(std::string_view name) const;
 
+    /// Renders a frame.
     /// @throws ContractError, AssetError as UniversalRenderPipeline::RenderSingleCamera does
     TestFrame Render();
 
     VolumeComponentRegistry components; ///< more may be registered before the first AddVolume
     Scene scene;
     Camera camera;
-    UniversalRenderer renderer; ///< features go in here
-    glm::ivec2 size{256, 256};  ///< of the picture, pixels
+    UniversalRenderer renderer; ///< features are added to it
+    glm::ivec2 size{256, 256};  ///< the size of the picture in pixels
 
 private:
     VolumeManager m_Volumes;
@@ -104,7 +106,7 @@ private:
 };
 
 /// Returns whether a feature, or a pass of this name, draws every renderer of that name.
-/// @throws ContractError if the scene has no renderer, or the frame no feature or pass, of the name
+/// @throws ContractError if the scene has no such renderer, or the frame no such feature or pass
 CheckResult DrawnBy(const TestFrame& frame, std::string_view feature, std::string_view renderer);
 
 } // namespace limn

@@ -13,7 +13,7 @@ class ColorAdjustments;
 class Tonemapping;
 class Vignette;
 
-/// The effects of a camera as the stack has them; null = off.
+/// The effects that the camera's stack switches on; null = off.
 struct ActiveEffects
 {
     const Bloom* bloom = nullptr;
@@ -25,15 +25,16 @@ struct ActiveEffects
     bool any() const { return bloom || vignette || colorAdjustments || tonemapping; }
 };
 
-/// _BloomMipDown<i>, _BloomMipUp<i> [H / 2^(i+1), W / 2^(i+1)], B10G11R11_UFloatPack32;
-/// _UberPost [H, W], as the camera's colour. Unity: PostProcessPass (URP 14).
+/// Draws the active effects. Textures: _BloomMipDown<i>, _BloomMipUp<i> [H / 2^(i+1), W / 2^(i+1)],
+/// B10G11R11_UFloatPack32; _UberPost [H, W], in the format of the camera's colour.
+/// Unity: PostProcessPass (URP 14).
 class PostProcessPass final : public ScriptableRenderPass
 {
 public:
     PostProcessPass(const std::string& featureName, std::shared_ptr<const Shader> bloom,
                     std::shared_ptr<const Shader> uber);
 
-    /// @param effects  at least one
+    /// @param effects  must have at least one effect
     void Setup(const ActiveEffects& effects, ColorGradingMode grading,
                const CameraData& cameraData);
 
@@ -51,14 +52,14 @@ private:
     void SetupDirt(const Bloom& bloom, const glm::ivec2& picture);
     void SetupVignette(const Vignette* vignette, const glm::ivec2& picture);
     void SetupGrading(const ActiveEffects& effects, bool isHdr);
-    /// @return what the glow is in
+    /// @return the texture with the glow
     const RTHandle& DrawBloom(CommandBuffer& cmd, const RTHandle& color) const;
 
     std::shared_ptr<Material> m_BloomMaterial;
     std::shared_ptr<Material> m_UberMaterial;
     std::vector<BloomMip> m_BloomMips; ///< from the largest on; kept while bloom is off
-    std::size_t m_BloomMipCount = 0;   ///< that are drawn; 0 without bloom
-    glm::ivec2 m_BloomSize{0};         ///< of the largest
+    std::size_t m_BloomMipCount = 0;   ///< the number of mips that are drawn; 0 without bloom
+    glm::ivec2 m_BloomSize{0};         ///< the size of the largest
     RTHandle m_Result;
 };
 

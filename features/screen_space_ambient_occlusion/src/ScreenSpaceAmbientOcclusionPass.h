@@ -9,9 +9,9 @@
 namespace limn
 {
 
-/// Textures: _SSAO_OcclusionTexture0...2, what is hidden, of the camera's size or half of it, in
-/// red, with the normal in the other channels where the blur needs that;
-/// _ScreenSpaceOcclusionTexture [H, W], R8_UNorm, the share of light that is left, but not with
+/// Computes the ambient occlusion. Textures: _SSAO_OcclusionTexture0...2, of the camera's size or
+/// half of it, the occlusion in red, with the normal in the other channels if the blur needs it;
+/// _ScreenSpaceOcclusionTexture [H, W], R8_UNorm, the remaining share of light, but not with
 /// AfterOpaque. Unity: ScreenSpaceAmbientOcclusion.ScreenSpaceAmbientOcclusionPass (URP 14).
 class ScreenSpaceAmbientOcclusionPass final : public ScriptableRenderPass
 {
@@ -22,7 +22,8 @@ public:
     ScreenSpaceAmbientOcclusionPass(const std::string& featureName,
                                     std::shared_ptr<const Shader> shader);
 
-    /// Before each frame. @param settings  with something to draw
+    /// Must be called before each frame.
+    /// @param settings  must have something to draw
     void Setup(const ScreenSpaceAmbientOcclusionSettings& settings, const CameraData& cameraData);
 
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
@@ -31,20 +32,21 @@ public:
 
 private:
     void SetKeywords(bool isOrthographic);
-    /// @return what the last blur, by which pass of the shader, reads
+    /// @param lastPass  receives the shader's pass of the last blur
+    /// @return the texture that the last blur reads
     const RTHandle& DrawUpToLastBlur(CommandBuffer& cmd, int& lastPass) const;
 
     std::shared_ptr<Material> m_Material;
-    std::array<std::string_view, 4> m_Keywords; ///< of the material; "" = none
+    std::array<std::string_view, 4> m_Keywords; ///< the keywords of the material; "" = none
     ScreenSpaceAmbientOcclusionSettings m_Settings;
-    RTHandle m_Occlusion; ///< straight from the estimator
+    RTHandle m_Occlusion; ///< the unblurred result
     RTHandle m_BlurredOnce;
     RTHandle m_BlurredTwice;
     RTHandle m_Result;
 };
 
-/// Sets what SSAO.hlsl wants to know of a camera and of settings with something to draw; the blue
-/// noise is not among it.
+/// Sets the constants of SSAO.hlsl for a camera and for settings that have something to draw,
+/// except the blue noise.
 void SetSsaoConstants(CommandBuffer& cmd, const ScreenSpaceAmbientOcclusionSettings& settings,
                       const CameraData& cameraData);
 

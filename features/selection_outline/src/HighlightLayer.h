@@ -8,7 +8,8 @@
 namespace limn
 {
 
-/// What a second camera sees that looks at one layer only, into which objects are moved meanwhile.
+/// The objects that a second camera sees; it looks only at one layer, into which objects are moved
+/// meanwhile.
 class HighlightLayer
 {
 public:

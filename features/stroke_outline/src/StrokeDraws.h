@@ -11,12 +11,13 @@
 namespace limn
 {
 
-/// How many vectors an array of a shader may have, the largest even number that Unity allows.
+/// The greatest number of vectors in an array of a shader: the largest even number that Unity
+/// allows.
 inline constexpr int k_ArrayLength = 1022;
 
-/// A list of vectors in parts that fit a shader's array; an element of what is drawn takes
-/// `stride` of them. Parts are filled up with elements that draw nothing, so that a list that is a
-/// few elements longer than the last frame's is drawn by the same commands.
+/// A list of vectors in parts that fit a shader's array; each drawn element takes `stride` of them.
+/// Parts are filled up with elements that draw nothing, so that the same commands draw a list that
+/// is a few elements longer than the last frame's.
 struct ShaderArrays
 {
     int stride = 1;
@@ -25,24 +26,24 @@ struct ShaderArrays
     void Assign(std::span<const glm::vec4> values, const glm::vec4& nothing);
 };
 
-/// What one group's outline is drawn from.
+/// The data from which one group's outline is drawn.
 struct StrokeDraws
 {
     OutlineRegion region;
     std::span<const OutlinedObject> objects;
     int edgeCount = 0;
     double strokeArea = 0.0; ///< pixels
-    /// Two vectors each: ends in pixels of the region; how far it goes on beyond them (negative:
-    /// there is none) and their device depths.
+    /// The strokes, two vectors each: the ends in pixels of the region; how far the stroke goes on
+    /// beyond them (negative: there is no stroke) and their device depths.
     ShaderArrays strokes{2, {}};
-    ShaderArrays tiles{1, {}}; ///< left, top, right, bottom in pixels of the region
+    ShaderArrays tiles{1, {}}; ///< the tiles: left, top, right, bottom in pixels of the region
     RTHandle depth;
     RTHandle coverage;
     RTHandle edges;
 
-    /// @param strokes  of the group; those out of reach of the picture are left out
-    /// @param width    of the outline, pixels
-    /// @return false if none is left
+    /// @param strokes  the strokes of the group; those out of reach of the picture are ignored
+    /// @param width    the width of the outline in pixels
+    /// @return false if no stroke is left
     bool Assign(std::vector<Stroke>& strokes, double width, const glm::ivec2& picture);
 };
 

@@ -8,9 +8,9 @@
 namespace limn
 {
 
-/// The triangles of a sub-mesh and what lies between them: vertices at one position are one point.
-/// Triangles with two corners at one point are left out, and of triangles with the same corners all
-/// but one are. Where corners of small triangles lie on the side of a large one (T-junctions), that
+/// The triangles of a sub-mesh and their sides; vertices at one position are one point. Triangles
+/// with two corners at one point are removed, and so are all but one of the triangles with the same
+/// corners. Where corners of small triangles lie on the side of a large one (T-junctions), that
 /// side is split there.
 struct WeldedMesh
 {
@@ -18,8 +18,7 @@ struct WeldedMesh
     {
         std::array<std::uint32_t, 3> points;
     };
-    /// An edge as one face has it. The sides of one edge, however many faces meet there, lie one
-    /// behind the other.
+    /// An edge of one face. All sides of one edge, however many faces meet there, are consecutive.
     struct Side
     {
         std::array<std::uint32_t, 2> points; ///< in ascending order

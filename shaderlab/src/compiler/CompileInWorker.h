@@ -11,14 +11,14 @@ namespace limn
 
 class IncludeResolver;
 
-/// CompileProgram in a worker of the options' process. Any thread.
+/// Calls CompileProgram in a worker of the options' process. May be called on any thread.
 ///
 /// LIMN_TEST_ABORT=NAME in the environment makes a worker abort on files whose path ends in NAME,
 /// for tests.
 ///
-/// @param options   those that the resolver has
-/// @param resolver  gets the dependencies, also where this throws
-/// @throws what CompileProgram throws, and AssetError where the worker ends
+/// @param options   the options of the resolver
+/// @param resolver  receives the dependencies, even if this throws
+/// @throws the errors of CompileProgram, and AssetError if the worker ends
 ShaderProgram CompileInWorker(const PassProgram& program, std::span<const std::string> keywords,
                               const ShaderCompilerOptions& options, IncludeResolver& resolver);
 

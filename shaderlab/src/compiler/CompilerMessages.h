@@ -9,15 +9,16 @@
 namespace limn
 {
 
-/// What the compiler says of the rewritten text, at the author's places: its lines are tokens. What
-/// it says only because something else is wrong in the same expression is left out.
+/// Returns the compiler's messages about the rewritten text, whose lines are tokens, with the
+/// places in the author's files. Messages that only follow from another mistake in the same
+/// expression are left out.
 ///
-/// @param hlsl  is of the source
+/// @param hlsl  the rewritten text of the source
 std::vector<Diagnostic> PlaceMessages(const std::vector<Diagnostic>& messages,
                                       const HlslSource& source, const RewrittenHlsl& hlsl);
 
-/// Types and names that nobody declares, each once; the types first, each with the name that may be
-/// meant.
+/// Describes types and names that are not declared, each once; the types come first, each with the
+/// name that may be meant.
 std::vector<Diagnostic> DescribeUndeclared(const HlslSource& source, const RewrittenHlsl& hlsl);
 
 } // namespace limn

@@ -11,8 +11,8 @@
 namespace limn
 {
 
-// What goes into the cache and from one process to another, as bytes for this version of limn on
-// this machine. Reading throws std::out_of_range where the bytes are others.
+// Converts the data of the cache and of messages between processes to bytes, for this version of
+// limn on this machine. Reading throws std::out_of_range if the bytes are invalid.
 
 void Transfer(ByteWriter& stream, const ShaderProgram& program);
 void Transfer(ByteReader& stream, ShaderProgram& program);

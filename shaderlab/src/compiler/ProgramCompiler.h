@@ -11,17 +11,19 @@
 namespace limn
 {
 
-// Options become these macros in HLSL: they are on as keywords are, and are in the cache's key.
+// Options become these macros in HLSL. Like keywords, they are on or off and part of the cache's
+// key.
 
-/// ShaderCompilerOptions::usesReversedZBuffer is off.
+/// The macro that is defined if ShaderCompilerOptions::usesReversedZBuffer is off.
 inline constexpr const char* k_StandardZMacro = "LIMN_STANDARD_Z";
-/// ShaderCompilerOptions::halfIs16Bit is on.
+/// The macro that is defined if ShaderCompilerOptions::halfIs16Bit is on.
 inline constexpr const char* k_RealHalfMacro = "LIMN_REAL_HALF";
 
 /// Compiles a program that limn supports, with all pragmas read, for one set of keywords.
 ///
-/// @throws AssetError with columns where they can be told
-/// @throws UnsupportedProgramError where that shows in what the program includes
+/// @throws AssetError with columns where they are known
+/// @throws UnsupportedProgramError if the included files show that limn does not support the
+///     program
 ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::string> keywords,
                              IncludeResolver& resolver);
 

@@ -12,16 +12,17 @@
 namespace limn
 {
 
-/// The compiled passes in a FileCache.
+/// A cache of compiled passes in a FileCache.
 class ShaderCache
 {
 public:
-    /// Takes what a FileCache does.
+    /// Takes the parameters of a FileCache.
     ShaderCache(std::filesystem::path folder, std::uintmax_t limit);
 
     bool isEnabled() const { return m_Files.isEnabled(); }
 
-    /// The pass stored under `key`, if every file it was compiled from is still the same.
+    /// Returns the pass stored under `key`, if every file from which it was compiled is still the
+    /// same.
     /// @param dependencies  is set to these files
     std::optional<ShaderProgram> Load(const std::string& key,
                                       std::vector<IncludeDependency>& dependencies) const;

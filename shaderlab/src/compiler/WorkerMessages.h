@@ -11,14 +11,14 @@
 namespace limn
 {
 
-// What CompileInWorker and its workers send to each other.
+// The messages between CompileInWorker and its workers.
 
-/// What a worker is to compile.
+/// The program that a worker must compile.
 struct CompilerRequest
 {
     PassProgram program;
     std::vector<std::string> keywords;
-    ShaderCompilerOptions options; ///< what includes are found by, and the time limit
+    ShaderCompilerOptions options; ///< the options by which includes are found, and the time limit
     FilesBeside filesBeside;
 };
 

@@ -14,48 +14,50 @@
 namespace limn
 {
 
-// Each is in a file of its own; RespellForGlslang, in Spelling.cpp, calls all.
+// Each function is in a file of its own; RespellForGlslang, in Spelling.cpp, calls all of them.
 
-/// Preprocessed HLSL with what Unity's compilers take and glslang does not spelt another way:
-/// variables called `line` or `triangle`, samplers without a texture declared as `sampler`, and
-/// what the functions below tell. What needs types is done later, see lowering/Lowering.h. Lines
-/// stay where they are.
+/// Returns preprocessed HLSL in which code that Unity's compilers accept and glslang does not is
+/// spelt another way: variables called `line` or `triangle`, samplers without a texture that are
+/// declared as `sampler`, and everything that the functions below describe. Rewrites that need
+/// types happen later, see lowering/Lowering.h. Lines stay where they are.
 ///
-/// @throws AssetError  where the text is nested too deeply, or lacks a bracket
+/// @throws AssetError  if the text is nested too deeply, or lacks a bracket
 std::string RespellForGlslang(std::string text, const PassProgram& program, ColumnFinder& lines,
                               std::vector<Diagnostic>& warnings);
 
-/// Makes integer constants of enumerators and int of the types of `enum`s, which is all that they
-/// mean; glslang does not read them.
+/// Turns enumerators into integer constants and the types of `enum`s into int, because glslang does
+/// not support enums; they mean nothing more.
 void SpellEnums(TokenEdits& code);
 
-/// Takes out the declarations of Direct3D 9's effects that later compilers read over: states in
-/// `sampler_state { … }` or behind a sampler's name (a warning each), the texture types `texture`,
-/// `texture2D`, `textureCUBE`; `unsigned int` is `uint`, structs that a typedef names are
-/// declared by that name, those that variables are declared with before them, `uniform` says
-/// nothing of a function's parameter, and `row_major` nothing of a uniform matrix, whose elements
-/// limn sets by row and column.
+/// Removes or replaces the forms of Direct3D 9's effects that later compilers ignore: states in
+/// `sampler_state { … }` or behind a sampler's name (with a warning each), and the texture types
+/// `texture`, `texture2D`, `textureCUBE`. `unsigned int` becomes `uint`; a struct in a typedef is
+/// declared by the typedef's name; a struct in the declaration of variables is declared before
+/// them; `uniform` is dropped from a function's parameter, and `row_major` from a uniform matrix,
+/// whose elements limn sets by row and column.
 void TakeOldForms(TokenEdits& code, std::vector<Diagnostic>& warnings);
 
-/// Moves structs that are declared in a cbuffer in front of it, where glslang reads them.
+/// Moves structs that are declared in a cbuffer in front of it, where glslang accepts them.
 void TakeStructsOutOfBuffers(TokenEdits& code);
 
-/// Takes namespaces away, and `using namespace`: what they declare, uniforms apart, gets a name
-/// with theirs in it. glslang finds no types in them, and no names of them that stand alone.
+/// Removes namespaces and `using namespace`. Their declarations, except uniforms, get a name that
+/// contains the namespace's, because glslang finds neither types in namespaces nor their
+/// unqualified names.
 ///
-/// @throws AssetError  where one is used that is not there
+/// @throws AssetError  if a namespace is used that does not exist
 void TakeNamespaces(TokenEdits& code);
 
-/// Gives `struct B : A` a copy of A's members in front of its own; glslang reads over the base.
+/// Gives `struct B : A` a copy of A's members in front of its own, because glslang ignores the
+/// base.
 void CopyBaseMembers(TokenEdits& code);
 
-/// Makes variables of the file, before their struct, of the static variables of structs, and calls
-/// static methods by their whole name: glslang knows no such variables, and no other name of such
-/// methods.
+/// Turns the static variables of structs into variables of the file before their struct, and calls
+/// static methods by their whole name, because glslang supports no such variables and knows such
+/// methods by no other name.
 void TakeStaticMembers(TokenEdits& code);
 
-/// Makes uniforms of the program of the `uniform` parameters of entry functions, which is what they
-/// mean; in other functions they are ordinary parameters.
+/// Turns the `uniform` parameters of entry functions into uniforms of the program, which is their
+/// meaning; in other functions they are ordinary parameters.
 void TakeUniformParameters(TokenEdits& code, const std::set<std::string_view>& entries);
 
 } // namespace limn

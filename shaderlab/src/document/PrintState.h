@@ -8,12 +8,12 @@
 namespace limn
 {
 
-/// A number as ShaderLab writes it: no exponent, the fewest digits that read back to the same
-/// float.
+/// Returns a number as ShaderLab writes it, without an exponent and with the fewest digits that
+/// read back to the same float.
 std::string NumberToShaderLab(float number);
 
-/// The commands that turn `base` into `state`, one a line; a Stencil block is several lines,
-/// indented by four spaces inside.
+/// Returns the commands that turn `base` into `state`, one per line. A Stencil block has several
+/// lines and is indented by four spaces inside.
 std::vector<std::string> StateCommands(const RenderState& state, const RenderState& base);
 
 } // namespace limn

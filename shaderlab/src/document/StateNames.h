@@ -9,7 +9,8 @@
 namespace limn
 {
 
-/// How ShaderLab spells a value. Where several names mean the same, the first is the one to write.
+/// A value and its name in ShaderLab. If several names mean the same, the first is the one to
+/// write.
 template <typename T>
 struct EnumName
 {
@@ -35,7 +36,7 @@ inline constexpr EnumName<CompareFunction> k_DepthTests[] = {
     {"On", CompareFunction::LessEqual},        {"True", CompareFunction::LessEqual},
 };
 
-/// The comparisons proper, which Stencil and AlphaTest know too.
+/// The real comparisons, which Stencil and AlphaTest also have.
 inline constexpr std::span<const EnumName<CompareFunction>> k_CompareFunctions =
     std::span<const EnumName<CompareFunction>>(k_DepthTests).first(9);
 

@@ -10,7 +10,8 @@
 namespace limn
 {
 
-/// `[modifiers] type name[dimensions] : SEMANTIC`, of a global, a struct member or a parameter.
+/// The declaration of a global, a struct member or a parameter: `[modifiers] type name[dimensions]
+/// : SEMANTIC`.
 struct HlslVariable
 {
     std::vector<std::string_view> modifiers;
@@ -19,13 +20,14 @@ struct HlslVariable
     std::string_view name;
     std::vector<std::string_view> dimensions; ///< text between each [ ]
     std::string_view semantic;
-    std::size_t valueToken = 0;    ///< the first behind `=`, or 0
-    std::size_t valueEnd = 0;      ///< one behind its last
-    std::size_t token = 0;         ///< index of the name
-    std::size_t endToken = 0;      ///< of a uniform: index of the token that ends its declaration
-    std::size_t firstToken = 0;    ///< of the declaration, which may have several names
+    std::size_t valueToken = 0; ///< the first behind `=`, or 0
+    std::size_t valueEnd = 0;   ///< one behind its last
+    std::size_t token = 0;      ///< index of the name
+    std::size_t endToken = 0;   ///< for a uniform: index of the token that ends its declaration
+    /// The first token of the declaration, which may have several names.
+    std::size_t firstToken = 0;
     std::size_t declaratorEnd = 0; ///< one behind what belongs to this name alone
-    std::size_t semicolon = 0;     ///< that ends the declaration; 0 = none does
+    std::size_t semicolon = 0;     ///< the one that ends the declaration; 0 = there is none
     bool isInBuffer = false;       ///< a member of a cbuffer; endToken is the buffer's end
     std::string_view buffer;       ///< its name
 
@@ -35,9 +37,9 @@ struct HlslVariable
 struct HlslFunction
 {
     std::string_view returnType;
-    std::string_view returnArgument; ///< of the template that it is
+    std::string_view returnArgument; ///< the template argument of the type
     std::string_view name;
-    std::string_view semantic; ///< of the return value
+    std::string_view semantic; ///< the semantic of the return value
     std::vector<HlslVariable> parameters;
     std::vector<std::string_view> attributes; ///< each with its brackets
     std::size_t token = 0;                    ///< index of the name
@@ -61,10 +63,10 @@ struct HlslAlias
 {
     std::string_view name;
     std::string_view type;
-    std::string_view argument; ///< of the template that it is
+    std::string_view argument; ///< the template argument of the type
 };
 
-/// What preprocessed HLSL declares at file scope. All views point into the source.
+/// The declarations of preprocessed HLSL at file scope. All views point into the source.
 struct HlslDeclarations
 {
     std::vector<HlslStruct> structs;
@@ -72,15 +74,15 @@ struct HlslDeclarations
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
     std::vector<HlslAlias> aliases;
-    /// What is no declaration, or none that limn reads.
+    /// The text that is no declaration, or none that limn can read.
     std::vector<HlslProblem> problems;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
     std::vector<HlslVariable> statics;     ///< global variables that are no uniforms
     IntegerNames constants;                ///< `static const` scalars
 
-    /// The type behind a typedef; other names stay as they are.
+    /// Returns the type behind a typedef; returns other names unchanged.
     ///
-    /// @param argument  gets that of the template that it is; may be null
+    /// @param argument  receives the template argument of the type; may be null
     std::string_view ResolveAlias(std::string_view type,
                                   std::string_view* argument = nullptr) const;
     const HlslStruct* FindStruct(std::string_view name) const;

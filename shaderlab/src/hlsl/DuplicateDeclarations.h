@@ -8,20 +8,20 @@
 namespace limn
 {
 
-/// Names that are declared more than once at file scope or in cbuffers.
+/// The names that are declared more than once at file scope or in cbuffers.
 struct DuplicateDeclarations
 {
-    /// Equal to another declaration, which is enough. Newer versions of Unity's library declare
-    /// what authors had to declare before, and authors still do.
+    /// The declarations that are equal to another one, which is enough. Newer versions of Unity's
+    /// library declare names that authors had to declare before and still do.
     std::vector<const HlslVariable*> superfluous;
-    /// Loose uniforms whose name is something else already. glslang 12 crashes on them.
+    /// The loose uniforms whose name is already something else. glslang 12 crashes on them.
     std::vector<const HlslVariable*> redefinitions;
 };
 
-/// Pointers into `declarations`.
+/// Returns the duplicates as pointers into `declarations`.
 DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations);
 
-/// Takes out what is superfluous, and buffers that nothing is left of.
+/// Removes the superfluous declarations, and buffers that become empty.
 void RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations);
 
 } // namespace limn

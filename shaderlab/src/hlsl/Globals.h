@@ -12,25 +12,27 @@
 namespace limn
 {
 
-/// What is declared at file scope, by name. Views and pointers into the declarations.
+/// The declarations at file scope, by name. Views and pointers lead into the declarations.
 class HlslGlobals
 {
 public:
     explicit HlslGlobals(const HlslDeclarations& declarations);
 
     const HlslDeclarations& declarations() const { return m_Declarations; }
-    /// A uniform, object or static variable; null where there is none.
+    /// Returns a uniform, object or static variable, or null if there is none.
     const HlslVariable* FindVariable(std::string_view name) const;
     bool isUniform(const HlslVariable* variable) const;
-    /// All functions of the name, bodies or not.
+    /// Returns all functions of the name, with a body or without.
     std::span<const HlslFunction* const> FindFunctions(std::string_view name) const;
-    /// Methods of any struct.
+    /// Returns the methods of that name of any struct.
     std::span<const HlslFunction* const> FindMethods(std::string_view name) const;
-    /// Those that a Call or Method may mean: functions, or else methods of any struct; methods.
+    /// Returns the functions that a node may mean: for a Call the functions, or otherwise the
+    /// methods of any struct; for a Method the methods of the object's struct, or of any struct if
+    /// the struct is unknown.
     std::vector<const HlslFunction*> FindCalled(const HlslNode& node, std::string_view name) const;
 
-    /// What an overload is called that differs from another one in half for float only, which
-    /// glslang takes for a second definition; null of others.
+    /// Returns the new name of an overload that differs from another one only by half in place of
+    /// float, which glslang takes for a second definition. Returns null for other functions.
     const std::string* FindSpelling(const HlslFunction& function) const;
 
 private:
@@ -45,13 +47,14 @@ private:
     std::unordered_map<const HlslFunction*, std::string> m_Spellings;
 };
 
-/// Which of the overloads a call with these types means, as the language chooses: the fewest and
-/// least conversions. Null where none takes as many, or where a type that would decide is unknown.
+/// Returns the overload that the language chooses for a call with these types: the one with the
+/// fewest and least conversions. Returns null if none takes so many arguments, or if a type that
+/// would decide is unknown.
 const HlslFunction* ChooseOverload(const HlslDeclarations& declarations,
                                    std::span<const HlslFunction* const> overloads,
                                    std::span<const HlslType> arguments);
 
-/// Whether none of them takes arguments of these types, all of which are known.
+/// Returns whether all of these types are known and no overload takes arguments of them.
 bool TakesNone(const HlslDeclarations& declarations, std::span<const HlslFunction* const> overloads,
                std::span<const HlslType> arguments);
 

@@ -9,20 +9,20 @@
 namespace limn
 {
 
-/// The functions that an entry function, or the value of a global variable, can come to. All
-/// overloads of a name at once, whichever is called.
+/// The functions that an entry function, or the value of a global variable, can reach. A call
+/// reaches all overloads of its name.
 class ReachableFunctions
 {
 public:
-    /// @param tokens   outlive this, as do
-    /// @param globals  of the same text
+    /// @param tokens   must outlive this
+    /// @param globals  the globals of the same text; must outlive this
     ReachableFunctions(const HlslTokens& tokens, const HlslGlobals& globals,
                        std::string_view entry);
 
     const std::set<const HlslFunction*>& functions() const { return m_Functions; }
-    /// By token: whether it is of a function out of reach.
+    /// Returns for each token whether it belongs to a function out of reach.
     const std::vector<bool>& isLeftOut() const { return m_IsLeftOut; }
-    /// Whether the word stands in one of the functions.
+    /// Returns whether the word occurs in one of the functions.
     bool Names(std::string_view word) const;
 
 private:

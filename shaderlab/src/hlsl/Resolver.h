@@ -11,29 +11,29 @@
 namespace limn
 {
 
-/// What the names in a tree stand for, and the types of its expressions.
+/// Finds what the names in a tree stand for, and the types of its expressions.
 ///
-/// A variable that a `for` declares lives to the end of the block around the loop, as Unity's
-/// compilers have it; the newest of a name is meant.
+/// A variable that a `for` declares lives to the end of the block around the loop, as in Unity's
+/// compilers. A name means its newest variable.
 class HlslResolver
 {
 public:
-    /// @param tokens   outlive this, as do
-    /// @param globals  the names outside of functions
+    /// @param tokens   must outlive this
+    /// @param globals  the names outside of functions; must outlive this
     HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals);
 
-    /// @param owner  of a method, else null
+    /// @param owner  the struct of a method; otherwise null
     void ResolveBody(HlslNode& body, const HlslFunction& function, const HlslStruct* owner);
-    /// The value of a global variable, or what is in a body.
+    /// Resolves the value of a global variable, or a node in a body.
     void Resolve(HlslNode& node);
 
-    /// Declarators whose names glslang takes for something else, so that they and what stands for
-    /// them need another: of loops, used behind their loop; and of variables whose value names
-    /// another one of the same name.
+    /// Returns the declarators whose names glslang takes for something else, so that they and their
+    /// uses need another name: variables of loops that are used behind their loop, and variables
+    /// whose value uses another one of the same name.
     const std::vector<HlslNode*>& renamed() const { return m_Renamed; }
 
-    /// Names of variables, functions and members that nobody declares.
-    /// In glslang's words, which stops at the first.
+    /// Returns the variables, functions and members that are not declared, in the words of glslang,
+    /// which stops at the first one.
     const std::vector<HlslProblem>& unknown() const { return m_Unknown; }
 
 private:
@@ -42,7 +42,7 @@ private:
         HlslNode* local = nullptr;
         const HlslVariable* variable = nullptr;
         HlslType type;
-        bool hasEnded = false; ///< the loop that declares it
+        bool hasEnded = false; ///< true if the loop that declares it has ended
     };
 
     void Open() { m_Scopes.emplace_back(); }
@@ -64,7 +64,7 @@ private:
     const HlslTokens& m_Tokens;
     const HlslGlobals& m_Globals;
     std::unordered_map<std::string_view, std::vector<Entry>> m_Names;
-    std::vector<std::vector<std::string_view>> m_Scopes; ///< what each declares
+    std::vector<std::vector<std::string_view>> m_Scopes; ///< the names that each scope declares
     std::vector<HlslNode*> m_Renamed;
     std::vector<HlslProblem> m_Unknown;
 };

@@ -13,11 +13,11 @@
 namespace limn
 {
 
-/// What #line calls the text whose lines are tokens.
+/// The name in #line of the text whose lines are tokens.
 inline constexpr const char* k_TokenFile = "tokens";
 
-/// Preprocessed HLSL in which tokens are spelled anew. What lies between them, line ends and
-/// directives, stays, so that positions of messages hold.
+/// Preprocessed HLSL in which tokens are replaced. The text between them, such as line ends and
+/// directives, stays, so that the positions of messages are right.
 class TokenEdits
 {
 public:
@@ -26,7 +26,7 @@ public:
 
     const HlslTokens& tokens() const { return m_Tokens; }
     std::size_t size() const { return m_Tokens.size(); }
-    // As written; see HlslTokens.
+    // These return the original text; see HlslTokens.
     std::string_view Text(std::size_t index) const { return m_Tokens.Text(index); }
     bool isWord(std::size_t index) const { return m_Tokens.isWord(index); }
     int Step(std::size_t index) const { return m_Tokens.Step(index); }
@@ -40,30 +40,32 @@ public:
         return m_Tokens.FindOutside(index, mark);
     }
 
-    /// What stands in the place of the token.
+    /// Returns the text in place of the token, for editing.
     std::string& Spelling(std::size_t index);
-    /// What stands in the place of the tokens from one to the one before `end`, blanks between.
+    /// Returns the texts in place of the tokens from one to the one before `end`, with blanks
+    /// between them.
     std::string Spelled(std::size_t first, std::size_t end) const;
-    /// Puts text around what stands in the place of the tokens from one to the one before `end`.
+    /// Puts text around the texts in place of the tokens from one to the one before `end`.
     void Wrap(std::size_t first, std::size_t end, std::string_view before, std::string_view after);
     void Erase(std::size_t first, std::size_t end);
-    /// Text behind the token, there even if the token is left out.
+    /// Adds text behind the token, which stays even if the token is left out.
     void Insert(std::size_t index, std::string_view text) { m_Inserted[index] += text; }
 
-    /// Whether any token is spelled anew.
+    /// Returns whether any token is replaced.
     bool isEdited() const { return !m_Spelling.empty(); }
-    /// Without what is inserted.
+    /// Returns the edited text without inserted texts.
     std::string Assemble() const;
-    /// For a compiler: each token is in a line of its own, which it is the number of, from 1; so
-    /// messages tell the token. Of directives between tokens only pragmas stay.
+    /// Returns the edited text for a compiler: each token is in a line of its own, whose number is
+    /// that of the token, from 1, so that a message's line gives the token. Only pragmas stay of
+    /// the directives between tokens.
     ///
-    /// @param isLeftOut  by token; of those only what is inserted stays
+    /// @param isLeftOut  by token; only inserted texts stay of tokens that are left out
     std::string AssembleByToken(const std::vector<bool>& isLeftOut) const;
 
 private:
-    /// What stands in the place of the token now.
+    /// Returns the present text in place of the token.
     std::string_view Now(std::size_t index) const;
-    /// The last one behind the token before.
+    /// Returns the last pragma between the token and the one before.
     std::string_view PragmaBefore(std::size_t index) const;
 
     const HlslTokens& m_Tokens;

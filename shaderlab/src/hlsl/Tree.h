@@ -13,7 +13,7 @@ namespace limn
 
 enum class HlslNodeKind : std::uint8_t
 {
-    Unknown, ///< not understood: left as it is
+    Unknown, ///< not understood, so it stays as it is
     // Expressions; `token` is their operator, name or number.
     Literal,
     Name,
@@ -31,7 +31,7 @@ enum class HlslNodeKind : std::uint8_t
     Paren, ///< (child)
     List,  ///< { children }
     // Statements.
-    Empty, ///< also what a `for` leaves out
+    Empty, ///< also an omitted part of a `for`
     Block,
     Declaration, ///< children: Declarators; `token` is the first of its type
     Declarator,  ///< `token` is the name; child: the value, where it has one
@@ -45,7 +45,7 @@ enum class HlslNodeKind : std::uint8_t
     Return,
 };
 
-/// A statement or expression of a function, over the tokens that it is written with.
+/// A statement or expression of a function, with the tokens of its text.
 struct HlslNode
 {
     HlslNodeKind kind = HlslNodeKind::Unknown;
@@ -56,21 +56,23 @@ struct HlslNode
     HlslNode* last = nullptr;  ///< child
     HlslNode* next = nullptr;  ///< its sibling
     HlslNode* parent = nullptr;
-    /// Of an expression or a declarator. A cast's and a construct's is known from the text, the
-    /// others' from ResolveTypes().
+    /// The type of an expression or a declarator. Those of a Cast and a Construct are known from
+    /// the text, the others from ResolveTypes().
     HlslType type;
-    // Of a Name, by ResolveTypes(); both null where nobody declares it.
+    // The declaration of a Name, set by ResolveTypes(); both are null if it is not declared.
     HlslNode* local = nullptr;              ///< Declarator
     const HlslVariable* variable = nullptr; ///< a parameter, member or global
-    const HlslFunction* function = nullptr; ///< of a Call or Method: the author's that it means
-    bool isIntrinsic = false; ///< a Call of the language's function, though the author has others
+    const HlslFunction* function = nullptr; ///< the author's function that a Call or Method means
+    /// A Call of the language's function, although the author has others of its name.
+    bool isIntrinsic = false;
 
     HlslNode* Child(std::size_t index) const;
     void Add(HlslNode* added);
     std::size_t CountChildren() const;
 };
 
-/// Owner of nodes, which stay where they are. The nodes of a copy would lead to the original's.
+/// Owns nodes, which keep their addresses. It cannot be copied, because the copied nodes would
+/// point at the original's.
 struct HlslNodes : std::deque<HlslNode>
 {
     HlslNodes() = default;
@@ -78,7 +80,7 @@ struct HlslNodes : std::deque<HlslNode>
     HlslNodes& operator=(HlslNodes&&) = default;
 };
 
-/// The first node of a tree for which it holds; null where there is none.
+/// Returns the first node of a tree for which `holds` returns true, or null if there is none.
 template <typename F>
 const HlslNode* FindNode(const HlslNode& root, F&& holds)
 {
@@ -94,9 +96,9 @@ const HlslNode* FindNode(const HlslNode& root, F&& holds)
     return found;
 }
 
-/// The type that a declared variable has: of a member, parameter or global.
+/// Returns the type of a declared variable: a member, parameter or global.
 HlslType TypeOf(const HlslDeclarations& declarations, const HlslVariable& variable);
-/// Of a word, and of the template argument behind it.
+/// Returns the type that a word and the template argument behind it name.
 HlslType TypeOf(const HlslDeclarations& declarations, std::string_view type,
                 std::string_view argument);
 

@@ -15,21 +15,21 @@ namespace limn
 class HlslTreeParser
 {
 public:
-    /// @param tokens        outlive this, as do
-    /// @param declarations  which tell the names of types
+    /// @param tokens        must outlive this
+    /// @param declarations  give the names of types; must outlive this
     HlslTreeParser(const HlslTokens& tokens, const HlslDeclarations& declarations,
                    HlslNodes& nodes);
 
-    /// From a `{` on.
+    /// Parses a block from its `{` on.
     HlslNode* ParseBlock(std::size_t open);
-    /// Tokens of what was read that go on where a declaration ends: words before which a `;` is
-    /// missing. glslang reads over that.
+    /// Returns the words that follow a declaration without the missing `;`, because glslang does
+    /// not report it.
     const std::vector<HlslProblem>& unended() const { return m_Unended; }
 
-    /// Tokens of what was read that stand where a type does and are none.
+    /// Returns the tokens that are in the place of a type but name none.
     const std::vector<std::size_t>& unknownTypes() const { return m_UnknownTypes; }
 
-    /// An expression or { list } from one token to the one before `end`.
+    /// Parses an expression or { list } from one token to the one before `end`.
     HlslNode* ParseValue(std::size_t first, std::size_t end);
 
 private:
@@ -38,11 +38,11 @@ private:
     bool isEnd() const { return m_Index >= m_End; }
     /// @param operand  becomes its first child
     HlslNode* Make(HlslNodeKind kind, std::size_t first, HlslNode* operand = nullptr);
-    /// The same, and the parser goes on behind its token.
+    /// Makes a node like Make, and continues behind its token.
     HlslNode* Take(HlslNodeKind kind, std::size_t first, HlslNode* operand = nullptr);
-    /// Where the parser is now is behind the node.
+    /// Ends the node at the parser's present place.
     HlslNode* Close(HlslNode* node);
-    /// From one token to the one before `end`, where it goes on.
+    /// Makes an Unknown node from one token to the one before `end`, and continues at `end`.
     HlslNode* ReadUnknown(std::size_t first, std::size_t end);
 
     // Statements
@@ -71,10 +71,10 @@ private:
     HlslNode* ReadPrimary();
     HlslNode* ReadArguments(HlslNode* node, std::string_view close);
 
-    /// Of the type at the index, template arguments and `unsigned` included; the index behind it,
-    /// or 0 where there is none.
+    /// Reads the type at the index, template arguments and `unsigned` included. Returns the index
+    /// behind it, or 0 if there is none.
     std::size_t ReadType(std::size_t index, HlslType& type) const;
-    /// The same with the brackets of an array behind.
+    /// Reads a type like ReadType, with the brackets of an array behind it.
     std::size_t ReadArrayType(std::size_t index, HlslType& type) const;
     bool isTypeName(std::size_t index) const;
     bool isOperand(std::size_t index) const;
@@ -82,7 +82,7 @@ private:
     const HlslTokens& m_Tokens;
     const HlslDeclarations& m_Declarations;
     HlslNodes& m_Nodes;
-    std::unordered_set<std::string_view> m_TypeNames; ///< of the author, local ones as well
+    std::unordered_set<std::string_view> m_TypeNames; ///< the author's types, local ones included
     std::vector<HlslProblem> m_Unended;
     std::vector<std::size_t> m_UnknownTypes;
     std::size_t m_Index = 0;

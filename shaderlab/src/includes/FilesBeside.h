@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// A file compiled into a program, by the name that messages call it: "Glow/Blur.hlsl".
+/// A file that is compiled into a program, with its name in messages: "Glow/Blur.hlsl".
 struct FileBeside
 {
     std::string name;
@@ -16,17 +16,18 @@ struct FileBeside
 };
 using FilesBeside = std::vector<FileBeside>;
 
-/// What SetEmbeddedIncludes has put beside a shader, now; none beside most.
+/// Returns the files that SetEmbeddedIncludes has put beside a shader until now; most shaders have
+/// none.
 FilesBeside FilesBesideShader(std::string_view shaderFile);
 
-/// Content hash of them; 0 where there are none.
+/// Returns the content hash of the files, or 0 if there are none.
 std::uint64_t HashFilesBeside(const FilesBeside& files);
 
-/// The file of that name, or null. Case does not count.
+/// Returns the file of that name, or null if there is none. Case does not count.
 const FileBeside* FindFileBeside(const FilesBeside& files, std::string_view name);
 
-/// The one file that an include from a project's folder, "Assets/X/Blur.hlsl", stands for; null
-/// where no file, or several, have its last name.
+/// Returns the file that an include from a project's folder, "Assets/X/Blur.hlsl", stands for; null
+/// if no file, or more than one, has its last name.
 const FileBeside* FindFileOfProject(const FilesBeside& files, std::string_view include);
 
 } // namespace limn

@@ -9,28 +9,30 @@
 namespace limn
 {
 
-/// The folders of the packages that a Unity project brings along, by the names in their
-/// package.json: folders may be called otherwise.
+/// The folders of the packages of a Unity project, by the names in their package.json; the folders
+/// may have other names.
 class PackageFolders
 {
 public:
-    /// @param shaderFile  itself part of a package where a package.json lies in a folder above it
+    /// @param shaderFile  the shader; it is part of a package if a package.json lies in a folder
+    ///     above it
     /// @param project     the folder that holds `Assets` or `Packages`, if there is one
     PackageFolders(std::filesystem::path shaderFile, std::optional<std::filesystem::path> project);
 
-    /// The package that the shader is part of, and those in the project's `Packages`: what its
-    /// author may have changed. Null where none is called so. Folders are listed on the first call.
+    /// Returns the package of that name, if it is the one that the shader is part of or lies in the
+    /// project's `Packages`: its author may have changed these. Returns null if there is none. The
+    /// first call lists the folders.
     const std::filesystem::path* FindOwn(const std::string& name);
-    /// Those, and as they come from Unity: in the project's `Library/PackageCache`, and beside a
-    /// render pipeline's package that the shader is part of.
+    /// Returns a package like FindOwn, or an unchanged one: in the project's
+    /// `Library/PackageCache`, or beside a render pipeline's package that the shader is part of.
     const std::filesystem::path* Find(const std::string& name);
-    /// The folder of the package that the shader is part of; "" where it is part of none.
+    /// Returns the folder of the package that the shader is part of, or "" if it is part of none.
     const std::filesystem::path& around();
-    /// Whether one of the render pipelines' packages is the project's own, so that all of them are
-    /// to be taken from where the project has them.
+    /// Returns whether one of the render pipelines' packages is the project's own, so that all of
+    /// them must be those of the project.
     bool hasOwnPipeline();
 
-    /// The package.json files that were read.
+    /// Returns the package.json files that were read.
     const std::vector<std::filesystem::path>& manifests() const { return m_Manifests; }
 
 private:
@@ -39,7 +41,8 @@ private:
     void ListOwn();
     void ListCached();
     void AddBelow(const std::filesystem::path& parent, Folders& folders);
-    /// Whether it is a package. The first of a name stays.
+    /// Adds a folder if it is a package, and returns whether it is. The first package of a name
+    /// stays.
     bool Add(const std::filesystem::path& folder, Folders& folders);
 
     std::filesystem::path m_ShaderFile;
@@ -52,7 +55,8 @@ private:
     std::vector<std::filesystem::path> m_Manifests;
 };
 
-/// The names of the folders in a project's `Packages`, for keys: which of them there are.
+/// Returns the names of the folders in a project's `Packages`, for keys that depend on which
+/// folders exist.
 std::string OwnPackageNames(const std::filesystem::path& project);
 
 } // namespace limn

@@ -9,15 +9,15 @@
 namespace limn
 {
 
-/// What Unity's compiler defines for every program by itself.
+/// The macros that Unity's compiler defines for every program.
 inline constexpr std::pair<std::string_view, std::string_view> k_PredefinedMacros[] = {
     {"SHADER_API_VULKAN", "1"},
     {"SHADER_API_DESKTOP", "1"},
     {"UNITY_COMPILER_HLSL", "1"},
     {"UNITY_VERSION", "202230"}};
 
-/// Follows `#define` and `#if` far enough to tell which pragmas count: Unity decides that by the
-/// program's own macros and by those of the platform, before any keyword is set.
+/// Evaluates `#define` and `#if` far enough to decide which pragmas count. Unity decides that by
+/// the program's own macros and by those of the platform, before any keyword is set.
 class DirectiveConditions
 {
 public:
@@ -25,7 +25,8 @@ public:
 
     bool isActive() const { return m_Levels.empty() || m_Levels.back().active; }
 
-    /// Takes `#directive rest`; what is neither a condition nor a definition has no effect.
+    /// Applies `#directive rest`; a directive that is neither a condition nor a definition has no
+    /// effect.
     void Apply(std::string_view directive, std::string_view rest);
 
 private:
@@ -41,7 +42,7 @@ private:
     void Define(std::string_view rest);
     bool Evaluate(std::string_view expression) const;
 
-    IntegerNames m_Macros; ///< those without arguments
+    IntegerNames m_Macros; ///< the macros without arguments
     std::vector<Level> m_Levels;
 };
 

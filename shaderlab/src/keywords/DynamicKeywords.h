@@ -10,15 +10,16 @@
 namespace limn
 {
 
-/// The keywords of a program's dynamic_branch sets. One that a multi_compile set has as well is
-/// dynamic all the same, as in Unity.
+/// Returns the keywords of a program's dynamic_branch sets. A keyword that is also in a
+/// multi_compile set is nevertheless dynamic, as in Unity.
 std::set<std::string, std::less<>> DynamicKeywords(const PassProgram& program);
 
-/// HLSL that makes each of them a uniform int, and a macro X_KEYWORD_DECLARED; "" for none.
+/// Returns HLSL that declares each dynamic keyword as a uniform int, and a macro
+/// X_KEYWORD_DECLARED; "" if there are none.
 std::string DeclareDynamicKeywords(const PassProgram& program);
 
-/// A warning for each preprocessor condition of the program's own text that asks for one of them:
-/// it sees no macro. Conditions in included files are not looked at.
+/// Returns a warning for each preprocessor condition of the program's own text that tests a dynamic
+/// keyword, which is no macro. Conditions in included files are ignored.
 std::vector<Diagnostic> CheckDynamicKeywords(const PassProgram& program);
 
 } // namespace limn

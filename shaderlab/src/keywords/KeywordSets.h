@@ -8,14 +8,15 @@
 namespace limn
 {
 
-/// Whether `#pragma name` declares keywords: multi_compile, shader_feature and dynamic_branch with
-/// any of their suffixes, and the shortcuts such as multi_compile_fog.
+/// Returns whether `#pragma name` declares keywords: multi_compile, shader_feature and
+/// dynamic_branch with any of their suffixes, and shortcuts such as multi_compile_fog.
 bool isKeywordDirective(std::string_view name);
 
-/// Names of such directives, with the suffixes that most shaders use, for whoever misspelt one.
+/// Returns the names of such directives with the most common suffixes, to suggest one for a
+/// misspelt name.
 std::vector<std::string> KeywordDirectives();
 
-/// The sets that `#pragma name words` declares; a shortcut declares those of its own.
+/// Returns the sets that `#pragma name words` declares; a shortcut declares sets of its own.
 std::vector<KeywordSet> ReadKeywordSets(SourceLocation location, std::string_view name,
                                         std::string_view words);
 

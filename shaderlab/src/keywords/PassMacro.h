@@ -5,11 +5,11 @@
 namespace limn
 {
 
-/// What the macros begin with that tell a program what kind of pass it is.
+/// The beginning of the macros that tell a program its kind of pass.
 inline constexpr std::string_view k_PassMacroStart = "UNITY_PASS_";
 
-/// The macro that Unity's compiler defines for passes of a LightMode tag; "" of those that render
-/// pipelines make up.
+/// Returns the macro that Unity's compiler defines for passes with a LightMode tag, or "" for tags
+/// that render pipelines invent.
 std::string_view PassMacro(std::string_view lightMode);
 
 } // namespace limn

@@ -9,14 +9,15 @@
 namespace limn
 {
 
-/// Gives the file that `#include_with_pragmas` names, from the file that includes it.
+/// Returns the file that `#include_with_pragmas` names in a given file.
 using PragmaFileReader =
     std::function<std::optional<IncludedFile>(std::string_view include, std::string_view includer)>;
 
-/// Fills what a program's pragmas say from the text of its chunks; what they said before is gone.
+/// Sets the members of a program that its pragmas define, from the text of its chunks; replaces
+/// their former values.
 ///
-/// @param reader  none: pragmas of included files are left out. Theirs get the place of the
-///                directive in the .shader file.
+/// @param reader  reads included files; without one their pragmas are left out. These pragmas get
+///     the place of the directive in the .shader file.
 void ScanPragmas(PassProgram& program, const PragmaFileReader& reader = {});
 
 } // namespace limn

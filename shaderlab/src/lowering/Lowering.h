@@ -12,41 +12,42 @@
 namespace limn
 {
 
-/// Spells what Unity's compilers take and glslang does not, or takes for something else, another
-/// way: in resolved trees, by the types of their expressions. What has no known type stays.
+/// Rewrites code that Unity's compilers accept and glslang does not, or understands differently. It
+/// works on resolved trees, by the types of their expressions. Code without a known type stays.
 class HlslLowering
 {
 public:
-    /// @param code     gets the edits
-    /// @param globals  outlive this
+    /// @param code     receives the edits
+    /// @param globals  must outlive this
     HlslLowering(TokenEdits& code, const HlslGlobals& globals);
 
-    /// A function's body, or a global variable's value.
+    /// Rewrites a function's body, or a global variable's value.
     ///
-    /// @param isInitial  in the value of something static, where glslang crashes on calls
+    /// @param isInitial  true in the value of a static variable, where glslang crashes on calls
     void Lower(HlslNode& node, bool isInitial);
-    /// Gives a declared variable and what stands for it a name of its own.
+    /// Gives a declared variable and all its uses a name of its own.
     ///
-    /// @param nodes  those that the resolver has seen, and others
+    /// @param nodes  the nodes that the resolver has seen, and others
     void Rename(const HlslResolver& resolver, const HlslNodes& nodes);
-    /// The value of a variable of the type, where it is a list.
+    /// Rewrites the value of a variable of the type, if it is a list.
     ///
-    /// @param dimensions  what stands in the brackets of an array
-    /// @param statement   what other statements may be put before; null: none may
+    /// @param dimensions  the texts in the brackets of an array
+    /// @param statement   the statement before which others may be inserted; null: none may
     void LowerInitializer(HlslNode& value, const HlslType& type,
                           std::span<const std::string_view> dimensions,
                           const HlslNode* statement = nullptr);
 
-    /// Whether a static variable's resolved value is only right where it is not initial.
+    /// Returns whether a static variable's resolved value is right only if a function computes it,
+    /// not as an initial value.
     bool NeedsFunction(const HlslNode& value) const;
 
-    /// Declarations of the functions that the edits call; they belong before all code.
+    /// Returns the declarations of the functions that the edits call; they belong before all code.
     const std::string& functions() const { return m_Functions; }
 
 private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
     void Wrap(const HlslNode& node, std::string_view before, std::string_view after);
-    /// Writes a function that is called by the edits, once.
+    /// Adds a function that the edits call, once.
     void Need(const std::string& text);
 
     void LowerNode(HlslNode& node);
@@ -94,13 +95,13 @@ private:
 
     TokenEdits& m_Code;
     const HlslGlobals& m_Globals;
-    bool m_IsInitial = false; ///< in the value of something static, where no call may stand
+    bool m_IsInitial = false; ///< true in the value of a static variable, where no call is possible
     std::set<std::string> m_Known;
     std::string m_Functions;
 };
 
-/// Adds the uniform that a resolved node writes to: assigns to, in whole or in part, or hands to a
-/// parameter that a function gives something back by.
+/// Adds the uniform that a resolved node writes: by assigning to it, in whole or in part, or by
+/// passing it to an output parameter of a function.
 void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals,
                          std::set<const HlslVariable*>& written);
 

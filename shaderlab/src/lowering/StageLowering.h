@@ -11,7 +11,7 @@
 namespace limn
 {
 
-/// Preprocessed HLSL, taken apart as far as rewriting needs it.
+/// Preprocessed HLSL, parsed as far as rewriting needs it.
 struct HlslSource
 {
     /// @param lines  see HlslTokens
@@ -27,33 +27,34 @@ struct HlslSource
 
 struct RewrittenHlsl
 {
-    /// It is what TokenEdits::AssembleByToken() writes, and the entry function.
+    /// The text of TokenEdits::AssembleByToken(), and the entry function.
     std::string text;
-    /// "uses X, which limn does not have: Y" for each function that the entry function reaches and
-    /// that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than Unity's of
-    /// that name.
+    /// The notes "uses X, which limn does not have: Y" for each function that the entry function
+    /// reaches and that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than
+    /// Unity's function of that name.
     std::vector<std::string> standIns;
-    /// Tokens of types and names that nobody declares, and what is said of the names. Mistakes if
-    /// the compiler finds any, which stops at the first name that it does not know.
+    /// The tokens of types and names that are not declared, and the messages about the names. They
+    /// are mistakes if the compiler finds any; it stops at the first unknown name.
     std::vector<std::size_t> unknownTypes;
     std::map<std::size_t, std::string> unknownNames;
     /// The expressions and statements of the source that were rewritten.
     HlslNodes nodes;
 };
 
-/// The HLSL that the compiler gets: only functions that the entry function reaches, writable copies
-/// of uniforms that the code assigns to, and a generated entry function k_EntryName at the end.
+/// Returns the HLSL for the compiler: only functions that the entry function reaches, writable
+/// copies of uniforms that the code assigns to, and a generated entry function k_EntryName at the
+/// end.
 ///
-/// Functions out of reach have to go because they may use what only the other stage has (ddx,
+/// Functions out of reach must be removed because they may use what only the other stage has (ddx,
 /// clip).
 ///
-/// @throws UnsupportedProgramError  the stage uses a texture or buffer that can be written to
+/// @throws UnsupportedProgramError  if the stage uses a texture or buffer that can be written to
 RewrittenHlsl RewriteStage(const HlslSource& source, ShaderStage stage,
                            const StageInterface& interface, const StageLinkage& linkage);
 
-/// The same for a kernel, with everything that it may write to.
+/// Returns the HLSL of a kernel like RewriteStage, with everything that it may write to.
 ///
-/// @throws AssetError  where it reads what only draws have, or lacks its [numthreads(x, y, z)]
+/// @throws AssetError  if it reads what only draws have, or lacks its [numthreads(x, y, z)]
 RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel);
 
 } // namespace limn

@@ -23,8 +23,8 @@ struct Token
     TokenKind kind = TokenKind::End;
     std::string_view text;
     SourceLocation location;
-    float number = 0.0f;       ///< of a Number; the largest float where it is beyond them
-    bool unterminated = false; ///< a String that the file ends in
+    float number = 0.0f; ///< the value of a Number; the largest float if it is beyond all floats
+    bool unterminated = false; ///< true for a String that the end of the file cuts off
     bool unusual = false;      ///< a Number with '+', exponent or suffix, or beyond all floats
 };
 
@@ -33,12 +33,12 @@ struct RawBlock
 {
     std::string_view text;
     std::string_view endWord; ///< the word that closes it, as written; "" = nothing closes it
-    bool inComment = false;   ///< no end word stood outside comments: it is the first one inside
+    bool inComment = false;   ///< no end word was outside comments, so it is the first one inside
     std::string_view opener;  ///< the first word in it that opens a block, outside comments
 };
 
 /// Cuts ShaderLab text into tokens, one at a time, so that the parser can switch to raw text for
-/// program blocks and attributes. Every byte is looked at a bounded number of times.
+/// program blocks and attributes. It reads every byte a bounded number of times.
 class Lexer
 {
 public:
@@ -46,33 +46,35 @@ public:
 
     Token Next();
 
-    /// Line of the place right behind the last token.
+    /// Returns the line of the place directly behind the last token.
     int line() const { return m_Line; }
 
-    /// Where the comment starts that the file ends in; line 0 = there is none, or it was forgotten.
+    /// Returns the beginning of the comment that the end of the file cuts off; line 0 = there is
+    /// none, or it was forgotten.
     SourceLocation openComment() const { return m_OpenComment; }
     void ForgetOpenComment() { m_OpenComment = {}; }
 
-    /// Whether the next token is this punctuation mark; passes nothing over but blanks.
+    /// Returns whether the next token is this punctuation mark; skips only blanks.
     bool isNext(char mark);
 
-    /// The text up to the first ']' of this line, which is passed over. Attributes know no
-    /// brackets, quotes or parentheses. Without a ']' the rest of the line.
+    /// Returns the text up to the first ']' of this line, and skips the ']'. Attributes have no
+    /// nested brackets, quotes or parentheses. Without a ']' it returns the rest of the line.
     std::string_view ReadBracket(bool& closed);
 
-    /// The rest of the line, without its end.
+    /// Returns the rest of the line without its end.
     std::string_view ReadLine();
 
-    /// The text up to the whole word `endWord`, which is passed over: the first one outside
-    /// comments. Where none comes before the next block opens, the first end word at all, be it in
-    /// a comment or one of another language. Nothing is passed over where there is none.
+    /// Returns the text up to the whole word `endWord`, the first one outside comments, and skips
+    /// the word. If none comes before the next block opens, it takes the first end word at all,
+    /// even in a comment or of another language. It skips nothing if there is none.
     RawBlock ReadBlock(std::string_view endWord);
 
-    /// Goes to the end: all that Next() gives is End.
+    /// Skips to the end, so that Next() returns only End.
     void SkipToEnd();
 
 private:
-    /// Where something is next, so that looking for it again from further on costs nothing.
+    /// The next place of something, so that searching for it again from a later place costs
+    /// nothing.
     struct Finding
     {
         std::size_t from = 1;

@@ -15,9 +15,9 @@
 namespace limn
 {
 
-/// Recursive descent over the tokens of one file. Each scope is a table of commands; what no table
-/// knows is reported and skipped. Only Category blocks can be nested without end, so their depth is
-/// limited; everything else that could grow beyond the size of the file is counted.
+/// Parses the tokens of one file by recursive descent. Each scope has a table of commands; unknown
+/// commands are reported and skipped. Only Category blocks can be nested without end, so their
+/// depth is limited; everything else that could grow beyond the size of the file is counted.
 class Parser
 {
 public:
@@ -34,7 +34,7 @@ private:
     };
     using CommandTable = std::vector<Command>;
 
-    /// What a scope hands on to the scopes inside it.
+    /// The state that a scope passes to the scopes inside it.
     struct Scope
     {
         RenderState state;
@@ -189,16 +189,18 @@ private:
 
     Lexer m_Lexer;
     Token m_Token;
-    SourceLocation m_Command; ///< of the command word being parsed
+    SourceLocation m_Command; ///< the place of the command word being parsed
     std::string_view m_Word;  ///< the command word being parsed, as the tables spell it
     bool m_ReportedEnd = false;
     int m_FailedLine = 0; ///< line of an error in the command being parsed; 0 = none so far
     std::array<std::size_t, 3> m_Reported{}; ///< by severity
     std::size_t m_Items = 0;
     bool m_IsStopped = false;
-    std::vector<const CommandTable*> m_Tables;          ///< of the scopes around the current place
-    std::array<std::vector<SourceChunk>, 3> m_Includes; ///< by ProgramLanguage, of the file so far
-    std::size_t m_RepeatedBytes = 0; ///< of what inner scopes were handed copies of
+    /// The tables of the scopes around the current place.
+    std::vector<const CommandTable*> m_Tables;
+    /// The include blocks of the file so far, by ProgramLanguage.
+    std::array<std::vector<SourceChunk>, 3> m_Includes;
+    std::size_t m_RepeatedBytes = 0; ///< bytes of the copies that inner scopes received
     int m_CategoryDepth = 0;
     Scope m_Scope;
     ShaderLabSubShader* m_SubShader = nullptr;

@@ -14,17 +14,18 @@
 namespace limn
 {
 
-/// The text of a file as glslang's preprocessor is to see it, line by line the same: Unity's
-/// directives become glslang's or blanks, `#warning x` becomes a pragma for ReadWarningPragma.
+/// Returns the text of a file for glslang's preprocessor, with the same lines: Unity's directives
+/// become glslang's or blanks, and `#warning x` becomes a pragma for ReadWarningPragma.
 std::string TranslateDirectives(std::string_view text);
 
-/// The message of a `#warning` that went through the preprocessor, nothing for other lines.
+/// Returns the message of a `#warning` that went through the preprocessor, or nullopt for other
+/// lines.
 std::optional<std::string> ReadWarningPragma(std::string_view line);
 
-/// Whether a text names a macro that is defined in one stage only.
+/// Returns whether a text names a macro that is defined in only one stage.
 bool NamesStages(std::string_view text);
 
-/// Hands files to glslang and keeps them until it is done.
+/// Gives files to glslang and keeps them until it is done.
 class GlslangIncluder final : public glslang::TShader::Includer
 {
 public:
@@ -36,11 +37,11 @@ public:
                                  std::size_t depth) override;
     void releaseInclude(IncludeResult*) override {}
 
-    /// Files of the High Definition pipeline that were asked for and not found.
+    /// Returns whether files of the High Definition pipeline were asked for and not found.
     bool needsHighDefinition() const { return m_NeedsHighDefinition; }
-    /// An included file names a macro that tells the stage.
+    /// Returns whether an included file names a macro that depends on the stage.
     bool namesStages() const { return m_NamesStages; }
-    /// A file was nowhere; refused ones do not count.
+    /// Returns whether a file was not found; files that may not be read do not count.
     bool hasMissing() const { return m_HasMissing; }
 
 private:
@@ -58,9 +59,9 @@ private:
     IncludeResolver& m_Resolver;
     std::list<Loaded> m_Loaded;
     std::set<std::string> m_Once;     ///< files with `#pragma once` that were included
-    std::vector<std::string> m_Chain; ///< what is being read now, outermost first
+    std::vector<std::string> m_Chain; ///< the files that are being read now, outermost first
     std::size_t m_TotalSize = 0;
-    /// The last file that could not be had: glslang asks for `"x"` again as if it were `<x>`.
+    /// The last file that could not be read; glslang asks for `"x"` again as if it were `<x>`.
     std::string m_FailedHeader;
     std::size_t m_FailedDepth = 0;
     IncludeResult* m_FailedResult = nullptr;

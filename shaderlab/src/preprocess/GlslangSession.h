@@ -17,14 +17,14 @@ void StartGlslang();
 
 EShLanguage GlslangStage(ShaderStage stage);
 
-/// HLSL in, SPIR-V 1.3 for Vulkan 1.1 out (at 1.4 and above glslang 12 emits invalid buffer
-/// blocks).
+/// Sets the languages of a shader: from HLSL to SPIR-V 1.3 for Vulkan 1.1 (for 1.4 and above
+/// glslang 12 emits invalid buffer blocks).
 void SetEnvironment(glslang::TShader& shader, ShaderStage stage);
 
-/// Definitions that come before a program, no lines of it: what `half` is. As on Unity's desktop
-/// targets it is float. Macros rather than the compiler's own half, which marks values as low
-/// precision and lets a driver compute them with fewer bits; with 16 bits that is what is wanted,
-/// and matrices stay float.
+/// Returns the definitions of `half` that come before a program and are no lines of it. As on
+/// Unity's desktop targets it is float. These are macros, because the compiler's own half marks
+/// values as low precision and lets a driver compute them with fewer bits. With 16 bits that is
+/// intended, and matrices stay float.
 const char* HalfPreamble(bool halfIs16Bit);
 
 } // namespace limn

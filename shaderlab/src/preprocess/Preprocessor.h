@@ -15,15 +15,16 @@ namespace limn
 struct PreprocessedHlsl
 {
     std::string text;
-    /// Somewhere a SHADER_STAGE_… macro is named: other stages may have another text. Most programs
+    /// The text names a SHADER_STAGE_… macro, so other stages may have another text. Most programs
     /// name none, and then one run of the preprocessor serves all stages.
     bool namesStages = false;
 };
 
-/// The HLSL of one stage with all includes and macros resolved. `#line N "file"` directives in it
-/// say where each line comes from; no other directives but `#pragma pack_matrix` are left.
+/// Returns the HLSL of one stage with all includes and macros resolved. Its `#line N "file"`
+/// directives say where each line comes from; of the other directives only `#pragma pack_matrix` is
+/// left.
 ///
-/// @param warnings  gets those of `#warning` and of glslang
+/// @param warnings  receives those of `#warning` and of glslang
 /// @throws AssetError at the lines of unknown includes and other mistakes
 /// @throws UnsupportedProgramError where a file of another render pipeline is missing
 PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,

@@ -18,11 +18,12 @@ struct SpirvInstruction
     std::uint32_t op = 0;
     Id type = 0;
     Id result = 0;
-    SpirvWords words;                  ///< the first holds size and op
-    std::vector<std::size_t> operands; ///< words that are ids, type and result apart
+    SpirvWords words; ///< the first holds size and op
+    /// Indices of the words that are ids, except type and result.
+    std::vector<std::size_t> operands;
 };
 
-/// @throws ContractError if it is no SPIR-V
+/// @throws ContractError if the words are no SPIR-V
 std::vector<SpirvInstruction> ParseSpirv(const SpirvWords& spirv);
 
 } // namespace limn

@@ -14,13 +14,13 @@ namespace limn
 /// Reads the layout of a pass from the SPIR-V of its stages and writes descriptor set 0 and final
 /// binding numbers into that SPIR-V.
 ///
-/// @param pass      its SPIR-V is there; its layout is filled
-/// @param objects   textures, samplers and buffers as HLSL declares them
-/// @param messages  gets what limn cannot bind, without a place
+/// @param pass      must have its SPIR-V; receives its layout
+/// @param objects   the textures, samplers and buffers that HLSL declares
+/// @param messages  receives what limn cannot bind, without a place
 void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
                    const std::vector<HlslVariable>& objects, std::vector<std::string>& messages);
 
-/// The same of a kernel, and its groups' size.
+/// Reads the layout of a kernel like ReflectLayout, and the size of its groups.
 void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,
                    std::vector<std::string>& messages);
 

@@ -7,30 +7,34 @@
 namespace limn
 {
 
-// What glslang 12 makes of HLSL's buffers and writable textures, put right in its SPIR-V before
-// that is optimised.
+// Corrects glslang 12's translation of HLSL's buffers and writable textures, in its SPIR-V before
+// it is optimised.
 
-/// Elements of structured buffers as Direct3D packs them: each member right behind the one before
-/// it, but at a multiple of its component's size. A program on the CPU writes them so; glslang puts
-/// a float3 at a multiple of 16 bytes now and then. Devices need scalarBlockLayout for it.
+/// Packs the elements of structured buffers as Direct3D does: each member directly behind the one
+/// before it, but at a multiple of its component's size. A program on the CPU writes them so;
+/// glslang sometimes puts a float3 at a multiple of 16 bytes. Devices need scalarBlockLayout for
+/// it.
 void PackStructuredBuffers(SpirvWords& spirv);
 
-/// Values that atomic functions add or compare are int where memory is uint, or the other way round
-/// (`InterlockedAdd(count, 1)`): the language converts them, glslang leaves them.
+/// Converts the values that atomic functions add or compare to the type of the memory, where one is
+/// int and the other uint (`InterlockedAdd(count, 1)`). The language converts them, but glslang
+/// does not.
 void ConvertAtomicValues(SpirvWords& spirv);
 
-/// A writable texture takes any format that has its kind of components, as in Direct3D, where
-/// glslang names one after the type in the shader. Those of one integer keep it: atomic functions
-/// ask for one. Devices need shaderStorageImageReadWithoutFormat and its like for writing.
+/// Lets a writable texture have any format with its kind of components, as in Direct3D; glslang
+/// declares one by the type in the shader. Textures with one integer keep their format, because
+/// atomic functions require one. Devices need shaderStorageImageReadWithoutFormat and the like for
+/// writing.
 void LeaveImageFormatsOpen(SpirvWords& spirv);
 
-/// A texture is one, compared or not, as in Direct3D; to glslang it is of another type where it is
-/// compared, and cannot be handed on as what it is then.
-/// @return  whether there were two types of one texture
+/// Makes compared and other uses of a texture one texture, as in Direct3D. For glslang a compared
+/// texture has another type and cannot be passed on as such.
+/// @return  true if there were two types of one texture
 bool MergeComparedTextures(SpirvWords& spirv);
 
-/// The variables of writable textures that are read.
-/// @param spirv  optimised: nothing travels through variables and parameters any more
+/// Returns the variables of writable textures that are read.
+/// @param spirv  must be optimised, so that no textures pass through variables and parameters any
+///     more
 std::set<Id> FindReadImages(const SpirvWords& spirv);
 
 } // namespace limn

@@ -10,22 +10,23 @@ namespace limn
 
 inline constexpr std::string_view k_EntryName = "limn_Entry";
 
-/// What #line calls the generated text; compilers' messages carry it where the entry is at fault.
+/// The name of the generated text in #line; compilers' messages have it if the entry is the cause.
 inline constexpr std::string_view k_EntryFile = "limn";
 
-/// A name that compilers keep for themselves.
+/// A name that compilers reserve.
 inline constexpr std::string_view k_TakenName = "main";
-/// What the author's entry function is called in the rewritten text, and whatever else is called
-/// k_TakenName.
+/// Returns the name in the rewritten text of the author's entry function, or of anything else
+/// called k_TakenName.
 std::string AuthorFunctionName(std::string_view name);
 
-/// Declarations of a local variable for each parameter of the author's function, streams apart.
+/// Returns the declarations of a local variable for each parameter of the author's function, except
+/// streams.
 std::string ArgumentLocals(const StageInterface& interface);
 
-/// HLSL of a function k_EntryName that calls the author's entry function.
+/// Returns the HLSL of a function k_EntryName that calls the author's entry function.
 ///
-/// @param prologue  statements that come first, e.g. filling the copies of uniforms
-/// @param usesDrawIndex  the code asks which draw it runs for (see limn/PerDraw.hlsl)
+/// @param prologue  the statements that come first, e.g. to fill the copies of uniforms
+/// @param usesDrawIndex  true if the code asks for which draw it runs (see limn/PerDraw.hlsl)
 std::string WriteEntryPoint(const StageInterface& interface, const StageLinkage& linkage,
                             ShaderStage stage, const std::string& prologue, bool usesDrawIndex);
 

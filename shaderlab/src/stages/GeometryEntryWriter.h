@@ -8,20 +8,20 @@
 namespace limn
 {
 
-// The author's geometry function stays an ordinary function, but for two things: its stream takes
-// vertices of a generated type with explicit locations, and each vertex goes through a generated
-// function into that type.
+// The author's geometry function stays an ordinary function, except for two things: its stream
+// takes vertices of a generated type with explicit locations, and each vertex goes through a
+// generated function into that type.
 
 inline constexpr std::string_view k_GeometryOutput = "limn_Output"; ///< the generated type
 inline constexpr std::string_view k_PackFunction = "limn_Pack";
 
-/// HLSL, on one line, of the generated types and of k_PackFunction. It needs the author's type of
-/// output vertices before it.
+/// Returns the HLSL, on one line, of the generated types and of k_PackFunction. It needs the
+/// author's type of output vertices before it.
 std::string WriteGeometryTypes(const StageInterface& interface, const StageLinkage& linkage);
 
-/// HLSL of a function k_EntryName that calls the author's geometry function.
+/// Returns the HLSL of a function k_EntryName that calls the author's geometry function.
 ///
-/// @param prologue  statements that come first
+/// @param prologue  the statements that come first
 std::string WriteGeometryEntry(const StageInterface& interface, const StageLinkage& linkage,
                                const std::string& prologue);
 

@@ -10,7 +10,7 @@
 namespace limn
 {
 
-/// A value that goes from one function to the next; both sides declare it alike.
+/// A value that one function passes to the next; both declare it in the same way.
 struct Varying
 {
     std::string semantic; ///< with index
@@ -19,31 +19,33 @@ struct Varying
     int location = 0;
 };
 
-/// What crosses from one stage to the next.
+/// The values that pass from one stage to the next.
 struct StageBorder
 {
     std::vector<Varying> varyings;
-    /// Semantics that the later function reads and the earlier one does not write: 0.
+    /// The semantics that the later function reads and the earlier one does not write; they are 0.
     std::vector<std::string> unwritten;
 
     const Varying& Find(const std::string& semantic) const;
 };
 
-/// How the stages of a pass fit together.
+/// The connection of the stages of a pass.
 struct StageLinkage
 {
     std::vector<VertexInput> vertexInputs; ///< all that the vertex function declares
     StageBorder behindVertex;
-    StageBorder beforeFragment; ///< another one only where a geometry function lies between
+    /// Different from behindVertex only if there is a geometry function.
+    StageBorder beforeFragment;
     int colorOutputs = 0;
 
-    /// What a stage reads from the one before it. Vertex functions read `vertexInputs`.
+    /// Returns the values that a stage reads from the one before it. Vertex functions read
+    /// `vertexInputs`.
     const StageBorder& Before(ShaderStage stage) const;
     const StageBorder& Behind(ShaderStage stage) const;
 };
 
-/// @param geometry  null where the pass has no such function
-/// @throws StageInterfaceError where a semantic is given to two values
+/// @param geometry  null if the pass has no such function
+/// @throws StageInterfaceError if two values have the same semantic
 StageLinkage LinkStages(const StageInterface& vertex, const StageInterface* geometry,
                         const StageInterface& fragment);
 

@@ -7,24 +7,26 @@
 namespace limn
 {
 
-// HLSL spelling of what generated entry functions take and give.
+// The HLSL spelling of the inputs and outputs of generated entry functions.
 
-/// The type the pipeline gives a system value, whatever type the author declares.
+/// Returns the type that the pipeline gives a system value, whatever type the author declares.
 std::string SystemType(const StageValue& value);
 
-/// "SV_TARGET1": where indices count.
+/// Returns the semantic of a system value, with its index if indices count: "SV_TARGET1".
 std::string SystemSemantic(const StageValue& value);
 
-/// 3 for "float3".
+/// Returns the number of components of a type: 3 for "float3".
 int ComponentsOf(const std::string& type);
 
-/// `source`, of `components`, as another vector type: cut off, or filled up with zeros.
+/// Returns `source`, which has `components`, as another vector type: truncated, or filled up with
+/// zeros.
 std::string ConvertText(const std::string& source, int components, const std::string& scalar,
                         int wanted);
 
-/// Attribute, type, name and semantic; both sides of a border declare a varying by this.
+/// Returns attribute, type, name and semantic of a varying; both sides of a border declare it with
+/// this text.
 ///
-/// @param modifiers  between attribute and type, "" or with a blank at the end
+/// @param modifiers  the modifiers between attribute and type, "" or with a blank at the end
 std::string VaryingText(const Varying& varying, const std::string& name,
                         const std::string& modifiers);
 

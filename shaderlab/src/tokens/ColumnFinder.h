@@ -19,23 +19,23 @@ namespace limn
 class ColumnFinder
 {
 public:
-    /// @param program   outlives this, as does
-    /// @param resolver  that has found the included files
+    /// @param program   must outlive this
+    /// @param resolver  the one that has found the included files; must outlive this
     ColumnFinder(const PassProgram& program, IncludeResolver& resolver)
         : m_Program(program), m_Resolver(resolver)
     {
     }
 
-    /// Nothing where the file has no such line, or where other things stand before the program in
-    /// it. Lives as long as this.
+    /// Returns a line of a file, or nullopt if the file has no such line or has other text before
+    /// the program in it. The line lives as long as this.
     std::optional<std::string_view> Find(const std::string& file, int line);
 
-    /// The column, from 1, of the token at the index of a preprocessed line; of what a macro made,
-    /// that of the macro's name. 0 where it cannot be told.
+    /// Returns the column, from 1, of the token at the index of a preprocessed line. For the text
+    /// of a macro it is the column of the macro's name; it is 0 if it is not known.
     int Column(const HlslPlace& place, std::span<const HlslToken> preprocessed, std::size_t index);
 
-    /// Gives what the preprocessor says of a line, for which it counts no columns, that of the word
-    /// which it names, where the line holds it.
+    /// Adds columns to the preprocessor's diagnostics, which have only lines: the column of the
+    /// word that a message names, if the line contains it.
     void AddColumns(std::vector<Diagnostic>& diagnostics);
 
 private:

@@ -8,17 +8,18 @@ namespace limn
 {
 
 /// Reads HLSL line by line as a preprocessor sees it: comments are blanks, a line that ends in `\`
-/// goes on in the next, and so does a directive that ends in the middle of a comment.
+/// continues in the next, and so does a directive that ends in the middle of a comment.
 class HlslLines
 {
 public:
     /// @param text  must outlive the reader
     HlslLines(std::string_view text, int firstLine) : m_Text(text), m_Line(firstLine) {}
 
-    /// False behind the last line. `number` is where the line starts in the file.
+    /// Reads the next line; returns false behind the last one. `number` receives the number of the
+    /// line in the file at which it starts.
     bool Next(std::string& line, int& number);
 
-    /// Of what was read so far.
+    /// Returns whether the text read so far ends in a comment.
     bool endsInComment() const { return m_InComment; }
 
 private:
@@ -34,8 +35,8 @@ private:
     bool m_InString = false; ///< `//` in the name of an include is no comment
 };
 
-/// A file's name as a #line directive can hold it, and back: quotes and line breaks change places
-/// with letters that no name has.
+/// Converts a file's name to one that a #line directive can hold, and back: swaps quotes and line
+/// breaks with letters that no name has.
 std::string SwapMarks(std::string name);
 
 } // namespace limn

@@ -23,19 +23,18 @@ struct HlslToken
     {
         return static_cast<std::size_t>(text.data() - source.data());
     }
-    /// The character that it is; '\0' of longer ones.
+    /// Returns the only character of the token, or '\0' if it is longer.
     char Mark() const { return text.size() == 1 ? text[0] : '\0'; }
 };
 
-/// Views into `source`, which must outlive them.
+/// Returns the tokens as views into `source`, which must outlive them.
 std::vector<HlslToken> TokenizeHlsl(std::string_view source);
 
-/// Returns how tightly an operator between two values binds, from 1; 0 for what is none. C has the
-/// same order.
+/// Returns the precedence of a binary operator, from 1, or 0 if the text is none. The order is that
+/// of C.
 int PrecedenceOf(std::string_view text);
 
-/// Where the character at `offset` of preprocessed text came from, by the #line directives before
-/// it.
+/// The origin of the character at `offset` of preprocessed text, by the #line directives before it.
 struct HlslPlace
 {
     std::string file;
@@ -43,23 +42,23 @@ struct HlslPlace
 };
 HlslPlace PlaceOf(std::string_view source, std::size_t offset);
 
-/// What is wrong at a token.
+/// A problem at a token.
 struct HlslProblem
 {
     std::size_t token = 0;
     std::string text;
 };
 
-/// The tokens of a text, and which brackets belong together.
+/// The tokens of a text, and its pairs of brackets.
 class HlslTokens
 {
 public:
     /// @param source  must outlive this
-    /// @param lines   for the columns of places, which are 0 without; outlives this
+    /// @param lines   gives the columns of places, which are 0 without it; must outlive this
     explicit HlslTokens(std::string_view source, ColumnFinder* lines = nullptr);
 
     std::size_t size() const { return m_Tokens.size(); }
-    /// "" behind the end.
+    /// Returns the text of a token, or "" behind the end.
     std::string_view Text(std::size_t index) const
     {
         return index < m_Tokens.size() ? m_Tokens[index].text : std::string_view();
@@ -68,22 +67,25 @@ public:
     {
         return index < m_Tokens.size() && m_Tokens[index].isWord;
     }
-    /// The source from one token to the one before `end`.
+    /// Returns the source from one token to the one before `end`.
     std::string_view Span(std::size_t first, std::size_t end) const;
-    /// +1 for a bracket that opens, -1 for one that closes, else 0.
+    /// Returns +1 for an opening bracket, -1 for a closing one, and 0 for other tokens.
     int Step(std::size_t index) const;
-    /// The token after the bracket that closes the one at the index; behind all where none does.
+    /// Returns the token after the bracket that closes the one at the index, or size() if none
+    /// does.
     std::size_t AfterBracket(std::size_t index) const;
-    /// The bracket that opens the one that closes at the index; the index where none does.
+    /// Returns the opening bracket of the closing one at the index, or the index itself if there is
+    /// none.
     std::size_t MatchingOpen(std::size_t index) const;
-    /// The first of the marks at or after the index that is not in brackets opened after it; where
-    /// a bracket closes that was opened before, that one; else size().
+    /// Returns the first of the marks at or after the index that is not in brackets opened after
+    /// it. Returns a closing bracket that comes first and was opened before, or size() if there is
+    /// no mark.
     std::size_t FindOutside(std::size_t index, std::string_view mark) const;
-    /// Where a token is in the author's file.
+    /// Returns the place of a token in the author's file.
     HlslPlace Place(std::size_t index) const;
-    /// "'token': message", there.
+    /// Returns the error "'token': message" at the place of a token.
     Diagnostic Error(std::size_t index, std::string_view message) const;
-    /// @throws AssetError  with all problems, if there are any
+    /// @throws AssetError with all problems, if there are any
     void Refuse(const std::vector<HlslProblem>& problems) const;
 
     std::string_view source() const { return m_Source; }
@@ -93,7 +95,8 @@ private:
     std::string_view m_Source;
     ColumnFinder* m_Lines;
     std::vector<HlslToken> m_Tokens;
-    std::vector<std::uint32_t> m_Partner; ///< of brackets; of others, and without one: size()
+    /// The partner of a bracket; size() for other tokens and for brackets without one.
+    std::vector<std::uint32_t> m_Partner;
 };
 
 } // namespace limn

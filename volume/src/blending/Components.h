@@ -8,16 +8,16 @@
 namespace limn
 {
 
-/// A component of the same type, values and override states, that shares nothing with the given
-/// one.
+/// Returns a component with the same type, values and override states that shares nothing with the
+/// given one.
 /// @throws ContractError if the registry lacks the type
 std::unique_ptr<VolumeComponent> CloneComponent(const VolumeComponent& component,
                                                 const VolumeComponentRegistry& registry);
 
-/// VolumeComponent::Override, which a component may have written itself.
+/// Calls VolumeComponent::Override, which the component's class may override.
 void OverrideState(const VolumeComponent& component, VolumeComponent& state, float interpFactor);
 
-/// Copies the values and override states of all parameters; both are of one type.
+/// Copies the values and override states of all parameters; both components must be of one type.
 void CopyParameters(const VolumeComponent& from, VolumeComponent& to);
 
 } // namespace limn

@@ -5,9 +5,10 @@
 namespace limn
 {
 
-/// Exact at t = 0 and t = 1, never outside [from, to] between them, growing or falling with t; off
-/// by half an ulp, and 2^-51 of the larger where the two nearly cancel. Unity's from + (to - from)
-/// t in floats makes 0 of 1e8 to 0.1 at t = 1, and overflows between large numbers of both signs.
+/// Blends two numbers linearly. The result is exact at t = 0 and t = 1, never outside [from, to]
+/// between them, and monotonic in t. Its error is half an ulp, and 2^-51 of the larger number where
+/// the two nearly cancel. Unity's from + (to - from) t in floats blends 1e8 to 0.1 at t = 1 into 0,
+/// and overflows between large numbers of both signs.
 inline float Lerp(float from, float to, float t)
 {
     if (t == 0.0f || t == 1.0f)

@@ -9,22 +9,22 @@
 namespace limn
 {
 
-/// How much a volume counts, seen from the trigger.
+/// The influence of a volume on the trigger.
 struct VolumeInfluence
 {
     float factor;                          ///< 0...1, the fade times the weight
     float weight;                          ///< 0...1
-    std::optional<double> squaredDistance; ///< to the closest collider; nothing: it is global
+    std::optional<double> squaredDistance; ///< to the closest collider; nullopt for a global volume
 };
 
-/// Nothing if the volume does not take part at all. A factor of 0 is not nothing: such a volume
-/// still marks its parameters as overridden.
+/// Returns the influence of a volume, or nullopt if it does not take part at all. A volume with
+/// factor 0 takes part: it still marks its parameters as overridden.
 std::optional<VolumeInfluence> InfluenceOf(const Volume& volume,
                                            const std::optional<glm::vec3>& trigger);
 
 /// Calls visit(volume, component, influence) for every contribution to the blend, in the order in
-/// which they are applied. The one place that knows the rules, whoever the visitor is.
-/// @param sorted  by ascending priority
+/// which they are applied. No other code knows the rules of blending.
+/// @param sorted  the volumes by ascending priority
 template <typename Visitor>
 void ForEachContribution(std::span<const Volume* const> sorted,
                          const std::optional<glm::vec3>& trigger, Visitor&& visit)

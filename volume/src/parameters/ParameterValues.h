@@ -9,13 +9,14 @@
 #include <limn/volume/TextureCurve.h>
 #include <limn/volume/YamlRead.h>
 
-// How the value of each type of parameter is read, written as limn has it (LimnText) and as Unity
-// does (UnityText). All texts fit on one line.
+// Reads the value of each type of parameter, and writes it in limn's form (LimnText) and in Unity's
+// (UnityText). All texts fit on one line.
 
 namespace limn::detail
 {
 
-/// What a reader gets: the node, what errors call it, where they go, and the limits of a number.
+/// The input of a reader: the node, its name in errors, where errors go, and the limits of a
+/// number.
 struct ValueSource
 {
     const YamlNode& node;
@@ -28,11 +29,11 @@ struct ValueSource
     {
         return {below, itsSubject, diagnostics, range, context};
     }
-    /// Adds "subject: problem" and is false.
+    /// Adds the error "subject: problem" and returns false.
     bool Refuse(std::string_view problem) const;
 };
 
-// Each says whether it set the value; if not, there is an error.
+// Each returns whether it set the value; if not, there is an error.
 bool ReadValue(const ValueSource& source, bool& value);
 bool ReadValue(const ValueSource& source, int& value);
 bool ReadValue(const ValueSource& source, std::uint32_t& value);

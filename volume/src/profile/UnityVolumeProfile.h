@@ -10,8 +10,9 @@
 namespace limn
 {
 
-/// The VolumeProfile in a Unity asset. What Unity has and the registry does not becomes a note,
-/// what is wrong with a known parameter an error. A component is known by its m_Name.
+/// Reads the VolumeProfile of a Unity asset. Components and parameters that the registry does not
+/// know become notes; a problem with a known parameter is an error. A component is recognised by
+/// its m_Name.
 std::shared_ptr<VolumeProfile> ReadUnityVolumeProfile(const UnityAsset& asset,
                                                       const VolumeComponentRegistry& registry,
                                                       AssetDiagnostics& diagnostics,

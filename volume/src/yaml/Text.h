@@ -8,18 +8,19 @@
 namespace limn
 {
 
-/// The offset of the first byte that does not belong to well-formed UTF-8 text, NUL included.
+/// Returns the offset of the first byte that does not belong to well-formed UTF-8 text; NUL does
+/// not belong to it.
 std::optional<std::size_t> FindNonText(std::string_view text);
 
-/// The place of a byte, lines ended by \n and counted from `firstLine`.
+/// Returns the place of a byte. Lines end with \n and are counted from `firstLine`.
 SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLine = 1);
 
-/// Whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends in this
-/// text; true for what is not in quotes.
+/// Returns whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends
+/// in this text. Returns true if there are no quotes.
 bool IsQuoteClosed(std::string_view text, std::size_t offset);
 
-/// Where the first outermost `[...]` or `{...}` begins that is longer than `maxBytes`. Block
-/// scalars are looked into as if they were YAML, so text in one may count.
+/// Returns the offset of the first outermost `[...]` or `{...}` that is longer than `maxBytes`.
+/// Block scalars are read as if they were YAML, so text in one may count.
 std::optional<std::size_t> FindLongFlow(std::string_view text, std::size_t maxBytes);
 
 } // namespace limn

@@ -13,13 +13,13 @@
 namespace limn
 {
 
-/// Ends the reading of a file whose last error says why.
+/// An exception that ends the reading of a file; the last error says why.
 struct StopReading
 {
 };
 
-/// Turns yaml-cpp's events into YamlNodes and fences off what yaml-cpp lets pass: duplicate keys,
-/// bombs, text behind the end of a document.
+/// Turns yaml-cpp's events into YamlNodes and rejects what yaml-cpp accepts: duplicate keys, bombs,
+/// text behind the end of a document.
 class YamlTreeBuilder final : public YAML::EventHandler
 {
 public:
@@ -36,10 +36,11 @@ public:
 
     std::vector<YamlNode> documents;
 
-    /// What yaml-cpp lets pass without an event. Call when there are no more documents.
+    /// Rejects what yaml-cpp accepts without an event. Must be called when there are no more
+    /// documents.
     void CheckEnd();
 
-    /// The innermost sequence or map that has begun; null outside of any.
+    /// Returns the innermost sequence or map that has begun, or null outside of any.
     const YamlContent* innermost() const
     {
         return m_Open.empty() ? nullptr : &m_Open.back().content;
@@ -66,7 +67,7 @@ public:
     void OnMapEnd() override { Close(); }
 
 private:
-    /// A finished node and what it counts for wherever an alias repeats it.
+    /// A finished node and the number of values it adds wherever an alias repeats it.
     struct BuiltNode
     {
         YamlNode node;
@@ -74,7 +75,7 @@ private:
         std::size_t height = 0; ///< levels of sequences and maps
     };
 
-    /// A sequence or map whose end has not come yet.
+    /// A sequence or map that has not ended yet.
     struct OpenNode
     {
         YamlContent content;
@@ -103,9 +104,9 @@ private:
     int m_FirstLine;
     std::vector<OpenNode> m_Open;
     std::unordered_map<YAML::anchor_t, BuiltNode> m_Anchors; ///< finished ones of this document
-    std::string m_AnchorName;                                ///< of the node that comes next
+    std::string m_AnchorName; ///< the anchor of the node that comes next
     std::optional<YAML::Mark> m_LastQuoted;
-    std::size_t m_Count = 0; ///< of values the file holds itself
+    std::size_t m_Count = 0; ///< the number of values in the file itself
     std::size_t m_RepeatedCount = 0;
 };
 

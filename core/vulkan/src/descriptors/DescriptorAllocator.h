@@ -6,7 +6,7 @@
 namespace limn::vulkan
 {
 
-/// Descriptor sets of one frame: grows by pools, given back all at once.
+/// Allocates the descriptor sets of one frame. It grows by pools; all sets are freed at once.
 class DescriptorAllocator
 {
 public:

@@ -7,16 +7,16 @@
 namespace limn::vulkan
 {
 
-/// The descriptor sets of one frame in flight. They stay from frame to frame: what the frames
-/// before bound is neither allocated nor written again.
+/// The descriptor sets of one frame in flight. They stay from frame to frame: a set that an earlier
+/// frame bound is neither allocated nor written again.
 class DescriptorCache
 {
 public:
     explicit DescriptorCache(VkDevice device) : m_Device(device), m_Allocator(device) {}
 
-    /// Begins a frame. Forgets all sets where something that they may describe is gone, since its
-    /// handle may come back for another object; or most of them have not been of use lately.
-    /// @param destroyed  counts the buffers, images and layouts destroyed so far
+    /// Begins a frame. Forgets all sets if an object that they may describe is gone, because its
+    /// handle may be reused for another object, or if most of them have not been used lately.
+    /// @param destroyed  the number of buffers, images and layouts destroyed so far
     /// @pre the device is done with the sets' last frame
     void Begin(std::uint64_t destroyed);
 
@@ -29,7 +29,7 @@ private:
     struct Entry
     {
         VkDescriptorSet set = VK_NULL_HANDLE;
-        std::uint64_t frame = 0; ///< that used it last
+        std::uint64_t frame = 0; ///< the last frame that used it
     };
     struct Hash
     {

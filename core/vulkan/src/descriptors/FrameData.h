@@ -6,17 +6,20 @@
 namespace limn::vulkan
 {
 
-/// Where the bytes lie that a frame gives to its shaders. Written anew, they are another frame's.
+/// The place of the bytes that a frame gives to its shaders. Another frame can write its bytes to
+/// the same place.
 class FrameData
 {
 public:
     /// Allocates the places and writes them.
-    /// @param pieceElements  that per-draw data are bound in; instances count from their piece
+    /// @param pieceElements  the number of elements per piece in which per-draw data are bound;
+    ///     instances count from the beginning of their piece
     /// @throws ContractError if the frame draws more instances than `limits` has
     FrameData(const CompiledFrame& frame, LinearMemory& memory, std::uint32_t pieceElements,
               const VkPhysicalDeviceLimits& limits);
 
-    /// Whether the frame's bytes are as many, and in one piece.
+    /// Returns whether the frame has the same number of bytes, and its per-draw data are in one
+    /// piece.
     bool Fits(const CompiledFrame& frame) const;
     /// @pre Fits()
     void Write(const CompiledFrame& frame);

@@ -7,7 +7,8 @@
 namespace limn::vulkan
 {
 
-/// What a descriptor set holds: one descriptor a binding. Reused, it allocates nothing.
+/// The content of a descriptor set, one descriptor per binding. It allocates nothing when it is
+/// reused.
 class SetContent
 {
 public:
@@ -19,7 +20,7 @@ public:
     VkDescriptorSetLayout layout() const { return m_Layout; }
     void WriteTo(VkDevice device, VkDescriptorSet set);
 
-    /// Equal where layout and all descriptors are.
+    /// Returns a key that is equal for contents with equal layout and descriptors.
     const std::vector<std::uint64_t>& key() const { return m_Key; }
 
 private:
@@ -28,8 +29,9 @@ private:
     VkDescriptorSetLayout m_Layout = VK_NULL_HANDLE;
     std::vector<std::uint64_t> m_Key;
     std::vector<VkWriteDescriptorSet> m_Writes;
-    std::vector<VkDescriptorBufferInfo> m_Buffers; ///< of the writes of buffers, in their order
-    std::vector<VkDescriptorImageInfo> m_Images;   ///< likewise
+    /// The descriptors of buffers, in the order of their writes.
+    std::vector<VkDescriptorBufferInfo> m_Buffers;
+    std::vector<VkDescriptorImageInfo> m_Images; ///< likewise
 };
 
 } // namespace limn::vulkan

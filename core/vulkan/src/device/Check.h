@@ -7,15 +7,16 @@
 namespace limn::vulkan
 {
 
-/// "VK_ERROR_DEVICE_LOST"; the number for a result unknown to this table.
+/// Returns "VK_ERROR_DEVICE_LOST" and the like, or the number if this table does not know the
+/// result.
 std::string ResultName(VkResult result);
 
-/// @throws VulkanError if `result` is an error; VK_INCOMPLETE and the like pass
+/// @throws VulkanError if `result` is an error; VK_INCOMPLETE and the like are none
 void Check(VkResult result, const char* call, const std::string& object = {});
 
-/// Fills a list as Vulkan gives lists out: how many there are, then so many; again where they have
-/// become more in between.
-/// @param call  takes the count and the elements, which are null the first time
+/// Fills a list with two calls, the first for the number of elements, the second for the elements;
+/// repeats them if the number grew in between.
+/// @param call  takes the count and the elements; the elements are null the first time
 template <typename Element, typename Call>
 VkResult FillList(std::vector<Element>& list, Call&& call)
 {

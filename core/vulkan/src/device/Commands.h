@@ -13,7 +13,8 @@ public:
     explicit Commands(const VulkanContext& context);
 
     VkCommandBuffer handle() const { return m_Handle; }
-    /// Drops what was recorded and begins anew. @pre the device is done with it
+    /// Drops the recorded commands and begins to record again.
+    /// @pre the device is done with them
     void Begin(VkCommandBufferUsageFlags usage);
     void End();
 

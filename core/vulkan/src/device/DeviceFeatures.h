@@ -7,14 +7,14 @@
 namespace limn::vulkan
 {
 
-/// Which of the device extensions that limn uses where they are there.
+/// The optional device extensions of limn that a device has.
 struct OptionalExtensions
 {
     bool extendedState = false; ///< VK_EXT_extended_dynamic_state3
     bool advancedBlend = false; ///< VK_EXT_blend_operation_advanced
     bool conservative = false;  ///< VK_EXT_conservative_rasterization
     /// VK_KHR_portability_subset: the device is a layer over another API, as on macOS, and lacks
-    /// some of what Vulkan promises. Where it is there it must be asked for.
+    /// some of what Vulkan promises. If a device has this extension, it must be enabled.
     bool portability = false;
 
     std::vector<const char*> Names() const;
@@ -22,10 +22,10 @@ struct OptionalExtensions
 
 OptionalExtensions FindExtensions(VkPhysicalDevice device);
 
-/// The feature structures of Vulkan 1.3 and of extensions, chained.
+/// The chained feature structures of Vulkan 1.3 and of extensions.
 struct FeatureChain
 {
-    /// @param extensions  that the device must have
+    /// @param extensions  the device must have these
     explicit FeatureChain(const OptionalExtensions& extensions);
     FeatureChain(const FeatureChain&) = delete;
     FeatureChain& operator=(const FeatureChain&) = delete;
@@ -36,27 +36,30 @@ struct FeatureChain
     VkPhysicalDeviceVulkan13Features v13{};
     VkPhysicalDeviceExtendedDynamicState3FeaturesEXT extendedState{};
     VkPhysicalDeviceBlendOperationAdvancedFeaturesEXT advancedBlend{};
-    VkPhysicalDevicePortabilitySubsetFeaturesKHR portability{}; ///< all true where it is absent
+    /// All true if the extension is absent.
+    VkPhysicalDevicePortabilitySubsetFeaturesKHR portability{};
 };
 
-/// One sentence for each feature that limn cannot do without and that `offered` lacks.
+/// Returns one sentence for each feature that limn requires and that `offered` lacks.
 std::vector<std::string> MissingFeatures(const FeatureChain& offered);
 
-/// Unity's names of what a shader may require (`#pragma require`) and a device made with these
-/// features lacks; sorted. What every device of Vulkan 1.3 has is not among them.
-/// "compute wavebasic" and its like are missing in kernels.
-/// @param fragments, kernels  the operations of subgroups that they may do, 0 if none
+/// Returns the sorted Unity names of features that a shader can require (`#pragma require`) and
+/// that a device with these enabled features lacks. They exclude what every device of Vulkan 1.3
+/// has. A name such as "compute wavebasic" is missing in kernels.
+/// @param fragments, kernels  the subgroup operations that fragment functions and kernels support,
+///     0 if none
 std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
                                                const VkPhysicalDeviceLimits& limits,
                                                VkSubgroupFeatureFlags fragments,
                                                VkSubgroupFeatureFlags kernels);
 
-/// One sentence for each feature, extension and limit of which the device has less than limn can
-/// use: what it lacks and what that costs.
+/// Returns one sentence for each feature, extension and limit of which the device has less than
+/// limn can use. It says what the device lacks and what that costs.
 std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& extensions,
                                const VkPhysicalDeviceLimits& limits);
 
-/// Sets in `wanted` what limn uses: all it needs, and of the rest what is offered.
+/// Sets in `wanted` the features that limn uses: all that it requires, and those of the others that
+/// are offered.
 void ChooseFeatures(FeatureChain& offered, FeatureChain& wanted);
 
 } // namespace limn::vulkan

@@ -10,17 +10,17 @@ namespace limn::vulkan
 
 struct DeviceChoice
 {
-    std::size_t index = 0; ///< into the list that was chosen from
-    std::string sentence;  ///< which device and why
+    std::size_t index = 0; ///< its index in the list of devices
+    std::string sentence;  ///< names the chosen device and the reason
 };
 
 /// Picks the device that VulkanDeviceOptions::device asks for.
-/// @throws VulkanError that says for each device why it was not taken
+/// @throws VulkanError with the reason why each device was not chosen
 DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::string_view request);
 
 VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device);
 
-/// The first queue family that draws.
+/// Returns the first queue family that can draw.
 std::optional<std::uint32_t> GraphicsQueueFamily(VkPhysicalDevice device);
 
 } // namespace limn::vulkan

@@ -10,7 +10,7 @@ namespace limn::vulkan
 
 using Words = std::vector<std::uint32_t>;
 
-// Of a module's header.
+// The header of a module.
 inline constexpr std::size_t k_HeaderSize = 5; // words
 inline constexpr std::size_t k_BoundWord = 3;
 
@@ -55,7 +55,7 @@ void EachInstruction(const Words& spirv, const Function& function)
     }
 }
 
-/// Whether the instruction says that something is this built-in value.
+/// Returns whether the instruction declares something as this built-in value.
 inline bool isBuiltIn(std::uint32_t op, std::span<const std::uint32_t> words, BuiltIn builtIn)
 {
     const std::size_t at = op == OpMemberDecorate ? 3 : 2;
@@ -63,7 +63,7 @@ inline bool isBuiltIn(std::uint32_t op, std::span<const std::uint32_t> words, Bu
            words[at] == k_BuiltIn && words[at + 1] == builtIn;
 }
 
-/// Whether the module reads or writes it.
+/// Returns whether the module reads or writes the built-in value.
 inline bool HasBuiltIn(const Words& spirv, BuiltIn builtIn)
 {
     bool has = false;

@@ -6,20 +6,21 @@
 namespace limn::vulkan
 {
 
-/// @throws ContractError for None
+/// @throws ContractError if the format is None
 VkFormat ToVkFormat(GraphicsFormat format);
 
-/// Unity's compare as the device needs it: in a depth buffer where 1 is near, nearer is greater.
-/// Disabled becomes Always; whoever calls turns the test off.
+/// Converts a comparison for a depth buffer where 1 is near, so nearer is greater. Disabled becomes
+/// Always; the caller must turn the test off.
 VkCompareOp ToReversedDepthCompare(CompareFunction function);
 
-/// The same comparison, for stencil values and depth buffers where 0 is near.
+/// Converts a comparison for stencil values and depth buffers where 0 is near.
 VkCompareOp ToStencilCompare(CompareFunction function);
 
 VkStencilOp ToVkStencilOp(StencilOp op);
 VkBlendFactor ToVkBlendFactor(BlendMode mode);
 
-/// Those that take the place of blending, and those that only some devices blend by.
+/// Returns whether the operation is a logical one, which replaces blending. isAdvanced returns
+/// whether it is a blend operation that only some devices have.
 constexpr bool isLogical(BlendOp op)
 {
     return op >= BlendOp::LogicalClear && op <= BlendOp::LogicalOrInverted;
@@ -28,27 +29,27 @@ constexpr bool isAdvanced(BlendOp op)
 {
     return op >= BlendOp::Multiply;
 }
-/// A logical one is Add: blending is off where it is used.
+/// Converts a blend operation. A logical one becomes Add, because it turns blending off.
 VkBlendOp ToVkBlendOp(BlendOp op);
-/// @param op  a logical one
+/// @param op  must be a logical one
 VkLogicOp ToVkLogicOp(BlendOp op);
 VkConservativeRasterizationModeEXT ToVkConservative(bool conservative);
 
 VkCullModeFlags ToVkCullMode(CullMode mode);
-/// @pre the device draws it
+/// @pre the device supports the topology
 VkPrimitiveTopology ToVkTopology(MeshTopology topology);
 
-/// Clockwise as seen on screen is front. The viewport's negative height turns the picture over
-/// before Vulkan looks at the winding, so "clockwise" means the same to both.
+/// Returns the winding of front faces: clockwise on the screen. The viewport's negative height
+/// flips the picture before Vulkan tests the winding, so "clockwise" means the same to both.
 VkFrontFace ToVkFrontFace(bool flipped);
 
-/// Bits of ColorWriteMask.
+/// Converts bits of ColorWriteMask.
 VkColorComponentFlags ToVkColorMask(int writeMask);
 
 VkShaderStageFlags ToVkStages(ShaderStage stages);
 
-/// That may read. The first bit of all of them is every one before rasterization that the device
-/// has.
+/// Returns the stages of the readers. For all readers, one bit stands for all stages before
+/// rasterization that the device has.
 /// @param readers  None = all
 VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers);
 
@@ -61,8 +62,10 @@ struct UsageScope
     VkAccessFlags2 access;
 };
 
-/// Undefined waits for everything before: an earlier frame may still use the image's memory.
-/// @param samples  a texel: several are resolved where colours are written, depth too
+/// Returns the layout, stages and accesses of a use. Undefined waits for everything before, because
+/// an earlier frame may still use the image's memory.
+/// @param samples  the number of samples per texel; several are resolved in the stage that writes
+///     colours, also those of depth
 /// @param readers  see TextureBarrier
 UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples = 1,
                         ShaderStage readers = ShaderStage::None);
@@ -72,8 +75,8 @@ const char* ToString(TextureUsage usage);
 VkAttachmentLoadOp ToVkLoadOp(LoadOp op);
 VkAttachmentStoreOp ToVkStoreOp(StoreOp op);
 
-/// From one timestamp to a later one, of which only the low bits count: the counter starts again
-/// at 0 behind them, and the others may hold anything.
+/// Returns the ticks from one timestamp to a later one. Only the low bits of a timestamp count: the
+/// counter wraps to 0 after them, and the other bits are undefined.
 /// @param validBits  1...64
 constexpr std::uint64_t ElapsedTicks(std::uint64_t begin, std::uint64_t end,
                                      std::uint32_t validBits)

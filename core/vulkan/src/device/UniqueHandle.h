@@ -6,7 +6,7 @@
 namespace limn::vulkan
 {
 
-/// Owns one Vulkan object of a device; empty equals moved-from.
+/// Owns one Vulkan object of a device. A moved-from handle is empty.
 template <typename T, void (*Destroy)(VkDevice, T, const VkAllocationCallbacks*)>
 class UniqueHandle
 {

@@ -9,18 +9,19 @@
 namespace limn::vulkan
 {
 
-/// What the device can do beyond the least that limn needs, and its limits.
+/// The abilities of the device beyond what limn requires, and its limits.
 struct DeviceCapabilities
 {
-    bool dynamicBlend = false; ///< VK_EXT_extended_dynamic_state3, its blend part
+    bool dynamicBlend = false; ///< the blend part of VK_EXT_extended_dynamic_state3
     bool depthClamp = false;
     bool logicOp = false;
-    bool conservative = false;              ///< VK_EXT_conservative_rasterization
-    std::uint32_t advancedBlendTargets = 0; ///< at once; coherent VK_EXT_blend_operation_advanced
+    bool conservative = false; ///< VK_EXT_conservative_rasterization
+    /// The number of targets at once; coherent VK_EXT_blend_operation_advanced.
+    std::uint32_t advancedBlendTargets = 0;
     bool mirrorOnce = false;
     bool anisotropy = false;
     bool cubeArray = false;
-    bool extendedImageFormats = false;    ///< of writable textures
+    bool extendedImageFormats = false;    ///< for writable textures
     std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
     double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
@@ -28,11 +29,12 @@ struct DeviceCapabilities
     std::map<VkShaderStageFlagBits, std::vector<MissingCapability>> missingCapabilities;
     bool vertexStores = false; ///< vertex and geometry functions may write to buffers and textures
     bool fragmentStores = false;
-    bool mipLodBias = false;         ///< of samplers; not of every VK_KHR_portability_subset
+    /// A feature of samplers; not every device with VK_KHR_portability_subset has it.
+    bool mipLodBias = false;
     bool comparisonSamplers = false; ///< likewise
 };
 
-/// Entry points of extensions; null where the extension is absent.
+/// The entry points of extensions; null if the extension is absent.
 struct ExtensionFunctions
 {
     PFN_vkSetDebugUtilsObjectNameEXT setObjectName = nullptr;
@@ -43,7 +45,7 @@ struct ExtensionFunctions
     PFN_vkCmdSetColorWriteMaskEXT setColorWriteMask = nullptr;
 };
 
-/// Instance, chosen physical device, logical device and its one queue.
+/// The instance, the chosen physical device, the logical device and its only queue.
 class VulkanContext
 {
 public:
@@ -59,10 +61,11 @@ public:
     const std::string& deviceName() const { return m_DeviceName; }
     const std::string& choiceSentence() const { return m_ChoiceSentence; }
 
-    /// Whether kernels may read writable textures of this format without saying so.
+    /// Returns whether kernels may read writable textures of this format without declaring the
+    /// format.
     bool ReadsWithoutFormat(GraphicsFormat format) const;
 
-    /// The name that captures and validation messages show.
+    /// Sets the name that captures and validation messages show.
     template <typename T>
     void SetName(VkObjectType type, T handle, const std::string& name) const
     {

@@ -9,14 +9,14 @@
 namespace limn::vulkan
 {
 
-/// The machine has no Vulkan driver at all.
+/// The error that the machine has no Vulkan driver at all.
 class NoDriverError : public VulkanError
 {
 public:
     NoDriverError();
 };
 
-/// What the validation layer said; filled from whatever thread the driver calls on.
+/// The messages of the validation layer. Add may be called on any thread, as the driver chooses.
 class ValidationLog
 {
 public:
@@ -33,8 +33,8 @@ class VulkanInstance
 {
 public:
     /// @throws NoDriverError
-    /// @throws VulkanError if the loader is older than 1.3, or the validation
-    ///         layer is asked for and not installed
+    /// @throws VulkanError if the loader is older than 1.3, or the validation layer is requested
+    ///     but not installed
     explicit VulkanInstance(bool validation);
     ~VulkanInstance();
     VulkanInstance(const VulkanInstance&) = delete;

@@ -5,7 +5,7 @@
 namespace limn::vulkan
 {
 
-/// What a command buffer has bound and set; records only what changes that.
+/// The state that a command buffer has bound and set. Records only commands that change it.
 class BoundState
 {
 public:
@@ -17,16 +17,16 @@ public:
     /// @lifetime keeps `state` until the next call
     void BindPipeline(const PreparedDraw& draw, const DynamicState& state);
     void BindMesh(const PreparedDraw& draw);
-    /// What to add to each index of the draw's mesh.
+    /// Returns the number to add to each index of the draw's mesh.
     std::int32_t VertexOffset(const PreparedDraw& draw) const;
     void BindRun(const PreparedDraw& draw, const PreparedRun& run);
 
 private:
     struct VertexBinding
     {
-        const ProgramObjects* program = nullptr; ///< which reads them
+        const ProgramObjects* program = nullptr; ///< the program that reads the vertices
         const MeshBlock* block = nullptr;        ///< null = there is none
-        std::uint32_t first = 0;                 ///< the one of index 0
+        std::uint32_t first = 0;                 ///< the vertex of index 0
 
         bool operator==(const VertexBinding&) const = default;
     };
@@ -50,7 +50,7 @@ private:
     std::optional<VertexBinding> m_Vertices;
     VkBuffer m_Indices = VK_NULL_HANDLE;
     VkDescriptorSet m_Set = VK_NULL_HANDLE;
-    VkPipelineLayout m_SetLayout = VK_NULL_HANDLE; ///< that m_Set is bound with
+    VkPipelineLayout m_SetLayout = VK_NULL_HANDLE; ///< the layout with which m_Set is bound
 };
 
 } // namespace limn::vulkan

@@ -5,24 +5,26 @@
 namespace limn::vulkan
 {
 
-/// Looks up what a frame's draws need, and makes what there is not yet. Draws that follow each
-/// other mostly have most of it in common: that is looked up once.
+/// Looks up the objects that a frame's draws need, and makes those that do not exist yet.
+/// Consecutive draws mostly have most of them in common; these are looked up once.
 class DrawPreparer
 {
 public:
-    /// @param number  that the frame's submission will have
+    /// @param number  the number of the frame's submission
     DrawPreparer(const VulkanContext& context, DeviceResources& resources,
                  FrameDescriptors& descriptors, const FrameTables& tables, std::uint64_t number,
                  PreparedFrame& frame);
 
-    /// The draws to come are drawn into these. @lifetime keeps `formats` until the next call
+    /// Begins a pass; the following draws are drawn into targets of these formats.
+    /// @lifetime keeps `formats` until the next call
     void BeginPass(const CompiledRenderPass& pass, const TargetFormats& formats);
 
-    /// Appends to the frame's draws.
-    /// @throws ContractError if the draw asks for what the frame, its mesh or the device lack
+    /// Appends a draw to the frame's draws.
+    /// @throws ContractError if the draw needs something that the frame, its mesh or the device
+    ///     lacks
     void Add(const DrawCommand& draw);
-    /// Appends to the frame's dispatches.
-    /// @throws ContractError as the other does
+    /// Appends a dispatch to the frame's dispatches.
+    /// @throws ContractError as the other Add does
     void Add(const DispatchCommand& dispatch);
 
 private:
@@ -40,12 +42,13 @@ private:
     std::uint64_t m_Number;
     PreparedFrame& m_Frame;
     const CompiledRenderPass* m_Pass = nullptr;
-    const TargetFormats* m_Formats = nullptr; ///< of m_Pass
-    const DrawCommand* m_Last = nullptr;      ///< of this pass
-    ProgramObjects* m_Program = nullptr;      ///< of the last draw, as what follows
+    const TargetFormats* m_Formats = nullptr; ///< the formats of m_Pass
+    const DrawCommand* m_Last = nullptr;      ///< the last draw of this pass
+    /// The program of the last draw, like the following members.
+    ProgramObjects* m_Program = nullptr;
     bool m_HasBindings = false;
     PreparedDraw m_Draw;
-    PreparedRun m_LastRun;         ///< of m_Last
+    PreparedRun m_LastRun;         ///< the run of m_Last
     bool m_LastIsIndirect = false; ///< likewise
 };
 

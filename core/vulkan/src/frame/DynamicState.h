@@ -5,12 +5,13 @@
 namespace limn::vulkan
 {
 
-/// What of a pipeline state is baked into the pipeline on this device.
-/// @throws ContractError if the device cannot draw so
+/// Returns the part of a pipeline state that is part of the pipeline on this device.
+/// @throws ContractError if the device cannot draw with the state
 PipelineKey MakePipelineKey(const PipelineState& state, const TargetFormats& formats,
                             const DeviceCapabilities& capabilities);
 
-/// The fixed state that is no part of the pipeline, blending apart, as Vulkan's commands take it.
+/// The fixed state that is not part of the pipeline, without blending, in the form that Vulkan's
+/// commands take.
 struct FixedState
 {
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
@@ -27,30 +28,30 @@ struct FixedState
     VkStencilOpState stencilBack{};
 };
 
-/// Tests are off where the target has nothing to test against.
+/// Converts the state. A test is off if the target has nothing to test against.
 /// @param usesReversedZBuffer  see ShaderCompilerOptions
 FixedState ToFixedState(const PipelineState& state, const TargetFormats& formats,
                         bool usesReversedZBuffer = true);
 
-/// Blending of the colour targets, as Vulkan's commands take it.
+/// The blending of the colour targets, in the form that Vulkan's commands take.
 struct BlendState
 {
-    bool isDynamic = false; ///< else it is part of the pipeline, and the rest is not set
+    bool isDynamic = false; ///< if false, blending is part of the pipeline, and the rest is not set
     std::uint32_t targets = 0;
     std::array<VkBool32, 8> enables{};
     std::array<VkColorBlendEquationEXT, 8> equations{};
     std::array<VkColorComponentFlags, 8> masks{};
 };
 
-/// What is set for a draw besides its pipeline.
+/// The state that is set for a draw besides its pipeline.
 struct DynamicState
 {
     FixedState fixed;
     BlendState blend;
 };
 
-/// The rest of the state, for pipelines of this key. @param colorOutputs  of the pass, see
-/// PropertyLayout
+/// Returns the rest of the state, for pipelines of this key.
+/// @param colorOutputs  the colour outputs of the pass, see PropertyLayout
 DynamicState ToDynamicState(const PipelineState& state, const PipelineKey& key, int colorOutputs,
                             bool usesReversedZBuffer);
 

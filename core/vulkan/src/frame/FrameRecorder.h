@@ -5,19 +5,20 @@
 namespace limn::vulkan
 {
 
-/// Turns a compiled frame into the commands of a slot: Prepare looks everything up, and whatever
-/// the device keeps changes there alone; recording only reads.
+/// Turns a compiled frame into the commands of a slot. Prepare looks everything up, and only it
+/// changes what the device keeps; recording only reads.
 class FrameRecorder
 {
 public:
-    /// @param number  that the frame's submission will have
+    /// @param number  the number of the frame's submission
     FrameRecorder(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
                   std::uint64_t number, PreparedFrame& prepared);
 
-    /// @return whether what the slot has recorded is this frame's, too, so that it is ready
+    /// @return true if the commands that the slot has recorded are also those of this frame, so
+    ///     that they are ready
     /// @throws ContractError if the frame contradicts itself
     bool Prepare(const CompiledFrame& frame);
-    /// @pre Prepare, with the same frame, gave false
+    /// @pre Prepare with the same frame returned false
     void Record(const CompiledFrame& frame);
 
 private:

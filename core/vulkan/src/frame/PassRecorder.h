@@ -5,7 +5,8 @@
 namespace limn::vulkan
 {
 
-/// Records one pass of a prepared frame. @lifetime of all references: the call of Record()
+/// Records one pass of a prepared frame.
+/// @lifetime all references must live until Record() returns
 class PassRecorder
 {
 public:
@@ -36,7 +37,7 @@ private:
     BoundState& m_Bound;
     std::size_t m_NextDraw;
     std::size_t m_NextDispatch;
-    VkRect2D m_Scissor{}; ///< of the viewport
+    VkRect2D m_Scissor{}; ///< the scissor of the viewport
     int m_OpenSamples = 0;
 };
 

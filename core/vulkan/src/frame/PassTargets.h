@@ -6,34 +6,36 @@
 namespace limn::vulkan
 {
 
-/// The formats of a pass's targets.
-/// @throws ContractError naming pass and texture, if a target is of the wrong kind, size, sample
-///         count or use, or there are more of them than the device draws into
+/// Returns the formats of a pass's targets.
+/// @throws ContractError naming pass and texture, if a target has the wrong kind, size, sample
+///     count or use, or if there are more targets than the device supports
 TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
                         const VkPhysicalDeviceLimits& limits);
 
-/// Notes which samples the pass leaves without resolving them.
+/// Records which samples the pass leaves unresolved.
 void MarkSamples(const CompiledRenderPass& pass, ImagePool& images);
 
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
                           const ImagePool& images, bool usesReversedZBuffer);
 
-/// @throws ContractError if the rectangle is empty or more than the device draws into
+/// @throws ContractError if the rectangle is empty or larger than the device supports
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                      const VkPhysicalDeviceLimits& limits);
 
-/// The part of the pass's area that `rect` covers.
+/// Returns the part of the pass's area that `rect` covers.
 VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
-/// The texels that are in both.
+/// Returns the texels that are in both rectangles.
 VkRect2D Common(const VkRect2D& a, const VkRect2D& b);
 
-/// Clip y = +1 is the rectangle's first row, clip z = depth.
+/// Converts a viewport. Clip y = +1 is the rectangle's first row, and clip z is the depth.
 VkViewport ToVkViewport(const ViewportRect& rect);
 
-/// Of integers, those nearest to the colour's components.
+/// Returns the clear value of a colour. For integer formats it has the integers nearest to the
+/// colour's components.
 VkClearColorValue ColorClearValue(const Color& color, GraphicsFormat format);
 
-/// Unity writes 1 = far; a reversed buffer holds 0 there.
+/// Returns the clear value of depth and stencil. In Unity 1 is far; a reversed buffer holds 0
+/// there.
 VkClearValue DepthClearValue(float depth, int stencil, bool usesReversedZBuffer);
 
 } // namespace limn::vulkan

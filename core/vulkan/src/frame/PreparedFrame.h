@@ -13,27 +13,27 @@ struct PreparedRun
     InstanceRun instances;
 };
 
-/// Where an indirect command has its counts.
+/// The place of the counts of an indirect command.
 struct PreparedArguments
 {
-    VkBuffer buffer = VK_NULL_HANDLE; ///< null = the command has them itself
+    VkBuffer buffer = VK_NULL_HANDLE; ///< null = the command contains the counts
     VkDeviceSize offset = 0;
 };
 
-/// A draw with everything looked up.
+/// A draw with all the objects that it needs.
 struct PreparedDraw
 {
     const ProgramObjects* program = nullptr;
     VkPipeline pipeline = VK_NULL_HANDLE;
-    std::size_t state = 0;            ///< of PreparedFrame::states
+    std::size_t state = 0;            ///< index in PreparedFrame::states
     const PooledMesh* mesh = nullptr; ///< null = there is none
-    SubMesh indices;                  ///< of the mesh
-    std::size_t firstRun = 0;         ///< of PreparedFrame::runs
+    SubMesh indices;                  ///< the indices of the mesh
+    std::size_t firstRun = 0;         ///< index in PreparedFrame::runs
     std::size_t runCount = 0;
     PreparedArguments arguments;
 };
 
-/// A dispatch with everything looked up.
+/// A dispatch with all the objects that it needs.
 struct PreparedDispatch
 {
     VkPipelineLayout layout = VK_NULL_HANDLE;
@@ -44,27 +44,27 @@ struct PreparedDispatch
 
 struct PreparedPass
 {
-    std::size_t firstBarrier = 0; ///< of PreparedFrame::barriers
+    std::size_t firstBarrier = 0; ///< index in PreparedFrame::barriers
     std::size_t barrierCount = 0;
-    std::size_t firstMemoryBarrier = 0; ///< of PreparedFrame::memoryBarriers
+    std::size_t firstMemoryBarrier = 0; ///< index in PreparedFrame::memoryBarriers
     std::size_t memoryBarrierCount = 0;
-    std::size_t firstDispatch = 0; ///< of PreparedFrame::dispatches
-    std::size_t firstDraw = 0;     ///< of PreparedFrame::draws; the pass's draws follow each other
+    std::size_t firstDispatch = 0; ///< index in PreparedFrame::dispatches
+    std::size_t firstDraw = 0; ///< index in PreparedFrame::draws; the pass's draws are consecutive
     TargetFormats formats;
 };
 
-/// A frame as recording needs it: nothing of it changes any more. Kept from frame to frame for the
-/// memory that its lists have.
+/// A frame in the form that recording needs; recording does not change it. It is kept from frame to
+/// frame, so that its lists keep their memory.
 struct PreparedFrame
 {
     std::vector<PreparedPass> passes;
     std::vector<VkImageMemoryBarrier2> barriers;
-    std::vector<VkMemoryBarrier2> memoryBarriers; ///< of buffers
+    std::vector<VkMemoryBarrier2> memoryBarriers; ///< the barriers of buffers
     std::vector<PreparedDispatch> dispatches;
     std::size_t firstFinalBarrier = 0;
     std::vector<PreparedDraw> draws;
     std::vector<PreparedRun> runs;
-    std::vector<DynamicState> states; ///< of neighbours no two are equal
+    std::vector<DynamicState> states; ///< no two consecutive ones are equal
     DescriptorLists descriptors;
     bool usesReversedZBuffer = true; ///< see ShaderCompilerOptions
 

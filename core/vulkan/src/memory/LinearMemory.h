@@ -6,7 +6,7 @@
 namespace limn::vulkan
 {
 
-/// Where a run of bytes went that the GPU reads during one frame.
+/// The place of uploaded bytes that the GPU reads during one frame.
 struct UploadedBytes
 {
     VkBuffer buffer = VK_NULL_HANDLE;
@@ -14,18 +14,19 @@ struct UploadedBytes
     std::byte* mapped = nullptr;
 };
 
-/// Upload memory of one frame: grows by chunks, given back all at once.
+/// The upload memory of one frame. It grows by chunks; all of it is freed at once.
 class LinearMemory
 {
 public:
     /// @param use  Upload or Staging
     LinearMemory(VkDevice device, MemoryAllocator& allocator, MemoryUse use);
 
-    /// Room for `size` bytes, at a multiple of k_UniformAlignment; lives until Reset().
+    /// Returns room for `size` bytes at a multiple of k_UniformAlignment. It lives until Reset().
     UploadedBytes Allocate(VkDeviceSize size);
     UploadedBytes Upload(std::span<const std::byte> bytes);
 
-    /// Forgets everything; keeps one chunk that holds what both of the last two frames needed.
+    /// Forgets everything. Keeps one chunk that is large enough for what both of the last two
+    /// frames needed.
     void Reset();
 
 private:
@@ -35,10 +36,10 @@ private:
     MemoryAllocator* m_Allocator;
     MemoryUse m_Use;
     std::vector<Buffer> m_Chunks;
-    VkDeviceSize m_Used = 0;     ///< of the last chunk
-    VkDeviceSize m_Before = 0;   ///< of the chunks before it
-    VkDeviceSize m_Previous = 0; ///< by the frame before
-    VkDeviceSize m_Last = 0;     ///< by each of the two frames before
+    VkDeviceSize m_Used = 0;     ///< used bytes of the last chunk
+    VkDeviceSize m_Before = 0;   ///< used bytes of the chunks before it
+    VkDeviceSize m_Previous = 0; ///< bytes used by the frame before
+    VkDeviceSize m_Last = 0;     ///< bytes used by each of the two frames before
 };
 
 } // namespace limn::vulkan

@@ -15,11 +15,12 @@ enum class MemoryUse
     Gpu,
     Transient, ///< attachments that a device with tiles may never write out
     Upload,    ///< written by the CPU, mapped, read by shaders
-    Staging,   ///< likewise, copied from only
+    Staging,   ///< likewise, but only copied from
     ReadBack   ///< read by the CPU, mapped
 };
 
-/// Buffers and images live in blocks of their own, which satisfies bufferImageGranularity.
+/// The content of a block. Buffers and images have separate blocks, which satisfies
+/// bufferImageGranularity.
 enum class MemoryContent
 {
     Buffers,
@@ -43,7 +44,7 @@ public:
 
     VkDeviceMemory memory() const;
     VkDeviceSize offset() const { return m_Offset; }
-    std::byte* mapped() const; ///< null where the CPU has no access
+    std::byte* mapped() const; ///< null if the CPU has no access
 
 private:
     friend class MemoryAllocator;
@@ -56,9 +57,9 @@ private:
     VkDeviceSize m_Size = 0;
 };
 
-/// Sub-allocates from large blocks, since a driver may allow as few as 4096 allocations. A block
-/// that has become empty is kept for some frames: what is made and dropped in every frame, as a
-/// read-back, costs the driver nothing.
+/// Sub-allocates from large blocks, because a driver may allow as few as 4096 allocations. An empty
+/// block is kept for some frames, so that resources made and dropped in every frame, for example
+/// for a read-back, cost no calls of the driver.
 class MemoryAllocator
 {
 public:
@@ -67,19 +68,20 @@ public:
     MemoryAllocator(const MemoryAllocator&) = delete;
     MemoryAllocator& operator=(const MemoryAllocator&) = delete;
 
-    /// Takes what fits best of the device's kinds of memory, and the next where its heap is full.
-    /// @param name  of the resource, for the error
-    /// @throws VulkanError if every heap that would do is full
+    /// Allocates from the device's memory type that fits best, and from the next if its heap is
+    /// full.
+    /// @param name  the name of the resource, for the error
+    /// @throws VulkanError if every suitable heap is full
     MemoryAllocation Allocate(const VkMemoryRequirements& needs, MemoryUse use,
                               MemoryContent content, const std::string& name);
 
-    /// A frame begins: frees the blocks that have been empty for long.
+    /// Must be called when a frame begins. Frees the blocks that have been empty for long.
     void Sweep();
 
     VkDeviceSize allocatedBytes() const; ///< taken from the driver
-    VkDeviceSize usedBytes() const;      ///< of these, handed out
-    /// How many allocations have come back, with their resource gone; not those of
-    /// staging and read-backs, which no shader sees.
+    VkDeviceSize usedBytes() const;      ///< the part of these that is allocated
+    /// Returns how many allocations have been returned because their resource is gone. Does not
+    /// count those of staging and read-backs, which no shader sees.
     std::uint64_t returnedCount() const { return m_Returned; }
 
 private:
@@ -87,7 +89,7 @@ private:
     using Block = MemoryAllocation::Block;
 
     std::vector<std::uint32_t> MemoryTypes(std::uint32_t allowed, MemoryUse use) const;
-    /// Null where the heap is full.
+    /// Returns null if the heap is full.
     UniqueMemory TryAllocate(VkDeviceSize size, std::uint32_t type, const std::string& name);
     Block& NewBlock(UniqueMemory memory, VkDeviceSize size, std::uint32_t type, MemoryUse use,
                     MemoryContent content, const std::string& name);
@@ -102,7 +104,7 @@ private:
 /// A buffer with its memory.
 struct Buffer
 {
-    MemoryAllocation memory; ///< goes after the handle
+    MemoryAllocation memory; ///< freed after the handle
     UniqueBuffer handle;
     VkDeviceSize size = 0;
 

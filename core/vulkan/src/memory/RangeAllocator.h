@@ -7,16 +7,17 @@
 namespace limn::vulkan
 {
 
-/// Hands out ranges of [0, size): first fit, neighbours merged on return.
+/// Allocates ranges of [0, size) by first fit. Returned ranges are merged with their neighbours.
 class RangeAllocator
 {
 public:
     explicit RangeAllocator(std::uint64_t size);
 
-    /// The offset, a multiple of `alignment` (a power of two); none if no gap is large enough.
+    /// Returns the offset, a multiple of `alignment` (a power of two), or nullopt if no gap is
+    /// large enough.
     std::optional<std::uint64_t> Allocate(std::uint64_t size, std::uint64_t alignment);
 
-    /// Returns a range exactly as it was handed out.
+    /// Frees a range, which must be exactly as it was allocated.
     void Free(std::uint64_t offset, std::uint64_t size);
 
     std::uint64_t usedBytes() const { return m_Used; }

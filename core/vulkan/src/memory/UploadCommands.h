@@ -6,8 +6,8 @@
 namespace limn::vulkan
 {
 
-/// Copies from the CPU that are done before a frame's passes, in commands of their own: what is
-/// recorded of the passes may be submitted again without them.
+/// Copies from the CPU that run before a frame's passes. They have a separate command buffer, so
+/// that the recorded passes can be submitted again without them.
 class UploadCommands
 {
 public:
@@ -16,11 +16,11 @@ public:
     {
     }
 
-    void Reset(); ///< forgets all. @pre the device is done with it
+    void Reset(); ///< forgets all; the device must be done with it
 
-    VkCommandBuffer commands(); ///< to record into; begun by the first call
+    VkCommandBuffer commands(); ///< the command buffer to record into; the first call begins it
     LinearMemory& staging() { return m_Staging; }
-    /// What was recorded since Reset(); null = nothing.
+    /// Ends recording. Returns the commands recorded since Reset(), or null if there are none.
     VkCommandBuffer End();
 
 private:

@@ -8,14 +8,14 @@
 namespace limn::vulkan
 {
 
-/// SPIR-V's number of a texel format.
+/// Returns SPIR-V's number of a texel format.
 /// @throws ContractError if writable textures cannot have it
 std::uint32_t ToImageFormat(GraphicsFormat format);
-/// Whether only devices with shaderStorageImageExtendedFormats have it.
+/// Returns whether only devices with shaderStorageImageExtendedFormats have the format.
 bool isExtended(std::uint32_t imageFormat);
 
-/// A kernel whose writable textures say which format they have, where shaderlab leaves it open.
-/// @param formats  by binding
+/// Returns a kernel whose writable textures declare their format, which shaderlab leaves open.
+/// @param formats  the formats by binding
 std::vector<std::uint32_t> WithFormats(const std::vector<std::uint32_t>& spirv,
                                        const std::map<std::uint32_t, std::uint32_t>& formats);
 

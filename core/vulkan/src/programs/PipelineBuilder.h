@@ -5,8 +5,8 @@
 namespace limn::vulkan
 {
 
-/// Vulkan's blend state of target `index`. A target that the fragment function does not write keeps
-/// its contents: what would be written is undefined.
+/// Returns Vulkan's blend state of target `index`. A target that the fragment function does not
+/// write keeps its contents, because the written values would be undefined.
 VkPipelineColorBlendAttachmentState ToBlendAttachment(const RenderTargetBlendState& blend,
                                                       std::size_t index, int colorOutputs);
 

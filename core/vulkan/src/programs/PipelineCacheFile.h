@@ -10,9 +10,9 @@ namespace limn::vulkan
 class PipelineCacheFile
 {
 public:
-    /// @param folder  made if absent; empty = the cache lives in memory only
+    /// @param folder  is made if absent; empty = the cache is only in memory
     /// @throws VulkanError if the folder cannot be made. A file that is damaged or of another
-    ///         driver is ignored, since it can be made anew.
+    ///     driver is ignored, because it can be made again.
     PipelineCacheFile(const VulkanContext& context, const std::filesystem::path& folder);
     ~PipelineCacheFile(); ///< writes the file whole or not at all
     PipelineCacheFile(const PipelineCacheFile&) = delete;
@@ -28,10 +28,11 @@ private:
     UniquePipelineCache m_Cache;
 };
 
-/// `payload` with what it takes to recognise damage: a magic word, the length and a checksum.
+/// Returns `payload` with a magic word, its length and a checksum, so that damage can be
+/// recognised.
 std::vector<char> WrapCacheFile(const std::vector<char>& payload);
 
-/// The payload again; empty if `file` is not whole.
+/// Returns the payload of a file, or an empty list if `file` is not whole.
 std::vector<char> UnwrapCacheFile(const std::vector<char>& file);
 
 } // namespace limn::vulkan

@@ -5,8 +5,8 @@
 namespace limn::vulkan
 {
 
-/// A vertex function that gives points a size of one texel, as Direct3D's are, where it gives them
-/// none: Vulkan leaves that size undefined.
+/// Returns a vertex function that gives points a size of one texel, as in Direct3D, if the given
+/// function sets no size. Vulkan leaves the size undefined.
 Words WithPointSize(const Words& vertexSpirv);
 
 } // namespace limn::vulkan

@@ -10,7 +10,7 @@
 namespace limn::vulkan
 {
 
-/// What a pipeline is drawn into.
+/// The formats of the targets into which a pipeline draws.
 struct TargetFormats
 {
     FixedList<VkFormat, k_MostColors> colors;
@@ -21,18 +21,18 @@ struct TargetFormats
     bool operator==(const TargetFormats&) const = default;
 };
 
-/// Everything that tells two pipelines of one program apart: what is not dynamic state.
+/// Everything that distinguishes two pipelines of one program: the state that is not dynamic.
 struct PipelineKey
 {
     TargetFormats formats;
     bool alphaToMask = false;
     bool depthClamp = false;
     bool conservative = false;
-    /// One of its class: which of them is dynamic.
+    /// One topology of the class; the actual one is dynamic.
     VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
     std::optional<VkLogicOp> logicOp;
     bool dynamicBlend = false;
-    std::array<RenderTargetBlendState, 8> blend; ///< as made where blending is dynamic
+    std::array<RenderTargetBlendState, 8> blend; ///< default values if blending is dynamic
 
     bool operator==(const PipelineKey&) const = default;
 };
@@ -45,7 +45,8 @@ inline bool isOfPoints(const PipelineKey& key)
 /// A vertex input and where its values come from.
 struct VertexFetch
 {
-    /// An index of VertexAttributes(); their number where no mesh has the semantic: reads as zero.
+    /// An index of VertexAttributes(), or their number if no mesh has the semantic; it then reads
+    /// as zero.
     std::size_t attribute = k_VertexAttributeCount;
     std::uint32_t location = 0;
     VkFormat format = VK_FORMAT_UNDEFINED;
@@ -59,43 +60,44 @@ struct ProgramObjects
 {
     UniqueShaderModule vertex;
     UniqueShaderModule points;   ///< `vertex` WithPointSize; null until points are drawn
-    UniqueShaderModule geometry; ///< null where the program has no such function
+    UniqueShaderModule geometry; ///< null if the program has no such function
     UniqueShaderModule fragment;
-    /// Of a kernel, which has none of the others: by the formats of the textures that it reads and
-    /// writes, where the device has to know them.
+    /// The pipelines of a kernel, which has none of the other functions. The key is the formats of
+    /// the textures that it reads and writes, if the device must know them.
     std::map<ImageFormats, UniquePipeline> kernels;
     UniqueSetLayout setLayout;
     UniquePipelineLayout layout;
-    VkShaderStageFlags pushStages = 0; ///< that read the DrawConstants
+    VkShaderStageFlags pushStages = 0; ///< the stages that read the DrawConstants
     std::vector<VertexFetch> fetches;
-    bool readsVertexIndex = false; ///< the vertex function, as SV_VertexID
+    bool readsVertexIndex = false; ///< true if the vertex function reads SV_VertexID
     std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;
 };
 
-/// Pipelines of all passes, compiled when first drawn with; freed when the ShaderProgram is gone.
+/// The pipelines of all passes. A pipeline is compiled when it is first used and freed when its
+/// ShaderProgram is gone.
 class ProgramPool
 {
 public:
     ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder);
 
-    /// @throws ContractError if the layout needs what limn does not have
+    /// @throws ContractError if the layout needs something that limn does not have
     ProgramObjects& Use(const std::shared_ptr<const ShaderProgram>& program, std::uint64_t number);
     VkPipeline Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
                         const PipelineKey& key);
-    /// Of a kernel.
+    /// Returns the pipeline of a kernel.
     VkPipeline KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
                               const ImageFormats& formats);
-    /// Adds the ProgramObjects::lastUse of those that submission `number` uses.
+    /// Adds the ProgramObjects::lastUse of the programs that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
-    void Rollback(std::uint64_t number) noexcept; ///< that submission never will be
+    void Rollback(std::uint64_t number) noexcept; ///< the submission will never happen
     void Sweep(std::uint64_t finished);
     std::size_t pipelineCount() const;
-    std::uint64_t freedCount() const { return m_Freed; } ///< programs, so far
+    std::uint64_t freedCount() const { return m_Freed; } ///< the number of programs freed so far
 
 private:
-    /// Identity that survives the program: its owner's control block, which is never used again
-    /// while the weak pointer lives, and the address within what that owner keeps.
+    /// An identity that outlives the program: its owner's control block, which is never reused
+    /// while the weak pointer lives, and the address within the owned object.
     struct Identity
     {
         std::weak_ptr<const ShaderProgram> owner;

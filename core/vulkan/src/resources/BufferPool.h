@@ -12,14 +12,15 @@ struct PooledBuffer
 {
     std::weak_ptr<const GraphicsBuffer> owner;
     Buffer buffer;
-    std::uint64_t version = 0; ///< of the changes that are in it, with what is prepared so far
-    std::uint64_t before = 0;  ///< of those before submission `lastUse`
+    /// The version of the data in it, including the uploads prepared so far.
+    std::uint64_t version = 0;
+    std::uint64_t before = 0; ///< the version before submission `lastUse`
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;
 };
 
-/// All buffers that shaders share with the CPU, found by their GraphicsBuffer; made and freed as
-/// ImagePool does. What kernels wrote stays where nothing was set since.
+/// All buffers that shaders share with the CPU, found by their GraphicsBuffer; made and freed like
+/// the images of ImagePool. Data that kernels wrote stay where nothing was set since.
 class BufferPool
 {
 public:
@@ -28,14 +29,14 @@ public:
     {
     }
 
-    /// The buffer with what was set until now: records the copies.
-    /// @throws ContractError if it is more than the device binds
+    /// Returns the buffer with the data set until now, and records the copies.
+    /// @throws ContractError if it is larger than the device can bind
     PooledBuffer& Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,
                       UploadCommands& uploads);
-    /// Null if no frame has used the buffer.
+    /// Returns the buffer, or null if no frame has used it.
     PooledBuffer* Find(const GraphicsBuffer& buffer);
     const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
-    /// Adds those that submission `number` uses.
+    /// Adds the buffers that submission `number` uses.
     void AddUsed(std::uint64_t number,
                  std::vector<std::weak_ptr<const GraphicsBuffer>>& used) const;
     void Rollback(std::uint64_t number) noexcept;

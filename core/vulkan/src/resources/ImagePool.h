@@ -9,8 +9,8 @@
 namespace limn::vulkan
 {
 
-/// One sample a texel of an image with several: what readers of the texture get to see. It goes
-/// from use to use as the texture does, while the samples stay an attachment.
+/// The image with one sample per texel that readers of a texture with several samples see. It
+/// changes its use like the texture, while the samples stay an attachment.
 struct ResolvedImage
 {
     MemoryAllocation memory;
@@ -20,12 +20,12 @@ struct ResolvedImage
     UniqueImageView mipView;
 };
 
-/// What an image is used for, and what its samples are.
+/// The use of an image, and that of its samples.
 struct ImageUse
 {
     TextureUsage usage = TextureUsage::Undefined;
-    TextureUsage resolvedUsage = TextureUsage::Undefined; ///< of PooledImage::resolved
-    bool isStale = false;                    ///< what samples were drawn last is not resolved
+    TextureUsage resolvedUsage = TextureUsage::Undefined; ///< the use of PooledImage::resolved
+    bool isStale = false;                    ///< the last draw into the samples is not resolved yet
     ShaderStage readers = ShaderStage::None; ///< see TextureBarrier
 
     bool operator==(const ImageUse&) const = default;
@@ -36,18 +36,19 @@ struct PooledImage
 {
     std::weak_ptr<const Texture> owner;
     std::string name;
-    MemoryAllocation memory;                  ///< empty where it lies in shared memory
-    std::shared_ptr<MemoryAllocation> shared; ///< null where it has its own
+    MemoryAllocation memory;                  ///< empty if it lies in shared memory
+    std::shared_ptr<MemoryAllocation> shared; ///< null if it has its own memory
     std::uint64_t sharedOffset = 0;           ///< from the beginning of `shared`
     UniqueImage image;
-    UniqueImageView view;                  ///< all aspects of mip level 0, for attachments
-    UniqueImageView depthView;             ///< the depth alone, where there is stencil too
-    UniqueImageView mipView;               ///< all mip levels, where there are several
-    std::optional<ResolvedImage> resolved; ///< of several samples, once something reads them
+    UniqueImageView view;      ///< all aspects of mip level 0, for attachments
+    UniqueImageView depthView; ///< the depth alone, if there is also stencil
+    UniqueImageView mipView;   ///< all mip levels, if there are several
+    /// The resolved image of one with several samples, once something reads them.
+    std::optional<ResolvedImage> resolved;
     VkImageAspectFlags aspects = 0;
-    std::uint32_t samples = 1; ///< a texel
+    std::uint32_t samples = 1; ///< samples per texel
     bool isRenderTexture = false;
-    ImageUse use;                ///< after what is prepared so far
+    ImageUse use;                ///< after the passes prepared so far
     ImageUse submitted;          ///< after the last submission
     std::uint64_t createdBy = 0; ///< number of the submission
     std::uint64_t lastUse = 0;   ///< likewise
@@ -63,29 +64,31 @@ struct PooledImage
     }
 };
 
-/// All images, found by their texture; made on first use, freed when the texture is gone and the
-/// GPU is done with it.
+/// All images, found by their texture. An image is made on first use and freed when the texture is
+/// gone and the GPU is done with it.
 class ImagePool
 {
 public:
     ImagePool(const VulkanContext& context, MemoryAllocator& allocator);
 
-    /// What its image would take of memory that it shares; size 0 if it cannot.
+    /// Returns the size that the texture's image would take in shared memory; size 0 if it cannot
+    /// share memory.
     TextureFootprint Footprint(const RenderTexture& texture);
 
-    /// Before all else of a frame: from now on these textures lie there, and no others in shared
-    /// memory. What a texture held is lost where it moves.
+    /// Must be called before everything else of a frame. Places these textures in shared memory,
+    /// and no others. A texture that moves loses its content.
     void Place(const std::vector<PlacedTexture>& placed, std::uint64_t number);
 
-    /// The texture's image, used by submission `number`; a TexelTexture's texels are queued for
-    /// RecordUploads.
+    /// Returns the texture's image, which submission `number` uses. The texels of a TexelTexture
+    /// are queued for RecordUploads.
     /// @throws ContractError if the device cannot make such an image
     PooledImage& Use(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
 
-    /// As Use, and what several samples are resolved to is there.
+    /// Returns the texture's image like Use. Also makes the image into which several samples are
+    /// resolved.
     PooledImage& UseResolved(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
 
-    /// Null if no frame has used the texture.
+    /// Returns the texture's image, or null if no frame has used the texture.
     PooledImage* Find(const Texture& texture);
     const PooledImage* Find(const Texture& texture) const;
 
@@ -104,12 +107,12 @@ public:
             }
         }
     }
-    void Commit();                                ///< what was prepared is submitted
-    void Rollback(std::uint64_t number) noexcept; ///< it never will be
-    void Sweep(std::uint64_t finished);           ///< frees what nobody owns or uses
+    void Commit();                                ///< the prepared frame is submitted
+    void Rollback(std::uint64_t number) noexcept; ///< the frame will never be submitted
+    void Sweep(std::uint64_t finished);           ///< frees images that have no owner and no use
 
     std::size_t size() const { return m_Images.size(); }
-    /// Grows where an image is not, or not where it was, any more.
+    /// Returns a count that grows whenever an image is destroyed or moved.
     std::uint64_t changeCount() const { return m_Changes; }
     std::size_t sharedSize() const; ///< bytes of memory that textures share
 
@@ -120,12 +123,12 @@ private:
         std::shared_ptr<const TexelTexture> texture;
     };
 
-    /// An image that gave its place to another one of the same texture.
+    /// An image that another image of the same texture has replaced.
     struct Retired
     {
         std::uint64_t id = 0; ///< Texture::id
         PooledImage image;
-        std::uint64_t number = 0; ///< of the submission that moved it
+        std::uint64_t number = 0; ///< the number of the submission that moved it
     };
 
     /// Memory that textures share.
@@ -133,7 +136,7 @@ private:
     {
         std::shared_ptr<MemoryAllocation> memory;
         VkDeviceSize size = 0;
-        VkDeviceSize needed = 0; ///< by the frames so far
+        VkDeviceSize needed = 0; ///< the size that the frames so far needed
     };
 
     PooledImage& Add(const std::shared_ptr<const Texture>& texture, std::uint64_t number,
@@ -149,7 +152,7 @@ private:
               const std::string& name) const;
     UniqueImageView CreateView(VkImage image, const Texture& texture, VkImageAspectFlags aspects,
                                int mipCount = 1) const;
-    /// Null where there is one level only.
+    /// Returns null if there is only one level.
     UniqueImageView CreateMipView(VkImage image, const Texture& texture,
                                   VkImageAspectFlags aspects) const;
 
@@ -158,18 +161,18 @@ private:
     std::unordered_map<std::uint64_t, PooledImage> m_Images; ///< by Texture::id
     std::vector<Upload> m_Uploads;
     std::uint64_t m_Changes = 0;
-    std::vector<Retired> m_Retired;                 ///< may be in use by the GPU still
+    std::vector<Retired> m_Retired;                 ///< the GPU may still use them
     std::map<std::uint32_t, SharedMemory> m_Shared; ///< by TextureFootprint::kind
     std::unordered_map<std::uint64_t, TextureFootprint> m_Footprints; ///< by format and size
     std::vector<std::uint64_t> m_Placed; ///< ids of the textures of this frame that share memory
 };
 
-/// Adds the barriers that take the texture from one use to another, which it has then.
+/// Adds the barriers that change the texture's use, and records its new use.
 /// @pre `change.before` is Undefined, or the use it has
 void ChangeUsage(PooledImage& image, const TextureBarrier& change,
                  std::vector<VkImageMemoryBarrier2>& barriers);
 
-/// Records the barriers; nothing if there are none.
+/// Records the barriers; does nothing if there are none.
 void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers,
                     std::span<const VkMemoryBarrier2> memoryBarriers = {});
 

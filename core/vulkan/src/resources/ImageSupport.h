@@ -7,13 +7,14 @@
 namespace limn::vulkan
 {
 
-/// The samples a texel that the device does of the texture: at most as many as it has.
+/// Returns the number of samples per texel that the device supports for the texture, at most as
+/// many as the texture has.
 int SupportedSampleCount(const VulkanContext& context, const RenderTexture& texture);
 
 bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage);
 
-/// @throws DrawError naming the texture, if the device makes no such image: of its dimension,
-///         format, size, samples or mip levels
+/// @throws DrawError with the name of the texture, if the device supports no image of its
+///     dimension, format, size, samples or mip levels
 void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
                     const Texture& texture);
 

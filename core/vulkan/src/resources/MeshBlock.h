@@ -8,31 +8,33 @@
 namespace limn::vulkan
 {
 
-/// Which of VertexAttributes() a mesh has.
+/// The set of VertexAttributes() that a mesh has.
 using AttributeSet = std::bitset<k_VertexAttributeCount>;
 
 AttributeSet AttributesOf(const MeshData& data);
 
-/// Numbers of vertices and of indices.
+/// The numbers of vertices and of indices.
 struct MeshSize
 {
     std::uint32_t vertices = 0;
     std::uint32_t indices = 0;
 };
 
-/// At least one of each: Vulkan has no empty buffers.
+/// Returns the size of a mesh, which is at least one vertex and one index, because Vulkan has no
+/// empty buffers.
 MeshSize SizeOf(const MeshData& data);
 
-/// A buffer that meshes of the same attributes share, so that draws of different ones need no other
-/// binding: all indices, and behind them an array of each attribute. The indices come first, since
-/// lavapipe 22.3.6 draws nothing of vkCmdDrawIndexedIndirect where they are bound at an offset.
+/// A buffer that meshes with the same attributes share, so that draws of different meshes need no
+/// other binding. It has all indices, and behind them an array of each attribute. The indices come
+/// first, because lavapipe 22.3.6 draws nothing with vkCmdDrawIndexedIndirect if they are bound at
+/// an offset.
 class MeshBlock
 {
 public:
     MeshBlock(VkDevice device, MemoryAllocator& allocator, const AttributeSet& attributes,
               const MeshSize& capacity, const std::string& name);
 
-    /// Where a mesh lies, counted in vertices and in indices.
+    /// The place of a mesh, counted in vertices and in indices.
     struct Range
     {
         std::uint32_t firstVertex = 0;
@@ -40,7 +42,7 @@ public:
         MeshSize size;
     };
 
-    /// None where there is not enough room.
+    /// Returns a place for a mesh, or nullopt if there is not enough room.
     std::optional<Range> Allocate(const MeshSize& size);
     void Free(const Range& range);
     bool isEmpty() const { return m_Vertices.usedBytes() == 0; }

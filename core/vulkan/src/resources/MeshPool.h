@@ -7,30 +7,30 @@
 namespace limn::vulkan
 {
 
-/// Where a mesh lies on the device.
+/// The place of a mesh on the device.
 struct PooledMesh
 {
     std::weak_ptr<const Mesh> owner;
     MeshBlock* block = nullptr;
     MeshBlock::Range range;
-    std::unique_ptr<MeshBlock> own; ///< `block`, where no other mesh is in it
+    std::unique_ptr<MeshBlock> own; ///< `block`, if no other mesh is in it
     std::uint64_t createdBy = 0;
     std::uint64_t lastUse = 0;
 };
 
-/// All meshes of the device; made and freed as ImagePool does. Small ones of the same attributes
-/// share blocks.
+/// All meshes of the device, made and freed like the images of ImagePool. Small meshes with the
+/// same attributes share blocks.
 class MeshPool
 {
 public:
     MeshPool(VkDevice device, MemoryAllocator& allocator);
 
     PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
-    /// With a block of its own, where it begins with vertex 0 and index 0: the counts of an
-    /// indirect draw name them so.
+    /// Returns the mesh in a block of its own. It begins there with vertex 0 and index 0, because
+    /// the counts of an indirect draw assume so.
     PooledMesh& UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
     void RecordUploads(UploadCommands& uploads);
-    /// Adds the PooledMesh::lastUse of those that submission `number` uses.
+    /// Adds the PooledMesh::lastUse of the meshes that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
     void Rollback(std::uint64_t number) noexcept;
     void Sweep(std::uint64_t finished);
@@ -38,10 +38,10 @@ public:
     std::uint64_t uploadCount() const { return m_UploadCount; } ///< since construction
     std::uint64_t freedCount() const { return m_Freed; }        ///< likewise
 
-    /// One value of each attribute for meshes that lack it, to be read with stride 0, and zeros for
-    /// what no mesh has.
+    /// Returns a buffer with one value of each attribute, which is read with stride 0 for meshes
+    /// that lack the attribute, and zeros for what no mesh has.
     VkBuffer constants() const { return m_Constants.handle.get(); }
-    /// @param attribute  an index of VertexAttributes(), or their number: none of them
+    /// @param attribute  an index of VertexAttributes(), or their number for none of them
     static VkDeviceSize ConstantOffset(std::size_t attribute);
 
 private:

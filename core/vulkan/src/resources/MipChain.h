@@ -6,9 +6,10 @@
 namespace limn::vulkan
 {
 
-/// Makes mip levels 1, 2 ... of a colour, each from the one before by the device's linear filter.
-/// @param image  all levels and layers of it were used as `before`, and are as `after` says then;
-///               what levels but 0 held is gone
+/// Makes mip levels 1, 2 ... of a colour texture, each from the level before by the device's linear
+/// filter.
+/// @param image  all its levels and layers change from the use `before` to the use `after`; all
+///     levels but 0 lose their content
 void RecordMips(VkCommandBuffer commands, VkImage image, const Texture& texture,
                 const UsageScope& before, const UsageScope& after);
 

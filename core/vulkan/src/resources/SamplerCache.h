@@ -8,24 +8,24 @@
 namespace limn::vulkan
 {
 
-/// A state's fields, packed, and its bias.
+/// The packed fields of a state, and its bias.
 using SamplerKey = std::pair<int, float>;
 
-/// One sampler for each way of reading a texture. Mostly there are a few dozen; where a bias is
-/// animated each frame has others, and those that no frame in flight uses make room.
+/// Keeps one sampler for each way of reading a texture. Mostly there are a few dozen. If a bias is
+/// animated, each frame needs others, and those that no frame in flight uses are freed.
 class SamplerCache
 {
 public:
     explicit SamplerCache(const VulkanContext& context) : m_Context(context) {}
 
-    /// @param number  of the submission that uses it
+    /// @param number  the number of the submission that uses the sampler
     /// @throws DrawError if the frames in flight need more samplers than the device has
     VkSampler Get(const SamplerState& state, std::uint64_t number);
-    /// Adds the uses of those that submission `number` uses.
+    /// Adds the uses of the samplers that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
-    void Rollback(std::uint64_t number) noexcept; ///< that submission never will be
+    void Rollback(std::uint64_t number) noexcept; ///< the submission will never happen
     void Sweep(std::uint64_t finished);
-    std::uint64_t freedCount() const { return m_Freed; } ///< so far
+    std::uint64_t freedCount() const { return m_Freed; } ///< the number of samplers freed so far
 
 private:
     struct Entry

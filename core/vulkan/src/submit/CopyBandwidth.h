@@ -6,7 +6,7 @@
 namespace limn::vulkan
 {
 
-/// What VulkanDevice::MeasureCopyBandwidth gives.
+/// Returns the result of VulkanDevice::MeasureCopyBandwidth.
 double MeasureCopyBandwidth(const VulkanContext& context, MemoryAllocator& allocator,
                             SubmitQueue& queue);
 

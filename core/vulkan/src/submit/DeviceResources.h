@@ -10,7 +10,7 @@
 namespace limn::vulkan
 {
 
-/// All that outlives a frame.
+/// All objects that outlive a frame.
 struct DeviceResources
 {
     ImagePool images;
@@ -32,14 +32,14 @@ struct DeviceResources
     {
     }
 
-    /// Grows where an image, a buffer, a mesh, a sampler or a layout that a frame knows is gone or
-    /// another one.
+    /// Returns a count that grows whenever an image, a buffer, a mesh, a sampler or a layout that a
+    /// frame uses is destroyed or replaced.
     std::uint64_t changeCount() const
     {
         return m_Allocator.returnedCount() + images.changeCount() + meshes.freedCount() +
                programs.freedCount() + samplers.freedCount();
     }
-    /// Frees what nobody owns or uses.
+    /// Frees the objects that have no owner and no use.
     void Sweep(std::uint64_t finished)
     {
         images.Sweep(finished);
@@ -49,7 +49,7 @@ struct DeviceResources
         programs.Sweep(finished);
         samplers.Sweep(finished);
     }
-    /// That submission never will be.
+    /// Undoes the uses of a submission that will never happen.
     void Rollback(std::uint64_t number) noexcept
     {
         images.Rollback(number);

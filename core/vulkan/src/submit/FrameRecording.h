@@ -6,8 +6,8 @@
 namespace limn::vulkan
 {
 
-/// What the recorded commands of a frame rely on: as long as that is as it was, they may be
-/// submitted again for a frame of the same structure.
+/// The objects on which the recorded commands of a frame depend. As long as they are unchanged, the
+/// commands may be submitted again for a frame of the same structure.
 struct FrameRecording
 {
     struct UsedImage
@@ -18,19 +18,20 @@ struct FrameRecording
     };
 
     std::uint64_t structure = 0;      ///< CompiledFrame::structure; 0 = not to be submitted again
-    std::uint64_t changes = 0;        ///< DeviceResources::changeCount, of all that follows
-    std::vector<UsedImage> images;    ///< all of the frame
+    std::uint64_t changes = 0;        ///< DeviceResources::changeCount, for all following members
+    std::vector<UsedImage> images;    ///< all images of the frame
     std::vector<std::uint64_t*> uses; ///< `lastUse` of its meshes, programs, samplers
     std::vector<std::weak_ptr<const GraphicsBuffer>> buffers;
     std::optional<FrameData> data;
     VkBuffer objects = VK_NULL_HANDLE; ///< null = no draw has any
     std::uint32_t objectCount = 0;
 
-    /// Notes what the frame used. @param number  of its submission
+    /// Records the objects that the frame used.
+    /// @param number  the number of its submission
     void Take(DeviceResources& resources, std::uint64_t number);
-    /// Whether all is as it was.
+    /// Returns whether all of these objects are unchanged.
     bool isValid(const CompiledFrame& frame, std::uint64_t changeCount) const;
-    /// All of it is used by submission `number`, too.
+    /// Marks all of them as used by submission `number`, too.
     void Use(std::uint64_t number) const;
 };
 

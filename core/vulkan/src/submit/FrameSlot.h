@@ -8,30 +8,31 @@
 namespace limn::vulkan
 {
 
-/// What one frame in flight owns, and commands that may be of use again; taken again when the GPU
-/// is done with the frame.
+/// The objects that one frame in flight owns, and commands that may be submitted again. A slot is
+/// reused when the GPU is done with its frame.
 class FrameSlot
 {
 public:
     FrameSlot(const VulkanContext& context, MemoryAllocator& allocator);
 
     VkCommandBuffer commands() const { return m_Commands.handle(); }
-    LinearMemory& data() { return m_Data; } ///< that the commands read
+    LinearMemory& data() { return m_Data; } ///< the memory that the commands read
     UploadCommands& uploads() { return m_Uploads; }
     DescriptorCache& descriptors() { return m_Descriptors; }
     const DescriptorCache& descriptors() const { return m_Descriptors; }
     FrameRecording& recording() { return m_Recording; }
     const FrameRecording& recording() const { return m_Recording; }
-    std::uint64_t number() const { return m_Number; } ///< of its last submission, 0 = none
+    /// Returns the number of its last submission, 0 = none.
+    std::uint64_t number() const { return m_Number; }
 
-    /// Starts a frame: there are no uploads yet, and the commands are as they were.
+    /// Begins a frame: drops the uploads and keeps the commands.
     /// @pre the slot's last submission is finished
     void Begin() { m_Uploads.Reset(); }
-    /// Starts recording: drops commands and data of the frame before.
+    /// Begins recording: drops the commands and data of the frame before.
     /// @param structure  CompiledFrame::structure
     void BeginRecording(std::size_t passCount, std::uint64_t structure = 0);
     void EndRecording() { m_Commands.End(); }
-    /// What was recorded will not be submitted.
+    /// Drops the recorded commands, which will not be submitted.
     void Abandon() noexcept;
     /// Submits the uploads and then the commands.
     void Submit(SubmitQueue& queue);
@@ -50,7 +51,7 @@ private:
     UploadCommands m_Uploads;
     DescriptorCache m_Descriptors;
     FrameRecording m_Recording;
-    UniqueQueryPool m_Queries; ///< two a pass
+    UniqueQueryPool m_Queries; ///< two per pass
     std::uint32_t m_QueryCapacity = 0;
     std::vector<std::string> m_TimedPasses; ///< the first `m_TimedCount` are of this frame
     std::vector<std::uint64_t> m_Ticks;     ///< memory of ReadTimings
@@ -58,16 +59,18 @@ private:
     std::uint64_t m_Number = 0;
 };
 
-/// Two slots, for the frames in flight, and up to four where frames of so many structures take
-/// turns: each finds its commands again. Memory for a frame's data is taken for each slot.
+/// Two slots for the frames in flight, or up to four if frames of so many structures alternate, so
+/// that each finds its commands again. Each slot has its own memory for a frame's data.
 class FrameSlots
 {
 public:
     FrameSlots(const VulkanContext& context, MemoryAllocator& allocator);
 
-    /// The number of the frame before the last one, which is to be waited for before Take.
+    /// Returns the number of the frame before the last one, for which the caller must wait before
+    /// Take.
     std::uint64_t beforeLast() const;
-    /// One that is not of the last frame: where there is, one that has recorded this structure.
+    /// Returns a slot that is not the last frame's: if possible, one that has recorded this
+    /// structure.
     FrameSlot& Take(std::uint64_t structure);
 
     auto begin() { return m_Slots.begin(); }
@@ -79,7 +82,7 @@ private:
     const VulkanContext& m_Context;
     MemoryAllocator& m_Allocator;
     std::deque<FrameSlot> m_Slots;
-    std::array<std::uint64_t, 4> m_Given{}; ///< structures whose commands made room for others
+    std::array<std::uint64_t, 4> m_Given{}; ///< structures whose commands were replaced
     std::size_t m_NextGiven = 0;
 };
 

@@ -15,15 +15,15 @@ public:
     SubmitQueue(const SubmitQueue&) = delete;
     SubmitQueue& operator=(const SubmitQueue&) = delete;
 
-    /// The number the next submission will have.
+    /// Returns the number of the next submission.
     std::uint64_t nextNumber() const { return m_Submitted + 1; }
     std::uint64_t lastNumber() const { return m_Submitted; }
-    std::uint64_t finishedNumber() const; ///< all up to here are done
+    std::uint64_t finishedNumber() const; ///< all submissions up to this number are done
 
-    /// @param before  commands that run first; null = there are none
+    /// @param before  commands that run first; null = none
     void Submit(VkCommandBuffer before, VkCommandBuffer commands);
     void Wait(std::uint64_t number) const;
-    void WaitIdle() const noexcept; ///< until nothing is in use any more
+    void WaitIdle() const noexcept; ///< waits until nothing is in use any more
 
 private:
     const VulkanContext& m_Context;

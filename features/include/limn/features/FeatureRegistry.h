@@ -23,7 +23,8 @@ public:
     FeatureRegistry(const FeatureRegistry&) = delete;
     FeatureRegistry& operator=(const FeatureRegistry&) = delete;
 
-    /// @param name  as files call it: "ScreenSpaceOutlineRenderFeature"
+    /// Registers a type of feature.
+    /// @param name  its name in files: "ScreenSpaceOutlineRenderFeature"
     /// @param techniques  the ways in which it draws outlines
     /// @throws ContractError if a name is empty or registered already
     template <std::derived_from<ScriptableRendererFeature> T>
@@ -33,14 +34,15 @@ public:
             std::move(techniques));
     }
 
-    /// A new feature with default settings, before its Create; null for a name that is not
-    /// registered.
+    /// Returns a new feature with default settings, before its Create; returns null if the name is
+    /// not registered.
     std::unique_ptr<ScriptableRendererFeature> Create(std::string_view name) const;
 
-    /// In the order of registration.
+    /// Returns the names in the order of registration.
     std::vector<std::string_view> names() const;
 
-    /// By their places, those of one place in the order of registration.
+    /// Returns the techniques ordered by their place; those of equal place are in the order of
+    /// registration.
     const std::vector<Technique>& techniques() const { return m_Techniques; }
 
 private:
@@ -48,7 +50,7 @@ private:
     {
         std::string name;
         std::function<std::unique_ptr<ScriptableRendererFeature>()> create;
-        const std::type_info* type; ///< that it creates
+        const std::type_info* type; ///< the type that it creates
     };
 
     void Add(Entry entry, std::vector<Technique> techniques);
@@ -57,7 +59,7 @@ private:
     std::vector<Technique> m_Techniques;
 };
 
-/// Null for an unknown name; lower and upper case are the same.
+/// Returns the technique of that name, or null if there is none. Ignores the case of letters.
 const Technique* FindTechnique(std::span<const Technique> techniques, std::string_view name);
 
 } // namespace limn

@@ -15,7 +15,8 @@ void RegisterFeatures(FeatureRegistry& features, VolumeComponentRegistry& compon
 /// Registers the volume components only.
 void RegisterVolumeComponents(VolumeComponentRegistry& registry);
 
-/// Every shader that comes with limn, of core's and of the features', or with a loaded plug-in.
+/// Returns every shader that comes with limn (core's and those of the features) or with a loaded
+/// plug-in.
 const ShaderDatabase& ShippedShaders();
 
 /// Returns one of ShippedShaders(), never null.

@@ -25,9 +25,9 @@
 namespace limn
 {
 
-/// What the code of a feature takes for granted of limn, in one number: the text of all public
-/// headers, so that classes have the same members and virtual functions, and the sizes of what the
-/// two hand each other, which compilers and their settings change.
+/// Returns a hash of what the code of a feature assumes about limn. It covers the text of all
+/// public headers, so that classes have the same members and virtual functions, and the sizes of
+/// the classes that the two exchange, which depend on compilers and their settings.
 consteval std::uint64_t PluginLayout()
 {
     std::uint64_t layout = LIMN_HEADERS_HASH;
@@ -41,28 +41,30 @@ consteval std::uint64_t PluginLayout()
     return layout;
 }
 
-/// What a shared module with features says of itself, under the name `limn_plugin`. LIMN_PLUGIN
-/// defines it, limn_add_feature (CMake) builds the module. The version comes first for ever.
+/// The description of a shared module with features, which the module exports as `limn_plugin`.
+/// LIMN_PLUGIN defines it; limn_add_feature (CMake) builds the module. The version must always stay
+/// the first member.
 struct Plugin
 {
-    const char* version;         ///< of the limn it was compiled against
+    const char* version;         ///< the version of limn it was compiled against
     const char* standardLibrary; ///< LIMN_STANDARD_LIBRARY
     std::uint64_t layout;        ///< PluginLayout()
     void (*registerFeatures)(FeatureRegistry&, VolumeComponentRegistry&);
-    std::span<const EmbeddedFile> (*shaders)(); ///< and what they include; null = none
-    const char* name;              ///< "Glow.so", by limn_add_feature; "" without shaders
-    const char* (*shaderFolder)(); ///< where the shaders were embedded from; null = nowhere
+    /// The shaders and the files they include; null = none.
+    std::span<const EmbeddedFile> (*shaders)();
+    const char* name;              ///< "Glow.so", set by limn_add_feature; "" without shaders
+    const char* (*shaderFolder)(); ///< the folder of the embedded shaders; null = none
 };
 
-/// Why a plug-in cannot be used by this limn, "" if it can. Reads nothing behind the version if
-/// that is another.
+/// Returns why this limn cannot use a plug-in, or "" if it can. Reads nothing behind the version if
+/// the version is another.
 std::string PluginProblem(const Plugin& plugin);
 
 /// Registers a plug-in's features and volume components, and adds its shaders to ShippedShaders()
-/// unless they are there from an earlier call. Messages call a shader "Glow.so/X.shader"; what it
-/// includes is looked for among the files of its plug-in first. Before scenes are loaded, by one
-/// thread at a time.
-/// @param older  of the same plug-in, whose shaders make way; null = none
+/// unless they are there from an earlier call. Messages call a shader "Glow.so/X.shader"; its
+/// includes are searched among the files of its plug-in first. Must be called before scenes are
+/// loaded, by one thread at a time.
+/// @param older  an older version of the same plug-in, whose shaders are replaced; null = none
 /// @throws ContractError if the name of a feature, a component or a shader is taken
 /// @throws AssetError if a shader does not parse
 void AddPlugin(const Plugin& plugin, FeatureRegistry& features, VolumeComponentRegistry& components,
@@ -85,11 +87,12 @@ const char* LIMN_PLUGIN_SHADER_FOLDER();
 
 extern "C"
 {
-    /// The one of the module that this is compiled into.
+    /// The description of the module that this header is compiled into.
     extern const limn::Plugin limn_plugin;
 }
 
-/// The one registration function of a plug-in, outside of all namespaces, once a module:
+/// Defines the registration function of a plug-in. Must be used once per module, outside of all
+/// namespaces:
 ///
 ///     LIMN_PLUGIN(features, components)
 ///     {

@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// A compute shader that a loaded plug-in holds, by the name of its file: "Blur.compute"; null for
-/// any other name.
+/// Returns the compute shader of a loaded plug-in with that file name ("Blur.compute"), or null if
+/// there is none.
 /// @throws AssetError if it does not parse
 std::shared_ptr<ComputeShader> FindShippedComputeShader(std::string_view fileName,
                                                         std::shared_ptr<ShaderCompiler> compiler);

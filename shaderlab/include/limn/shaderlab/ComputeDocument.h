@@ -10,23 +10,24 @@
 namespace limn
 {
 
-/// A .compute file as plain data, nothing compiled. Unity: the asset behind a ComputeShader
+/// A .compute file as plain data; nothing is compiled. Unity: the asset behind a ComputeShader
 /// (2022.3).
 struct ComputeDocument
 {
     std::string file;
-    std::string name; ///< the file's, without its ending
-    /// One for each `#pragma kernel`, in the order of the file: PassProgram::kernel is its
+    std::string name; ///< the name of the file without its extension
+    /// One program for each `#pragma kernel`, in the order of the file. PassProgram::kernel is its
     /// function; the macros that the pragma names come before the text.
     std::vector<PassProgram> kernels;
 
     bool operator==(const ComputeDocument&) const = default;
 };
 
-/// @param file  what error messages call the text; relative includes start from its folder
-/// @throws AssetError for all of: no `#pragma kernel`, one without a function, two of one name
+/// @param file  the name of the text in error messages; relative includes start from its folder
+/// @throws AssetError with every problem: no `#pragma kernel`, one without a function, two with one
+///     name
 ComputeDocument ParseCompute(std::string_view text, std::string file);
-/// @throws AssetError if the file is missing, too, or is no text
+/// @throws AssetError as ParseCompute, and if the file is missing or is no text
 ComputeDocument LoadCompute(const std::filesystem::path& path);
 
 } // namespace limn

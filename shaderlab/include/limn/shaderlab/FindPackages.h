@@ -7,8 +7,9 @@
 namespace limn
 {
 
-/// The folders of Unity packages by the names in their package.json, whatever the folders are
-/// called: the folder itself if it is one, else those right below it, as in Library/PackageCache.
+/// Returns the folders of Unity packages by the names in their package.json, whatever the names of
+/// the folders are. These are the folder itself if it is a package, or otherwise those directly
+/// below it, as in Library/PackageCache.
 std::map<std::string, std::filesystem::path> FindPackages(const std::filesystem::path& folder);
 
 } // namespace limn

@@ -5,8 +5,8 @@
 namespace limn
 {
 
-/// A program includes a file that is neither beside it, nor in the project, its packages or limn's
-/// ShaderLibrary: without the file nothing can be said about the program.
+/// The error that a program includes a file that is neither beside it, nor in the project, its
+/// packages or limn's ShaderLibrary. Without the file nothing can be said about the program.
 class MissingIncludeError : public AssetError
 {
 public:

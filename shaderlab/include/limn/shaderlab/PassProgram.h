@@ -16,28 +16,28 @@ enum class ProgramLanguage
     Glsl  ///< GLSLPROGRAM: kept as text, never compiled
 };
 
-/// Program text as it stands in the file, from behind the opening keyword to the closing one.
+/// The text of a program as it is in the file, from behind the opening keyword to the closing one.
 struct SourceChunk
 {
     std::string text;
-    int firstLine = 1; ///< line of the file that `text` starts in
+    int firstLine = 1; ///< the line of the file in which `text` starts
 
     bool operator==(const SourceChunk&) const = default;
 };
 
-/// One `#pragma multi_compile…`, `shader_feature…` line: exactly one of `keywords` is on at a time.
-/// A shortcut such as `multi_compile_fwdbase` makes several sets of one line.
+/// A `#pragma multi_compile…` or `shader_feature…` line: exactly one of `keywords` is on at a time.
+/// A shortcut such as `multi_compile_fwdbase` makes several sets from one line.
 struct KeywordSet
 {
     SourceLocation location;
     std::string directive;             ///< as written, e.g. "shader_feature_local_fragment"
     std::vector<std::string> keywords; ///< "" = no keyword; the first entry is the default
-    /// From the suffix. Like Unity for Vulkan, limn defines the keyword in all stages all the
-    /// same; None: of a stage that limn does not have.
+    /// The stages that the suffix names. Like Unity for Vulkan, limn nevertheless defines the
+    /// keyword in all stages. None stands for a stage that limn does not have.
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
-    bool isFeature = false; ///< shader_feature: built only where a material asks for it
-    /// dynamic_branch: makes no variants, its keywords are uniforms; see k_DynamicKeywordBuffer
+    bool isFeature = false; ///< shader_feature: built only if a material uses it
+    /// dynamic_branch: makes no variants; its keywords are uniforms, see k_DynamicKeywordBuffer.
     bool isDynamic = false;
 
     bool operator==(const KeywordSet&) const = default;
@@ -63,11 +63,10 @@ struct ProgramPragma
     bool operator==(const ProgramPragma&) const = default;
 };
 
-/// Everything needed to compile the program of a pass: the include blocks in scope, then its own;
-/// or one kernel of a compute shader.
-/// Pragmas count where the `#if` around them holds by the program's own macros and the platform's.
-/// Those of files behind `#include_with_pragmas` are missing: ShaderCompiler::ReadPragmas adds
-/// them.
+/// Everything that is needed to compile the program of a pass (the include blocks in scope, then
+/// its own text) or one kernel of a compute shader. A pragma counts if the `#if` around it holds by
+/// the program's own macros and the platform's. Pragmas of files behind `#include_with_pragmas` are
+/// missing; ShaderCompiler::ReadPragmas adds them.
 struct PassProgram
 {
     std::string file; ///< path of the .shader file; relative includes start from its folder
@@ -77,10 +76,10 @@ struct PassProgram
     EntryPoint vertex;
     EntryPoint fragment;
     EntryPoint geometry;
-    EntryPoint kernel; ///< of a compute shader (ComputeDocument.h): it has this function alone
+    EntryPoint kernel; ///< the only function of a compute shader's program (ComputeDocument.h)
     int target = 25;   ///< `#pragma target` times ten
-    /// The LightMode tag of its pass, "" without one. Those of the built-in pipeline define a
-    /// macro: "ShadowCaster" UNITY_PASS_SHADOWCASTER.
+    /// The LightMode tag of its pass, "" without one. The tags of the built-in pipeline define a
+    /// macro: "ShadowCaster" defines UNITY_PASS_SHADOWCASTER.
     std::string lightMode;
     std::vector<KeywordSet> keywordSets;
     std::vector<ProgramPragma> pragmas;

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-// Values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), since materials carry them as
+// The values are Unity's (UnityEngine.Rendering, GraphicsEnums.cs), because materials hold them as
 // numbers.
 
 enum class CompareFunction
@@ -51,10 +51,10 @@ enum class BlendMode
     OneMinusSrcAlpha = 10
 };
 
-/// The first five every device has. The logical ones combine the bits of what is drawn with those
-/// of a target of integers or normalized integers, in place of blending; the advanced ones, from
-/// Multiply on, mix as drawing programs do. Both want colour and alpha of all targets alike.
-/// Unity: UnityEngine.Rendering.BlendOp (2022.3).
+/// The operations of blending. Every device has the first five. The logical ones combine the drawn
+/// bits with those of a target of integers or normalized integers, in place of blending; the
+/// advanced ones, from Multiply on, mix colours like painting programs. Both must be the same for
+/// colour and alpha of all targets. Unity: UnityEngine.Rendering.BlendOp (2022.3).
 enum class BlendOp
 {
     Add = 0,
@@ -102,7 +102,7 @@ enum class CullMode
     Back = 2
 };
 
-/// Bits of ColorMask: red is the high bit, as in Unity.
+/// The bits of ColorMask; red is the high bit, as in Unity.
 /// Unity: UnityEngine.Rendering.ColorWriteMask (2022.3).
 struct ColorWriteMask
 {
@@ -121,8 +121,8 @@ struct ColorWriteMask
     constexpr ColorWriteMask& operator&=(ColorWriteMask other) { return *this = bits & other.bits; }
 };
 
-/// A value of a fixed-function command: written out, or taken from a material property at draw
-/// time (`Cull [_Cull]`; Unity's enum integers, rounded).
+/// A value of a fixed-function command. It is written out, or taken from a material property at
+/// draw time (`Cull [_Cull]`; Unity's enum integers, rounded).
 template <typename T>
 struct StateValue
 {
@@ -140,8 +140,8 @@ struct StateValue
     bool operator==(const StateValue&) const = default;
 };
 
-// What stands in a pass's text, where Value<T> is StateValue<T>, and what a draw uses once the
-// properties are read, where it is T.
+// The state in a pass's text, if Value<T> is StateValue<T>, or the state that a draw uses after the
+// properties are read, if Value<T> is T.
 
 template <template <typename> typename Value>
 struct BasicStencilFace
@@ -156,7 +156,7 @@ struct BasicStencilFace
 using StencilFaceState = BasicStencilFace<StateValue>;
 using StencilFace = BasicStencilFace<std::type_identity_t>;
 
-/// How what is drawn and what one target holds are mixed; the defaults mean no blending.
+/// The blending of the drawn colour with one target's; the defaults mean no blending.
 template <template <typename> typename Value>
 struct BasicTargetBlend
 {

@@ -14,17 +14,17 @@
 namespace limn
 {
 
-/// Passes that are looked for in the Fallback where the chosen SubShader lacks them.
+/// The passes that are searched in the Fallback if the chosen SubShader lacks them.
 inline constexpr std::array<std::string_view, 2> k_FallbackLightModes = {"ShadowCaster", "Meta"};
 
-/// What a SubShader is chosen by.
+/// The criteria by which a SubShader is chosen.
 struct ShaderCriteria
 {
-    /// SubShaders of a higher LOD are passed over. Unity: Shader.globalMaximumLOD.
+    /// The greatest LOD; SubShaders with a higher one are skipped. Unity: Shader.globalMaximumLOD.
     int maximumLod = std::numeric_limits<int>::max();
-    /// Features (RequiredFeatures) that the device lacks.
+    /// The features (RequiredFeatures) that the device lacks.
     std::vector<std::string> missingFeatures = {};
-    /// Versions that PackageRequirements are held against; limn stands for these.
+    /// The versions that PackageRequirements are compared with; limn stands for these.
     std::map<std::string, std::string, std::less<>> packages = {
         {"unity", "2022.3.0f1"},
         {"com.unity.render-pipelines.core", "14.0.0"},
@@ -34,33 +34,36 @@ struct ShaderCriteria
 /// The SubShader that a shader draws with, ready to use.
 struct ResolvedShader
 {
-    /// "" = the shader's own; else the name of the shader that its Fallback led to.
+    /// "" = the SubShader is the shader's own; otherwise the name of the shader that its Fallback
+    /// led to.
     std::string fallback;
     int subShaderIndex = 0; ///< among those of that shader
-    /// A copy. A UsePass has become the pass it names; passes whose PackageRequirements do not hold
-    /// are left out; a GrabPass stays, so that the indices of the others are Unity's, and is never
-    /// drawn. Behind its own passes stand those of k_FallbackLightModes that only a Fallback has.
+    /// A copy of the SubShader. A UsePass is replaced by the pass it names; passes whose
+    /// PackageRequirements do not hold are removed; a GrabPass stays, so that the indices of the
+    /// others are Unity's, but is never drawn. Its own passes are followed by those of
+    /// k_FallbackLightModes that only a Fallback has.
     ShaderLabSubShader subShader;
-    /// Why other SubShaders and passes were left out, in the order of the file; severity Note.
+    /// The reasons why other SubShaders and passes were left out, in the order of the file;
+    /// severity Note.
     std::vector<Diagnostic> notes;
-    /// Of each UsePass that leads nowhere; it stays in the list of passes.
+    /// The errors of each UsePass that leads nowhere; it stays in the list of passes.
     std::vector<Diagnostic> errors;
 };
 
-/// Chooses the first SubShader that is for URP or for any pipeline, whose LOD, PackageRequirements
-/// and programs suit; then those of the Fallback. If only the programs stand in the way everywhere,
-/// the shader's first such SubShader is taken all the same: compiling tells why each pass cannot be
-/// drawn. Pragmas behind `#include_with_pragmas` are not looked at.
+/// Chooses the first SubShader for URP or for any pipeline whose LOD, PackageRequirements and
+/// programs suit, then one of the Fallback. If everywhere only the programs do not suit, the
+/// shader's first such SubShader is chosen nevertheless, and compiling reports why each pass cannot
+/// be drawn. Pragmas behind `#include_with_pragmas` are ignored.
 ///
-/// @param database  where UsePass and Fallback look; may be null
+/// @param database  the shaders that UsePass and Fallback can name; may be null
 /// @throws AssetError with the reason of every SubShader, if there is none to draw with
 ResolvedShader ResolveShader(const ShaderLabDocument& document, const ShaderDatabase* database,
                              const ShaderCriteria& criteria = {});
 
-/// The pass that a UsePass of the document leads to, taken from the SubShader that its shader draws
-/// with.
+/// Returns the pass that a UsePass of the document leads to, from the SubShader with which its
+/// shader draws.
 ///
-/// @param errors  gets why there is none, at the place of the UsePass
+/// @param errors  receives the reason if there is none, at the place of the UsePass
 std::optional<ShaderLabPass> ResolveUsePass(const ShaderLabDocument& document,
                                             const ShaderLabPass& usePass,
                                             const ShaderDatabase* database,

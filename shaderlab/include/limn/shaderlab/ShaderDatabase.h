@@ -14,35 +14,35 @@
 namespace limn
 {
 
-/// ShaderLab documents by the name behind `Shader`, for Shader::Find, UsePass and Fallback. Const
-/// members may be called from several threads at once.
+/// The ShaderLab documents by the name behind `Shader`, for Shader::Find, UsePass and Fallback.
+/// Const members may be called from several threads at once.
 class ShaderDatabase
 {
 public:
     /// Adds every .shader file below a folder, in the order of their paths. Files that cannot be
-    /// read or have errors are passed over: who uses them by their path is told.
+    /// read or have errors are skipped; using them by their path reports the errors.
     void AddFolder(const std::filesystem::path& folder);
 
-    /// Of documents of equal names the one that came first stays.
+    /// Adds a document. If there is already one with its name, that one stays.
     void Add(std::shared_ptr<const ShaderLabDocument> document);
 
-    /// Adds all of another database.
+    /// Adds all documents of another database.
     void Add(const ShaderDatabase& other);
 
-    /// Adds what is compiled into a program; the documents are called by the files' names.
+    /// Adds files that are compiled into a program; the documents have the names of the files.
     /// @throws AssetError if a file does not parse
     void Add(std::span<const EmbeddedFile> files);
 
-    /// Null where there is none. Case counts, as in Unity.
+    /// Returns the document of that name, or null if there is none. Case counts, as in Unity.
     const ShaderLabDocument* Find(std::string_view name) const;
 
-    /// A document that stands in a file of this name, "Toon.shader", in any folder; null if none
-    /// does.
+    /// Returns a document whose file has this name ("Toon.shader"), in any folder, or null if there
+    /// is none.
     const ShaderLabDocument* FindFile(std::string_view filename) const;
 
     std::vector<std::string_view> names() const; ///< sorted
 
-    /// "'Toom'; did you mean 'Toon'?" for messages about a name that Find does not know.
+    /// Returns "'Toom'; did you mean 'Toon'?" for messages about a name that Find does not know.
     std::string UnknownShader(std::string_view name) const;
 
     std::size_t size() const { return m_Documents.size(); }
@@ -51,7 +51,7 @@ private:
     std::map<std::string, std::shared_ptr<const ShaderLabDocument>, std::less<>> m_Documents;
 };
 
-/// The .shader files below a folder, sorted by path; links to folders are not followed.
+/// Returns the .shader files below a folder, sorted by path; links to folders are not followed.
 std::vector<std::filesystem::path> FindShaderFiles(const std::filesystem::path& folder);
 
 } // namespace limn

@@ -27,7 +27,7 @@ enum class ShaderPropertyType
     Texture
 };
 
-/// `[…]` before a property, raw: "HDR", "Enum(UnityEngine.Rendering.BlendMode)".
+/// The raw text of a `[…]` before a property: "HDR", "Enum(UnityEngine.Rendering.BlendMode)".
 struct ShaderAttribute
 {
     SourceLocation location;
@@ -43,16 +43,15 @@ struct ShaderProperty
     std::string displayName;
     ShaderPropertyType type = ShaderPropertyType::Float;
     TextureDimension dimension = TextureDimension::Tex2D; ///< `Rect` and `Any` count as 2D
-    std::string textureType; ///< of a Texture: the keyword in Unity's spelling, "2DArray", "Any"
-    float rangeMin = 0.0f;   ///< of a Range
+    std::string textureType; ///< the keyword of a Texture in Unity's spelling: "2DArray", "Any"
+    float rangeMin = 0.0f;   ///< the limits of a Range
     float rangeMax = 0.0f;
     std::array<float, 4> defaultValue{}; ///< as written: a Color is not converted; numbers in [0]
     std::string defaultTexture;          ///< "white", "bump" …; "" and unknown names mean gray
-    std::string
-        textureMode; ///< what stood in the braces behind it: "TexGen CubeReflect"; no effect
+    std::string textureMode; ///< the text in the braces behind it: "TexGen CubeReflect"; no effect
     std::vector<ShaderAttribute> attributes;
 
-    /// Whether an attribute has this name; its arguments do not matter.
+    /// Returns whether an attribute has this name, whatever its arguments.
     bool HasAttribute(std::string_view attributeName) const;
 
     bool operator==(const ShaderProperty&) const = default;
@@ -67,12 +66,12 @@ struct ShaderTag
     bool operator==(const ShaderTag&) const = default;
 };
 
-/// The tags of a scope, all `Tags` blocks together, in the order of the file.
+/// The tags of all `Tags` blocks of a scope, in the order of the file.
 struct ShaderTags
 {
     std::vector<ShaderTag> items;
 
-    /// The value, or null where the tag is absent. Keys are compared without case.
+    /// Returns the value of a tag, or null if it is absent. Keys are compared without case.
     const std::string* Find(std::string_view key) const;
     /// Adds a tag; a later value of the same key replaces the earlier one.
     void Set(ShaderTag tag);
@@ -90,8 +89,8 @@ struct PackageRequirement
     bool operator==(const PackageRequirement&) const = default;
 };
 
-/// A fixed-function command (Lighting, Fog, SetTexture …) in canonical text. Kept, not used: limn
-/// draws with programs only.
+/// A fixed-function command (Lighting, Fog, SetTexture …) in canonical text. It is kept but not
+/// used, because limn draws only with programs.
 struct LegacyCommand
 {
     SourceLocation location;
@@ -100,35 +99,36 @@ struct LegacyCommand
     bool operator==(const LegacyCommand&) const = default;
 };
 
-/// What a pass without a LightMode tag counts as. Unity: URP 14.
+/// The LightMode of a pass without that tag. Unity: URP 14.
 inline constexpr std::string_view k_DefaultLightMode = "SRPDefaultUnlit";
 
 enum class ShaderLabPassKind
 {
     Pass,
-    UsePass, ///< a pass of another shader: usePass says which
+    UsePass, ///< a pass of another shader, which usePass names
     GrabPass ///< copies the screen into the texture grabTexture
 };
 
 /// An entry of a SubShader's list of passes, in the order of the file. Only a Pass that is no
-/// surface shader can have a program to draw with.
+/// surface shader can have a program that draws.
 struct ShaderLabPass
 {
     SourceLocation location;
     ShaderLabPassKind kind = ShaderLabPassKind::Pass;
     std::string usePass;     ///< "Shader/Path/PASSNAME" as written; the name follows the last '/'
     std::string grabTexture; ///< "" = _GrabTexture
-    bool isSurface = false;  ///< a program directly in a SubShader: a surface shader
-    std::string name;        ///< as written; Unity compares pass names without case
+    /// The pass is a program directly in a SubShader, which is a surface shader.
+    bool isSurface = false;
+    std::string name; ///< as written; Unity compares pass names without case
     ShaderTags tags;
     std::vector<PackageRequirement> packageRequirements;
-    RenderState state;                         ///< what the scopes around the pass set is included
-    std::vector<LegacyCommand> legacyCommands; ///< those of the scopes around it first
+    RenderState state;                         ///< includes what the scopes around the pass set
+    std::vector<LegacyCommand> legacyCommands; ///< the commands of the scopes around it come first
     std::optional<PassProgram> program;        ///< absent: a legacy pass of fixed-function commands
 
-    /// The LightMode tag; k_DefaultLightMode where there is none.
-    /// What URP never draws by itself is given a name that no URP pass asks for: "UsePass",
-    /// "GrabPass", and "ForwardBase" for a surface shader.
+    /// Returns the LightMode tag, or k_DefaultLightMode if there is none. Entries that URP never
+    /// draws by itself have a name that no URP pass asks for: "UsePass", "GrabPass", and
+    /// "ForwardBase" for a surface shader.
     std::string_view lightMode() const;
 
     bool operator==(const ShaderLabPass&) const = default;
@@ -165,7 +165,7 @@ struct PipelineEditor
     bool operator==(const PipelineEditor&) const = default;
 };
 
-/// A ShaderLab file as plain data: what is written, in the order of the file, nothing compiled.
+/// A ShaderLab file as plain data: its text in the order of the file; nothing is compiled.
 /// Unity: ShaderLab (2022.3).
 struct ShaderLabDocument
 {
@@ -175,7 +175,7 @@ struct ShaderLabDocument
     std::vector<ShaderProperty> properties;
     std::vector<ShaderLabSubShader> subShaders;
     std::string fallback;            ///< "" = off or none given
-    SourceLocation fallbackLocation; ///< of the command
+    SourceLocation fallbackLocation; ///< the place of the Fallback command
     std::string customEditor;
     std::vector<PipelineEditor> pipelineEditors;
     std::vector<ShaderDependency> dependencies;

@@ -11,32 +11,33 @@
 namespace limn
 {
 
-/// What could be read of a ShaderLab file, and everything that is wrong with it.
+/// The readable parts of a ShaderLab file, and all its problems.
 struct ShaderLabParseResult
 {
     ShaderLabDocument document;
-    /// In the order of the file; warnings and notes among them. At most 100 of each severity, and
-    /// behind them one that tells how many more there are.
+    /// All errors, warnings and notes in the order of the file: at most 100 of each severity,
+    /// followed by one that says how many more there are.
     std::vector<Diagnostic> diagnostics;
 
     bool hasErrors() const;
 };
 
-/// Reads ShaderLab text. Never throws on bad text: after an error it goes on at the next command
+/// Reads ShaderLab text. Never throws on bad text: after an error it continues at the next command
 /// or brace, so that one call reports several mistakes. Time and memory are proportional to the
-/// text, whatever is in it; text of more than 64 MiB is an error.
+/// length of the text, whatever it contains; text of more than 64 MiB is an error.
 ///
-/// @param file  name that diagnostics carry and that relative includes of programs start from
+/// @param file  the name of the file in diagnostics; relative includes of programs start from its
+///     folder
 ShaderLabParseResult ParseShaderLab(std::string_view text, std::string file);
 
 /// Reads a .shader file.
 ///
-/// @throws AssetError with all errors of the file; also where it is missing, empty or binary
+/// @throws AssetError with all errors of the file, or if it is missing, empty or binary
 ShaderLabDocument LoadShaderLab(const std::filesystem::path& path);
 
-/// Reads a .shader file and gives all diagnostics, errors too, with what could be read beside them.
+/// Reads a .shader file and returns all diagnostics, also errors, with the readable parts.
 ///
-/// @throws AssetError only where there is no text to read: the file is missing, empty or binary
+/// @throws AssetError only if there is no text to read: the file is missing, empty or binary
 ShaderLabParseResult LoadShaderLabWithDiagnostics(const std::filesystem::path& path);
 
 } // namespace limn

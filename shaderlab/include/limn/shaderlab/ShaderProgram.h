@@ -11,7 +11,7 @@
 namespace limn
 {
 
-/// Which stages of a pass use a resource; bit flags.
+/// The stages of a pass that use a resource; bit flags.
 enum class ShaderStage : std::uint8_t
 {
     None = 0,
@@ -20,7 +20,8 @@ enum class ShaderStage : std::uint8_t
     Both = 3,
     Geometry = 4,
     Compute = 8,
-    Indirect = 16 ///< no function: what reads a draw's or dispatch's arguments from a buffer
+    /// No function, but the reading of a draw's or dispatch's arguments from a buffer.
+    Indirect = 16
 };
 constexpr ShaderStage operator|(ShaderStage a, ShaderStage b)
 {
@@ -39,7 +40,7 @@ enum class UniformType
     Matrix4x4 ///< column-major, columns 16 bytes apart
 };
 
-/// Whether `stages` has all of `wanted`.
+/// Returns whether `stages` has all of `wanted`.
 constexpr bool HasAll(ShaderStage stages, ShaderStage wanted)
 {
     return (stages | wanted) == stages;
@@ -50,7 +51,7 @@ struct UniformMember
 {
     std::string name;
     UniformType type = UniformType::Float;
-    int components = 1;       ///< of the vector; 4 for Matrix4x4
+    int components = 1;       ///< the components of the vector; 4 for Matrix4x4
     std::uint32_t offset = 0; ///< bytes from the start of the buffer
     std::uint32_t size = 0;   ///< bytes, arrays included
     int arraySize = 0;        ///< 0 = not an array
@@ -90,7 +91,7 @@ struct TextureBinding
     TextureDimension dimension = TextureDimension::Tex2D;
     bool multisampled = false;
     bool combinedSampler = false;          ///< sampler2D: one descriptor holds texture and sampler
-    UniformType type = UniformType::Float; ///< of its components in the shader
+    UniformType type = UniformType::Float; ///< the type of its components in the shader
 
     bool operator==(const TextureBinding&) const = default;
 };
@@ -105,14 +106,15 @@ struct SamplerBinding
     bool operator==(const SamplerBinding&) const = default;
 };
 
-/// A structured buffer, one of bytes, or the counter of one that is appended to.
+/// A structured buffer, a buffer of bytes, or the counter of a buffer to which elements are
+/// appended.
 struct StorageBufferBinding
 {
     std::string name; ///< "limn_PerDraw" and "limn_Instances": see PerDrawData
     ShaderStage stages = ShaderStage::None;
     std::uint32_t binding = 0;
     std::uint32_t stride = 0; ///< bytes of one element, packed as Direct3D does; 0 = of bytes
-    bool isWritten = false;   ///< else it is read only
+    bool isWritten = false;   ///< if false, the buffer is read-only
     bool isCounter = false;   ///< a uint beside the elements of the buffer called `name`
 
     bool operator==(const StorageBufferBinding&) const = default;
@@ -125,8 +127,8 @@ struct StorageTextureBinding
     ShaderStage stages = ShaderStage::None;
     std::uint32_t binding = 0;
     TextureDimension dimension = TextureDimension::Tex2D;
-    UniformType type = UniformType::Float; ///< of its components in the shader
-    bool isRead = false;                   ///< else it is written only
+    UniformType type = UniformType::Float; ///< the type of its components in the shader
+    bool isRead = false;                   ///< if false, it is only written
 
     bool operator==(const StorageTextureBinding&) const = default;
 };
@@ -143,7 +145,7 @@ struct VertexInput
     bool operator==(const VertexInput&) const = default;
 };
 
-/// What a geometry function takes at a time.
+/// The primitive that a geometry function takes.
 enum class GeometryInput
 {
     None, ///< there is no geometry function
@@ -154,53 +156,56 @@ enum class GeometryInput
     TriangleAdjacency
 };
 
-/// What the stages of a pass read, with every descriptor in set 0. Bindings are unique over all
-/// stages; equal named resources of several stages share one. A `$Global` of each stage is a
-/// buffer of its own where they differ.
+/// The resources that the stages of a pass read, with every descriptor in set 0. Bindings are
+/// unique over all stages; resources of several stages with the same name share one. The `$Global`
+/// buffers of the stages are separate if they differ.
 struct PropertyLayout
 {
     std::vector<UniformBuffer> buffers;
     std::vector<TextureBinding> textures;
     std::vector<SamplerBinding> samplers;
     std::vector<StorageBufferBinding> storageBuffers;
-    std::vector<StorageTextureBinding> storageTextures; ///< of kernels only
+    std::vector<StorageTextureBinding> storageTextures; ///< only kernels have them
     std::vector<VertexInput> vertexInputs;
     int colorOutputs = 0; ///< number of SV_Target values the fragment function writes
-    std::vector<UniformType> outputTypes; ///< of each; Float for those that it leaves out
+    /// The type of each; Float for those that it does not write.
+    std::vector<UniformType> outputTypes;
     GeometryInput geometryInput = GeometryInput::None;
-    ShaderStage pushStages = ShaderStage::None; ///< that read the DrawConstants
-    /// Whether the fragment function looks at anything that differs from one place to another, its
-    /// own place included.
+    ShaderStage pushStages = ShaderStage::None; ///< the stages that read the DrawConstants
+    /// The fragment function reads something that differs from pixel to pixel, its own position
+    /// included.
     bool fragmentHasInputs = true;
 
     bool operator==(const PropertyLayout&) const = default;
 };
 
-/// A pass or kernel compiled for one keyword set: SPIR-V 1.3 of its stages (entry point "main") and
-/// its layout.
+/// A pass or kernel that is compiled for one set of keywords: the SPIR-V 1.3 of its stages (entry
+/// point "main") and its layout.
 struct ShaderProgram
 {
     std::vector<std::uint32_t> vertexSpirv;
     std::vector<std::uint32_t> geometrySpirv; ///< empty = the pass has no geometry function
     std::vector<std::uint32_t> fragmentSpirv;
-    std::vector<std::uint32_t> computeSpirv;        ///< of a kernel, which has no other stage
-    std::array<std::uint32_t, 3> threadGroupSize{}; ///< of a kernel: [numthreads(x, y, z)]
+    std::vector<std::uint32_t> computeSpirv; ///< the code of a kernel, which has no other stage
+    std::array<std::uint32_t, 3> threadGroupSize{}; ///< the [numthreads(x, y, z)] of a kernel
     PropertyLayout layout;
-    /// Warnings of the compiler, pragmas included; and notes without a line, "uses X, which limn
-    /// does not have: Y", of what the pass uses that the ShaderLibrary only stands in for.
+    /// The warnings of the compiler, also about pragmas; and notes without a line, "uses X, which
+    /// limn does not have: Y", about functions that the pass uses and that the ShaderLibrary only
+    /// replaces by a stand-in.
     std::vector<Diagnostic> diagnostics;
 
     bool operator==(const ShaderProgram&) const = default;
 };
 
-/// The keyword of variants for draws whose instances share one element of `limn_PerDraw`, as those
-/// that take their counts from a buffer; no program has to declare it. Unity's name.
+/// The keyword of variants for draws whose instances share one element of `limn_PerDraw`, such as
+/// draws that take their counts from a buffer. Programs need not declare it. The name is Unity's.
 inline constexpr std::string_view k_ProceduralInstancing = "PROCEDURAL_INSTANCING_ON";
 
 /// One element of the structured buffer `limn_PerDraw` that the ShaderLibrary's per-draw macros
 /// (unity_ObjectToWorld, unity_WorldToObject, unity_RenderingLayer ...) read; std430, 160 bytes.
-/// Which one is told by the structured buffer `limn_Instances` (of uint): vertex functions look it
-/// up by the instance's index on the device, the others by DrawConstants::firstInstance.
+/// The structured buffer `limn_Instances` (of uint) holds the index of the element: vertex
+/// functions look it up by the instance's index on the device, the others by
+/// DrawConstants::firstInstance.
 struct PerDrawData
 {
     float objectToWorld[16];         ///< column-major
@@ -215,8 +220,9 @@ static_assert(sizeof(PerDrawData) == 160);
 struct DrawConstants
 {
     std::uint32_t firstInstance = 0; ///< element of limn_Instances
-    /// Index on the device of the instance whose SV_InstanceID is 0: as in Direct3D it counts from
-    /// 0 in every draw. Only vertex functions that take SV_InstanceID read this.
+    /// The index on the device of the instance whose SV_InstanceID is 0; as in Direct3D,
+    /// SV_InstanceID counts from 0 in every draw. Only vertex functions that take SV_InstanceID
+    /// read this.
     std::uint32_t instanceBase = 0;
 };
 

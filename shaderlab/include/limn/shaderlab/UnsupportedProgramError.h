@@ -5,8 +5,9 @@
 namespace limn
 {
 
-/// A program is well formed as far as limn can tell, and asks for what limn does not do: a surface
-/// shader, another stage, another renderer, another pipeline. Holds one diagnostic, the reason.
+/// The error that a program is well formed as far as limn can tell, but asks for something that
+/// limn does not support: a surface shader, another stage, another renderer, another pipeline. It
+/// holds one diagnostic, the reason.
 class UnsupportedProgramError : public AssetError
 {
 public:

@@ -9,8 +9,8 @@
 namespace limn
 {
 
-/// A number of shader variants: a whole number without an upper bound, for real shaders have more
-/// variants than 64 bits can count.
+/// A number of shader variants. It is a whole number without an upper bound, because real shaders
+/// have more variants than 64 bits can count.
 class VariantCount
 {
 public:
@@ -23,13 +23,13 @@ public:
     bool operator==(const VariantCount&) const = default;
 
 private:
-    std::vector<std::uint32_t> m_Parts; ///< of nine digits each, lowest first; no zero on top
+    /// Parts of nine digits each, lowest first; the highest is not zero.
+    std::vector<std::uint32_t> m_Parts;
 };
 
-/// In how many variants the program exists: the product of the sizes of its keyword sets without
-/// what `#pragma skip_variants` drops. Equal sets count once, the keywords of dynamic_branch
-/// sets not at all.
-/// Nothing is compiled.
+/// Returns the number of variants of the program: the product of the sizes of its keyword sets
+/// without the keywords that `#pragma skip_variants` drops. Equal sets count once, the keywords of
+/// dynamic_branch sets not at all. Nothing is compiled.
 VariantCount CountVariants(const PassProgram& program);
 
 } // namespace limn

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// Everything there is to say about one file, collected while it is read, so that a person sees all
+/// Collects all errors and notes about one file while it is read, so that a person sees all
 /// problems at once.
 class AssetDiagnostics
 {
@@ -17,12 +17,12 @@ public:
 
     void Error(SourceLocation location, std::string message);
     void Note(SourceLocation location, std::string message);
-    void Add(const AssetError& error); ///< all that it says
+    void Add(const AssetError& error); ///< adds every message of the error
 
     /// @throws AssetError with every error, ordered by place, if there is one
     void ThrowIfErrors() const;
 
-    /// The notes, ordered by place.
+    /// Returns the notes, ordered by place.
     std::vector<Diagnostic> notes() const { return Sorted(Severity::Note); }
     const std::vector<Diagnostic>& diagnostics() const { return m_Diagnostics; }
     const std::string& file() const { return m_File; }

@@ -12,13 +12,14 @@ namespace limn
 
 using TextureReference = AssetReference<Texture>;
 
-/// A texture of any or of one dimension; blending switches as soon as t > 0. In YAML: a path,
-/// relative to the file, "" or nothing for none, or Unity's {fileID: 2800000, guid: ..., type: 3}.
-/// Unity's form cannot name a path: UnityText of a reference that has only that is none.
+/// A texture of any dimension or of one dimension; blending switches as soon as t > 0. YAML has a
+/// path, relative to the file ("" or nothing stands for no texture), or Unity's {fileID: 2800000,
+/// guid: ..., type: 3}. Unity's form cannot name a path, so UnityText writes a null reference for a
+/// reference that has only a path.
 ///
 /// Reading loads the texture if the ProfileContext does that and the parameter is overridden. Only
-/// flat textures can be: a cube, a volume or a render texture keeps its location, which is noted.
-/// Unity: TextureParameter (URP 14).
+/// flat textures can be loaded: a cubemap, a volume texture or a render texture keeps its location,
+/// and a note says so. Unity: TextureParameter (URP 14).
 class TextureParameter : public detail::ValueParameter<TextureReference>
 {
 public:
@@ -32,9 +33,10 @@ public:
     {
     }
 
-    /// What an editor offers, nothing for any; blending does not look at it.
+    /// Returns the dimension of the textures that an editor offers; nullopt stands for all.
+    /// Blending ignores it.
     virtual std::optional<TextureDimension> dimension() const { return m_Dimension; }
-    /// Whether a file can hold such a texture.
+    /// Returns whether a file can hold such a texture.
     virtual bool isLoadable() const
     {
         return dimension().value_or(TextureDimension::Tex2D) == TextureDimension::Tex2D;
@@ -48,7 +50,8 @@ private:
     std::optional<TextureDimension> m_Dimension;
 };
 
-/// As TextureParameter, whose blending switches as well. Unity: NoInterpTextureParameter (URP 14).
+/// The same as TextureParameter, whose value also switches instead of blending.
+/// Unity: NoInterpTextureParameter (URP 14).
 class NoInterpTextureParameter : public TextureParameter
 {
 public:
@@ -84,7 +87,8 @@ public:
     std::string_view typeName() const override { return "RenderTexture"; }
 };
 
-/// As RenderTextureParameter. Unity: NoInterpRenderTextureParameter (URP 14).
+/// The same as RenderTextureParameter, whose value also switches instead of blending.
+/// Unity: NoInterpRenderTextureParameter (URP 14).
 class NoInterpRenderTextureParameter : public RenderTextureParameter
 {
 public:
@@ -92,7 +96,7 @@ public:
     std::string_view typeName() const override { return "NoInterpRenderTexture"; }
 };
 
-/// Six faces of a cube. Unity: CubemapParameter (URP 14).
+/// A cubemap. Unity: CubemapParameter (URP 14).
 class CubemapParameter : public TextureParameter
 {
 public:
@@ -101,7 +105,8 @@ public:
     std::string_view typeName() const override { return "Cubemap"; }
 };
 
-/// As CubemapParameter. Unity: NoInterpCubemapParameter (URP 14).
+/// The same as CubemapParameter, whose value also switches instead of blending.
+/// Unity: NoInterpCubemapParameter (URP 14).
 class NoInterpCubemapParameter : public CubemapParameter
 {
 public:
@@ -113,8 +118,8 @@ class Material;
 
 using MaterialReference = AssetReference<Material>;
 
-/// A material; blending switches as soon as t > 0. In YAML, and loaded, as a TextureParameter.
-/// Unity: MaterialParameter (URP 14.0.12).
+/// A material; blending switches as soon as t > 0. It is written in YAML and loaded like a
+/// TextureParameter. Unity: MaterialParameter (URP 14.0.12).
 class MaterialParameter : public detail::ValueParameter<MaterialReference>
 {
 public:
@@ -129,11 +134,12 @@ private:
 namespace detail
 {
 
-/// What all ObjectParameters do, whatever the type of their object.
+/// The base of all ObjectParameters, which does not depend on the type of their object.
 class ObjectParameterBase : public VolumeParameter
 {
 public:
-    /// Does nothing: always overridden, as in Unity. The object's parameters are or are not.
+    /// Does nothing: the parameter is always overridden, as in Unity. Each of the object's
+    /// parameters has its own override state.
     void SetOverrideState(bool) override {}
     std::span<VolumeParameter* const> parameters() const override;
 
@@ -160,11 +166,11 @@ private:
 } // namespace detail
 
 /// A group of parameters within a parameter. Blending copies the override states of `to` and blends
-/// the parameters overridden there; without an object in any of the three it does nothing. In YAML
-/// a map of the object's parameters; the ones named are overridden, no object is {}.
+/// the parameters overridden there; it does nothing if any of the three has no object. YAML has a
+/// map of the object's parameters; those named are overridden. {} stands for no object.
 ///
-/// The object is a VolumeComponent, as that is what parameters register with, and it belongs to
-/// this parameter alone: copying a value copies the parameters, where Unity shares the object.
+/// The object is a VolumeComponent, because parameters register with one. It belongs to this
+/// parameter alone: copying a value copies the parameters, where Unity shares the object.
 /// Unity: ObjectParameter<T> (URP 14).
 template <std::derived_from<VolumeComponent> T>
 class ObjectParameter final : public detail::ObjectParameterBase

@@ -9,17 +9,18 @@
 namespace limn
 {
 
-/// A box fixed to an object, for the space a local volume fills. Unity: UnityEngine.BoxCollider
-/// (2022.3), of which only ClosestPoint is here.
+/// A box fixed to an object; it is the space that a local volume fills.
+/// Unity: UnityEngine.BoxCollider (2022.3), of which only ClosestPoint is here.
 struct BoxCollider
 {
     bool enabled = true;
     glm::vec3 center{0.0f}; ///< in the object's space
     glm::vec3 size{1.0f};   ///< full lengths of the edges in the object's space
 
-    /// The point of the box, inside or on its surface, that is closest to `point`, all in world
-    /// space, not yet rounded to floats. Negative sizes and scales count as positive.
-    /// @param rotation  of unit length but for rounding
+    /// Returns the point in the box or on its surface that is closest to `point`. All values are in
+    /// world space; the result is not yet rounded to floats. Negative sizes and scales count as
+    /// positive.
+    /// @param rotation  has unit length, except for rounding errors
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;
 };
@@ -32,7 +33,7 @@ struct SphereCollider
     glm::vec3 center{0.0f}; ///< in the object's space
     float radius = 0.5f;    ///< in the object's space; the longest axis of its scale multiplies it
 
-    /// As BoxCollider::ClosestPoint.
+    /// Returns the closest point like BoxCollider::ClosestPoint.
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;
 };
@@ -47,15 +48,15 @@ struct CapsuleCollider
     float height = 1.0f;    ///< from tip to tip, times the scale of its axis; at least a sphere
     int direction = 1;      ///< the axis it stands along: 0 = x, 1 = y, 2 = z
 
-    /// As BoxCollider::ClosestPoint.
+    /// Returns the closest point like BoxCollider::ClosestPoint.
     /// @throws ContractError if direction is none of the three
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;
 };
 
-/// The solid that a convex mesh encloses, fixed to an object; a flat mesh is a solid without
+/// The solid that a convex mesh encloses, fixed to an object. A flat mesh is a solid without
 /// thickness. Unity: UnityEngine.MeshCollider with `convex` (2022.3), of which only ClosestPoint is
-/// here. Unity takes the hull of a mesh that is not convex; here it is refused.
+/// here. Unity takes the hull of a mesh that is not convex; limn rejects such a mesh.
 class MeshCollider
 {
 public:
@@ -67,7 +68,7 @@ public:
 
     const Mesh& mesh() const { return *m_Mesh; }
 
-    /// As BoxCollider::ClosestPoint. Looks at every triangle.
+    /// Returns the closest point like BoxCollider::ClosestPoint. Looks at every triangle.
     glm::dvec3 ClosestPoint(const glm::vec3& point, const glm::vec3& position,
                             const glm::quat& rotation, const glm::vec3& scale) const;
 
@@ -75,7 +76,7 @@ private:
     std::shared_ptr<const Mesh> m_Mesh;
 };
 
-/// A shape of a local volume: those that Unity's Collider.ClosestPoint knows.
+/// The shape of a local volume: one of those that Unity's Collider.ClosestPoint supports.
 /// Unity: UnityEngine.Collider (2022.3).
 using Collider = std::variant<BoxCollider, SphereCollider, CapsuleCollider, MeshCollider>;
 

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// A curve, blended key by key (KeyframeUtility::InterpAnimationCurve). In YAML a list of keys,
+/// A curve, blended key by key (KeyframeUtility::InterpAnimationCurve). YAML has a list of keys,
 /// [{time: 0, value: 1, inTangent: 0, outTangent: 0}], of which only time and value are needed,
 /// with wrap modes {keys: [...], preWrapMode: Loop, postWrapMode: PingPong}, or Unity's {m_Curve:
 /// [...], m_PreInfinity: 1, m_PostInfinity: 0}. Unity: AnimationCurveParameter (URP 14).

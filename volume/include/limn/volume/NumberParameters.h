@@ -7,8 +7,8 @@
 namespace limn::detail
 {
 
-// Parameters of numbers with limits, which SetValue(value) and files hold to; the constructor,
-// Override and Interp do not. `Base` is the parameter without them.
+// Parameters of numbers with limits. SetValue(value) and files keep to the limits; the constructor,
+// Override and Interp do not. `Base` is the parameter without limits.
 
 template <typename Base>
 class MinParameter : public Base
@@ -28,7 +28,7 @@ public:
     {
     }
 
-    /// NaN becomes the limit, as with Unity's Mathf.Max.
+    /// Sets the value, limited from below; NaN becomes the limit, as with Unity's Mathf.Max.
     void SetValue(const T& value) override { this->m_Value = value > m_Min ? value : m_Min; }
     std::optional<ValueRange> range() const override
     {
@@ -57,7 +57,7 @@ public:
     {
     }
 
-    /// NaN becomes the limit, as with Unity's Mathf.Min.
+    /// Sets the value, limited from above; NaN becomes the limit, as with Unity's Mathf.Min.
     void SetValue(const T& value) override { this->m_Value = value < m_Max ? value : m_Max; }
     std::optional<ValueRange> range() const override
     {
@@ -88,7 +88,7 @@ public:
         CheckLimits(this->name(), static_cast<double>(min), static_cast<double>(max));
     }
 
-    /// NaN stays NaN, as with Unity's Mathf.Clamp.
+    /// Sets the value, clamped to the limits; NaN stays NaN, as with Unity's Mathf.Clamp.
     void SetValue(const T& value) override
     {
         this->m_Value = value < m_Min ? m_Min : value > m_Max ? m_Max : value;
@@ -175,8 +175,8 @@ public:
     std::string_view typeName() const override { return "NoInterpClampedFloat"; }
 };
 
-/// A whole number; a blend is rounded toward zero, or to the whole number that it misses by no more
-/// than t is rounded (0 to 10 at 0.7f is 7), and stops at the greatest and the least int.
+/// A whole number. A blend is rounded toward zero, unless it misses a whole number by no more than
+/// the rounding error of t (0 to 10 at 0.7f is 7). It is clamped to the range of int.
 /// Unity: IntParameter (URP 14).
 class IntParameter : public detail::LerpParameter<int>
 {
@@ -194,7 +194,7 @@ public:
 };
 
 /// A whole number from 0 up to 32 bits, such as the bits of rendering layers; blending switches as
-/// soon as t > 0. Unity: a class of one's own that derives from VolumeParameter<uint>.
+/// soon as t > 0. Unity has no such class; a user derives one from VolumeParameter<uint>.
 class UIntParameter : public detail::ValueParameter<std::uint32_t>
 {
 public:
@@ -256,7 +256,7 @@ public:
 namespace detail
 {
 
-/// Limits a pair as Unity does: x only from below and y only from above, not x by y.
+/// Limits a pair as Unity does: x only from below and y only from above. It does not limit x by y.
 template <typename Base>
 class RangeLimited : public Base
 {
@@ -301,7 +301,8 @@ public:
     std::string_view typeName() const override { return "FloatRange"; }
 };
 
-/// The same, switching as soon as t > 0. Unity: NoInterpFloatRangeParameter (URP 14).
+/// A FloatRangeParameter that switches as soon as t > 0. Unity: NoInterpFloatRangeParameter (URP
+/// 14).
 class NoInterpFloatRangeParameter : public detail::RangeLimited<detail::ValueParameter<glm::vec2>>
 {
 public:

@@ -10,20 +10,20 @@
 namespace limn
 {
 
-/// Where an asset is, as a file says it: by path, or by Unity's identifiers.
+/// The place of an asset as a file gives it: a path or Unity's identifiers.
 struct AssetLocation
 {
-    std::string path = {};   ///< as written, relative to the file it is in
+    std::string path = {};   ///< as written, relative to the file that contains it
     std::int64_t fileID = 0; ///< Unity's object within the asset file
     std::string guid = {};   ///< Unity's asset file, 32 hexadecimal digits
-    int type = 0;            ///< Unity's: 2 made by the editor, 3 imported
+    int type = 0;            ///< Unity's type: 2 is made by the editor, 3 is imported
 
     bool isNull() const { return path.empty() && fileID == 0; }
     bool operator==(const AssetLocation&) const = default;
 };
 
-/// A reference to an asset, or to none. Reading YAML sets `location` and leaves `asset` empty: who
-/// loads assets fills it in; a program may set `asset` alone.
+/// A reference to an asset, or to none. Reading YAML sets `location` and leaves `asset` empty; the
+/// loader of assets fills it in. A program may set only `asset`.
 template <typename Asset>
 struct AssetReference
 {
@@ -36,17 +36,17 @@ struct AssetReference
 class Material;
 class Texture;
 
-/// What a reference gave: an asset, or none and why.
+/// The result of loading a reference: an asset, or none and the reason.
 template <typename Asset>
 struct LoadedAsset
 {
     std::shared_ptr<const Asset> asset = {};
-    std::string note = {}; ///< "" where there is nothing to say
+    std::string note = {}; ///< "" if there is nothing to report
 };
 
-/// What the values of a profile refer to beyond their file: layers and other assets. This class is
-/// the context of a profile on its own: it has the layers of every Unity project and loads nothing,
-/// so references keep their location alone. Who has a scene derives from it.
+/// Resolves what the values of a profile refer to outside their file: layers and other assets. This
+/// class is the context of a profile without a scene: it has the layers of every Unity project and
+/// loads nothing, so references keep only their location. Code that has a scene derives from it.
 class ProfileContext
 {
 public:
@@ -55,14 +55,15 @@ public:
     ProfileContext& operator=(const ProfileContext&) = delete;
     virtual ~ProfileContext() = default;
 
-    /// The number of a layer, 0...31; nothing if there is no layer of that name.
+    /// Returns the number of a layer, 0...31, or nullopt if no layer has that name.
     virtual std::optional<int> FindLayer(std::string_view name) const;
-    /// By ascending number, for messages.
+    /// Returns the names of the layers by ascending number, for messages.
     virtual std::vector<std::string_view> layerNames() const;
 
-    /// Whether references are loaded at all.
+    /// Returns whether references are loaded at all.
     virtual bool loadsAssets() const { return false; }
-    /// A flat texture. @throws AssetError if it cannot be loaded
+    /// Loads a flat texture.
+    /// @throws AssetError if it cannot be loaded
     virtual LoadedAsset<Texture> LoadTexture(const AssetLocation& location) const;
     /// @throws AssetError if it cannot be loaded
     virtual LoadedAsset<Material> LoadMaterial(const AssetLocation& location) const;

@@ -16,18 +16,18 @@ public:
     static constexpr int k_SampleCount = 128;
 
     TextureCurve() = default;
-    /// @param zeroValue  the value everywhere of a curve without keys
-    /// @param loop       the end goes on into the beginning
-    /// @param bounds     the length of this vector is the period of a loop, Unity's way
+    /// @param zeroValue  the value of a curve without keys, at every time
+    /// @param loop       if true, the end continues into the beginning
+    /// @param bounds     the length of this vector is the period of a loop, as in Unity
     TextureCurve(AnimationCurve curve, float zeroValue, bool loop, const glm::vec2& bounds);
     TextureCurve(AnimationCurve curve, float zeroValue, bool loop, float range);
 
     float Evaluate(float time) const;
 
-    /// Evaluate(i / 128) for each i.
+    /// Returns Evaluate(i / 128) for each i.
     std::array<float, k_SampleCount> Samples() const;
 
-    /// The samples as a 128x1 texture of R16_SFloat, bilinear and clamped; a new one per call.
+    /// Returns the samples as a new 128x1 texture of R16_SFloat, bilinear and clamped.
     std::shared_ptr<const Texture2D> MakeTexture() const;
 
     const AnimationCurve& curve() const { return m_Curve; }
@@ -39,7 +39,7 @@ public:
 
 private:
     AnimationCurve m_Curve;
-    AnimationCurve m_LoopingCurve; ///< with the neighbours of the first and the last key
+    AnimationCurve m_LoopingCurve; ///< the curve with the neighbours of the first and the last key
     float m_ZeroValue = 0.0f;
     bool m_Loop = false;
     float m_Range = 1.0f;

@@ -13,8 +13,8 @@
 namespace limn
 {
 
-/// Whether every MonoBehaviour of a Unity asset has this field; what is left are the fields of its
-/// class. (2022.3)
+/// Returns whether every MonoBehaviour of a Unity asset has this field. The other fields are those
+/// of its class. (2022.3)
 inline bool isUnityHeaderField(std::string_view name)
 {
     static const WordList s_Fields(
@@ -27,10 +27,11 @@ inline bool isUnityHeaderField(std::string_view name)
 struct UnityHeader
 {
     std::int64_t fileID = 0;
-    int classID = 0;         ///< 1 GameObject, 4 Transform, 114 MonoBehaviour
-    bool isStripped = false; ///< stands for an object of a prefab, and says little more than which
-    int line = 0;            ///< of the file, from 1
-    std::size_t bodyBegin = 0; ///< offset of what is below the header
+    int classID = 0; ///< 1 GameObject, 4 Transform, 114 MonoBehaviour
+    /// Stands for an object of a prefab and holds little more than its identity.
+    bool isStripped = false;
+    int line = 0;              ///< the line of the file, from 1
+    std::size_t bodyBegin = 0; ///< offset of the text below the header
     std::size_t bodyEnd = 0;
 };
 
@@ -51,29 +52,29 @@ struct UnityObject
 class UnityAsset
 {
 public:
-    /// @param file  what errors call it
+    /// @param file  the name of the file in errors
     /// @throws AssetError with every document that does not begin as a Unity object does, and every
     ///     fileID that is there twice
     UnityAsset(std::string text, std::string file);
 
     const std::string& file() const { return m_File; }
 
-    /// In the order of the file.
+    /// Returns the headers in the order of the file.
     std::span<const UnityHeader> headers() const { return m_Headers; }
 
-    /// Null if no object has that id.
+    /// Returns the header of the object with that id, or null if there is none.
     const UnityHeader* FindHeader(std::int64_t fileID) const;
 
-    /// Parses the object's body, anew at each call.
+    /// Parses the object's body; each call parses it again.
     /// @param header  one of headers()
     /// @throws AssetError as ParseYaml does, and for a body that is not one map under one name
     UnityObject Read(const UnityHeader& header) const;
 
-    /// Read of FindHeader; nothing if no object has that id.
+    /// Reads the object with that id; returns nullopt if there is none.
     std::optional<UnityObject> Find(std::int64_t fileID) const;
 
-    /// The first MonoBehaviour that has a field of that name, "m_RendererFeatures"; nothing if none
-    /// has. Only bodies in which that name stands are parsed.
+    /// Returns the first MonoBehaviour that has a field of that name (for example
+    /// "m_RendererFeatures"), or nullopt if none has. Only bodies that contain the name are parsed.
     /// @throws AssetError as Read does
     std::optional<UnityObject> FindWithField(std::string_view field) const;
 
@@ -87,17 +88,18 @@ private:
     std::map<std::int64_t, std::size_t> m_ByFileID; ///< indices of m_Headers
 };
 
-/// Whether a text is a Unity asset, by a line that begins `--- !u!`; the file's name plays no role.
+/// Returns whether a text is a Unity asset, which has a line that begins with `--- !u!`. The name
+/// of the file plays no role.
 bool IsUnityAsset(std::string_view text);
 
 /// @throws AssetError as ReadYamlText and UnityAsset do
 UnityAsset LoadUnityAsset(const std::filesystem::path& path);
 
-/// The id in `{fileID: 11400000}`; nothing if the node is not such a reference. 0 means "none". A
-/// reference with a guid points into another file.
+/// Returns the id in `{fileID: 11400000}`, or nullopt if the node is not such a reference. 0 means
+/// "none". A reference with a guid points into another file.
 std::optional<std::int64_t> ReadFileID(const YamlNode& reference);
 
-/// The guid in `{fileID: 11500000, guid: 185ced…, type: 3}`; "" if the node has none.
+/// Returns the guid in `{fileID: 11500000, guid: 185ced…, type: 3}`, or "" if the node has none.
 std::string ReadGuid(const YamlNode& reference);
 
 } // namespace limn

@@ -13,8 +13,8 @@
 namespace limn::detail
 {
 
-/// What the parameters of one type of value share: how it is read and written. Blends as the base
-/// does: any t > 0 switches.
+/// Reads and writes the value of all parameters of one type. It blends like its base: the value
+/// switches as soon as t > 0.
 template <typename T>
 class ValueParameter : public VolumeParameterT<T>
 {
@@ -37,8 +37,9 @@ protected:
                   const ProfileContext& context) override;
 };
 
-/// from (1 - t) + to t, per component; t is not clamped. Floats are blended in double: t = 1 gives
-/// exactly `to`, and no t between 0 and 1 anything beyond the two. Sealed, as Unity's are.
+/// Blends to from (1 - t) + to t, per component; t is not clamped. Floats are blended in double, so
+/// t = 1 gives exactly `to`, and a t between 0 and 1 gives no value beyond the two. Interp is
+/// final, as in Unity.
 template <typename T>
 class LerpParameter : public ValueParameter<T>
 {
@@ -57,11 +58,11 @@ void CheckLimits(const std::string& name, double min, double max);
 namespace limn
 {
 
-/// On or off; blending switches as soon as t > 0. Unity: BoolParameter (URP 14).
+/// A value that is on or off; blending switches as soon as t > 0. Unity: BoolParameter (URP 14).
 class BoolParameter : public detail::ValueParameter<bool>
 {
 public:
-    /// What an editor shows; blending and files do not look at it.
+    /// The control that an editor shows; blending and files ignore it.
     /// Unity: BoolParameter.DisplayType (URP 14).
     enum class DisplayType
     {
@@ -85,7 +86,7 @@ public:
 namespace detail
 {
 
-/// What an editor offers for a colour; blending and files do not look at it.
+/// Hints for how an editor shows a colour; blending and files ignore them.
 template <typename Base>
 class ColorHints : public Base
 {
@@ -102,14 +103,14 @@ public:
     {
     }
 
-    const bool hdr = false;           ///< channels above 1 make sense
-    const bool showAlpha = true;      ///< alpha makes sense
-    const bool showEyeDropper = true; ///< may be picked from the screen
+    const bool hdr = false;           ///< channels above 1 have a meaning
+    const bool showAlpha = true;      ///< the alpha channel has a meaning
+    const bool showEyeDropper = true; ///< the colour may be picked from the screen
 };
 
 } // namespace detail
 
-/// A colour, blended linearly per channel, alpha too, in whatever space its values are in.
+/// A colour, blended linearly per channel (also alpha), in the colour space of its values.
 /// Unity: ColorParameter (URP 14).
 class ColorParameter : public detail::ColorHints<detail::LerpParameter<Color>>
 {
@@ -134,7 +135,7 @@ public:
     std::string_view typeName() const override { return "Vector2"; }
 };
 
-/// Switches as soon as t > 0. Unity: NoInterpVector2Parameter (URP 14).
+/// Two numbers; blending switches as soon as t > 0. Unity: NoInterpVector2Parameter (URP 14).
 class NoInterpVector2Parameter : public detail::ValueParameter<glm::vec2>
 {
 public:
@@ -150,7 +151,7 @@ public:
     std::string_view typeName() const override { return "Vector3"; }
 };
 
-/// Switches as soon as t > 0. Unity: NoInterpVector3Parameter (URP 14).
+/// Three numbers; blending switches as soon as t > 0. Unity: NoInterpVector3Parameter (URP 14).
 class NoInterpVector3Parameter : public detail::ValueParameter<glm::vec3>
 {
 public:
@@ -166,7 +167,7 @@ public:
     std::string_view typeName() const override { return "Vector4"; }
 };
 
-/// Switches as soon as t > 0. Unity: NoInterpVector4Parameter (URP 14).
+/// Four numbers; blending switches as soon as t > 0. Unity: NoInterpVector4Parameter (URP 14).
 class NoInterpVector4Parameter : public detail::ValueParameter<glm::vec4>
 {
 public:
@@ -174,7 +175,7 @@ public:
     std::string_view typeName() const override { return "NoInterpVector4"; }
 };
 
-/// A set of layers; blending switches as soon as t > 0. In YAML: the bits as one number, "Nothing",
+/// A set of layers; blending switches as soon as t > 0. YAML has the bits as one number, "Nothing",
 /// "Everything", a list of indices or of Unity's built-in layers' names ("Default", "UI"), or
 /// {m_Bits: 5}. A profile does not know the names that a scene gives its layers.
 /// Unity: LayerMaskParameter (URP 14).
@@ -185,8 +186,8 @@ public:
     std::string_view typeName() const override { return "LayerMask"; }
 };
 
-/// A set of rendering layers; blending switches as soon as t > 0. In YAML as a LayerMask, without
-/// names in the list. Unity: RenderingLayerMaskParameter (URP 17).
+/// A set of rendering layers; blending switches as soon as t > 0. It is written in YAML like a
+/// LayerMask, but the list has no names. Unity: RenderingLayerMaskParameter (URP 17).
 class RenderingLayerMaskParameter : public detail::ValueParameter<RenderingLayerMask>
 {
 public:
@@ -194,7 +195,7 @@ public:
     std::string_view typeName() const override { return "RenderingLayerMask"; }
 };
 
-/// A value of an enum and what files call it.
+/// A value of an enum and its name in files.
 template <typename T>
 struct EnumName
 {
@@ -207,16 +208,16 @@ namespace detail
 
 using EnumNames = std::vector<EnumName<std::int64_t>>;
 
-/// By name or by number; an error that lists the names for anything that is not among them.
+/// Reads a value by name or by number. Anything else is an error that lists the names.
 std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subject,
                                      AssetDiagnostics& diagnostics, const EnumNames& names);
-/// The name of the value; the number itself if it has none.
+/// Returns the name of the value, or the number itself if it has none.
 std::string EnumText(std::int64_t value, const EnumNames& names);
 
 } // namespace detail
 
-/// One of a list; blending switches as soon as t > 0. In YAML by name or by number; Unity writes
-/// the number.
+/// A value of an enum; blending switches as soon as t > 0. YAML has its name or its number; Unity
+/// writes the number.
 ///
 ///     EnumParameter<Mode> m_Mode{this, "m_Mode", Mode::Off, {{"Off", Mode::Off}, {"On",
 ///     Mode::On}}};

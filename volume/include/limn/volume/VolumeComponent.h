@@ -13,8 +13,8 @@ namespace limn
 ///
 ///     ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f};
 ///
-/// Neither copied nor moved, because the list of parameters points at the members.
-/// Unity: UnityEngine.Rendering.VolumeComponent (URP 14).
+/// A component can be neither copied nor moved, because its list of parameters points at its
+/// members. Unity: UnityEngine.Rendering.VolumeComponent (URP 14).
 class VolumeComponent
 {
 public:
@@ -26,25 +26,27 @@ public:
     bool active = true;      ///< false: ignored altogether
     std::string displayName; ///< for people; "" means the name of the type
 
-    /// Blends every overridden parameter onto the state's and marks it as overridden there.
+    /// Blends every overridden parameter onto the state's parameter and marks that one as
+    /// overridden.
     /// @throws ContractError if `state` is of another type
     virtual void Override(VolumeComponent& state, float interpFactor) const;
 
-    /// Reaches the parameters within ObjectParameters too.
+    /// Sets the override state of all parameters, also of those within ObjectParameters.
     void SetAllOverridesTo(bool state);
 
-    /// Whether a parameter is overridden; an ObjectParameter always is, as in Unity.
+    /// Returns whether any parameter is overridden; an ObjectParameter always is, as in Unity.
     bool AnyPropertiesIsOverridden() const
     {
         return std::ranges::any_of(m_Parameters, [](const VolumeParameter* parameter)
                                    { return parameter->overrideState(); });
     }
 
-    /// In the order of declaration.
+    /// Returns the parameters in the order of their declaration.
     std::span<VolumeParameter* const> parameters() { return m_Parameters; }
     std::span<const VolumeParameter* const> parameters() const { return m_Parameters; }
 
-    /// By serialised or plain name ("m_OutlineWidth", "outlineWidth"); null if there is none.
+    /// Returns the parameter with that serialised or plain name ("m_OutlineWidth", "outlineWidth"),
+    /// or null if there is none.
     VolumeParameter* FindParameter(std::string_view name);
     const VolumeParameter* FindParameter(std::string_view name) const;
 
@@ -55,7 +57,7 @@ private:
     std::vector<VolumeParameter*> m_Parameters;
 };
 
-/// What a volume component of a visual effect answers before its pass is added.
+/// The interface of a volume component of a visual effect, asked before its pass is added.
 /// Unity: UnityEngine.Rendering.Universal.IPostProcessComponent (URP 14).
 class IPostProcessComponent
 {

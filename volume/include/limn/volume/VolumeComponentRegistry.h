@@ -22,10 +22,11 @@ public:
     /// A registered type.
     struct Entry
     {
-        std::string name; ///< as files call it: "ScreenSpaceOutline"
+        std::string name; ///< its name in files: "ScreenSpaceOutline"
         std::type_index type;
         std::function<std::unique_ptr<VolumeComponent>()> create;
-        /// A component as its constructor leaves it: what a stack shows where no volume counts.
+        /// A component with the values of its constructor, which a stack shows where no volume
+        /// counts.
         std::unique_ptr<const VolumeComponent> defaults;
     };
 
@@ -50,11 +51,12 @@ public:
     /// @throws ContractError for a type that is not registered
     std::unique_ptr<VolumeComponent> Create(std::type_index type) const;
 
-    /// Null if there is none. Entries stay where they are while the registry lives.
+    /// Returns the entry of that name or type, or null if there is none. Entries keep their address
+    /// while the registry lives.
     const Entry* Find(std::string_view name) const;
     const Entry* Find(std::type_index type) const;
 
-    /// In the order of registration.
+    /// Returns the names in the order of registration.
     std::vector<std::string_view> names() const;
     std::span<const std::unique_ptr<const Entry>> entries() const { return m_Entries; }
 

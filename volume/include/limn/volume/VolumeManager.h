@@ -16,8 +16,8 @@
 namespace limn
 {
 
-/// Blends the volumes registered with it into stacks. No singleton: two managers never see each
-/// other's volumes. Unity: UnityEngine.Rendering.VolumeManager (URP 14).
+/// Blends the volumes registered with it into stacks. It is no singleton: two managers never see
+/// each other's volumes. Unity: UnityEngine.Rendering.VolumeManager (URP 14).
 class VolumeManager
 {
 public:
@@ -26,64 +26,65 @@ public:
     VolumeManager(const VolumeManager&) = delete;
     VolumeManager& operator=(const VolumeManager&) = delete;
 
-    /// A stack with one component of every type registered so far, all at their defaults.
-    /// Those of the constructors with the default profiles on top.
+    /// Creates a stack with one component of every type registered so far, all at their defaults.
+    /// These are the constructors' values with the default profiles on top.
     VolumeStack CreateStack() const;
 
-    /// What stacks show where no volume counts: the constructors' values, then the active
+    /// Sets what stacks show where no volume counts: the constructors' values, then the active
     /// components' overridden parameters of the global profile, of the quality profile and of the
-    /// custom ones in this order, with full weight. Null: none. Stacks follow in their next Update.
-    /// Unity: URP 17; in 14 there are the constructors' values only.
+    /// custom ones in this order, with full weight. Null stands for no profile. Stacks change in
+    /// their next Update. Unity: URP 17; URP 14 has only the constructors' values.
     void SetGlobalDefaultProfile(std::shared_ptr<const VolumeProfile> profile);
     void SetQualityDefaultProfile(std::shared_ptr<const VolumeProfile> profile);
-    /// Null ones are left out.
+    /// Sets the custom default profiles; null ones are ignored.
     void SetCustomDefaultProfiles(std::vector<std::shared_ptr<const VolumeProfile>> profiles);
 
-    /// To be called after an edit to a default profile where no volume is registered: an Update
-    /// would not look. Does nothing for other profiles.
+    /// Must be called after an edit to a default profile if no volume is registered, because Update
+    /// would not notice the edit. Does nothing for other profiles.
     void OnVolumeProfileChanged(const VolumeProfile& profile);
 
-    /// The stack of the camera that this thread renders, for helpers that are given no
-    /// RenderingData; that of the defaults where none is rendered.
+    /// Returns the stack of the camera that this thread renders, for helpers that are given no
+    /// RenderingData. Returns the stack of the defaults while no camera is rendered.
     /// Unity: VolumeManager.instance.stack.
     static VolumeStackPointer stack();
-    /// Lets `VolumeManager.instance.stack` of C# keep its words; limn has no manager for all.
+    /// Lets code ported from C# keep `VolumeManager.instance.stack`; limn has no global manager.
     struct Instance
     {
         VolumeStackPointer stack() const { return VolumeManager::stack(); }
     };
     static Instance instance() { return {}; }
 
-    /// Volumes of equal priority are applied in the order of registration.
+    /// Registers a volume. Volumes of equal priority are applied in the order of registration.
     /// @return false if it is registered already
     /// @throws ContractError for null and for a layer outside 0...31
-    /// @lifetime  follows the volume where it is moved to, and forgets it when it is destroyed
+    /// @lifetime  follows the volume when it is moved and forgets it when it is destroyed
     bool Register(const Volume* volume);
 
-    /// Does nothing for a volume that is not registered.
+    /// Unregisters a volume; does nothing if it is not registered.
     void Unregister(const Volume* volume);
 
     /// Brings the stack to its defaults and applies the volumes in the mask's layers, by ascending
     /// priority. Changed layers and priorities are noticed here; a volume whose layer changed
     /// counts as registered last, and one whose priority changes back to that of others keeps the
     /// place it had, as in Unity.
-    /// @param trigger  world position that local volumes measure from, Unity's volume trigger;
-    ///     nothing: only global volumes count
+    /// @param trigger  the world position from which local volumes measure (Unity's volume
+    ///     trigger); without one only global volumes count
     /// @throws ContractError for a volume whose layer is outside 0...31
     void Update(VolumeStack& stack, const std::optional<glm::vec3>& trigger, LayerMask layerMask);
 
-    /// Where every overridden value that Update would give comes from, by the same rules. Unlike
-    /// Update it allocates.
-    /// @throws ContractError as Update, and if the registry lacks the type of a component
+    /// Returns where every overridden value that Update would give comes from, by the same rules.
+    /// Unlike Update it allocates.
+    /// @throws ContractError like Update, and if the registry lacks the type of a component
     VolumeTrace Trace(const std::optional<glm::vec3>& trigger, LayerMask layerMask);
 
-    /// The registered volumes in the mask's layers, enabled or not, by ascending priority. Valid
-    /// until the next call of any other member, or until one of them is moved or destroyed.
+    /// Returns the registered volumes in the mask's layers, enabled or not, by ascending priority.
+    /// The result is valid until the next call of any other member, or until one of them is moved
+    /// or destroyed.
     std::span<const Volume* const> GetVolumes(LayerMask layerMask);
 
-    /// Whether an enabled volume has an active T in its profile, weight and place aside. As in
-    /// Unity only a mask that Update, Trace or GetVolumes was called with is known; false for any
-    /// other.
+    /// Returns whether an enabled volume has an active T in its profile, whatever its weight and
+    /// place. As in Unity only a mask that Update, Trace or GetVolumes was called with is known;
+    /// returns false for any other.
     template <std::derived_from<VolumeComponent> T>
     bool IsComponentActiveInMask(LayerMask layerMask) const
     {
@@ -91,11 +92,11 @@ public:
     }
 
 private:
-    /// A volume and what is known about it, to notice changes.
+    /// A volume and its last known state, to notice changes.
     struct Registration
     {
         std::shared_ptr<const detail::VolumePlace*> address;
-        const Volume* volume; ///< as FollowMoves saw it last
+        const Volume* volume; ///< the address that FollowMoves saw last
         int layer;
         float priority;
     };
@@ -114,7 +115,7 @@ private:
     bool IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const;
     std::vector<Registration>::iterator FindRegistration(const Volume* volume);
     void Fill(SortedList& list) const;
-    /// Volumes may have been moved or destroyed.
+    /// Updates the registrations of volumes that were moved or destroyed.
     void FollowMoves();
     void NoticeChanges();
     void AddToLists(const Registration& registration);

@@ -13,11 +13,12 @@
 namespace limn
 {
 
-/// What a person is told about a parameter, beside its name, default and range.
+/// The documentation of a parameter for people, beside its name, default and range.
 struct ParameterInfo
 {
     std::string tooltip = {}; ///< one sentence; Unity's [Tooltip]
-    std::string unit = {};    ///< of the number: "pixels", "metres", "degrees"; "" for none
+    /// The unit of the number: "pixels", "metres", "degrees"; "" if it has none.
+    std::string unit = {};
 };
 
 class VolumeComponent;
@@ -40,15 +41,15 @@ public:
         InterpValues(from, to, t);
     }
 
-    /// Copies the other's value as it is: not clamped, and the override state stays.
+    /// Copies the other's value without clamping it; the override state stays.
     /// @throws ContractError unless both hold the same type of value
     void SetValue(const VolumeParameter& other) { CopyValue(other); }
 
-    /// Sets the value, as it is, to what the node says; the override state stays.
-    /// @param subject  what errors call it: "ScreenSpaceOutline.m_OutlineWidth"
-    /// @param context  what names of layers mean and who loads references
-    /// @return false, with the reason in `diagnostics` and the value untouched, if it says nothing
-    ///     that fits this parameter; a number outside range() does not
+    /// Sets the value to that of the node; the override state stays.
+    /// @param subject  the name of the value in errors: "ScreenSpaceOutline.m_OutlineWidth"
+    /// @param context  resolves names of layers and loads references
+    /// @return false, with the reason in `diagnostics` and the value untouched, if the node's value
+    ///     does not fit this parameter; a number outside range() does not fit
     bool ReadYaml(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
                   const ProfileContext& context = {})
     {
@@ -57,7 +58,7 @@ public:
 
     virtual void SetOverrideState(bool state) { m_OverrideState = state; }
 
-    /// In a profile: whether the parameter is set there. In a stack: whether some volume touched
+    /// Returns whether its profile sets the parameter or, in a stack, whether a volume overrides
     /// it.
     bool overrideState() const { return m_OverrideState; }
     const std::string& name() const { return m_Name; } ///< Unity's serialised name
@@ -65,19 +66,23 @@ public:
     const std::string& tooltip() const { return m_Info.tooltip; }
     const std::string& unit() const { return m_Info.unit; } ///< "pixels"; "" for none
 
-    virtual std::string ValueText() const = 0;     ///< as limn's YAML has it, on one line
-    virtual std::string UnityText() const = 0;     ///< as m_Value of Unity's YAML, on one line
+    virtual std::string ValueText() const = 0; ///< the value in limn's YAML, on one line
+    /// Returns the value as m_Value of Unity's YAML, on one line.
+    virtual std::string UnityText() const = 0;
     virtual std::string_view typeName() const = 0; ///< "ClampedFloat"
 
-    /// The numbers that SetValue and files keep to; nothing where any will do.
+    /// Returns the range of numbers that SetValue and files keep to, or nullopt if there is no
+    /// limit.
     virtual std::optional<ValueRange> range() const { return std::nullopt; }
-    /// The names the value goes by, in the order of their declaration; none unless an enum.
+    /// Returns the names of an enum's values in the order of their declaration; empty for any other
+    /// type.
     virtual std::vector<std::string> valueNames() const { return {}; }
-    /// The parameters within the value; none unless an ObjectParameter's.
+    /// Returns the parameters within the value of an ObjectParameter; empty for any other
+    /// parameter.
     virtual std::span<VolumeParameter* const> parameters() const { return {}; }
 
 protected:
-    /// @param owner  the component this is a member of; null for one on its own
+    /// @param owner  the component that has this parameter as a member, or null if there is none
     VolumeParameter(VolumeComponent* owner, std::string_view name, bool overrideState,
                     ParameterInfo info = {});
 
@@ -85,7 +90,7 @@ protected:
     [[noreturn]] void RefuseOtherType(const VolumeParameter& other) const;
 
 private:
-    /// ReadYaml.
+    /// Implements ReadYaml.
     virtual bool ReadNode(const YamlNode& node, std::string_view subject,
                           AssetDiagnostics& diagnostics, const ProfileContext& context) = 0;
     virtual void InterpValues(const VolumeParameter& from, const VolumeParameter& to, float t) = 0;
@@ -96,8 +101,8 @@ private:
     bool m_OverrideState;
 };
 
-/// A parameter whose value is a T. On its own it switches from one value to the other as soon as
-/// t > 0. Unity: VolumeParameter<T>.
+/// A parameter whose value is a T. Unless a subclass blends, it switches from one value to the
+/// other as soon as t > 0. Unity: VolumeParameter<T>.
 template <typename T>
 class VolumeParameterT : public VolumeParameter
 {
@@ -109,10 +114,10 @@ public:
     /// Sets the value to the blend of the two; neither t nor the result is clamped.
     virtual void Interp(const T& from, const T& to, float t) { m_Value = t > 0.0f ? to : from; }
 
-    /// Sets the value; a parameter with a range clamps.
+    /// Sets the value; a parameter with a range clamps it.
     virtual void SetValue(const T& value) { m_Value = value; }
 
-    /// Sets the override state, and the value as it is: not clamped, as in Unity.
+    /// Sets the override state and the value; the value is not clamped, as in Unity.
     void Override(const T& value)
     {
         SetOverrideState(true);
@@ -122,7 +127,7 @@ public:
     const T& value() const { return m_Value; }
 
 protected:
-    /// @param value  taken as it is, not clamped
+    /// @param value  the initial value, which is not clamped
     VolumeParameterT(VolumeComponent* owner, std::string_view name, T value, bool overrideState,
                      ParameterInfo info = {})
         : VolumeParameter(owner, name, overrideState, std::move(info)), m_Value(std::move(value))

@@ -12,9 +12,8 @@ namespace limn
 
 class VolumeComponentRegistry;
 
-/// The components a volume brings, at most one of each type. Queries compare exact types unless
-/// they say otherwise.
-/// Unity: UnityEngine.Rendering.VolumeProfile (URP 14).
+/// The components that a volume applies, at most one of each type. Queries compare exact types
+/// unless their documentation says otherwise. Unity: UnityEngine.Rendering.VolumeProfile (URP 14).
 class VolumeProfile
 {
 public:
@@ -24,6 +23,7 @@ public:
 
     std::string name; ///< for people; Unity's m_Name or the file's
 
+    /// Adds a component with the values of its constructor.
     /// @param overrides  the override state of all its parameters
     /// @throws ContractError if there is a component of that type already
     template <std::derived_from<VolumeComponent> T>
@@ -37,7 +37,7 @@ public:
     /// @throws ContractError for null, and if there is a component of that type already
     VolumeComponent& Add(std::unique_ptr<VolumeComponent> component);
 
-    /// Does nothing if there is none.
+    /// Removes the component of type T; does nothing if there is none.
     template <std::derived_from<VolumeComponent> T>
     void Remove()
     {
@@ -50,7 +50,8 @@ public:
         return Find(typeid(T)) != nullptr;
     }
 
-    /// Also an inactive one; null if there is none. Lives until removed.
+    /// Returns the component of type T, also an inactive one, or null if there is none. It lives
+    /// until it is removed.
     template <std::derived_from<VolumeComponent> T>
     T* TryGet()
     {
@@ -62,14 +63,14 @@ public:
         return static_cast<const T*>(Find(typeid(T)));
     }
 
-    /// Whether there is a T or something derived from it.
+    /// Returns whether there is a component that is a T or derived from it.
     template <std::derived_from<VolumeComponent> T>
     bool HasSubclassOf() const
     {
         return TryGetSubclassOf<T>() != nullptr;
     }
 
-    /// The first component that is a T or derived from it; null if there is none.
+    /// Returns the first component that is a T or derived from it, or null if there is none.
     template <std::derived_from<VolumeComponent> T>
     const T* TryGetSubclassOf() const
     {
@@ -77,7 +78,8 @@ public:
         return all.empty() ? nullptr : all.front();
     }
 
-    /// Every component that is a T or derived from it, in the order they were added.
+    /// Returns every component that is a T or derived from it, in the order in which they were
+    /// added.
     template <std::derived_from<VolumeComponent> T>
     std::vector<const T*> TryGetAllSubclassOf() const
     {
@@ -92,11 +94,12 @@ public:
         return found;
     }
 
-    /// A profile with copies of all components, values, override states and all.
+    /// Returns a profile with copies of all components, their values and override states included.
     /// @throws ContractError if the registry lacks the type of a component
     VolumeProfile Clone(const VolumeComponentRegistry& registry) const;
 
-    /// In the order they were added, which is the order they are applied in.
+    /// Returns the components in the order in which they were added, which is also the order in
+    /// which they are applied.
     std::span<const std::unique_ptr<VolumeComponent>> components() const { return m_Components; }
 
 private:

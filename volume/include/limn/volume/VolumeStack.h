@@ -9,21 +9,22 @@
 namespace limn
 {
 
-/// The blended values a camera sees: one component of every registered type. Created and updated by
-/// a VolumeManager. Unity: UnityEngine.Rendering.VolumeStack (URP 14).
+/// The blended values that a camera uses: one component of every registered type. A VolumeManager
+/// creates and updates it. Unity: UnityEngine.Rendering.VolumeStack (URP 14).
 class VolumeStack
 {
 public:
     VolumeStack(VolumeStack&&) = default;
     VolumeStack& operator=(VolumeStack&&) = default;
 
-    /// The stack of a camera that nobody blended volumes for: every type of component with the
-    /// values of its constructor, registered or not. (Unity: VolumeManager.instance.stack before
-    /// the first camera.)
+    /// Returns the stack of a camera without blended volumes: it has every type of component,
+    /// registered or not, with the values of its constructor. (Unity: VolumeManager.instance.stack
+    /// before the first camera.)
     static const VolumeStack& Defaults();
 
-    /// The blended component, with its defaults where no volume set anything; null only if the type
-    /// was not registered when the stack was created. Lives as long as the stack.
+    /// Returns the blended component, with its defaults where no volume set anything. Returns null
+    /// only if the type was not registered when the stack was created. The component lives as long
+    /// as the stack.
     template <std::derived_from<VolumeComponent> T>
     const T* GetComponent() const
     {
@@ -37,7 +38,7 @@ public:
 
     const VolumeComponent* GetComponent(std::type_index type) const { return Find(type); }
 
-    /// Whether the next Update without any volume has to bring the defaults back.
+    /// Returns whether the next Update without any volume must restore the defaults.
     bool requiresReset() const { return m_RequiresReset || m_DefaultsSeen != *m_Defaults; }
 
 private:
@@ -58,7 +59,8 @@ private:
 
     std::vector<Slot> m_Slots; ///< ordered by type
     bool m_RequiresReset = true;
-    std::shared_ptr<const std::uint64_t> m_Defaults; ///< the manager's count of their changes
+    /// The manager's count of the changes of its defaults.
+    std::shared_ptr<const std::uint64_t> m_Defaults;
     std::uint64_t m_DefaultsSeen;
 };
 

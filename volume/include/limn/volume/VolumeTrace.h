@@ -12,8 +12,8 @@
 namespace limn
 {
 
-/// How one component of a stack came to its values: everything that blending did to it, kept so
-/// that it can be done again. No counterpart in Unity.
+/// The history of one component of a stack: every step of its blending, kept so that it can be
+/// repeated. Unity has no counterpart.
 struct VolumeComponentTrace
 {
     /// A component of a volume and how far the state moved towards it.
@@ -23,60 +23,63 @@ struct VolumeComponentTrace
         float factor = 0.0f;                           ///< 0...1
     };
 
-    std::string component;                        ///< as files call its type: "ScreenSpaceOutline"
-    std::shared_ptr<const VolumeComponent> start; ///< with the values of the defaults
+    std::string component;                        ///< its type in files: "ScreenSpaceOutline"
+    std::shared_ptr<const VolumeComponent> start; ///< a component with the values of the defaults
     std::vector<Step> steps;                      ///< in the order they were applied
     std::function<std::unique_ptr<VolumeComponent>()> create; ///< a new one of its type
 
-    /// A component with the very bits that VolumeManager::Update gives: the start with
-    /// VolumeComponent::Override of every step, one that a subclass overrides included.
+    /// Returns a component with exactly the bits that VolumeManager::Update gives: it applies
+    /// VolumeComponent::Override of every step to the start, also where a subclass overrides
+    /// Override.
     std::unique_ptr<VolumeComponent> Replay() const;
 };
 
 /// One volume's part in a blended value.
 struct VolumeTraceStep
 {
-    std::string volume;  ///< its name
-    float factor = 0.0f; ///< 0...1: weight times fade, how far the value moved to the target
-    float weight = 0.0f; ///< 0...1
-    std::optional<float> distance; ///< metres to the closest collider; nothing: a global volume
+    std::string volume; ///< its name
+    /// 0...1: weight times fade, the part of the way to the target that the value moved.
+    float factor = 0.0f;
+    float weight = 0.0f;           ///< 0...1
+    std::optional<float> distance; ///< metres to the closest collider; nullopt for a global volume
     std::string targetText;        ///< the volume's value, as VolumeParameter::ValueText
-    std::string valueText;         ///< what the value was then
+    std::string valueText;         ///< the value after this step
     std::shared_ptr<const VolumeComponent> target; ///< a copy of the volume's component
 };
 
-/// How one parameter came to its value.
+/// The history of one parameter's value.
 struct VolumeParameterTrace
 {
-    std::string component;              ///< as files call its type: "ScreenSpaceOutline"
+    std::string component;              ///< its type in files: "ScreenSpaceOutline"
     std::string parameter;              ///< serialised name: "m_OutlineWidth"
-    std::size_t index = 0;              ///< of the parameter in its component
+    std::size_t index = 0;              ///< index of the parameter in its component
     std::string startText;              ///< the default value that the first step started from
     std::vector<VolumeTraceStep> steps; ///< in the order they were applied; never empty
-    std::shared_ptr<const VolumeComponentTrace> whole; ///< of the component it belongs to
+    std::shared_ptr<const VolumeComponentTrace> whole; ///< the history of its component
 
     const std::string& valueText() const { return steps.back().valueText; }
 
-    /// Sets `value` to what taking every step of the component again gives: the very bits that
-    /// VolumeManager::Update gives.
+    /// Repeats every step of the component and sets `value` to the result, which has exactly the
+    /// bits that VolumeManager::Update gives.
     /// @throws ContractError if it holds another type of value
     void Replay(VolumeParameter& value) const;
 };
 
-/// Where the values of a stack come from: every parameter that a volume overrides or, where a
-/// component overrides VolumeComponent::Override, changes; in the order of registration of the
-/// components. Keeps what it refers to. No counterpart in Unity.
+/// The origin of the values of a stack. It has every parameter that a volume overrides or, where a
+/// component overrides VolumeComponent::Override, changes, in the order of registration of the
+/// components. It keeps what it refers to alive. Unity has no counterpart.
 struct VolumeTrace
 {
     std::vector<VolumeParameterTrace> parameters;
 
-    /// Null for a parameter that no volume overrides. @param parameter  its serialised name
+    /// Returns the history of a parameter, or null if no volume overrides it.
+    /// @param parameter  its serialised name
     const VolumeParameterTrace* Find(std::string_view component, std::string_view parameter) const;
 };
 
-/// Why a volume has no part in what a camera takes; "" if it has one. A phrase behind the volume's
-/// name: "the camera is 21 m outside of its colliders, and it fades within 4 m". The rules are
-/// those of VolumeManager::Update. No counterpart in Unity.
+/// Returns why a volume has no effect on a camera, or "" if it has one. The result is a clause that
+/// can follow the volume's name: "the camera is 21 m outside of its colliders, and it fades within
+/// 4 m". The rules are those of VolumeManager::Update. Unity has no counterpart.
 /// @param trigger, layerMask  as for VolumeManager::Update
 std::string WhyIdle(const Volume& volume, const std::optional<glm::vec3>& trigger,
                     LayerMask layerMask);

@@ -11,8 +11,8 @@
 namespace limn
 {
 
-/// Reads a map key by key and reports what is left over. A key asked for by Unity's serialised name
-/// ("m_OutlineWidth") is also found under its plain spelling ("outlineWidth").
+/// Reads a map key by key and reports the keys that were not read. A key asked for by Unity's
+/// serialised name ("m_OutlineWidth") is also found under its plain spelling ("outlineWidth").
 ///
 ///     YamlMapReader map{node, "camera", diagnostics};
 ///     map.Read("fieldOfView", camera.fieldOfView, {1, 179});
@@ -24,19 +24,19 @@ namespace limn
 class YamlMapReader
 {
 public:
-    /// @param subject  what the map describes, for messages: "camera"
-    /// @param noun     what its keys are, for messages about unknown ones: "parameter"
+    /// @param subject  the name of the map's subject in messages: "camera"
+    /// @param noun     the word for its keys in messages about unknown ones: "parameter"
     YamlMapReader(YamlNode node, std::string subject, AssetDiagnostics& diagnostics,
                   std::string noun = "key");
 
-    /// The value of `key`; null if the file does not have it. Makes the key known to Finish. Lives
-    /// as long as the reader.
+    /// Returns the value of `key`, or null if the file does not have it. Makes the key known to
+    /// Finish. The value lives as long as the reader.
     const YamlNode* Find(std::string_view key);
 
-    /// As Find, but a missing key is an error.
+    /// Returns the value of `key` like Find; a missing key is an error.
     const YamlNode* Require(std::string_view key);
 
-    /// Sets `value` if the key is there with a good value, and says whether it did.
+    /// Sets `value` if the map has the key with a valid value, and returns whether it did.
     bool Read(std::string_view key, bool& value);
     bool Read(std::string_view key, int& value, ValueRange range = {});
     bool Read(std::string_view key, std::uint32_t& value, ValueRange range = {});
@@ -47,12 +47,12 @@ public:
     bool Read(std::string_view key, glm::vec3& value, ValueRange range = {});
     bool Read(std::string_view key, glm::vec4& value);
 
-    /// Reports every key that nobody asked for, with the nearest one that somebody did.
-    /// @param elsewhere  paths of keys in other maps, "settings.width", which are named where their
-    ///     last part is what was meant
+    /// Reports every key that was not asked for, with the nearest key that was.
+    /// @param elsewhere  paths of keys in other maps, such as "settings.width"; the report names
+    ///     one whose last part is the unknown key
     void Finish(std::span<const std::string> elsewhere = {});
 
-    /// "camera.fieldOfView", the subject for readers of a value found here.
+    /// Returns "camera.fieldOfView", the subject for readers of a value of this map.
     std::string SubjectOf(std::string_view key) const;
     const YamlNode& node() const { return m_Node; }
     const std::string& noun() const { return m_Noun; }
@@ -67,7 +67,8 @@ private:
     std::vector<std::string> m_Known; ///< as asked for
 };
 
-/// "m_OutlineWidth" as a person may write it: "outlineWidth". A name without m_ stays as it is.
+/// Returns a serialised name as a person may write it: "outlineWidth" for "m_OutlineWidth". A name
+/// without m_ stays as it is.
 std::string PlainSpelling(std::string_view serializedName);
 
 } // namespace limn

@@ -36,7 +36,8 @@ public:
     bool isSequence() const { return kind() == YamlKind::Sequence; }
     bool isMap() const { return kind() == YamlKind::Map; }
 
-    /// Where the value begins; for a Null that belongs to a key, where the key does.
+    /// Returns the place where the value begins or, for a Null that belongs to a key, where the key
+    /// begins.
     SourceLocation location() const;
 
     const std::string& scalar() const; ///< without quotes, escapes resolved; "" unless a Scalar
@@ -44,14 +45,15 @@ public:
     const std::string& tag() const;    ///< resolved, "tag:unity3d.com,2011:114"; "" if none given
     const std::string& anchor() const; ///< the name behind &; "" if none given
 
-    std::span<const YamlNode> items() const;    ///< of a Sequence; else empty
-    std::span<const YamlEntry> entries() const; ///< of a Map, in the order of the file; else empty
+    std::span<const YamlNode> items() const; ///< the items of a Sequence; empty for any other kind
+    /// Returns the entries of a Map, in the order of the file; empty for any other kind.
+    std::span<const YamlEntry> entries() const;
 
-    /// The value of a Map's key; null if there is no such key or this is no Map. Lives as long as
-    /// any copy of this node.
+    /// Returns the value of a Map's key, or null if there is no such key or this is no Map. The
+    /// value lives as long as any copy of this node.
     const YamlNode* Find(std::string_view key) const;
 
-    /// What the value is, as messages call it: "'text'", "a map", "a sequence", "nothing".
+    /// Returns a description of the value for messages: "'text'", "a map", "a sequence", "nothing".
     std::string Describe() const;
 
 private:
@@ -66,7 +68,7 @@ struct YamlEntry
     YamlNode value;
 };
 
-/// What a YamlNode is made of; only for who builds one.
+/// The content of a YamlNode; only for code that builds one.
 struct YamlContent
 {
     YamlKind kind = YamlKind::Null;
@@ -79,30 +81,30 @@ struct YamlContent
     std::vector<YamlEntry> entries;
 };
 
-/// What a YAML text may hold, so that a hostile one takes neither all memory nor all time.
+/// The limits of a YAML text, so that a hostile one takes neither all memory nor all time.
 struct YamlLimits
 {
     std::size_t depth = 64;                 ///< levels of lists and maps
-    std::size_t values = 5'000'000;         ///< in the file itself
-    std::size_t repeatedValues = 1'000'000; ///< by aliases
-    /// Of a list or map in brackets: it is held in some hundred bytes per item until it ends.
+    std::size_t values = 5'000'000;         ///< values in the file itself
+    std::size_t repeatedValues = 1'000'000; ///< values that aliases repeat
+    /// The length of a list or map in brackets, in bytes. Until it ends, it takes some hundred
+    /// bytes of memory per item.
     std::size_t flowBytes = std::size_t{8} * 1024 * 1024;
 };
 
-/// The documents of a YAML text, one root each. `file` is what errors call it.
-/// @param firstLine  of the text in that file; every place is counted from it
+/// Returns the documents of a YAML text, one root each. Errors use `file` as its name.
+/// @param firstLine  the line of that file at which the text begins; every place is counted from it
 /// @throws AssetError for text that is not UTF-8 or holds NUL bytes, for a text without any value,
 ///     broken syntax, every duplicate key, keys that are not plain text, an alias inside its own
 ///     anchor, and beyond a limit
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
                                 const YamlLimits& limits = {}, int firstLine = 1);
 
-/// The bytes of a YAML file.
-/// @throws AssetError for a missing or unreadable file, for what is no regular file, and for one
-///     above 64 MiB
+/// Returns the bytes of a YAML file.
+/// @throws AssetError if the file is missing, unreadable, no regular file, or larger than 64 MiB
 std::string ReadYamlText(const std::filesystem::path& path);
 
-/// ParseYaml of a file's content.
+/// Parses the content of a file with ParseYaml.
 /// @throws AssetError as ReadYamlText and ParseYaml do
 std::vector<YamlNode> LoadYamlFile(const std::filesystem::path& path);
 

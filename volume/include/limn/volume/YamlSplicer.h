@@ -13,17 +13,17 @@ namespace limn
 class YamlSplicer
 {
 public:
-    /// @param subject  what errors call the value
+    /// @param subject  the name of the value in errors
     YamlSplicer(std::string_view text, std::string subject, AssetDiagnostics& diagnostics);
 
-    /// Makes `old`, a value of the text, say what `fresh` says, in old's own style. A problem is an
+    /// Replaces `old`, a value of the text, with `fresh`, in the style of `old`. A problem is an
     /// error in the diagnostics.
     /// @param freshText  `fresh` on one line
     void Replace(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
 
-    /// Adds a key to a map of the text: as a line in the style of the lines there, or within the
-    /// braces. A problem is an error in the diagnostics.
-    /// @param map        of the text; a Null that belongs to a key may become a map
+    /// Adds a key to a map of the text, as a line in the style of its lines, or within its braces.
+    /// A problem is an error in the diagnostics.
+    /// @param map        a map of the text; a Null that belongs to a key may become a map
     /// @param valueText  on one line
     void Insert(const YamlNode& map, const std::string& key, const std::string& valueText);
 
@@ -31,7 +31,7 @@ public:
     void Append(const YamlNode& root, const std::string& name, const std::string& key,
                 const std::string& valueText);
 
-    /// The scalars replaced and the lines added so far.
+    /// Returns the number of scalars replaced and lines added so far.
     std::size_t count() const { return m_Splices.size(); }
     std::string Result() const;
 
@@ -48,19 +48,19 @@ private:
     void ReplaceSequence(const YamlNode& old, const YamlNode& fresh);
     void ReplaceHex(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
     void ReplaceScalar(const YamlNode& old, const YamlNode& fresh);
-    /// Where the scalar's own characters are, its quotes among them; empty if it is not on one
-    /// line.
+    /// Returns the characters of a scalar, its quotes included; empty if it is not on one line.
     std::string_view Extent(const YamlNode& scalar) const;
     void Add(const YamlNode& old, std::string fresh);
     void AddAt(std::string_view extent, std::string fresh);
     /// Puts a value behind a key that has none.
     void FillIn(const YamlNode& null, const std::string& freshText);
-    /// The characters of a list or map in brackets; empty if it is not one on one line.
+    /// Returns the characters of a list or map in brackets; empty if it is something else or not on
+    /// one line.
     std::string_view FlowExtent(const YamlNode& node) const;
 
-    /// The characters of a value on one line; empty if it takes more.
+    /// Returns the characters of a value; empty if it takes more than one line.
     std::string_view OneLineExtent(const YamlNode& value) const;
-    /// Adds a line behind the one that a place is in.
+    /// Adds a line behind the line that contains a place.
     void AddLineBehind(std::size_t place, const std::string& line);
     std::string_view EndOfLine() const; ///< "\n" or "\r\n", as the text has it
 
@@ -70,8 +70,8 @@ private:
     std::vector<Splice> m_Splices;
 };
 
-/// How many scalars of one tree differ from those of the other; a scalar in the place of something
-/// else counts as one.
+/// Returns how many scalars of one tree differ from those of the other. A scalar in place of
+/// something else counts as one.
 std::size_t CountDifferences(const YamlNode& one, const YamlNode& other);
 
 } // namespace limn

@@ -6,12 +6,12 @@
 namespace limn
 {
 
-/// The machine or its driver cannot do what was asked: no usable device, out of memory, device
-/// lost. Nothing the scene or the program did wrong.
+/// The error that the machine or its driver cannot do what was asked: no usable device, out of
+/// memory, device lost. It is no mistake of the scene or the program.
 class VulkanError : public std::runtime_error
 {
 public:
-    /// @param sentence  complete; call, result and object stay empty
+    /// @param sentence  the complete message; call, result and object stay empty
     explicit VulkanError(const std::string& sentence);
 
     /// what() reads "vkCreateImage failed for 'Color': VK_ERROR_TOO_MANY_OBJECTS".
@@ -19,9 +19,11 @@ public:
 
     const std::string& call() const { return m_Call; }     ///< e.g. "vkCreateImage"
     const std::string& result() const { return m_Result; } ///< e.g. "VK_ERROR_DEVICE_LOST"
-    /// Then every call of that device fails: only another device helps.
+    /// Returns whether the device is lost. Every call of that device then fails; the program needs
+    /// another device.
     bool isDeviceLost() const { return m_Result == "VK_ERROR_DEVICE_LOST"; }
-    const std::string& object() const { return m_Object; } ///< name of what was worked on, or ""
+    /// Returns the name of the affected object, or "".
+    const std::string& object() const { return m_Object; }
 
 private:
     std::string m_Call;

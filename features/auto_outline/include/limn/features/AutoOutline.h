@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// What volumes set of an outline that chooses its technique.
+/// The volume parameters of an outline that chooses its technique.
 class AutoOutline final : public OutlineComponent
 {
 };

@@ -22,8 +22,8 @@ struct AutoOutlineSettings : OutlineSettings
     void Describe(Inspector& inspector);
 };
 
-/// An outline outside of the objects, drawn by the technique that suits them; the frame's report
-/// says which and why (RenderReport::choices).
+/// Draws an outline outside of the objects with the technique that suits them. The frame's report
+/// says which one and why (RenderReport::choices).
 class AutoOutlineRendererFeature final : public ScriptableRendererFeature
 {
 public:

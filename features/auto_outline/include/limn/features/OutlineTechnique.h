@@ -8,7 +8,7 @@ namespace limn
 /// A way to draw outlines of a given width.
 enum class OutlineTechnique
 {
-    Auto,      ///< whichever is right for the objects, and then cheapest
+    Auto,      ///< the cheapest of those that are right for the objects
     Strokes,   ///< StrokeOutlinePass
     Separable, ///< WideOutlineRenderPass, two passes that look as far as the width
     JumpFlood  ///< WideOutlineRenderPass, a pass for each doubling of the width
@@ -16,12 +16,13 @@ enum class OutlineTechnique
 
 const char* ToString(OutlineTechnique technique);
 
-/// What choosing a technique goes by.
+/// The data by which a technique is chosen.
 struct OutlineWork
 {
     double width = 0.0; ///< pixels
     int edgeCount = 0;  ///< silhouette edges that are drawn
-    /// Pixels of their strokes, those that lie on others counted again.
+    /// The area of their strokes, in pixels; pixels that several strokes cover are counted several
+    /// times.
     double strokeArea = 0.0;
     double regionArea = 0.0;    ///< pixels that the outline can touch, of all groups
     bool isAlphaTested = false; ///< a material cuts holes that the mesh does not have
@@ -33,8 +34,9 @@ struct OutlineChoice
     std::string why;                                        ///< for people
 };
 
-/// Strokes where the silhouette is the mesh's and they do not cost several times of what a distance
-/// transform costs, which is less exact; of the two transforms the cheaper one.
+/// Chooses strokes if the mesh defines the silhouette and they do not cost several times as much as
+/// a distance transform, which is less exact. Otherwise chooses the cheaper one of the two
+/// transforms.
 OutlineChoice ChooseOutlineTechnique(const OutlineWork& work);
 
 } // namespace limn

@@ -10,12 +10,12 @@ namespace limn
 enum class EdgeOperator
 {
     Roberts, ///< 4 taps, the corners
-    Sobel,   ///< 8 taps, those in the middle of a side twice as heavy
-    Prewitt  ///< 8 taps, all alike
+    Sobel,   ///< 8 taps; those in the middle of a side count twice
+    Prewitt  ///< 8 taps with equal weights
 };
 
-/// What the lines of ColorEdgesRendererFeature look like, as volumes set it. The width is how far
-/// the taps lie apart, and with that how wide the line at a sharp step is.
+/// The volume parameters of the lines of ColorEdgesRendererFeature. The width is the distance
+/// between the taps, and therefore the width of the line at a sharp step.
 class ColorEdges final : public OutlineComponent
 {
 public:

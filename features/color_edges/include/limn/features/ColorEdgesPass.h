@@ -12,9 +12,9 @@ struct ColorEdgesSettings;
 
 /// Draws lines where the brightness of the picture so far changes.
 ///
-/// _ColorEdgesBrightness [H, W], R16_SFloat, 0...1: the root of the luminance of the picture as the
-/// screen shows it, so of components clipped at 1; NaN counts as 0.
-/// _ColorEdgesMask [H, W], R8_UNorm, only where lines are limited to objects: 1 where one is seen.
+/// _ColorEdgesBrightness [H, W], R16_SFloat, 0...1: the square root of the luminance of the picture
+/// as the screen shows it, with components clipped at 1; NaN counts as 0. _ColorEdgesMask [H, W],
+/// R8_UNorm, only where lines are limited to objects: 1 where one is seen.
 class ColorEdgesPass final : public ScriptableRenderPass
 {
 public:
@@ -24,7 +24,7 @@ public:
                    std::shared_ptr<const Shader> shader);
 
     /// @return why nothing is drawn; "" = something is
-    /// @throws ContractError if the component's operator is none
+    /// @throws ContractError if the component's operator is not one of EdgeOperator
     std::string Setup(const ColorEdges& component, const RenderingData& renderingData);
 
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
@@ -39,7 +39,7 @@ private:
 
     const ColorEdgesSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
-    ViewportRect m_Part; ///< of the picture, that lines can be in and come from
+    ViewportRect m_Part; ///< the part of the picture that lines can be in and come from
     RTHandle m_Mask;
     RTHandle m_Brightness;
 };

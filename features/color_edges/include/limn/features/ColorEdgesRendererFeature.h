@@ -6,17 +6,17 @@
 namespace limn
 {
 
-/// When the lines are drawn, and where.
+/// The settings for when and where the lines are drawn.
 struct ColorEdgesSettings : OutlineSettings
 {
-    /// Lines only where a filtered object is seen; without it, all over the picture, whatever the
-    /// filter.
+    /// Draws lines only where a filtered object is seen. If false, draws them all over the picture,
+    /// whatever the filter.
     bool m_OnlyFilteredObjects = false;
 
     void Describe(Inspector& inspector);
 };
 
-/// Lines where the brightness of the picture changes, whatever makes it change: silhouettes,
+/// Draws lines where the brightness of the picture changes, whatever the cause: silhouettes,
 /// textures, shadows.
 /// @source technique 3 of the introduction of the article on selection outlines
 class ColorEdgesRendererFeature final

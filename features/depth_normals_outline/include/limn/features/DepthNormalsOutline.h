@@ -6,15 +6,15 @@
 namespace limn
 {
 
-/// What counts as an edge of depth or normals.
+/// The way to decide what is an edge of depth or normals.
 enum class DepthNormalsTechnique
 {
     Hardened, ///< by metres and degrees
     Article   ///< the article's arithmetic
 };
 
-/// What the lines of DepthNormalsOutlineRendererFeature look like, as volumes set it. The width is
-/// that of a line along a crease, and the article's OutlineThickness.
+/// The volume parameters of the lines of DepthNormalsOutlineRendererFeature. The width is that of a
+/// line along a crease; the article calls it OutlineThickness.
 class DepthNormalsOutline final : public OutlineComponent
 {
 public:
@@ -31,7 +31,7 @@ public:
         0.0f,
         {.tooltip = "Hardened: how far a surface has to leave its plane for a line.",
          .unit = "metres"}};
-    /// Normals of 8 bits a component are off by up to 0.4 degrees each.
+    /// Normals with 8 bits per component have errors of up to 0.4 degrees each.
     ClampedFloatParameter m_AngleThreshold{
         this,
         "m_AngleThreshold",

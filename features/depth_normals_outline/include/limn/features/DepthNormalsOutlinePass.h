@@ -9,7 +9,7 @@ namespace limn
 {
 
 /// Draws the filtered objects once more over themselves, in the outline's colour where depth or
-/// normals change. Asks for both of the camera.
+/// normals change. Requires both textures of the camera.
 class DepthNormalsOutlinePass final : public ScriptableRenderPass
 {
 public:
@@ -19,7 +19,7 @@ public:
                             std::shared_ptr<const Shader> shader);
 
     /// @return why nothing is drawn; "" = something is
-    /// @throws ContractError if the component's technique is none
+    /// @throws ContractError if the component's technique is not one of DepthNormalsTechnique
     std::string Setup(const DepthNormalsOutline& component, const RenderingData& renderingData);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;

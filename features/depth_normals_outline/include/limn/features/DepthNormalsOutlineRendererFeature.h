@@ -6,8 +6,8 @@
 namespace limn
 {
 
-/// Which objects get lines: opaque ones, since others are in neither texture, before transparent
-/// ones are drawn over them.
+/// The settings for which objects get lines: opaque ones, because others are in neither texture,
+/// before transparent ones are drawn over them.
 struct DepthNormalsOutlineSettings : OutlineSettings
 {
     DepthNormalsOutlineSettings()
@@ -17,8 +17,8 @@ struct DepthNormalsOutlineSettings : OutlineSettings
     }
 };
 
-/// Lines on chosen objects where the depth or the normals of the picture change: silhouettes and
-/// creases.
+/// Draws lines on chosen objects where the depth or the normals of the picture change: at
+/// silhouettes and creases.
 /// @source the article on outlining objects one by one, whose shader graph does it in their
 /// material
 class DepthNormalsOutlineRendererFeature final

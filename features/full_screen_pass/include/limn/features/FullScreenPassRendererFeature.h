@@ -26,7 +26,7 @@ public:
     ~FullScreenPassRendererFeature() override;
 
     InjectionPoint injectionPoint = InjectionPoint::AfterRenderingPostProcessing;
-    /// The picture so far is copied first, so that the pass reads a copy, never its target.
+    /// Copies the picture first, so that the pass reads the copy and never its target.
     bool fetchColorBuffer = true;
     ScriptableRenderPassInput requirements = ScriptableRenderPassInput::None;
     std::shared_ptr<Material> passMaterial;
@@ -34,8 +34,8 @@ public:
     bool bindDepthStencilAttachment = false; ///< the camera's depth and stencil can be tested
 
     void Create() override;
-    /// Without a material, or with a pass index it does not have, nothing is drawn and the report
-    /// says so.
+    /// Adds the pass. Without a material, or with a pass index that it does not have, nothing is
+    /// drawn and the report says so.
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;
     void Describe(Inspector& inspector) override;
 

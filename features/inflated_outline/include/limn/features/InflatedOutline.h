@@ -6,14 +6,14 @@
 namespace limn
 {
 
-/// What the thickness of an inflated hull is counted in.
+/// The unit of the thickness of an inflated hull.
 enum class InflatedWidthUnit
 {
     Pixels, ///< on the screen, whatever the distance
     Metres  ///< in the world, as in the article: thinner far away
 };
 
-/// What the outline of InflatedOutlineRendererFeature looks like, as volumes set it.
+/// The volume parameters of the outline of InflatedOutlineRendererFeature.
 class InflatedOutline final : public OutlineComponent
 {
 public:
@@ -30,8 +30,9 @@ public:
         0.0f,
         {.tooltip = "How far the hull lies outside of its object, in the world.", .unit = "m"}};
 
-    /// How many pixels a metre is depends on the object; hulls in metres that reach in from farther
-    /// outside of the picture than a quarter of a large screen are not drawn.
+    /// Returns the greatest reach of the outline, in pixels. For a width in metres it is a
+    /// constant, because the number of pixels per metre depends on the object: hulls that reach in
+    /// from farther outside of the picture than a quarter of a large screen are not drawn.
     float reach() const override
     {
         return m_WidthUnit.value() == InflatedWidthUnit::Metres ? 1024.0f : m_OutlineWidth.value();

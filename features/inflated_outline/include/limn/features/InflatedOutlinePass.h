@@ -11,7 +11,8 @@ namespace limn
 struct InflatedOutlineSettings;
 
 /// Draws the hull of each outlined object in one colour, and the object with its own material over
-/// it: group by group, the farthest first, so that a near one's outline runs over a far one.
+/// it. Draws group by group, the farthest first, so that the outline of a near group covers a far
+/// one.
 class InflatedOutlinePass final : public ScriptableRenderPass
 {
 public:
@@ -21,7 +22,7 @@ public:
                         std::shared_ptr<const Shader> shader);
 
     /// @return why nothing is drawn; "" = something is
-    /// @throws ContractError if the component's width unit is none
+    /// @throws ContractError if the component's width unit is not one of InflatedWidthUnit
     std::string Setup(const InflatedOutline& component, const RenderingData& renderingData);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
@@ -32,7 +33,7 @@ private:
     const InflatedOutlineSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
     int m_HullPass = 0;
-    std::vector<Items> m_Groups; ///< of this frame, the farthest first
+    std::vector<Items> m_Groups; ///< the groups of this frame, the farthest first
 };
 
 } // namespace limn

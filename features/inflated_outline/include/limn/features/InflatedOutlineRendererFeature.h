@@ -6,8 +6,9 @@
 namespace limn
 {
 
-/// When and around which objects the outline is drawn. Opaque ones, before transparent ones come in
-/// front of them: the objects are drawn once more.
+/// The settings for when and around which objects the outline is drawn. By default these are opaque
+/// objects, before transparent ones are drawn in front of them, because the objects are drawn once
+/// more.
 struct InflatedOutlineSettings : OutlineSettings
 {
     InflatedOutlineSettings()
@@ -21,8 +22,8 @@ struct InflatedOutlineSettings : OutlineSettings
     void Describe(Inspector& inspector);
 };
 
-/// A hull around each object, drawn before the object: the oldest outline, and the cheapest where
-/// few pixels are to be shaded.
+/// Draws a hull around each object before the object. This is the oldest outline, and the cheapest
+/// where few pixels must be shaded.
 /// @source technique 1 of the introduction of the article on selection outlines
 class InflatedOutlineRendererFeature final
     : public OutlineRendererFeature<InflatedOutline, InflatedOutlineSettings, InflatedOutlinePass>

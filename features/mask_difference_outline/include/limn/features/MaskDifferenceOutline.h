@@ -5,12 +5,13 @@
 namespace limn
 {
 
-/// What the lines of MaskDifferenceOutlineRendererFeature look like, as volumes set it. The width
-/// is how far the compared neighbours are away: a line is so wide on both sides of a silhouette.
+/// The volume parameters of the lines of MaskDifferenceOutlineRendererFeature. The width is the
+/// distance of the compared neighbours; a line has this width on both sides of a silhouette.
 class MaskDifferenceOutline final : public OutlineComponent
 {
 public:
-    /// Farther neighbours say nothing about a silhouette; what is wider is drawn this wide.
+    /// The greatest width, in pixels. Farther neighbours say nothing about a silhouette; a greater
+    /// width is drawn this wide.
     static constexpr float k_WidestWidth = 256.0f; // pixels
 
     MinFloatParameter outline_depth_threshold_clip_player{
@@ -29,7 +30,7 @@ public:
                     "away or farther; 0 = lines everywhere. The nearer of the two counts.",
          .unit = "metres"}};
 
-    /// Whole pixels: the mask is read texel by texel.
+    /// Returns the reach in whole pixels, because the mask is read texel by texel.
     float reach() const override;
 };
 

@@ -13,9 +13,9 @@ struct MaskDifferenceOutlineSettings;
 
 /// Draws the filtered objects into a mask, and lines into the picture where the mask changes.
 ///
-/// t_tex0 [H', W'] of the outline's region: linear colour and, in alpha, which object; 0 where
-/// there is none. R16G16B16A16_SFloat, or R32G32B32A32_SFloat where objects are told apart. t_tex1
-/// [H, W]: a copy of the picture, without framebuffer fetch only.
+/// t_tex0 [H', W'] of the outline's region: linear colour and, in alpha, the object; 0 where there
+/// is none. Its format is R16G16B16A16_SFloat, or R32G32B32A32_SFloat if objects are distinguished.
+/// t_tex1 [H, W]: a copy of the picture, only without framebuffer fetch.
 class MaskDifferenceOutlinePass final : public ScriptableRenderPass
 {
 public:

@@ -7,21 +7,23 @@
 namespace limn
 {
 
-/// When, around which objects and how lines are drawn.
+/// The settings for when, around which objects and how lines are drawn.
 struct MaskDifferenceOutlineSettings : OutlineSettings
 {
-    /// Where objects that touch each other have a line between them.
+    /// The grouping of objects; there is a line between objects of different groups that touch each
+    /// other.
     OutlineGrouping m_Grouping = OutlineGrouping::PerObject;
-    /// Each group has a colour of its own, ColorOfGroup, in place of the component's.
+    /// Gives each group a colour of its own, ColorOfGroup, in place of the component's.
     bool m_ColorByGroup = false;
-    /// Adds the line in place, as a device with framebuffer fetch would; without it, the picture is
+    /// Adds the line in place, as a device with framebuffer fetch does. If false, the picture is
     /// copied and read as a texture. Both give the same picture.
     bool m_FramebufferFetch = true;
 
     void Describe(Inspector& inspector);
 };
 
-/// Lines around objects by comparing a mask of them with its four neighbours, up to a depth.
+/// Draws lines around objects by comparing each texel of a mask with its four neighbours, up to a
+/// depth.
 /// @source the article on outlines as post-processing (mask, four neighbours, depth clip)
 class MaskDifferenceOutlineRendererFeature final
     : public OutlineRendererFeature<MaskDifferenceOutline, MaskDifferenceOutlineSettings,

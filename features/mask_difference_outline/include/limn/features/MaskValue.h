@@ -7,10 +7,11 @@
 namespace limn
 {
 
-/// What tells a group's mask from another's: a number whose digits to the base 5 are 0 and 1. The
-/// mean of four such numbers is one of them only if all four are that one, since no digit of their
-/// sum carries; so the comparison with the mean of the neighbours overlooks no change. Sums of four
-/// are whole numbers below 2^24, exact in a float. There are 1023; then they begin again.
+/// Returns the number that distinguishes a group in the mask: its digits to the base 5 are 0 and 1.
+/// The mean of four such numbers is one of them only if all four are equal, because no digit of
+/// their sum carries; so the comparison with the mean of the neighbours overlooks no change. Sums
+/// of four are whole numbers below 2^24, which a float holds exactly. There are 1023 numbers; then
+/// they repeat.
 constexpr float IdOfGroup(int group)
 {
     int id = 0;
@@ -23,8 +24,8 @@ constexpr float IdOfGroup(int group)
     return static_cast<float>(id);
 }
 
-/// A bright linear colour; of consecutive groups far apart, by steps of the golden ratio around the
-/// circle of hues.
+/// Returns a bright linear colour. The colours of consecutive groups differ strongly, because they
+/// step around the circle of hues by the golden ratio.
 inline glm::vec3 ColorOfGroup(int group)
 {
     const double turn = 0.6180339887498949 * group;

@@ -13,9 +13,9 @@
 namespace limn
 {
 
-/// The parts that a picture of a scene takes, besides the scene and its camera, put together: a
-/// global volume with an own profile, the manager that blends it, and a renderer. Every part can be
-/// had by reference and changed, as if the program had made it itself.
+/// The parts that a picture of a scene needs besides the scene and its camera: a global volume with
+/// its own profile, the manager that blends it, and a renderer. A program can get and change every
+/// part by reference, as if it had made the part itself.
 class RenderSetup
 {
 public:
@@ -25,24 +25,25 @@ public:
     RenderSetup& operator=(const RenderSetup&) = delete;
 
     /// Blends the volumes for each camera, and draws.
-    /// @param width, height  of the picture, pixels, > 0
+    /// @param width, height  the size of the picture in pixels, > 0
     /// @throws ContractError, AssetError (a shader), VulkanError
     RenderResult Render(const Scene& scene, const Camera& camera, int width, int height);
-    /// The same with everything that a request can say.
-    /// @param request  its volumeStack and blendVolumes are not looked at
+    /// Renders like the other Render, with all options of a request.
+    /// @param request  its volumeStack and blendVolumes are ignored
     RenderResult Render(RenderRequest request);
 
-    /// Returns a new material of a shader that comes with limn, which this setup's compiler
-    /// compiles.
-    /// @throws ContractError for a name that no such shader has, with the nearest one
+    /// Returns a new material with a shader that comes with limn; this setup's compiler compiles
+    /// it.
+    /// @throws ContractError with the nearest name if no such shader has that name
     std::shared_ptr<Material> CreateMaterial(std::string_view shader) const;
 
     const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
-    VolumeComponentRegistry& components() { return m_Components; } ///< those that come with limn
-    VolumeProfile& profile() { return *m_Profile; }                ///< of volume(); empty at first
-    Volume& volume() { return m_Volume; }                          ///< global, registered
+    /// The components that come with limn.
+    VolumeComponentRegistry& components() { return m_Components; }
+    VolumeProfile& profile() { return *m_Profile; } ///< the profile of volume(); empty at first
+    Volume& volume() { return m_Volume; }           ///< global, registered
     VolumeManager& volumes() { return m_Volumes; }
-    VolumeStack& stack() { return m_Stack; } ///< as Render blended it last
+    VolumeStack& stack() { return m_Stack; } ///< as the last Render blended it
     UniversalRenderer& renderer() { return m_Renderer; }
     UniversalRenderPipeline& pipeline() { return m_Pipeline; }
 
@@ -57,15 +58,15 @@ private:
     UniversalRenderPipeline m_Pipeline;
 };
 
-/// An outline in a picture, ready to draw:
+/// Draws pictures with an outline:
 ///
 ///     Outline<StrokeOutlineRendererFeature> outline(device);
 ///     outline.component().m_OutlineWidth.Override(6.0f);
 ///     WritePng("picture.png", device.ReadBack(*outline.Render(scene, camera, 640,
 ///     360).output.rt()));
 ///
-/// The feature outlines what its settings let through, by default all that is in rendering layer 0,
-/// in which every new renderer is.
+/// The feature outlines the objects that its settings select: by default those in rendering layer
+/// 0, which every new renderer has.
 /// @tparam Feature  a technique: AutoOutlineRendererFeature, StrokeOutlineRendererFeature,
 ///                  WideOutlineRendererFeature ...
 template <typename Feature>
@@ -76,7 +77,7 @@ public:
     using Settings = typename Feature::Settings;
 
     /// @param device    must outlive this
-    /// @param settings  of the feature, for as long as it lives
+    /// @param settings  the settings of the feature for its whole life
     explicit Outline(GraphicsDevice& device, Settings settings = {})
         : RenderSetup(device), m_Component(profile().template Add<Component>())
     {
@@ -86,8 +87,8 @@ public:
         renderer().AddFeature(std::move(feature));
     }
 
-    /// What the volume sets of the outline, as `component().m_OutlineWidth.Override(6.0f)`;
-    /// switched on already.
+    /// Returns the outline's volume component, which is already switched on:
+    /// `component().m_OutlineWidth.Override(6.0f)`.
     Component& component() { return m_Component; }
     Feature& feature() { return *m_Feature; }
     const Settings& settings() const { return m_Feature->settings(); }

@@ -8,7 +8,8 @@
 namespace limn
 {
 
-/// What volumes set of an outline, whatever the technique. A technique derives its own component.
+/// The volume parameters that all outline techniques have in common. A technique derives its own
+/// component.
 class OutlineComponent : public VolumeComponent, public IPostProcessComponent
 {
 public:
@@ -25,16 +26,16 @@ public:
     bool IsActive() const override { return m_Enable.value(); }
     bool IsTileCompatible() const override { return false; }
 
-    /// How far from its object the outline may reach, pixels.
+    /// Returns the greatest distance of the outline from its object, in pixels.
     virtual float reach() const { return m_OutlineWidth.value(); }
 
-    /// The width, but no more than the picture's diagonal, beyond which nothing changes.
+    /// Returns the width, limited to the picture's diagonal; a greater width changes nothing.
     float WidthWithin(const glm::ivec2& picture) const;
 };
 
-/// Why the blended component draws nothing, "" if it does.
+/// Returns why the blended component draws nothing, or "" if it draws.
 /// @param component  null = not registered
-/// @param name       as profiles call it
+/// @param name       its name in profiles
 std::string WhyInactive(const OutlineComponent* component, std::string_view name);
 
 } // namespace limn

@@ -10,13 +10,13 @@
 namespace limn
 {
 
-/// A shader that comes with limn.
-/// @throws ContractError if the renderer compiles none, or there is no such shader
+/// Returns a shader that comes with limn.
+/// @throws ContractError if the renderer has no compiler, or there is no such shader
 std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& renderer,
                                                   std::string_view name);
 
-/// A technique as a feature: draws with its pass while a volume switches its component on, and says
-/// why where it does not.
+/// The feature of a technique. It draws with its pass while a volume switches its component on, and
+/// otherwise reports why it does not draw.
 /// @tparam ItsComponent  derives from OutlineComponent; registered under the name of its class
 /// @tparam ItsSettings   derives from OutlineSettings
 /// @tparam Pass       a ScriptableRenderPass with
@@ -67,7 +67,7 @@ public:
     void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
 
     const Settings& settings() const { return m_Settings; }
-    /// Null before the first frame it draws in; for tests and dumps.
+    /// Returns the pass, or null before the first frame in which it draws; for tests and dumps.
     const Pass* pass() const { return m_Pass.get(); }
 
 private:

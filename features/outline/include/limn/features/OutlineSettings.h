@@ -15,15 +15,16 @@ enum class OutlineRenderQueueRange
     Transparent
 };
 
-/// Which objects get one silhouette together.
+/// The grouping of objects; the objects of a group have one common silhouette.
 enum class OutlineGrouping
 {
-    Together, ///< all that are outlined
-    PerGroup, ///< those below one object without parent
+    Together, ///< all outlined objects
+    PerGroup, ///< the objects below one object without parent
     PerObject
 };
 
-/// When and around which objects an outline is drawn: what all techniques have in common.
+/// The settings that all techniques have in common: when and around which objects an outline is
+/// drawn.
 struct OutlineSettings
 {
     RenderPassEvent m_RenderPassEvent = RenderPassEvent::AfterRenderingTransparents;
@@ -44,7 +45,7 @@ struct OutlineSettings
     FilteringSettings filtering() const;
 };
 
-/// Says a setting of this type to an inspector.
+/// Describes a setting of this type to an inspector.
 void DescribeGrouping(Inspector& inspector, OutlineGrouping& grouping);
 
 } // namespace limn

@@ -11,23 +11,23 @@ namespace limn
 struct OutlinedObject
 {
     RendererItem item;
-    int group = 0; ///< 0...; those of one group have one silhouette
+    int group = 0; ///< 0...; the objects of one group have one silhouette
 };
 
-/// Whether a material's alpha cuts holes into what its mesh covers, as URP's materials say it: by
-/// the keyword _ALPHATEST_ON, or a queue of RenderQueue.AlphaTest, 2450 to 2500.
+/// Returns whether a material's alpha cuts holes into its mesh. As for URP's materials, it does
+/// with the keyword _ALPHATEST_ON or with a queue of RenderQueue.AlphaTest, 2450 to 2500.
 bool IsAlphaTested(const Material& material);
 
-/// The culling results that pass the filter, by group, else in the scene's order.
+/// The culling results that pass the filter, ordered by group and then in the scene's order.
 struct OutlinedObjects
 {
     std::vector<OutlinedObject> objects;
     int groupCount = 0;
-    std::string why; ///< if there are none: what became of the renderers
+    std::string why; ///< if there are no objects: what happened to the renderers
 };
 
-/// Returns what a feature outlines, and adds the filter to RenderReport::filters. An object whose
-/// shader has none of URP's forward passes is not drawn and not outlined.
+/// Returns the objects that a feature outlines, and adds the filter to RenderReport::filters. An
+/// object whose shader has none of URP's forward passes is neither drawn nor outlined.
 ///
 /// @throws ContractError as OutlineSettings::filtering
 OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,

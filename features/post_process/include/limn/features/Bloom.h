@@ -8,14 +8,15 @@
 namespace limn
 {
 
-/// How large the largest picture of the bloom is. Unity: BloomDownscaleMode (URP 14).
+/// The size of the largest picture of the bloom, as a part of the camera's.
+/// Unity: BloomDownscaleMode (URP 14).
 enum class BloomDownscaleMode
 {
     Half = 0,
     Quarter = 1
 };
 
-/// What is bright glows over its surroundings. Unity: Bloom (URP 14).
+/// Makes bright parts of the picture glow over their surroundings. Unity: Bloom (URP 14).
 class Bloom final : public VolumeComponent, public IPostProcessComponent
 {
 public:

@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// Exposure, contrast, tint, hue and saturation of the whole picture.
+/// Adjusts exposure, contrast, tint, hue and saturation of the whole picture.
 /// Unity: ColorAdjustments (URP 14).
 class ColorAdjustments final : public VolumeComponent, public IPostProcessComponent
 {

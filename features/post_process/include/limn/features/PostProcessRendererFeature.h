@@ -8,16 +8,16 @@ namespace limn
 
 class PostProcessPass;
 
-/// Where colours are graded. Unity: ColorGradingMode (URP 14).
+/// The place at which colours are graded. Unity: ColorGradingMode (URP 14).
 enum class ColorGradingMode
 {
-    LowDynamicRange = 0, ///< behind tonemapping, in 0...1
+    LowDynamicRange = 0, ///< after tonemapping, in 0...1
     HighDynamicRange = 1 ///< before it; a camera without HDR has LowDynamicRange
 };
 
-/// Bloom, Vignette, ColorAdjustments and Tonemapping, as volumes switch them on, for cameras with
-/// renderPostProcessing. Effects that are off cost nothing; with all off there is no pass at all.
-/// A renderer of Unity's has this built in; here it is added, as the last feature.
+/// Applies Bloom, Vignette, ColorAdjustments and Tonemapping, where volumes switch them on, to
+/// cameras with renderPostProcessing. Effects that are off cost nothing; if all are off, there is
+/// no pass. Unity's renderers have this built in; in limn it must be added as the last feature.
 /// Unity: PostProcessPass, PostProcessData and the pipeline asset's ColorGradingMode (URP 14).
 class PostProcessRendererFeature final : public ScriptableRendererFeature
 {

@@ -6,15 +6,15 @@
 namespace limn
 {
 
-/// How brightness beyond 1 is brought onto the screen. Unity: TonemappingMode (URP 14).
+/// The mapping of brightness beyond 1 to the screen. Unity: TonemappingMode (URP 14).
 enum class TonemappingMode
 {
     None = 0,    ///< it is cut off
     Neutral = 1, ///< a filmic curve for each channel, hues and saturation nearly kept
-    ACES = 2     ///< the Academy's look of film: more contrast, bright colours pale
+    ACES = 2     ///< the Academy's look of film: more contrast, bright colours become pale
 };
 
-/// Unity: Tonemapping (URP 14).
+/// Maps the brightness of the scene to that of the screen. Unity: Tonemapping (URP 14).
 class Tonemapping final : public VolumeComponent, public IPostProcessComponent
 {
 public:

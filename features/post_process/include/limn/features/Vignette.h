@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// The picture fades towards its corners. Unity: Vignette (URP 14).
+/// Fades the picture towards its corners. Unity: Vignette (URP 14).
 class Vignette final : public VolumeComponent, public IPostProcessComponent
 {
 public:

@@ -22,7 +22,8 @@ enum class RenderQueueType
     Transparent
 };
 
-/// Unity: UnityEngine.Rendering.Universal.StencilStateData (URP 14). Both faces and masks of 255.
+/// Unity: UnityEngine.Rendering.Universal.StencilStateData (URP 14). It applies to both faces, with
+/// masks of 255.
 struct StencilStateData
 {
     bool overrideStencilState = false;
@@ -40,7 +41,7 @@ struct RenderObjectsSettings
     struct FilterSettings
     {
         limn::RenderQueueType RenderQueueType = limn::RenderQueueType::Opaque;
-        limn::LayerMask LayerMask; ///< Nothing until set: a new feature draws nothing
+        limn::LayerMask LayerMask; ///< Nothing until it is set, so a new feature draws nothing
         /// LightMode names; empty = SRPDefaultUnlit, UniversalForward, UniversalForwardOnly
         std::vector<std::string> PassNames;
     };
@@ -55,7 +56,7 @@ struct RenderObjectsSettings
     struct CustomCameraSettings
     {
         bool overrideCamera = false;
-        bool restoreCamera = true;       ///< the camera's own matrices afterwards
+        bool restoreCamera = true;       ///< restores the camera's own matrices afterwards
         glm::vec4 offset{0.0f};          ///< view space, metres: +z brings objects nearer
         float cameraFieldOfView = 60.0f; ///< vertical, degrees
     };
@@ -92,9 +93,10 @@ public:
 
     RenderObjectsSettings settings;
 
-    /// Events before BeforeRenderingPrePasses become that one, as in Unity.
-    /// @throws ContractError naming feature and setting, if an override's pass index is none of its
-    ///         shader's
+    /// Creates the pass. An event before BeforeRenderingPrePasses becomes BeforeRenderingPrePasses,
+    /// as in Unity.
+    /// @throws ContractError naming feature and setting, if the shader of an override has no pass
+    ///     with its pass index
     void Create() override;
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;
     void Describe(Inspector& inspector) override { settings.Describe(inspector); }

@@ -36,7 +36,8 @@ private:
     FilteringSettings m_FilteringSettings;
     RenderObjectsSettings::CustomCameraSettings m_CameraSettings;
     std::vector<ShaderTagId> m_ShaderTagIdList;
-    bool m_TagsAreChosen; ///< by the user, so that a name that fits nothing is worth a word
+    /// The user chose the tags, so a name that fits nothing is reported.
+    bool m_TagsAreChosen;
     RenderStateBlock m_RenderStateBlock;
 };
 

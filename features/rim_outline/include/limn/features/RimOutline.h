@@ -6,15 +6,15 @@
 namespace limn
 {
 
-/// Which parts of a surface are its rim; theta is the angle between normal and line of sight.
+/// The parts of a surface that are its rim; theta is the angle between normal and line of sight.
 enum class RimVariant
 {
-    Soft,      ///< all of it, as strongly as the sine of theta
-    Threshold, ///< where theta is above an angle
-    Pixels     ///< what is so many pixels away from the silhouette, as its curvature has it
+    Soft,      ///< the whole surface, as strongly as the sine of theta
+    Threshold, ///< parts where theta is above an angle
+    Pixels ///< parts within a distance from the silhouette in pixels, estimated from the curvature
 };
 
-/// What the rim of RimOutlineRendererFeature looks like, as volumes set it.
+/// The volume parameters of the rim of RimOutlineRendererFeature.
 class RimOutline final : public OutlineComponent
 {
 public:
@@ -44,7 +44,8 @@ public:
         {.tooltip = "The angle between normal and line of sight above which the rim begins.",
          .unit = "degrees"}};
 
-    /// It lies within its objects; 0 where it draws nothing.
+    /// Returns a positive number where the rim is drawn and 0 where it is not. The rim lies within
+    /// its objects.
     float reach() const override
     {
         return m_Variant.value() == RimVariant::Pixels ? m_OutlineWidth.value() : 1.0f;

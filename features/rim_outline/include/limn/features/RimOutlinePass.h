@@ -9,8 +9,8 @@ namespace limn
 
 struct RimOutlineSettings;
 
-/// Draws the outlined objects once more where they are seen, with the rim's colour as strong as the
-/// angle they are seen at makes it.
+/// Draws the outlined objects once more where they are seen. The viewing angle decides how strong
+/// the rim's colour is.
 class RimOutlinePass final : public ScriptableRenderPass
 {
 public:
@@ -20,7 +20,7 @@ public:
                    std::shared_ptr<const Shader> shader);
 
     /// @return why nothing is drawn; "" = something is
-    /// @throws ContractError if the component's variant is none
+    /// @throws ContractError if the component's variant is not one of RimVariant
     std::string Setup(const RimOutline& component, const RenderingData& renderingData);
 
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;

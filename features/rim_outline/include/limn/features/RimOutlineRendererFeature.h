@@ -6,8 +6,9 @@
 namespace limn
 {
 
-/// When and on which objects the rim is drawn: opaque ones, which leave the depth by which it knows
-/// what is seen, before transparent ones come in front of them.
+/// The settings for when and on which objects the rim is drawn. By default these are opaque
+/// objects, whose depth shows which parts are seen, before transparent ones are drawn in front of
+/// them.
 struct RimOutlineSettings : OutlineSettings
 {
     RimOutlineSettings()
@@ -17,8 +18,8 @@ struct RimOutlineSettings : OutlineSettings
     }
 };
 
-/// A glow along the inside of each object's silhouette, from the angle between normal and line of
-/// sight: no texture, no second picture, and no exact width.
+/// Draws a glow along the inside of each object's silhouette, computed from the angle between
+/// normal and line of sight. It needs no texture and no second picture, and has no exact width.
 /// @source technique 2 of the introduction of the article on selection outlines
 class RimOutlineRendererFeature final
     : public OutlineRendererFeature<RimOutline, RimOutlineSettings, RimOutlinePass>

@@ -13,7 +13,7 @@ class ScreenSpaceAmbientOcclusionPass;
 /// Unity: ScreenSpaceAmbientOcclusionSettings (URP 14).
 struct ScreenSpaceAmbientOcclusionSettings
 {
-    /// How the samples differ from pixel to pixel.
+    /// The pattern by which the samples differ from pixel to pixel.
     enum class AOMethodOptions
     {
         BlueNoise = 0,
@@ -21,7 +21,7 @@ struct ScreenSpaceAmbientOcclusionSettings
     };
     enum class DepthSource
     {
-        Depth = 0,       ///< normals are worked out from the depth
+        Depth = 0,       ///< normals are computed from the depth
         DepthNormals = 1 ///< objects are drawn with their normals first
     };
     enum class NormalQuality
@@ -44,27 +44,28 @@ struct ScreenSpaceAmbientOcclusionSettings
     };
 
     AOMethodOptions AOMethod = AOMethodOptions::BlueNoise;
-    bool Downsample = false;  ///< half as many texels a side
-    bool AfterOpaque = false; ///< over the picture, whatever its shaders do with ambient light
+    bool Downsample = false; ///< uses half as many texels per side
+    /// Darkens the finished picture, whatever its shaders do with ambient light.
+    bool AfterOpaque = false;
     DepthSource Source = DepthSource::DepthNormals;
-    NormalQuality NormalSamples = NormalQuality::Medium; ///< of DepthSource::Depth
-    float Intensity = 3.0f;                              ///< not negative; 0 = no pass
-    float DirectLightingStrength = 0.25f;                ///< 0...1
-    float Radius = 0.035f;                               ///< metres, not negative; 0 = no pass
+    /// The quality of the normals of DepthSource::Depth.
+    NormalQuality NormalSamples = NormalQuality::Medium;
+    float Intensity = 3.0f;               ///< not negative; 0 = no pass
+    float DirectLightingStrength = 0.25f; ///< 0...1
+    float Radius = 0.035f;                ///< metres, not negative; 0 = no pass
     AOSampleOption Samples = AOSampleOption::Medium;
     BlurQualityOptions BlurQuality = BlurQualityOptions::High;
     float Falloff = 100.0f; ///< metres from the camera, not negative; 0 = no pass
-    /// URP up to 12 has this in place of AOMethod and Samples; -1 = none. Create turns it into
-    /// these.
+    /// The setting that URP up to 12 has in place of AOMethod and Samples; -1 = none. Create
+    /// converts it into these.
     int SampleCount = -1;
 
     void Describe(Inspector& inspector);
 };
 
-/// Darkens what little ambient light reaches: creases, corners, where objects stand on others. Its
-/// texture, _ScreenSpaceOcclusionTexture, is there for the shaders of a camera's objects while the
-/// keyword _SCREEN_SPACE_OCCLUSION is on.
-/// Unity: ScreenSpaceAmbientOcclusion (URP 14).
+/// Darkens places that little ambient light reaches: creases, corners, and where objects stand on
+/// others. The shaders of a camera's objects can read its texture, _ScreenSpaceOcclusionTexture,
+/// while the keyword _SCREEN_SPACE_OCCLUSION is on. Unity: ScreenSpaceAmbientOcclusion (URP 14).
 class ScreenSpaceAmbientOcclusion final : public ScriptableRendererFeature
 {
 public:
@@ -75,8 +76,8 @@ public:
     ScreenSpaceAmbientOcclusionSettings m_Settings;
 
     void Create() override;
-    /// Where intensity, radius or falloff is 0, nothing is drawn, no depth or normals are asked
-    /// for, and the report says so.
+    /// Adds the passes. If intensity, radius or falloff is 0, nothing is drawn, no depth or normals
+    /// are required, and the report says so.
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;
     void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
 

@@ -11,7 +11,7 @@
 namespace limn
 {
 
-/// Draws the filtered objects into a mask, finds the mask's edges, adds them to the camera's
+/// Draws the filtered objects into a mask, finds the mask's edges, and adds them to the camera's
 /// colour.
 ///
 /// _RendererDrawingTexture [H/2, W/2], R8_UNorm: 1 where a filtered object is, occluded or not.
@@ -30,7 +30,8 @@ public:
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
-    /// The two textures, for tests and dumps; empty before the first OnCameraSetup.
+    /// Returns one of the two textures, for tests and dumps; it is empty before the first
+    /// OnCameraSetup.
     const RTHandle& rendererDrawingTexture() const { return mRendererDrawingTexture; }
     const RTHandle& outlineTexture() const { return mOutlineTexture; }
 

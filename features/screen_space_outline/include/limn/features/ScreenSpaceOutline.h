@@ -7,7 +7,7 @@
 namespace limn
 {
 
-/// Colour and width of the screen-space outline, as volumes set them.
+/// The colour and width of the screen-space outline, which volumes set.
 /// @source nscTechArt/URP-Screen-Space-Outline, ScreenSpaceOutline.cs (Unity 2022.3)
 class ScreenSpaceOutline final : public VolumeComponent, public IPostProcessComponent
 {

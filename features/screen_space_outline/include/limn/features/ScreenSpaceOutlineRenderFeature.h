@@ -12,7 +12,7 @@ namespace limn
 class OutlineDrawingRenderPass;
 class ScreenSpaceOutline;
 
-/// When, with which shader and around which objects the outline is drawn.
+/// The settings for when, with which shader and around which objects the outline is drawn.
 /// @source nscTechArt/URP-Screen-Space-Outline, ScreenSpaceOutlineSettings (Unity 2022.3)
 struct ScreenSpaceOutlineSettings
 {
@@ -45,7 +45,7 @@ public:
     explicit ScreenSpaceOutlineRenderFeature(ScreenSpaceOutlineSettings settings);
     ~ScreenSpaceOutlineRenderFeature() override;
 
-    /// Without a shader there is no pass, and every frame's report says so.
+    /// Creates the pass. Without a shader there is no pass, and every frame's report says so.
     /// @throws ContractError if m_RenderingLayerMask is outside 0...31
     void Create() override;
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;

@@ -12,42 +12,45 @@ namespace limn
 
 class SelectionOutline;
 
-/// How the selected objects get into the stencil texture.
+/// The way in which the selected objects are drawn into the stencil texture.
 enum class SelectionStencil
 {
     DrawRenderer,  ///< one by one, as in the article
-    HighlightLayer ///< by a second camera that sees a layer into which they are moved meanwhile
+    HighlightLayer ///< by a second camera that sees one layer, into which they are moved meanwhile
 };
 
-/// When, around what and with which shaders the outline is drawn.
+/// The settings for when, around which objects and with which shaders the outline is drawn.
 struct SelectionOutlineSettings : OutlineSettings
 {
     SelectionOutlineSettings();
 
-    std::shared_ptr<const Shader> m_StencilShader;   ///< null: limn's own; so are the other two
+    /// The shader that draws the stencil; null stands for limn's own, also in the other two
+    /// members.
+    std::shared_ptr<const Shader> m_StencilShader;
     std::shared_ptr<const Shader> m_BlurShader;      ///< reads _MainTex, _OffsetScale
     std::shared_ptr<const Shader> m_CompositeShader; ///< reads _MainTex (the picture), _StencilTex,
                                                      ///< _BlurTex, _OutlineStrength
-    /// What has an outline of its own where it stands before or beside other selected objects;
-    /// Together is the article's, which melts there.
+    /// The grouping of selected objects. A group has an outline of its own where it stands before
+    /// or beside other groups. Together is the article's; its outlines merge there.
     OutlineGrouping m_Grouping = OutlineGrouping::Together;
-    /// Seconds between the start of one object of the scene and that of the next, for those that
-    /// have no start time.
+    /// The time between the start of one object of the scene and that of the next, in seconds, for
+    /// objects without a start time.
     float m_PhaseStep = 0.0f;
     SelectionStencil m_Stencil = SelectionStencil::DrawRenderer;
     int m_HighlightingLayer = 7; ///< 0...31
-    /// False: what is in that layer anyway is drawn in its own material and gets an edge of it, the
-    /// flaw that the article describes.
+    /// Draws only selected objects. If false, other objects of that layer are drawn with their own
+    /// material and get an edge of it, which is the flaw that the article describes.
     bool m_OnlySelected = true;
 
-    /// Since when an object with all that hangs below it is selected, seconds; copies share it.
+    /// The time since which an object and everything below it is selected, in seconds. Copies of
+    /// the settings share it.
     std::shared_ptr<std::unordered_map<const Transform*, double>> startTimes;
 
     void Describe(Inspector& inspector);
 };
 
-/// The article's image effect, step by step. Its textures are as large as the picture:
-/// R8G8B8A8_UNorm, which is what the article's project in gamma space gets.
+/// Performs the article's image effect step by step. Its textures are as large as the picture and
+/// R8G8B8A8_UNorm, as in the article's project, which is in gamma space.
 /// @source OutlineEffect of the article on outlines of selected objects (Unity)
 class OutlineEffect final : public ScriptableRenderPass
 {
@@ -64,21 +67,22 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
     void OnCameraCleanup(CommandBuffer& cmd) override;
 
-    /// Of the article's angle at t seconds, 2 t, the part that sines see, radians.
+    /// Returns the article's angle at t seconds, 2 t, reduced to the part that matters to sines, in
+    /// radians.
     static double Phase(double seconds);
 
 private:
-    /// A shader's pass with its values.
+    /// A pass of a shader, with the values of its properties.
     struct Step
     {
         std::shared_ptr<Material> material;
         int pass = 0;
     };
-    /// Objects with one silhouette.
+    /// The objects that have one silhouette.
     struct Group
     {
         std::span<const OutlinedObject> objects;
-        double depth = 0.0; ///< of its nearest part, metres before the camera
+        double depth = 0.0; ///< the depth of its nearest part, in metres before the camera
     };
 
     Step MakeStep(const std::shared_ptr<const Shader>& given, int pass) const;
@@ -97,7 +101,7 @@ private:
     Step m_BlurStep;
     Step m_CompositeStep;
     std::shared_ptr<const Material> m_CopyMaterial; ///< null: the composite blends in place
-    int m_Width = 0;                                ///< of the picture, pixels
+    int m_Width = 0;                                ///< the width of the picture in pixels
     int m_Height = 0;
     int m_BlurCount = 0;
     std::vector<OutlinedObject> m_Objects;

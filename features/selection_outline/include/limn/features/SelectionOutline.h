@@ -6,7 +6,7 @@
 namespace limn
 {
 
-/// What volumes set of the selection outline; with the defaults it is the article's.
+/// The volume parameters of the selection outline; the defaults give the article's outline.
 /// @source OutlineEffect of the article on outlines of selected objects (Unity)
 class SelectionOutline final : public OutlineComponent
 {
@@ -37,9 +37,10 @@ public:
         5.0f,
         {.tooltip = "What the blurred colour is multiplied by, since at most half of it is seen."}};
 
-    /// How often the blur runs.
+    /// Returns how often the blur runs.
     int blurCount() const { return 2 * iterate.value() + 1; }
-    /// offsetScale, or what m_OutlineWidth makes of it, pixels.
+    /// Returns the offset of the taps in pixels: offsetScale, or the one that m_OutlineWidth
+    /// requires.
     float tapOffset() const;
     float reach() const override { return tapOffset() * static_cast<float>(blurCount()); }
 };

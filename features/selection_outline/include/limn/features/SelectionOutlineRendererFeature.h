@@ -16,15 +16,15 @@ class SelectionOutlineRendererFeature final
 public:
     using OutlineRendererFeature::OutlineRendererFeature;
 
-    /// Since when an object is selected, and all below it that has no time of its own: the colour
-    /// starts over there.
-    /// @param object   until ClearStartTimes it must not be destroyed
-    /// @param seconds  on the clock of RenderRequest::time
+    /// Sets the time since which an object is selected, and everything below it that has no time of
+    /// its own. The colour starts over at that time.
+    /// @param object   must not be destroyed before ClearStartTimes
+    /// @param seconds  the time on the clock of RenderRequest::time
     /// @throws ContractError if `seconds` is not finite
     void SetStartTime(const GameObject& object, double seconds);
     void ClearStartTimes();
 
-    /// 0: what is not in the picture is not in the texture that is blurred, either.
+    /// Returns 0, because objects outside of the picture are not in the blurred texture, either.
     float cullingMargin(const VolumeStackPointer&) const override { return 0.0f; }
 };
 

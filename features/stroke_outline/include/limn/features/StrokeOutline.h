@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// What volumes set of the exact outline.
+/// The volume parameters of the exact outline.
 class StrokeOutline final : public OutlineComponent
 {
 public:

@@ -10,14 +10,14 @@
 namespace limn
 {
 
-/// Which part of an outline is drawn: where the nearest point of the object's silhouette is hidden
-/// by something else or not.
+/// The part of an outline that is drawn. A point is hidden if something else hides the nearest
+/// point of the object's silhouette.
 enum class OutlineOcclusion
 {
-    All,       ///< whatever stands in front
-    Visible,   ///< not hidden
+    All,       ///< all points, whatever stands in front
+    Visible,   ///< points that are not hidden
     Hidden,    ///< hidden
-    SeeThrough ///< both, what is hidden in m_OccludedColor
+    SeeThrough ///< all points, the hidden ones in m_OccludedColor
 };
 
 struct StrokeOutlineSettings : OutlineSettings
@@ -31,15 +31,15 @@ struct StrokeOutlineSettings : OutlineSettings
 class SilhouetteFinder;
 struct StrokeDraws;
 
-/// Draws silhouette edges as strokes on the screen, and what they cover outside of the objects into
+/// Draws silhouette edges as strokes on the screen, and their coverage outside of the objects into
 /// the camera's colour, for each group on its own. In a pixel the largest coverage counts, or the
 /// sum of two that come from opposite sides.
 ///
-/// _StrokeDepth: D32_SFloat, size of the region: the group's own device depth, 0 where it is not.
-/// _StrokeCoverage: R16G16B16A16_SFloat, the same size: what strokes cover that come from the left,
-/// the top, the right and the bottom.
-/// _StrokeEdges: the same size; r: by how much the group covers more of the pixel than _StrokeDepth
-/// says. R16_SFloat; R16G16B16A16_SFloat with occlusion, a: what strokes cover that are seen.
+/// Textures of the region's size: _StrokeDepth, D32_SFloat, is the group's own device depth, 0
+/// where it is not. _StrokeCoverage, R16G16B16A16_SFloat, is the coverage of strokes that come from
+/// the left, the top, the right and the bottom. _StrokeEdges.r is by how much the group covers more
+/// of the pixel than _StrokeDepth has; it is R16_SFloat, or with occlusion R16G16B16A16_SFloat,
+/// whose a is the coverage of strokes that are seen.
 class StrokeOutlinePass final : public ScriptableRenderPass
 {
 public:
@@ -55,9 +55,9 @@ public:
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
-    /// Of what the last Setup found, for choosing between techniques.
+    /// Returns the number of edges that the last Setup found, for choosing between techniques.
     int edgeCount() const;     ///< silhouette edges
-    double strokeArea() const; ///< of their strokes, those that lie on others included, pixels
+    double strokeArea() const; ///< the area of their strokes in pixels, overlapping ones included
 
 private:
     void DrawGroup(CommandBuffer& cmd, const StrokeDraws& group, const CameraData& camera);

@@ -7,8 +7,8 @@
 namespace limn
 {
 
-/// The outline as a geometric shape: all points outside of an object that are no farther than the
-/// width from it, each pixel covered by as much of it as lies in the pixel.
+/// Draws the outline as a geometric shape: all points outside of an object that are no farther away
+/// than the width. The coverage of a pixel is the part of it that the shape covers.
 /// @source silhouette edges: McGuire, Hughes, "Hardware-Determined Feature Edges" (NPAR 2004)
 class StrokeOutlineRendererFeature final
     : public OutlineRendererFeature<StrokeOutline, StrokeOutlineSettings, StrokeOutlinePass>

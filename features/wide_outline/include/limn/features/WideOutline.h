@@ -6,7 +6,7 @@
 namespace limn
 {
 
-/// Where a wide outline lies: outside of the silhouette, inside, or half of it on either side.
+/// The place of a wide outline: outside of the silhouette, inside, or half of it on either side.
 enum class WideOutlineSide
 {
     Outer,
@@ -14,7 +14,7 @@ enum class WideOutlineSide
     Centred
 };
 
-/// What volumes set of a wide outline.
+/// The volume parameters of a wide outline.
 class WideOutline final : public OutlineComponent
 {
 public:

@@ -9,18 +9,18 @@
 namespace limn
 {
 
-/// How the nearest place on the edge is found.
+/// The method that finds the nearest place on the edge.
 enum class WideOutlineMethod
 {
-    Auto,      ///< whichever costs less for the width
+    Auto,      ///< the method that costs less for the width
     JumpFlood, ///< a pass for each doubling of the width
     Separable  ///< two passes that look as far as the width
 };
 
 enum class WideOutlineOcclusion
 {
-    All,    ///< whole objects, whatever stands in front of them
-    Visible ///< the part of them that the camera sees has an outline
+    All,    ///< whole objects have an outline, whatever stands in front of them
+    Visible ///< the part of them that the camera sees has one
 };
 
 struct WideOutlineSettings : OutlineSettings
@@ -33,8 +33,8 @@ struct WideOutlineSettings : OutlineSettings
 };
 
 /// Draws the objects into a mask, finds places on its edge, spreads the nearest ones as far as the
-/// outline reaches, and blends what lies at the right distance into the camera's colour; again for
-/// each group of objects.
+/// outline reaches, and blends the pixels at the right distance into the camera's colour. Repeats
+/// this for each group of objects.
 ///
 /// Textures [region height, region width]: _WideOutlineMask, R8_UNorm of four samples (every Vulkan
 /// device has them); _WideOutlineSeeds, R16G16B16A16_UNorm, see EdgeSeeds.hlsl; _WideOutlineFloodA
@@ -54,7 +54,7 @@ public:
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
-    /// What Auto has come to in the last Setup.
+    /// Returns the method that the last Setup chose, never Auto.
     WideOutlineMethod method() const { return m_Method; }
 
 private:
@@ -77,8 +77,9 @@ private:
     std::shared_ptr<Material> m_Material;
     std::vector<Group> m_Groups;
     WideOutlineMethod m_Method = WideOutlineMethod::JumpFlood;
-    float m_Farthest = 0.0f; ///< end of the outline from the edge, on either side, pixels
-    int m_Reach = 0;         ///< pixels: no place on the edge that is farther away matters
+    /// The distance of the outline's end from the edge, on either side, in pixels.
+    float m_Farthest = 0.0f;
+    int m_Reach = 0; ///< pixels: no place on the edge that is farther away matters
     RTHandle m_Mask;
     RTHandle m_Seeds;
     RTHandle m_FloodA;

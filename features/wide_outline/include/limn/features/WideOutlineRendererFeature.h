@@ -6,9 +6,9 @@
 namespace limn
 {
 
-/// Outlines of any width, exact to what the mask of four samples a pixel knows of the silhouette.
-/// Technique: B. Golus, "The Quest for Very Wide Outlines" (2020); columns and rows after
-/// Felzenszwalb and Huttenlocher (2012), limited to the width.
+/// Draws outlines of any width, as exact as the mask with four samples per pixel shows the
+/// silhouette. Technique: B. Golus, "The Quest for Very Wide Outlines" (2020); columns and rows
+/// after Felzenszwalb and Huttenlocher (2012), limited to the width.
 class WideOutlineRendererFeature final
     : public OutlineRendererFeature<WideOutline, WideOutlineSettings, WideOutlineRenderPass>
 {

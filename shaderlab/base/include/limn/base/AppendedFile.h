@@ -6,7 +6,7 @@
 namespace limn
 {
 
-/// A file that grows at its end, and whose bytes are on the disk once they are appended.
+/// A file that grows at its end. Append returns when the bytes are on the disk.
 class AppendedFile
 {
 public:

@@ -39,7 +39,7 @@ public:
             each(item);
         }
     }
-    /// Numbers, or structures of nothing but numbers, at once.
+    /// Appends numbers, or structures that contain only numbers, at once.
     template <typename T>
     requires std::is_trivially_copyable_v<T>
     void Array(const std::vector<T>& items)
@@ -53,7 +53,7 @@ private:
     std::string m_Bytes;
 };
 
-/// Reads what ByteWriter wrote. Throws std::out_of_range where the bytes end too early.
+/// Reads what ByteWriter wrote. Throws std::out_of_range if the bytes end too early.
 class ByteReader
 {
 public:

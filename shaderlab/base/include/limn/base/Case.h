@@ -7,8 +7,8 @@
 namespace limn
 {
 
-// ASCII only, whatever the locale: all that ShaderLab, HLSL semantics and names of files' values
-// need.
+// These functions handle only ASCII, whatever the locale, which is all that ShaderLab, HLSL
+// semantics and the names of values in files need.
 
 constexpr char ToLower(char c)
 {

@@ -25,7 +25,7 @@ enum class Severity
     Note
 };
 
-/// One thing to say about a file a person wrote.
+/// A message about a file that a person wrote.
 struct Diagnostic
 {
     Severity severity = Severity::Error;
@@ -36,21 +36,21 @@ struct Diagnostic
     bool operator==(const Diagnostic&) const = default;
 };
 
-/// `file:line:col: error: message`, the form compilers use, as the terminal may have it; a place of
-/// 0 is left out.
+/// Returns `file:line:col: error: message`, the form of compilers, in characters that are safe on a
+/// terminal. A place of 0 is omitted.
 std::string ToString(const Diagnostic& diagnostic);
 
-/// ToString(), and below it the line of `text` that it is about with a '^' under the column, as
-/// compilers show it: three lines without a line break at the end, for people to read. Tabs stay
-/// tabs, bytes that cannot be printed become U+FFFD each; of a long line the part around the column
-/// is shown. Only ToString() where there is no such line. Takes time proportional to the line's
+/// Returns ToString(), and below it the line of `text` with a '^' under the column, as compilers
+/// show it: three lines without a line break at the end, for people to read. Tabs stay tabs, and
+/// each byte that cannot be printed becomes U+FFFD. A long line is cut to the part around the
+/// column. Returns only ToString() if there is no such line. Takes time proportional to the line's
 /// number.
 ///
-/// @param text  all of the file that the diagnostic names
+/// @param text  the whole text of the file that the diagnostic names
 std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text);
 
-/// A file a person wrote cannot be used. Holds everything found in that file, not only the first
-/// problem; what() is all of it, one diagnostic a line.
+/// The error that a file that a person wrote cannot be used. It holds all problems found in that
+/// file, not only the first one; what() has all of them, one diagnostic per line.
 class AssetError : public std::runtime_error
 {
 public:
@@ -63,32 +63,33 @@ private:
     std::vector<Diagnostic> m_Diagnostics;
 };
 
-/// A file cannot be written because the machine lacks something, such as room on its disk: no file
-/// that a person wrote is at fault.
+/// The error that a file cannot be written because the machine lacks something, such as room on its
+/// disk. No file that a person wrote is the cause.
 class MachineError : public AssetError
 {
 public:
     using AssetError::AssetError;
 };
 
-/// A caller broke a documented precondition: a mistake in the program, not in its input.
+/// The error that a caller broke a documented precondition. It is a mistake in the program, not in
+/// its input.
 class ContractError : public std::logic_error
 {
 public:
     using std::logic_error::logic_error;
 };
 
-/// How many letters have to be changed, added or left out to make `b` of `a`, without case; two
-/// neighbours that changed places are one mistake. Takes time and memory of a.size() * b.size().
+/// Returns how many letters must be changed, added or removed to turn `a` into `b`, ignoring case.
+/// Two swapped neighbours count as one. Takes time and memory proportional to a.size() * b.size().
 std::size_t EditDistance(std::string_view a, std::string_view b);
 
-/// Returns the known name closest to `name` by edit distance (case-insensitive), or else the only
-/// one that begins with it, or "" if none is near enough to be what was meant (distance at most a
-/// third of the length, at least 1). Names of more than 64 bytes are near to none.
+/// Returns the known name that is closest to `name` by edit distance (ignoring case); if none is
+/// near enough, the only one that begins with `name`; otherwise "". A name is near enough if its
+/// distance is at most a third of the length, or 1. Names of more than 64 bytes are near to none.
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
 
-/// "'outlneWidth'; did you mean 'outlineWidth'?" for messages about unknown names; where nothing is
-/// near, "'foo' (known: a, b, c)". Long names are Shortened.
+/// Returns "'outlneWidth'; did you mean 'outlineWidth'?" for messages about unknown names, or
+/// "'foo' (known: a, b, c)" if no name is near. Long names are Shortened.
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known);
 
 } // namespace limn

@@ -10,10 +10,10 @@
 namespace limn
 {
 
-/// A folder of results of long work, one file each. Nothing that is wrong with it is an error: a
+/// A folder that keeps the results of long work, one file each. No problem with it is an error: a
 /// missing, torn or foreign file counts as absent, and a folder that cannot be written keeps
-/// nothing. Any number of processes may use one folder at once, and caches of other extensions may
-/// share it.
+/// nothing. Any number of processes may use one folder at once, and caches with other extensions
+/// may share it.
 class FileCache
 {
 public:
@@ -21,17 +21,18 @@ public:
     struct Entry
     {
         std::string file;
-        std::size_t first = 0; ///< of the payload
+        std::size_t first = 0; ///< the first byte of the payload
         std::size_t size = 0;
 
         std::string_view payload() const { return std::string_view(file).substr(first, size); }
     };
 
-    /// @param folder     made when something is stored; empty = no cache
-    /// @param extension  of the files, ".limnpass"
-    /// @param magic      what they begin with; another one for each format
-    /// @param limit  bytes that the files may take together; 0 = no limit. What was not used for
-    ///     longest goes first. It is looked after whenever an eighth of it has been stored.
+    /// @param folder     is made when something is stored; empty = no cache
+    /// @param extension  the extension of the files: ".limnpass"
+    /// @param magic      the text that the files begin with; each format has its own
+    /// @param limit  the bytes that all files may take together; 0 = no limit. The files that were
+    ///     not used for longest are removed first. The limit is enforced whenever an eighth of it
+    ///     has been stored.
     FileCache(std::filesystem::path folder, std::string extension, std::string magic,
               std::uintmax_t limit)
         : m_Folder(std::move(folder)),

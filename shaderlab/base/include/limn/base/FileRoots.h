@@ -6,15 +6,15 @@
 namespace limn
 {
 
-/// The folders that what a file refers to may lie in.
+/// The folders in which files may lie that another file refers to.
 class FileRoots
 {
 public:
-    /// Relative to the working directory; "" is the working directory itself.
+    /// Adds a folder. It is relative to the working directory; "" is the working directory itself.
     void Add(const std::filesystem::path& folder);
 
-    /// Whether the path lies below one of the folders once all links are followed; there need not
-    /// be such a file.
+    /// Returns whether the path lies below one of the folders after all links are followed. The
+    /// file need not exist.
     bool Contains(const std::filesystem::path& path) const;
 
 private:

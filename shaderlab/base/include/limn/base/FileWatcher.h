@@ -11,11 +11,11 @@ namespace limn
 
 class StopSignals;
 
-/// Tells which of some files were written, replaced or removed. It watches their folders, so that a
-/// file that an editor saves under another name and then renames is seen, and one that is not there
-/// yet; and the folders above those, so that a folder that another takes the place of is seen, as a
-/// checkout or an unpacked archive leaves it. A file that is being written counts when it is
-/// closed. Linux: inotify.
+/// Reports which of some files were written, replaced or removed. It watches their folders, so that
+/// it notices a file that does not exist yet, or that an editor saves under another name and then
+/// renames. It also watches the folders above, so that it notices a folder that another one
+/// replaces, for example by a checkout or an unpacked archive. A file that is being written counts
+/// as changed when it is closed. Linux: inotify.
 class FileWatcher
 {
 public:
@@ -25,18 +25,18 @@ public:
     FileWatcher(const FileWatcher&) = delete;
     FileWatcher& operator=(const FileWatcher&) = delete;
 
-    /// Adds files; those already watched stay. Neither a file nor its folder has to be there yet.
-    /// @param readSince  when the caller began to read them: a file that is new here and changed
-    ///                   since then counts as changed
+    /// Adds files; those already watched stay. Neither a file nor its folder has to exist yet.
+    /// @param readSince  the time at which the caller began to read them; a newly added file that
+    ///     changed since then counts as changed
     /// @throws std::system_error if the system cannot watch that many folders
     void Watch(const std::set<std::filesystem::path>& files,
                std::chrono::system_clock::time_point readSince = k_NotReadYet);
 
-    /// The files, as given to Watch, that changed since the last call; does not wait.
+    /// Returns the files, as given to Watch, that changed since the last call; does not wait.
     std::set<std::filesystem::path> TakeChanges();
 
-    /// Waits until something happened in a watched folder or the time is over; without a time,
-    /// until something happens.
+    /// Waits until something happens in a watched folder or the time is over. Without a time it
+    /// waits until something happens.
     /// @return false once a stop signal came
     bool Wait(const StopSignals& signals, std::optional<std::chrono::milliseconds> time) const;
 
@@ -52,9 +52,9 @@ private:
 
     int m_Descriptor;               ///< readable as soon as something happened in a watched folder
     Paths m_Known;                  ///< as given to Watch
-    Paths m_Folders;                ///< of the places and all above
-    std::map<int, Paths> m_Watches; ///< what each watch descriptor is known as
-    /// The names each file is known under: its own and, for a link, that of what it points to.
+    Paths m_Folders;                ///< the folders of the places, and all folders above
+    std::map<int, Paths> m_Watches; ///< the names of each watch descriptor's folder
+    /// The names of each file: its own and, for a link, that of its target.
     std::map<std::filesystem::path, Paths> m_Places;
     Paths m_Missed; ///< changed before they were watched
 };

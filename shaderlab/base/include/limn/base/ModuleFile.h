@@ -7,23 +7,23 @@
 namespace limn
 {
 
-/// "" unless the bytes are those of a module that ends too early, whose missing rest the system's
-/// loader would map and crash upon; what else is wrong with one, the loader says.
+/// Returns what is wrong if the bytes are those of a module that ends too early, and "" otherwise.
+/// The system's loader would map the missing rest and crash; it reports all other problems itself.
 std::string ModuleProblem(std::string_view bytes);
 
-/// Whether there is a file, and no module of which a part is missing.
+/// Returns whether the file exists and is not a module of which a part is missing.
 bool IsWholeModule(const std::filesystem::path& path);
 
 /// Loads a module, for as long as the process lives, and finds a symbol in it.
-/// @param name      what errors call the module
-/// @param isCopied  a copy of the file is loaded, so that the file can be written anew and loaded
-/// again
+/// @param name      the name of the module in errors
+/// @param isCopied  true: loads a copy of the file, so that the file can be replaced and loaded
+///     again
 /// @return null if it has no such symbol
 /// @throws AssetError if it cannot be loaded
 const void* OpenModule(const std::filesystem::path& path, const std::string& name, bool isCopied,
                        const char* symbol);
 
-/// Returns where the module is loaded that a symbol lies in; null if it lies in none.
+/// Returns the address of the loaded module that contains a symbol, or null if none does.
 const void* ModuleOf(const void* symbol);
 
 } // namespace limn

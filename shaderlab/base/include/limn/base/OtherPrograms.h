@@ -5,18 +5,18 @@
 namespace limn
 {
 
-/// What other programs do while this lives.
+/// Measures how busy other programs are during its lifetime.
 class OtherPrograms
 {
 public:
     OtherPrograms();
 
-    /// The mean number of processors that others kept busy, the host of a virtual machine among
-    /// them; NaN where the system does not tell.
+    /// Returns the mean number of processors that others kept busy, the host of a virtual machine
+    /// included; NaN if the system does not report it.
     double BusyProcessors() const;
 
 private:
-    double m_Seconds; ///< that others have used until this was made
+    double m_Seconds; ///< processor time that others had used when this was made
     std::chrono::steady_clock::time_point m_Begin = std::chrono::steady_clock::now();
 };
 

@@ -3,10 +3,10 @@
 namespace limn
 {
 
-/// Must be called first by a program. Standard streams that are closed get their numbers taken, or
-/// the next files to be opened would have them and get what is printed; they go on to fail as
-/// closed ones do. A file that grows beyond what the system allows is an error with a name, not the
-/// end.
+/// Prepares the process; a program must call it first. It occupies the descriptors of closed
+/// standard streams, because the next opened files would otherwise get them and receive what is
+/// printed; writing to these streams still fails. A file that grows beyond the system's limit
+/// becomes an error with a name and does not end the process.
 void PrepareProcess();
 
 } // namespace limn

@@ -7,11 +7,11 @@
 namespace limn
 {
 
-/// How much is read of a file at most: of text, and of pictures and meshes.
+/// The greatest sizes of files that are read: of text, and of pictures and meshes.
 inline constexpr std::uintmax_t k_MaxTextBytes = std::uintmax_t{64} << 20;
 inline constexpr std::uintmax_t k_MaxDataBytes = std::uintmax_t{512} << 20;
 
-/// What reading a file gave.
+/// The result of reading a file.
 struct FileContent
 {
     std::string bytes;
@@ -20,13 +20,13 @@ struct FileContent
     bool isRead() const { return problem.empty(); }
 };
 
-/// All of a regular file, or of the one that a link leads to. Never waits for anybody: folders,
-/// pipes, sockets and devices are refused, and so is what is longer than `limit`, before a byte of
-/// it is read.
-/// @throws std::system_error where the machine lacks what it takes, such as file descriptors
+/// Reads all of a regular file, or of the one that a link leads to. Never waits for another
+/// program: it rejects folders, pipes, sockets and devices, and files longer than `limit`, before
+/// it reads a byte.
+/// @throws std::system_error if the machine lacks a resource, such as file descriptors
 FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit = k_MaxTextBytes);
 
-/// TryReadFile, for a file that is needed.
+/// Reads a file like TryReadFile, but throws if it cannot be read.
 /// @throws AssetError naming the path and the problem; std::system_error as TryReadFile
 std::string ReadFile(const std::filesystem::path& path, std::uintmax_t limit = k_MaxTextBytes);
 

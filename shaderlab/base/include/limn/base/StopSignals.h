@@ -3,8 +3,8 @@
 namespace limn
 {
 
-/// Turns SIGINT and SIGTERM into something to wait for, as long as it lives. Made before other
-/// threads start: those inherit that the signals are held back.
+/// Turns SIGINT and SIGTERM into events to wait for, as long as it lives. Must be made before other
+/// threads start, because they inherit that the signals are blocked.
 class StopSignals
 {
 public:

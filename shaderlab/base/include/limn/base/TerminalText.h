@@ -7,25 +7,24 @@
 namespace limn
 {
 
-/// Names, values and paths as one line of a terminal may have them: what a terminal would take for
-/// a command or a line's end, what turns the direction of writing, what is nowhere to be seen, and
-/// what is no UTF-8 is written
-/// as \n, \x1B or \u202E. So no name in a file can forge a message.
+/// Returns names, values and paths in a form that is safe in one line of a terminal. Commands of
+/// the terminal, line ends, changes of the writing direction, invisible characters, and bytes that
+/// are no UTF-8 are written as \n, \x1B or \u202E, so that no name in a file can forge a message.
 std::string OneLine(std::string_view text);
 
-/// OneLine of a message; words of more than 256 bytes are Shortened.
+/// Returns a message like OneLine; words of more than 256 bytes are Shortened.
 std::string Sentence(std::string_view text);
 
-/// OneLine for text that has several lines: line breaks and tabs stay. JSON that is UTF-8 stays the
-/// same JSON.
+/// Returns a text of several lines like OneLine; line breaks and tabs stay. JSON that is UTF-8
+/// stays the same JSON.
 std::string SeveralLines(std::string_view text);
 
-/// The text where it has at most `most` bytes, else its beginning and its end with "…" between
-/// them, about `most` bytes of both together. No character of UTF-8 is cut.
+/// Returns the text if it has at most `most` bytes. Otherwise returns its beginning and its end
+/// with "…" between them, about `most` bytes together. No character of UTF-8 is cut.
 std::string Shortened(std::string_view text, std::size_t most);
 
-/// Bytes of the character of UTF-8 that a text begins with; 0 for an empty text, where that is no
-/// character, and for one that must not reach a terminal as it is.
+/// Returns the number of bytes of the UTF-8 character that a text begins with. Returns 0 if the
+/// text is empty, if that is no character, or if it must not reach a terminal unchanged.
 std::size_t PrintableSize(std::string_view text);
 
 } // namespace limn

@@ -20,13 +20,14 @@ constexpr bool isBlank(char c)
     return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == '\f' || c == '\v';
 }
 
-/// Of UTF-8: a byte that does not begin a character.
+/// Returns whether a byte of UTF-8 does not begin a character.
 constexpr bool isInsideCharacter(char c)
 {
     return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
 
-/// Unity's ShaderLab counts '#' among the letters.
+/// Returns whether a character can be part of a word; Unity's ShaderLab counts '#' among the
+/// letters.
 constexpr bool isWordCharacter(char c)
 {
     return isLetter(c) || isDigit(c) || c == '#';
@@ -45,7 +46,8 @@ constexpr std::string_view Trim(std::string_view text)
     return text;
 }
 
-/// Takes the first word off a text, together with the blanks before it; "" where there is none.
+/// Removes the first word from a text, together with the blanks before it, and returns it; returns
+/// "" if there is none.
 constexpr std::string_view TakeWord(std::string_view& text)
 {
     text = Trim(text);

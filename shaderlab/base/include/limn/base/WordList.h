@@ -10,7 +10,7 @@
 namespace limn
 {
 
-/// The words of a literal that blanks separate.
+/// Returns the words of a literal, which blanks separate.
 inline std::vector<std::string_view> SplitWords(std::string_view text)
 {
     std::vector<std::string_view> words;
@@ -21,7 +21,7 @@ inline std::vector<std::string_view> SplitWords(std::string_view text)
     return words;
 }
 
-/// A set of such words.
+/// A set of the words of a literal, which blanks separate.
 class WordList
 {
 public:

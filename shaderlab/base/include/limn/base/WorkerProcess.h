@@ -13,12 +13,12 @@ namespace limn
 /// A piece of work for a worker.
 struct WorkerTask
 {
-    /// Makes an answer of a request. It runs in the worker and sees this program as it was when the
-    /// WorkerProcess was made. An exception that leaves it ends the worker.
+    /// Returns the answer to a request. It runs in the worker and sees this program as it was when
+    /// the WorkerProcess was made. An exception that leaves it ends the worker.
     std::string (*work)(std::string_view request) = nullptr;
     /// Called once for all workers, before the first that is started for such a task; may be null.
     void (*prepare)() = nullptr;
-    /// The work may take so long.
+    /// The longest time that the work may take.
     std::chrono::milliseconds timeLimit = std::chrono::seconds{30};
 };
 
@@ -31,42 +31,43 @@ struct WorkerAnswer
         OutOfTime,
         Signal,    ///< `number` is the signal's
         Exit,      ///< `number` is the exit code
-        NotStarted ///< the system gave no process
+        NotStarted ///< the system could not start a process
     };
     Ending ending = Ending::NotStarted;
     int number = 0;
-    std::string bytes; ///< of the answer
+    std::string bytes; ///< the bytes of the answer
 };
 
 /// Returns a signal's name and number: "Aborted (signal 6)".
 std::string SignalText(int signal);
 
-/// A process whose children, the workers, do what may crash, hang or take too much memory: work of
-/// other people's libraries on files of anybody. A worker is kept for the next task; one that dies
-/// or hangs costs only the task that it was at. A worker that asks for more than 2 GiB of memory
-/// gets std::bad_alloc (not in builds with sanitizers).
+/// A process whose children, the workers, do work that may crash, hang or take too much memory:
+/// work of third-party libraries on unknown files. A worker is kept for the next task; one that
+/// dies or hangs costs only its present task. A worker that asks for more than 2 GiB of memory gets
+/// std::bad_alloc (not in builds with sanitizers).
 ///
-/// The process is forked off when it is made and has one thread ever after: a child forked off a
-/// process with several threads would find locks that nobody gives back. Make it before other
-/// threads are at work.
+/// The process is forked when this object is made and always has one thread, because a child forked
+/// from a process with several threads could find locks that are never released. It must be made
+/// before other threads are at work.
 class WorkerProcess
 {
 public:
     WorkerProcess();
-    /// Ends the workers, too.
+    /// Ends the process and its workers.
     ~WorkerProcess();
     WorkerProcess(const WorkerProcess&) = delete;
     WorkerProcess& operator=(const WorkerProcess&) = delete;
 
-    /// Waits for the answer. Any thread; tasks of several threads are done at a time.
+    /// Runs a task and waits for the answer. May be called on any thread; tasks of several threads
+    /// run at the same time.
     WorkerAnswer Run(const WorkerTask& task, std::string_view request);
 
 private:
-    /// Gives the socket of a worker that has nothing to do; -1 where none can be started.
+    /// Returns the socket of an idle worker, or -1 if none can be started.
     int TakeWorker(const WorkerTask& task);
 
     int m_Process = -1;
-    int m_Requests = -1; ///< a socket that takes one end of a socket for each new worker
+    int m_Requests = -1; ///< a socket that receives one end of a socket pair for each new worker
     std::mutex m_Mutex;
     std::vector<int> m_Idle; ///< the sockets of workers
 };

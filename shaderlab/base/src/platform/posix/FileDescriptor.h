@@ -13,7 +13,7 @@ inline std::error_code LastError()
     return {errno, std::generic_category()};
 }
 
-/// An open file, closed when it goes.
+/// An open file, which the destructor closes.
 class FileDescriptor
 {
 public:
@@ -25,7 +25,7 @@ public:
     bool isOpen() const { return m_Descriptor >= 0; }
     int get() const { return m_Descriptor; }
 
-    /// What could not be written may show only now.
+    /// Closes the file. Returns an error, which may be one of an earlier write.
     [[nodiscard]] std::error_code Close()
     {
         const int descriptor = std::exchange(m_Descriptor, -1);

@@ -8,14 +8,14 @@
 namespace limn
 {
 
-// What a WorkerProcess and its workers send to each other.
+// The messages between a WorkerProcess and its workers.
 
-/// Sends the number of bytes and the bytes. Returns false where the other side is gone.
+/// Sends the number of bytes and the bytes. Returns false if the other side is gone.
 bool SendMessage(int socket, std::string_view bytes);
-/// Returns nothing where the other side is gone.
+/// Receives a message; returns nullopt if the other side is gone.
 std::optional<std::string> ReceiveMessage(int socket);
 
-/// A file descriptor that goes from one process to another, and a number with it.
+/// A file descriptor that one process sends to another, with a number.
 struct SentDescriptor
 {
     int descriptor = -1; ///< -1 where the other side is gone
@@ -26,11 +26,11 @@ struct SentDescriptor
 bool SendDescriptor(int socket, const SentDescriptor& sent);
 SentDescriptor ReceiveDescriptor(int socket);
 
-/// The whole life of the process of a WorkerProcess: starts a worker for each socket that comes,
-/// until the other side is gone.
+/// Runs the process of a WorkerProcess: starts a worker for each socket that it receives, until the
+/// other side is gone.
 [[noreturn]] void ServeWorkers(int requests);
 
-/// The last thing that a worker sends, or that is sent for it.
+/// The kinds of messages that a worker sends, or that are sent for it.
 enum class WorkerMessage : char
 {
     Answer,
