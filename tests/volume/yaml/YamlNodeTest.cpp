@@ -117,8 +117,9 @@ TEST(ParseYaml, PointsAtSyntaxErrors)
                 ElementsAre("2:4: not valid YAML: the '[' here is not closed by a ']'"));
     EXPECT_THAT(ProblemsIn("a: {b: 1\n"),
                 ElementsAre("1:4: not valid YAML: the '{' here is not closed by a '}'"));
-    EXPECT_THAT(ProblemsIn("a: 1\n\tb: 2\n"),
-                ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
+    EXPECT_THAT(
+        ProblemsIn("a: 1\n\tb: 2\n"),
+        ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
     EXPECT_THAT(ProblemsIn("a: *nobody\n"),
                 ElementsAre("1:4: not valid YAML: the referenced anchor is not defined"));
 }
