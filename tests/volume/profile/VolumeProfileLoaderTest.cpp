@@ -61,6 +61,11 @@ TEST_F(LoadOwnProfile, NamesTheCauseOfCommonSyntaxErrors)
         ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
     EXPECT_THAT(ProblemsIn(component + "  m_Enable:true\n  m_OutlineWidth: 4\n"),
                 ElementsAre("2:11: not valid YAML: a space is missing behind the ':'"));
+    // Lines of letters alone, and the last one, have no cause of these.
+    for (const char* text : {"ScreenSpaceOutline\n  m_OutlineWidth: 4\n", "a\nb: 1", "a:b\n c: 1"})
+    {
+        EXPECT_THAT(ProblemsIn(text), ElementsAre(testing::HasSubstr("not valid YAML: a")));
+    }
     EXPECT_THAT(ProblemsIn(component + "  m_OutlineColor: {r: 1 g: 0, b: 0}\n"),
                 ElementsAre("2:24: not valid YAML: a ',' is missing between two values here"));
     EXPECT_THAT(ProblemsIn(component + "m_Enable: true\n"),

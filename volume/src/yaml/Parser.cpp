@@ -48,7 +48,8 @@ std::optional<SyntaxProblem> FindKeyWithoutSpace(const SyntaxLines& lines)
     {
         const std::size_t first = line.find_first_not_of(" -");
         const std::size_t colon = line.find_first_not_of(k_Letters, std::min(first, line.size()));
-        if (first < colon && colon + 1 < line.size() && line[colon] == ':' &&
+        if (colon != std::string_view::npos && first < colon && colon + 1 < line.size() &&
+            line[colon] == ':' &&
             std::string_view(" \r/:").find(line[colon + 1]) == std::string_view::npos)
         {
             return SyntaxProblem{{number, static_cast<int>(colon) + 1},
