@@ -495,7 +495,8 @@ TEST_F(CheckCommand, ExplainsItsUsage)
 {
     EXPECT_EQ(2, RunCommand({"check", "s.scene.yaml"}).exitCode);
     EXPECT_EQ(2, RunCommand({"check", "a", "b", "--update", "--json"}).exitCode);
-    EXPECT_THAT(RunCommand({"help", "check"}).out, HasSubstr("only comments within them are lost"));
+    EXPECT_THAT(RunCommand({"help", "check"}).out,
+                HasSubstr("Replace the values that do not hold"));
 }
 
 TEST_F(CheckCommand, HoldsForTheSamples)

@@ -218,7 +218,7 @@ TEST(Coverage, TakesTheFirstSentenceOfAMembersDocLine)
               "no effect: nothing scales");                            // behind the member
     EXPECT_EQ(docs.Of("RasterCommandBuffer", "DrawRendererList"), ""); // a @throws alone
     EXPECT_EQ(docs.Of("UnsafeRenderGraphBuilder", "AllowPassCulling"),
-              "False: what it draws is run whoever reads it."); // a base's
+              "Sets whether the pass may be culled."); // a base's
     EXPECT_EQ(docs.Of("CommandBuffer", "NoSuchMember"), "");
     EXPECT_GT(Coverage(ReadUnityTypes()).documented(), 200);
 }
