@@ -185,7 +185,7 @@ private:
                    : "- " + pass + "  no pass of this name runs" + NearestHint(pass, known);
     }
 
-    /// What a feature or a pass draws.
+    /// Reads what a feature or a pass draws.
     /// @param absence  of the pass
     void Renderers(YamlMapReader& map, const std::optional<std::string>& feature,
                    const std::optional<std::string>& pass, const std::string& absence = "")

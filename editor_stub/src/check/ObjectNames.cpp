@@ -63,7 +63,7 @@ struct ObjectNames::Node
 class ObjectNames::Fixer
 {
 public:
-    /// What the items so far say about a part of the tree.
+    /// The answer of the items so far about a part of the tree.
     enum class State
     {
         AsListed, ///< what the list says

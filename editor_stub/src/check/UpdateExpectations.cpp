@@ -89,7 +89,7 @@ class ExtentFinder
 public:
     explicit ExtentFinder(const std::string& text) : m_Text(text) {}
 
-    /// Nothing for a value whose place is not that of its first character.
+    /// Returns where a value stands, or nothing if its place is not that of its first character.
     std::optional<Extent> Find(const YamlNode& node) const
     {
         const std::optional<std::size_t> begin = OffsetOf(node.location());
@@ -152,7 +152,7 @@ private:
         return m_Text.size();
     }
 
-    /// Of a word in brackets or behind a key, on one line.
+    /// Returns the end of a word in brackets or behind a key, on one line.
     std::size_t EndOfPlain(std::size_t begin) const
     {
         std::size_t end = begin;
@@ -197,8 +197,8 @@ private:
         return m_Text.size();
     }
 
-    /// Of a list with dashes, or a map of one key a line: the end of its last line that is no
-    /// comment.
+    /// Returns the end of the last line, comments apart, of a list with dashes or of a map of one
+    /// key a line.
     std::size_t EndOfBlock(std::size_t begin) const
     {
         const std::size_t column = ColumnOf(begin);

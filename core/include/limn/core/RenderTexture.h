@@ -68,7 +68,7 @@ struct RenderTextureDescriptor
     bool useDynamicScale = false; ///< no effect: nothing scales
     /// If true, the texture's first row is the top of the picture, as in the image of a window or a
     /// host, which Unity calls the back buffer. TargetOrientation.h documents the consequences.
-    /// Such a texture is upright only as the last target of a frame; shaders that sample it see it
+    /// The texture is upright only as the last target of a frame; shaders that sample it see it
     /// mirrored.
     bool isTopRowFirst = false;
 

@@ -71,8 +71,8 @@ namespace SystemInfo
 bool IsFormatSupported(GraphicsFormat format, FormatUsage usage);
 /// Returns whether the device supports all of the usages; false for None.
 bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage);
-/// Returns the format, or one with at least as many bits per component that supports the usage;
-/// None if there is none. Unity's own choice is the platform's.
+/// Returns the format, or one with at least as many bits per component that supports the usage,
+/// or None if there is no such format. Unity's own choice is the platform's.
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, FormatUsage usage);
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage usage);
 /// @throws ContractError for Video

@@ -11,7 +11,7 @@ namespace limn
 
 /// Returns the keywords that a new material enables, by its properties' defaults and their
 /// attributes Toggle, MaterialToggle, ToggleOff and KeywordEnum. They are sorted, each once.
-/// Whether a program knows them does not matter. Unity: MaterialPropertyDrawer.Apply (2022.3).
+/// A program need not know them. Unity: MaterialPropertyDrawer.Apply (2022.3).
 std::vector<std::string> InitialKeywords(const ShaderLabDocument& document);
 /// Returns the keywords for properties that hold the values of a material in place of their
 /// defaults.
