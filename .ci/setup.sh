@@ -14,6 +14,7 @@ limn_test_packages=(
     libgtest-dev libgmock-dev vulkan-validationlayers
     python3-jsonschema python3-yaml                          # `limn schema` is validated
     chromium-headless-shell                                  # the page of `limn report` is looked at
+    doxygen                                                  # the pages of the public headers: a warning fails
     patch                                                    # a guide in samples/guide changes a file with it
     ccache mold                                              # the next build is quicker; found by CMake
 )

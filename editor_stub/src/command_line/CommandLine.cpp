@@ -187,6 +187,10 @@ Verb RenderVerb(RenderOptions& options)
          {"stats", "FILE", "Write times and counts as JSON", Into(options.statsFile)},
          {"trace", "FILE", "Write a trace for chrome://tracing or Perfetto",
           Into(options.traceFile)},
+         Switch("show-volumes",
+                "Draw local volumes over the picture: their colliders, dashed where they have "
+                "faded out, and the camera's volumeTrigger",
+                options.showsVolumes),
          Switch("validate", "Run under the Vulkan validation layer; its errors give exit code 1",
                 options.validate)});
     return {"render",

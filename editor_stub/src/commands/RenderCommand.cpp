@@ -5,6 +5,7 @@
 #include "explain/RenderReports.h"
 #include "shaders/UsedShaders.h"
 #include "view/SceneView.h"
+#include "view/VolumeGizmos.h"
 
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanDevice.h>
@@ -117,6 +118,10 @@ int RunRender(const RenderOptions& options, Console& console)
     measurements.memory = device->statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
+    if (options.showsVolumes)
+    {
+        DrawVolumes(image, view.asset().camera, view.asset().volumes);
+    }
     timeline.Measure("write", [&] { WritePicture(options, image, console); });
     if (!options.statsFile.empty())
     {

@@ -28,6 +28,7 @@ struct RenderOptions
     std::vector<SelectionStep> selection;
     std::string device;
     bool validate = false;
+    bool showsVolumes = false; ///< see DrawVolumes
     std::string statsFile;
     std::string traceFile;
     std::string cacheFolder; ///< "" for the default folder

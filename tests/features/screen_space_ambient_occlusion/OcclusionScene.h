@@ -18,7 +18,7 @@ using SsaoBlur = SsaoSettings::BlurQualityOptions;
 /// direct light in green; and which has depth and normals.
 inline std::shared_ptr<Material> OcclusionShown()
 {
-    const std::string text =
+    const static std::string text =
         "Shader \"Test/Occlusion\" { Properties { _Cull (\"Culled\", Float) = 2 } SubShader {\n"
         "UsePass \"Universal Render Pipeline/Lit/DEPTHONLY\"\n"
         "UsePass \"Universal Render Pipeline/Lit/DEPTHNORMALS\"\n"
@@ -33,8 +33,10 @@ inline std::shared_ptr<Material> OcclusionShown()
         "    GetNormalizedScreenSpaceUV(p), 1.0);\n"
         "return float4(f.indirectAmbientOcclusion, f.directAmbientOcclusion, 0, 1); }\n"
         "ENDHLSL\n} } }";
-    return std::make_shared<Material>(std::make_shared<const Shader>(
-        ParseShaderLab(text, "test.shader").document, Compiler(), &BuiltinShaders()));
+    // One shader for all scenes, as a driver compiles each anew.
+    const static auto shader = std::make_shared<const Shader>(
+        ParseShaderLab(text, "test.shader").document, Compiler(), &BuiltinShaders());
+    return std::make_shared<Material>(shader);
 }
 
 /// Boxes on a floor, for a camera in the middle of it that looks along +z.

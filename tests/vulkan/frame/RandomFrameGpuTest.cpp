@@ -370,7 +370,7 @@ TEST(RandomFrameOnDevice, GivesTheSameTexelsWhenItIsRecordedOnce)
 {
     const std::uint64_t before = SharedDevice().statistics().recordedFrames;
     std::uint64_t frames = 0;
-    for (unsigned seed = k_FrameSeed; seed < k_FrameSeed + 60; ++seed)
+    for (unsigned seed = k_FrameSeed; seed < k_FrameSeed + 30; ++seed)
     {
         RandomDeviceFrames all(seed, false);
         RandomDeviceFrames lean(seed, true);

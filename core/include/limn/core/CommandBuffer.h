@@ -54,7 +54,7 @@ public:
     /// its name at once. Its contents are undefined: clear it, or draw over the whole of it. A
     /// texture of the same name that is not released yet is released. A colour format with
     /// depthBufferBits gives a colour texture that has a depth. It wraps by clamping.
-    /// @param width, height  texels; a negative one is a part of the camera's: -1 all, -2 half
+    /// Width and height are in texels; a negative one is a part of the camera's: -1 all, -2 half.
     /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
     /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
     void GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,

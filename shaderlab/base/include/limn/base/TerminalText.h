@@ -9,7 +9,7 @@ namespace limn
 
 /// Returns names, values and paths in a form that is safe in one line of a terminal. Commands of
 /// the terminal, line ends, changes of the writing direction, invisible characters, and bytes that
-/// are no UTF-8 are written as \n, \x1B or \u202E, so that no name in a file can forge a message.
+/// are no UTF-8 are written as `\n`, `\x1B` or `\u202E`: no name in a file can forge a message.
 std::string OneLine(std::string_view text);
 
 /// Returns a message like OneLine; words of more than 256 bytes are Shortened.
