@@ -4,6 +4,7 @@
 
 #include <dlfcn.h>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -37,7 +38,9 @@ struct State
     std::map<VkInstance, PFN_vkCreateDebugUtilsMessengerEXT> createMessenger;
     std::map<VkInstance, PFN_vkDestroyDebugUtilsMessengerEXT> destroyMessenger;
 };
-extern State s_State; // one thread at a time calls limn's device, and drivers call nothing of this
+extern State s_State;
+/// Guards it: limn compiles pipelines on several threads. Drivers call nothing of this.
+extern std::mutex s_Mutex;
 
 /// Returns what a call is to return instead of being handed on; VK_SUCCESS = it is handed on.
 /// @param errors  what it may return, besides the errors of memory, which each may
@@ -73,12 +76,14 @@ VkResult CallList(const char* name, Errors errors, Count* count, const Element* 
 
 inline void Made(const char* kind, VkResult result)
 {
+    const std::scoped_lock lock(s_Mutex);
     s_State.objects[kind] += result == VK_SUCCESS ? 1 : 0;
 }
 
 template <typename Handle>
 void Destroyed(const char* kind, Handle handle)
 {
+    const std::scoped_lock lock(s_Mutex);
     s_State.objects[kind] -= handle == VK_NULL_HANDLE ? 0 : 1;
 }
 

@@ -6,6 +6,7 @@ namespace limn::test::faulty_loader
 {
 
 State s_State;
+std::mutex s_Mutex;
 
 namespace
 {
@@ -36,6 +37,7 @@ VkResult NextFailure(bool mayFail)
 
 VkResult FailureOf(const std::string& name, Errors errors)
 {
+    const std::scoped_lock lock(s_Mutex);
     errors.insert(errors.end(), {VK_ERROR_OUT_OF_HOST_MEMORY, VK_ERROR_OUT_OF_DEVICE_MEMORY});
     s_State.all.emplace_back(name, errors);
     const auto may = [&](VkResult result)

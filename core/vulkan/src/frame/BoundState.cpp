@@ -64,11 +64,11 @@ void BoundState::SetScissor(const VkRect2D& scissor)
 
 void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& state)
 {
-    if (draw.pipeline != m_Pipeline)
+    if (draw.pipeline->get() != m_Pipeline)
     {
-        m_Pipeline = draw.pipeline;
+        m_Pipeline = draw.pipeline->get();
         m_State = nullptr;
-        vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
+        vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, m_Pipeline);
         // What a pipeline has baked in is not set any more.
         m_Blend = state.blend.isDynamic ? m_Blend : std::nullopt;
         if (draw.program->fetches.empty())

@@ -219,7 +219,7 @@ void DrawPreparer::UseState(const DrawSetup& setup)
 {
     RequireOutputsFit(setup, *m_Pass);
     const PipelineKey key = MakePipelineKey(setup.state, *m_Formats, m_Context.capabilities());
-    m_Draw.pipeline = m_Resources.programs.Pipeline(*m_Program, *setup.program, key);
+    m_Draw.pipeline = &m_Resources.programs.Pipeline(*m_Program, *setup.program, key);
     m_Draw.state = m_Frame.states.size();
     m_Frame.states.push_back(ToDynamicState(setup.state, key, setup.program->layout.colorOutputs,
                                             m_Tables.usesReversedZBuffer));

@@ -97,6 +97,7 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     }
     m_Prepared.firstFinalBarrier = m_Prepared.barriers.size();
     PrepareBarriers(frame.finalBarriers, nullptr);
+    m_Resources.programs.FinishPipelines();
     m_Slot.recording().Take(m_Resources, m_Number);
     return false;
 }

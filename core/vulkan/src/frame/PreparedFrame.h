@@ -24,7 +24,7 @@ struct PreparedArguments
 struct PreparedDraw
 {
     const ProgramObjects* program = nullptr;
-    VkPipeline pipeline = VK_NULL_HANDLE;
+    const UniquePipeline* pipeline = nullptr;
     std::size_t state = 0;            ///< index in PreparedFrame::states
     const PooledMesh* mesh = nullptr; ///< null = there is none
     SubMesh indices;                  ///< the indices of the mesh

@@ -6,8 +6,10 @@
 #include "programs/PipelineBuilder.h"
 #include "programs/PointSize.h"
 #include <algorithm>
+#include <atomic>
 
 #include <limn/core/DrawError.h>
+#include <thread>
 
 namespace limn::vulkan
 {
@@ -201,6 +203,31 @@ void RequireInputs(const PropertyLayout& layout, const VkPhysicalDeviceLimits& l
                 std::min(limits.maxVertexInputBindings, limits.maxVertexInputAttributes));
 }
 
+/// Calls `work` on as many threads as there are processors, but on no more than `most`.
+template <typename Work>
+void RunOnThreads(const Work& work, std::size_t most)
+{
+    std::vector<std::jthread> threads;
+    const std::size_t count = std::min<std::size_t>(std::thread::hardware_concurrency(), most);
+    try
+    {
+        for (std::size_t i = 1; i < count; ++i)
+        {
+            threads.emplace_back(work);
+        }
+    }
+    catch (const std::exception&)
+    {
+        // There is no room for a thread: this one does what is left.
+    }
+    work();
+}
+
+bool HasUncompiled(const ProgramObjects& program)
+{
+    return std::ranges::any_of(program.pipelines, [](const auto& entry) { return !entry.second; });
+}
+
 } // namespace
 
 ProgramPool::ProgramPool(const VulkanContext& context, const std::filesystem::path& cacheFolder)
@@ -240,14 +267,14 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
 }
 
-VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
-                                 const PipelineKey& key)
+const UniquePipeline& ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                                            const PipelineKey& key)
 {
     for (const auto& [known, pipeline] : program.pipelines)
     {
         if (known == key)
         {
-            return pipeline.get();
+            return pipeline;
         }
     }
     if (isOfPoints(key) && !program.geometry && !program.points)
@@ -255,9 +282,40 @@ VkPipeline ProgramPool::Pipeline(ProgramObjects& program, const ShaderProgram& c
         program.points =
             CreateModule(WithPointSize(compiled.vertexSpirv), VK_SHADER_STAGE_VERTEX_BIT);
     }
-    program.pipelines.emplace_back(
-        key, BuildPipeline(m_Context, m_Cache.get(), program, compiled.layout.colorOutputs, key));
-    return program.pipelines.back().second.get();
+    m_New.emplace_back(); // first, so that no entry is without it if there is no memory
+    auto& entry = program.pipelines.emplace_back(key, UniquePipeline{});
+    m_New.back() = {&program, &entry, compiled.layout.colorOutputs, nullptr};
+    return entry.second;
+}
+
+void ProgramPool::FinishPipelines()
+{
+    std::atomic<std::size_t> next = 0;
+    const auto work = [&]
+    {
+        for (std::size_t i = next++; i < m_New.size(); i = next++)
+        {
+            NewPipeline& fresh = m_New[i];
+            try
+            {
+                fresh.entry->second = BuildPipeline(m_Context, m_Cache.get(), *fresh.program,
+                                                    fresh.colorOutputs, fresh.entry->first);
+            }
+            catch (...)
+            {
+                fresh.error = std::current_exception();
+            }
+        }
+    };
+    RunOnThreads(work, m_New.size());
+    for (const NewPipeline& fresh : m_New)
+    {
+        if (fresh.error)
+        {
+            std::rethrow_exception(fresh.error);
+        }
+    }
+    m_New.clear();
 }
 
 VkPipeline ProgramPool::KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
@@ -287,6 +345,17 @@ void ProgramPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& use
 
 void ProgramPool::Rollback(std::uint64_t number) noexcept
 {
+    // A program's pipelines that are not compiled stand behind all others of its own, or behind
+    // new ones of this frame, which go as well.
+    for (const NewPipeline& fresh : m_New)
+    {
+        while (fresh.program != nullptr && !fresh.program->pipelines.empty() &&
+               HasUncompiled(*fresh.program))
+        {
+            fresh.program->pipelines.pop_back();
+        }
+    }
+    m_New.clear();
     for (auto& [identity, objects] : m_Programs)
     {
         objects.lastUse = std::min(objects.lastUse, number - 1);

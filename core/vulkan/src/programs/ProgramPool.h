@@ -3,6 +3,8 @@
 #include "device/VulkanContext.h"
 #include "programs/PipelineCacheFile.h"
 #include "resources/MeshPool.h"
+#include <deque>
+#include <exception>
 #include <limn/core/PipelineState.h>
 #include <limn/shaderlab/ShaderProgram.h>
 #include <map>
@@ -70,12 +72,14 @@ struct ProgramObjects
     VkShaderStageFlags pushStages = 0; ///< the stages that read the DrawConstants
     std::vector<VertexFetch> fetches;
     bool readsVertexIndex = false; ///< true if the vertex function reads SV_VertexID
-    std::vector<std::pair<PipelineKey, UniquePipeline>> pipelines;
+    /// A null pipeline is one that FinishPipelines is yet to compile. Elements keep their
+    /// addresses.
+    std::deque<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;
 };
 
-/// The pipelines of all passes. A pipeline is compiled when it is first used and freed when its
-/// ShaderProgram is gone.
+/// The pipelines of all passes. A pipeline is compiled by the first FinishPipelines after its first
+/// use and freed when its ShaderProgram is gone.
 class ProgramPool
 {
 public:
@@ -83,8 +87,13 @@ public:
 
     /// @throws ContractError if the layout needs something that limn does not have
     ProgramObjects& Use(const std::shared_ptr<const ShaderProgram>& program, std::uint64_t number);
-    VkPipeline Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
-                        const PipelineKey& key);
+    /// Returns a pipeline, which is null until FinishPipelines.
+    /// @lifetime  the reference holds as long as `program`, unless FinishPipelines fails
+    const UniquePipeline& Pipeline(ProgramObjects& program, const ShaderProgram& compiled,
+                                   const PipelineKey& key);
+    /// Compiles the new pipelines, several at a time: a driver takes milliseconds for each.
+    /// @throws what the first that failed throws; Rollback then forgets all that are not compiled
+    void FinishPipelines();
     /// Returns the pipeline of a kernel.
     VkPipeline KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
                               const ImageFormats& formats);
@@ -110,6 +119,15 @@ private:
         }
     };
 
+    /// A pipeline that FinishPipelines is yet to compile: the last one of `program` or next to it.
+    struct NewPipeline
+    {
+        ProgramObjects* program = nullptr;
+        std::pair<PipelineKey, UniquePipeline>* entry = nullptr;
+        int colorOutputs = 0;
+        std::exception_ptr error;
+    };
+
     UniqueShaderModule CreateModule(const std::vector<std::uint32_t>& spirv,
                                     VkShaderStageFlagBits stage) const;
     void CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const;
@@ -117,6 +135,7 @@ private:
     const VulkanContext& m_Context;
     PipelineCacheFile m_Cache;
     std::map<Identity, ProgramObjects> m_Programs;
+    std::vector<NewPipeline> m_New;
     std::uint64_t m_Freed = 0;
 };
 
