@@ -91,7 +91,7 @@ Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget
         " px against the GPU time it adds to a frame of " +
         SizeText(comparison.pictureWidth, comparison.pictureHeight) +
         "; less is better of both. Bars show where the median of the time lies with 95 %. No "
-        "technique beats in both those that are on the line." +
+        "technique is better in both than one on the line." +
         NotDrawn(comparison);
     plot.labelX = k_TimeLabel;
     plot.labelY = k_ErrorLabel;
