@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <limn/base/TerminalText.h>
+#include <set>
 
 namespace limn::study
 {
@@ -249,6 +250,7 @@ private:
 
     void AddVerticals()
     {
+        std::multiset<double> places;
         for (const auto& [x, what] : m_Plot.verticals)
         {
             const bool isOutside = m_X.Clamped(x) != x;
@@ -260,11 +262,9 @@ private:
                       AtPixel(place, m_Layout.top + plotHeight()) + " nohead lw 1.5 dt 2 lc rgb '" +
                       k_Muted + "'\n";
             const double side = place - m_Layout.left > 2.0 * m_Layout.font ? -1.0 : 1.0;
-            const auto beside = std::ranges::count_if(
-                m_Plot.verticals, [&](const auto& other)
-                { return &other.first < &x && PixelX(other.first) == place; });
-            const double center =
-                place + side * (0.7 + 1.4 * static_cast<double>(beside)) * m_Layout.font;
+            const auto beside = static_cast<double>(places.count(place)); // both farther out
+            places.insert(place);
+            const double center = place + side * (0.7 + 1.4 * beside) * m_Layout.font;
             // In the middle at an end, where points may be drawn that belong farther out, too.
             const double top = m_Layout.top + (isOutside ? 0.5 * (plotHeight() - width) : 4.0);
             m_Text += "set label " + Quoted(name) + " at " + AtPixel(center, top) +

@@ -253,13 +253,17 @@ TEST(PlotScript, NamesStandAsTheyAre)
     EXPECT_THAT(svg, HasSubstr("it’s &lt;b>_a_ &amp; {b}^2"));
 }
 
-/// The numbers of the first line of a script that begins so; {} if there is no such line.
+/// The numbers on the rest of the first line of a script that begins so; {} if there is none.
 std::vector<double> NumbersAfter(const std::string& script, const std::string& beginning)
 {
     std::vector<double> numbers;
-    const std::size_t from = script.find(beginning);
-    std::string line =
-        from == std::string::npos ? "" : script.substr(from, script.find('\n', from + 1) - from);
+    const std::size_t found = script.find(beginning);
+    if (found == std::string::npos)
+    {
+        return numbers;
+    }
+    const std::size_t from = found + beginning.size();
+    std::string line = script.substr(from, script.find('\n', from) - from);
     std::ranges::replace(line, ',', ' ');
     std::istringstream words(line);
     for (std::string word; words >> word;)
@@ -307,6 +311,21 @@ TEST(PlotScript, HasAnArrowToTheBetterCornerBesideThePoints)
         }
         EXPECT_LT(std::max(arrow[2], arrow[3]), 0.3) << "and as near to the corner as it can be";
     }
+}
+
+TEST(PlotScript, NamesTwoVerticalsThatAreFartherOutBesideEachOther)
+{
+    Plot plot = PlotNamed("a");
+    plot.ticksX.clear();
+    plot.verticals = {{1e-9, "floor"}, {1e-8, "budget"}};
+    const std::string script = PlotScript(plot, study::PlotFormat::Svg);
+    const std::vector<double> floor =
+        NumbersAfter(script, "set label 'floor 1.0e-09 ms, farther out' at graph");
+    const std::vector<double> budget =
+        NumbersAfter(script, "set label 'budget 1.0e-08 ms, farther out' at graph");
+    ASSERT_GE(floor.size(), 2u) << script;
+    ASSERT_GE(budget.size(), 2u) << script;
+    EXPECT_GT(std::abs(floor[0] - budget[0]), 14.0 / 860.0) << "a letter of 14 px of 860";
 }
 
 TEST(PlotScript, NamesBothAxesLogarithmic)
