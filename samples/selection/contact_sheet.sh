@@ -20,9 +20,11 @@ while IFS='|' read -r profile settings caption; do
     read -ra arguments <<<"${settings// / --set }"
     "$limn" render "$here/selection.scene.yaml" --profile "$profile" "${arguments[@]}" \
         --size $size --time 0.6 -q -o "$pictures/$count.png" </dev/null >/dev/null
-    row+="<TD><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">"
+    row+="<TD VALIGN=\"TOP\"><TABLE BORDER=\"0\" CELLBORDER=\"0\" CELLSPACING=\"0\" CELLPADDING=\"2\">"
     row+="<TR><TD><IMG SRC=\"$count.png\"/></TD></TR>"
-    row+="<TR><TD>${caption/: /<BR/>}</TD></TR></TABLE></TD>"
+    # A caption wider than a picture would widen its column.
+    caption=$(fold -s -w 48 <<<"${caption/: /$'\n'}" | sed 's|$|<BR/>|')
+    row+="<TR><TD>$caption</TD></TR></TABLE></TD>"
     count=$((count + 1))
     if ((count % columns == 0)); then
         cells+="<TR>$row</TR>"

@@ -6,33 +6,18 @@ usage: check_picture.py PNG
        check_picture.py PNG EXPECTED   whether the two are the same but for how devices round
 """
 import math
-import struct
+import pathlib
 import sys
-import zlib
+
+sys.dont_write_bytecode = True
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "readme"))
+from png import read_png
 
 
-def read_png(path):
+def rows_of(path):
     """Rows of RGBA bytes."""
-    data = open(path, "rb").read()
-    at, header, packed = 8, None, b""
-    while at < len(data):
-        (size,) = struct.unpack(">I", data[at : at + 4])
-        kind, body = data[at + 4 : at + 8], data[at + 8 : at + 8 + size]
-        header = struct.unpack(">IIBBBBB", body) if kind == b"IHDR" else header
-        packed += body if kind == b"IDAT" else b""
-        at += size + 12
-    width, height, depth, color = header[:4]
-    assert (depth, color, header[6]) == (8, 6, 0), header
-    raw, rows, above = zlib.decompress(packed), [], bytes(width * 4)
-    for y in range(height):
-        start = y * (width * 4 + 1)
-        kind, row = raw[start], bytearray(raw[start + 1 : start + 1 + width * 4])
-        for i in range(len(row)):
-            a, b, c = (row[i - 4], above[i], above[i - 4]) if i >= 4 else (0, above[i], 0)
-            nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-            row[i] = (row[i] + (0, a, b, (a + b) // 2, nearest)[kind]) & 255
-        rows.append(row)
-        above = row
+    rows, channels = read_png(path)
+    assert channels == 4, f"{path} has {channels} channels"
     return rows
 
 
@@ -48,9 +33,9 @@ def compare(rows, expected):
 
 def main():
     if len(sys.argv) == 3:
-        compare(read_png(sys.argv[1]), read_png(sys.argv[2]))
+        compare(rows_of(sys.argv[1]), rows_of(sys.argv[2]))
         return
-    rows = read_png(sys.argv[1])
+    rows = rows_of(sys.argv[1])
     assert (len(rows), len(rows[0])) == (32, 64 * 4), "the picture is not 64x32"
     checked = {}
     for y, row in enumerate(rows):

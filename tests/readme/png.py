@@ -32,6 +32,8 @@ def read_png(path):
 
 def difference(path, other):
     """Returns the mean difference of two pictures in parts of 255; infinity if their sizes differ."""
+    if open(path, "rb").read() == open(other, "rb").read():
+        return 0.0
     (a, channels), (b, others) = read_png(path), read_png(other)
     if (len(a), len(a[0]), channels) != (len(b), len(b[0]), others):
         return float("inf")

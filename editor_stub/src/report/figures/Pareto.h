@@ -100,13 +100,16 @@ struct Recommendation
 {
     const Standing* standing = nullptr; ///< an element of the comparison; null if nothing fits
     std::string sentence;               ///< a sentence for people, with the figures
+    std::string more;                   ///< further sentences: failed checks, others; may be ""
+
+    std::string Text() const { return sentence + (more.empty() ? "" : " " + more); }
 };
 
 /// Recommends the technique with the least error within the budget. With a budget, the upper bound
 /// of the time counts; without one, the time must be known. Among techniques whose error is the
 /// least to a hundredth and whose times cannot be told apart, it recommends the one that flickers
-/// least. The sentence names the others of these, and techniques that have less error but may not
-/// fit or have no known time.
+/// least. The further sentences name the others of these, and techniques that have less error but
+/// may not fit or have no known time.
 /// @param comparison          must outlive the result
 /// @param budgetMilliseconds  the GPU time that may be added to a frame; may be infinite
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds);

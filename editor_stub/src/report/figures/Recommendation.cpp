@@ -222,13 +222,13 @@ std::string NothingFits(const Comparison& comparison, double budget)
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds)
 {
     const Chosen choice = Choose(comparison, budgetMilliseconds);
-    Recommendation result{choice.standing, ""};
+    Recommendation result{choice.standing, "", ""};
     if (result.standing == nullptr)
     {
-        const std::string nothing = NothingFits(comparison, budgetMilliseconds);
-        result.sentence =
-            nothing +
-            (comparison.front.empty() ? "" : CannotTell(comparison, nullptr, budgetMilliseconds));
+        result.sentence = NothingFits(comparison, budgetMilliseconds);
+        result.more =
+            comparison.front.empty() ? "" : CannotTell(comparison, nullptr, budgetMilliseconds);
+        result.more.erase(0, 1); // the space before the first sentence
         return result;
     }
     const Standing& chosen = *result.standing;
@@ -236,11 +236,12 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
                       ": " + Figures(chosen) + " (" + Place(comparison) + ").";
     if (chosen.failures > 0)
     {
-        result.sentence += " It failed " + std::to_string(chosen.failures) + " of " +
-                           Count(chosen.stabilityCells, "stability check") + ".";
+        result.more = " It failed " + std::to_string(chosen.failures) + " of " +
+                      Count(chosen.stabilityCells, "stability check") + ".";
     }
-    result.sentence += choice.others + CannotTell(comparison, &chosen, budgetMilliseconds) +
-                       MoreTimeBuys(comparison, chosen, budgetMilliseconds);
+    result.more += choice.others + CannotTell(comparison, &chosen, budgetMilliseconds) +
+                   MoreTimeBuys(comparison, chosen, budgetMilliseconds);
+    result.more.erase(0, 1); // the space before the first sentence
     return result;
 }
 

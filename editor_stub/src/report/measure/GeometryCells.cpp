@@ -309,6 +309,9 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
         Box bounds = silhouette.bounds();
         bounds.low *= scale;
         bounds.high *= scale;
+        const PictureWindow closeUp = CloseUp(window, result.id.width, scale);
+        result.pictures["closeUp"] =
+            WriteStudyPicture(EnlargedPart(output, closeUp), m_Folder, result.id, "closeUp");
         result.pictures["scene"] =
             WriteScenePicture(output, bounds, result.id.width * scale, m_Folder, result.id);
     }

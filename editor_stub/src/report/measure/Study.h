@@ -74,7 +74,8 @@ struct CellResult
     std::map<std::string, std::pair<double, double>> quartiles;
     /// Sentences: why there is no figure, what failed, what a stability cell was put through.
     std::vector<std::string> notes;
-    /// PNG files relative to the study's folder: "picture", "reference", "difference".
+    /// PNG files relative to the study's folder: "picture", "reference", "difference",
+    /// and of the scene "closeUp" and "scene".
     std::map<std::string, std::string> pictures;
 
     bool Has(const std::string& key) const { return values.contains(key); }

@@ -27,6 +27,22 @@ Image MakeImage(int width, int height)
     return image;
 }
 
+/// Returns a part of an image, opaque. A texel becomes scale x scale texels.
+Image Part(const Image& image, int x, int y, int width, int height, int scale)
+{
+    Image part = MakeImage(width * scale, height * scale);
+    for (int row = 0; row < part.height; ++row)
+    {
+        for (int column = 0; column < part.width; ++column)
+        {
+            const int from = 4 * ((y + row / scale) * image.width + x + column / scale);
+            std::copy_n(image.texels.begin() + from, 3,
+                        part.texels.begin() + 4 * (row * part.width + column));
+        }
+    }
+    return part;
+}
+
 Image Draw(const PictureWindow& window, const std::function<Rgb(int x, int y)>& color)
 {
     const int side = window.side * window.scale;
@@ -123,6 +139,35 @@ std::string WriteStudyPicture(const Image& image, const std::filesystem::path& f
     return name;
 }
 
+Image EnlargedPart(const Image& image, const PictureWindow& window)
+{
+    const auto first = [&window](int wanted, int size)
+    {
+        return std::clamp(wanted, 0, std::max(0, size - window.side));
+    };
+    return Part(image, first(window.x, image.width), first(window.y, image.height),
+                std::min(window.side, image.width), std::min(window.side, image.height),
+                window.scale);
+}
+
+PictureWindow CloseUp(const PictureWindow& window, double width, double renderedPixel)
+{
+    constexpr int k_Side = 96;   // pixels of the picture
+    constexpr int k_Drawn = 288; // pixels of the file, about as wide as it is shown
+    constexpr int k_Widest = 64; // a wider outline need not be seen as a whole
+    const double widest = std::clamp(width, 0.0, 1.0 * k_Widest) * renderedPixel;
+    PictureWindow result;
+    result.side = std::max(k_Side, static_cast<int>(std::ceil(3.0 * widest)));
+    result.scale = std::max(1, k_Drawn / result.side);
+    const auto first = [&](int x)
+    {
+        return static_cast<int>((x + window.side / 2) * renderedPixel) - result.side / 2;
+    };
+    result.x = first(window.x);
+    result.y = first(window.y);
+    return result;
+}
+
 std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
                               const std::filesystem::path& folder, const CellId& id)
 {
@@ -137,16 +182,9 @@ std::string WriteScenePicture(const Image& image, const Box& bounds, double widt
     };
     const int x = low(bounds.low.x, image.width);
     const int y = low(bounds.low.y, image.height);
-    Image part = MakeImage(std::max(1, high(bounds.high.x, image.width) - x),
-                           std::max(1, high(bounds.high.y, image.height) - y));
-    const std::ptrdiff_t rowBytes = std::ptrdiff_t{4} * part.width;
-    for (std::ptrdiff_t row = 0; row < part.height; ++row)
-    {
-        std::copy_n(image.texels.begin() + 4 * ((y + row) * image.width + x), rowBytes,
-                    part.texels.begin() + row * rowBytes);
-    }
-    MakeOpaque(part);
-    return WriteStudyPicture(part, folder, id, "scene");
+    return WriteStudyPicture(Part(image, x, y, std::max(1, high(bounds.high.x, image.width) - x),
+                                  std::max(1, high(bounds.high.y, image.height) - y), 1),
+                             folder, id, "scene");
 }
 
 } // namespace limn::study

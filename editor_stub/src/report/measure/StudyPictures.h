@@ -32,7 +32,14 @@ Image DifferenceImage(const Coverage& alpha, const Coverage& exact, const Pictur
 /// @returns the picture's name, relative to the folder
 std::string WriteStudyPicture(const Image& image, const std::filesystem::path& folder,
                               const CellId& id, const std::string& what);
-/// Writes the part of the whole scene that has the outline, in the same way.
+/// Returns the window around the same place in a picture for people, in which an outline of the
+/// given width is seen as a whole.
+/// @param renderedPixel  how many pixels of the picture are one of `window` (renderScale)
+PictureWindow CloseUp(const PictureWindow& window, double width, double renderedPixel);
+/// Returns the window's part of an R8G8B8A8 image, opaque. Where the window reaches beyond the
+/// image it is moved, and if it is larger than the image it is cut.
+Image EnlargedPart(const Image& image, const PictureWindow& window);
+/// Writes the part of the whole scene that has the outline, as WriteStudyPicture does.
 std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
                               const std::filesystem::path& folder, const CellId& id);
 

@@ -62,8 +62,13 @@ std::string Paragraph(const std::string& text)
 
 std::string HtmlTable(const Table& table)
 {
+    constexpr std::size_t k_Few = 16; // rows that need no scrolling down
+    const bool isLong = table.rows.size() > k_Few;
     std::string text = table.title.empty() ? "" : "<h3>" + HtmlText(table.title) + "</h3>\n";
-    text += "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+    text +=
+        isLong ? Paragraph(std::to_string(table.rows.size()) + " rows; the table scrolls.") : "";
+    text += std::string("<div class=\"scroll") + (isLong ? " long" : "") +
+            "\" tabindex=\"0\" role=\"region\" aria-label=\"" +
             HtmlText(table.title.empty() ? table.id : table.title) + "\"><table id=\"" + table.id +
             "\">\n<thead><tr>";
     for (const TableColumn& column : table.columns)
@@ -127,14 +132,35 @@ std::string HtmlPlot(const Plot& plot, const DrawnPlots& drawn)
            HtmlText(plot.caption) + "</figcaption>\n</figure>\n";
 }
 
-std::string HtmlPicture(const std::string& what, const std::string& file,
-                        const std::filesystem::path& folder)
+/// @param caption  HTML
+std::string HtmlFigure(const std::string& what, const std::string& file, const std::string& caption,
+                       const std::filesystem::path& folder)
 {
     const FileContent content = TryReadFile(folder / file, k_MaxDataBytes);
-    return content.isRead() ? "<figure><img alt=\"" + HtmlText(what) +
-                                  "\" src=\"data:image/png;base64," + Base64(content.bytes) +
-                                  "\"><figcaption>" + HtmlText(what) + "</figcaption></figure>"
-                            : "<p>" + HtmlText(file + ": " + content.problem) + "</p>";
+    return content.isRead()
+               ? "<figure><img alt=\"" + HtmlText(what) + "\" src=\"data:image/png;base64," +
+                     Base64(content.bytes) + "\"><figcaption>" + caption + "</figcaption></figure>"
+               : "<p>" + HtmlText(file + ": " + content.problem) + "</p>";
+}
+
+std::string HtmlTiles(const ReportText& report, const std::filesystem::path& folder)
+{
+    if (report.tiles.empty())
+    {
+        return "";
+    }
+    std::string text = "<ul class=\"tiles\">\n";
+    for (const Tile& tile : report.tiles)
+    {
+        const std::string caption = "<strong>" + HtmlText(tile.technique) + "</strong>" +
+                                    (tile.isRecommended ? " <em>recommended</em>" : "") +
+                                    (tile.isArticle ? " <em class=\"article\">article</em>" : "") +
+                                    "<span>" + HtmlText(tile.error) + "</span><span>" +
+                                    HtmlText(tile.time) + "</span>";
+        text += std::string(tile.isRecommended ? "<li class=\"marked\">" : "<li>") +
+                HtmlFigure(tile.technique, tile.picture, caption, folder) + "</li>\n";
+    }
+    return text + "</ul>\n" + Paragraph(report.tilesCaption);
 }
 
 std::string HtmlSection(const Section& section, const ReportText& report,
@@ -160,7 +186,7 @@ std::string HtmlSection(const Section& section, const ReportText& report,
         text += "<h3>" + HtmlText(strip.title) + "</h3>\n<div class=\"strip\">";
         for (const auto& [what, file] : strip.pictures)
         {
-            text += HtmlPicture(what, file, folder);
+            text += HtmlFigure(what, file, HtmlText(what), folder);
         }
         text += "</div>\n";
     }
@@ -178,13 +204,15 @@ std::string HtmlPage(const ReportText& report, const std::filesystem::path& fold
                        HtmlText(report.title) + "</title>\n<style>\n" +
                        std::string(embedded::ReportPage().front().text) +
                        "</style>\n</head>\n<body>\n<header><h1>" + HtmlText(report.title) +
-                       "</h1>\n" + Paragraph(report.subtitle) + "<p class=\"recommendation\">" +
-                       HtmlText(report.recommendation) + "</p>\n";
+                       "</h1>\n" + Paragraph(report.subtitle) + HtmlTiles(report, folder) +
+                       "<div class=\"recommendation\">" + Paragraph(report.recommendation) +
+                       (report.more.empty() ? "" : Paragraph(report.more)) + "</div>\n";
     for (const std::string& remark : report.remarks)
     {
-        text += "<p class=\"remark\">" + HtmlText(remark) + "</p>\n";
+        text += (&remark == &report.remarks.front() ? "<ul class=\"remarks\">\n<li>" : "<li>") +
+                HtmlText(remark) + "</li>\n";
     }
-    text += "<nav>";
+    text += report.remarks.empty() ? "<nav>" : "</ul>\n<nav>";
     for (const Section& section : report.sections)
     {
         text += "<a href=\"#" + section.id + "\">" + HtmlText(section.title) + "</a> ";

@@ -66,6 +66,24 @@ std::string MarkdownTable(const Table& table)
     return text + "\n";
 }
 
+std::string MarkdownTiles(const ReportText& report)
+{
+    if (report.tiles.empty())
+    {
+        return "";
+    }
+    std::string text = "| picture | technique | error | time added |\n| --- | --- | --- | --- |\n";
+    for (const Tile& tile : report.tiles)
+    {
+        const std::string name = MarkdownText(tile.technique);
+        text += "| ![" + name + "](" + Address(tile.picture) + ") | " +
+                (tile.isRecommended ? "**" + name + "**, recommended" : name) +
+                (tile.isArticle ? ", an article's" : "") + " | " + MarkdownText(tile.error) +
+                " | " + MarkdownText(tile.time) + " |\n";
+    }
+    return text + "\n" + MarkdownText(report.tilesCaption) + "\n\n";
+}
+
 std::string MarkdownStrip(const Strip& strip)
 {
     std::string text = MarkdownText(strip.title) + ":\n\n";
@@ -81,7 +99,8 @@ std::string MarkdownStrip(const Strip& strip)
 std::string MarkdownPage(const ReportText& report, const DrawnPlots& drawn)
 {
     std::string text = "# " + MarkdownText(report.title) + "\n\n" + MarkdownText(report.subtitle) +
-                       "\n\n**" + MarkdownText(report.recommendation) + "**\n\n";
+                       "\n\n" + MarkdownTiles(report) + "**" + MarkdownText(report.recommendation) +
+                       "**\n\n" + (report.more.empty() ? "" : MarkdownText(report.more) + "\n\n");
     for (const std::string& remark : report.remarks)
     {
         text += "> " + MarkdownText(remark) + "\n\n";

@@ -167,7 +167,8 @@ Section Pictures(const Study& study, const Comparison& comparison)
 {
     Section section{"pictures", "Pictures", {}, {}, {}, {}};
     section.paragraphs.push_back(
-        "Four times as large: what was drawn, the exact outline, and the difference.");
+        "The scene, and four times as large what was drawn, the exact outline, and the "
+        "difference.");
     std::vector<std::string> subjects;
     for (const CellResult& cell : study.cells)
     {
@@ -312,10 +313,11 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
     const std::string name = std::filesystem::path(study.scene).filename().string();
     report.title = "Outlines of " + (name.empty() ? study.scene : name);
     report.subtitle = study.device + ", " + study.started;
-    report.recommendation =
-        Recommend(comparison,
-                  options.budgetMilliseconds.value_or(std::numeric_limits<double>::infinity()))
-            .sentence;
+    const Recommendation recommendation = Recommend(
+        comparison, options.budgetMilliseconds.value_or(std::numeric_limits<double>::infinity()));
+    report.recommendation = recommendation.sentence;
+    report.more = recommendation.more;
+    report.tiles = TilesOf(study, comparison, recommendation.standing, report.tilesCaption);
     const bool hasStability = std::ranges::any_of(comparison.standings, [](const Standing& standing)
                                                   { return standing.stabilityCells > 0; });
     if (comparison.front.empty() && hasStability)

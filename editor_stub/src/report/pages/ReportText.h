@@ -25,6 +25,17 @@ struct Table
     std::vector<std::size_t> marked; ///< the rows that stand out
 };
 
+/// What a technique draws, for comparing it with the others at a glance.
+struct Tile
+{
+    std::string technique;
+    std::string error;   ///< the mean error, or that there is none
+    std::string time;    ///< the time added, or that it is not known
+    std::string picture; ///< the file
+    bool isArticle = false;
+    bool isRecommended = false;
+};
+
 /// Pictures of one cell side by side.
 struct Strip
 {
@@ -48,7 +59,10 @@ struct ReportText
 {
     std::string title;
     std::string subtitle;
-    std::string recommendation;
+    std::vector<Tile> tiles; ///< the same part of the same scene, the least error first
+    std::string tilesCaption;
+    std::string recommendation; ///< the answer in one sentence
+    std::string more;           ///< further sentences of it; "" for none
     std::vector<std::string> remarks;
     std::vector<Section> sections;
     std::vector<Plot> plots; ///< those that are not empty
@@ -95,6 +109,12 @@ Table StabilityTable(const Study& study, const Comparison& comparison);
 Table FormulasTable(const Study& study);
 /// Returns the techniques that have no width.
 Table NoWidthTable(const Study& study);
+/// Returns a picture of each technique, of the width nearest to that of the comparison; {} if the
+/// study has no pictures.
+/// @param recommended  the technique that stands out; may be null
+/// @param caption      becomes what the pictures show
+std::vector<Tile> TilesOf(const Study& study, const Comparison& comparison,
+                          const Standing* recommended, std::string& caption);
 /// Returns where, when and by what the study was measured.
 Table ProvenanceTable(const Study& study);
 

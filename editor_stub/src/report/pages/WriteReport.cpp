@@ -75,7 +75,7 @@ ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
     const Comparison comparison = Compare(study, options.width);
     ReportText report = ReportOf(study, comparison, options);
     ReportFiles result;
-    result.recommendation = report.recommendation;
+    result.recommendation = report.recommendation + (report.more.empty() ? "" : " " + report.more);
     result.warnings = WarningsOf(comparison);
     result.sceneRemarks = SceneRemarks(study);
     const DrawnPlots drawn = DrawPlots(report.plots, folder, result.noPlots);

@@ -9,6 +9,7 @@
 #include <functional>
 #include <limits>
 #include <limn/base/TerminalText.h>
+#include <set>
 
 namespace limn::study
 {
@@ -24,6 +25,8 @@ constexpr std::array k_Filled = {7, 5, 9, 11, 13, 15}; // gnuplot's point types
 constexpr std::array k_Hollow = {6, 4, 8, 10, 12, 14};
 constexpr const char* k_FrontName = "Pareto front";
 constexpr const char* k_Muted = "#6a737d";
+constexpr const char* k_Better = "better";
+constexpr const char* k_BetterColor = "#00734f";
 constexpr double k_LetterWidth = 0.62; ///< of DejaVu Sans, of its size, on average
 
 struct Layout
@@ -39,7 +42,7 @@ struct Layout
 
 Layout LayoutOf(PlotFormat format)
 {
-    return format == PlotFormat::NarrowSvg ? Layout{380, 430, 12.0, 58.0, 16.0, 32.0, 56.0}
+    return format == PlotFormat::NarrowSvg ? Layout{380, 434, 12.0, 58.0, 16.0, 36.0, 56.0}
                                            : Layout{860, 560, 14.0, 74.0, 28.0, 64.0, 74.0};
 }
 
@@ -173,7 +176,8 @@ private:
             count += std::ranges::any_of(series.points, HasPlace) ? 1 : 0;
         }
         const double column = widest + 4.0 * m_Layout.font;
-        const auto most = static_cast<std::size_t>(std::max(1.0, (m_Layout.width - 20.0) / column));
+        // gnuplot makes as many columns as fit between the ends of the axis, and no more.
+        const auto most = static_cast<std::size_t>(std::max(1.0, plotWidth() / column));
         m_KeyColumns = std::min(most, std::max<std::size_t>(count, 1));
         const std::size_t rows = (count + m_KeyColumns - 1) / m_KeyColumns;
         const double height = (static_cast<double>(rows) + 1.0) * m_Layout.font *
@@ -223,9 +227,10 @@ private:
     {
         m_Text += "set " + axis + "range [" + Exact(range.low) + ":" + Exact(range.high) + "]\n";
         // Along y it stands above the axis, to be read without turning one's head.
-        m_Text += axis == "x" ? "set xlabel " + Quoted(label) + " offset 0,0.1\n"
-                              : "set label " + Quoted(label) + " at " +
-                                    AtPixel(6.0, m_Layout.top - m_Layout.font) + " left\n";
+        const std::string named = Quoted(label + " (logarithmic)");
+        m_Text += axis == "x" ? "set xlabel " + named + " offset 0,0.1\n"
+                              : "set label " + named + " at " +
+                                    AtPixel(6.0, m_Layout.top - 1.5 * m_Layout.font) + " left\n";
         std::string ticks;
         double free = 1e9; // texts along x must not meet; the last one stays
         std::vector<std::pair<double, std::string>> places = range.ticks;
@@ -245,6 +250,7 @@ private:
 
     void AddVerticals()
     {
+        std::multiset<double> places;
         for (const auto& [x, what] : m_Plot.verticals)
         {
             const bool isOutside = m_X.Clamped(x) != x;
@@ -256,7 +262,9 @@ private:
                       AtPixel(place, m_Layout.top + plotHeight()) + " nohead lw 1.5 dt 2 lc rgb '" +
                       k_Muted + "'\n";
             const double side = place - m_Layout.left > 2.0 * m_Layout.font ? -1.0 : 1.0;
-            const double center = place + side * 0.7 * m_Layout.font;
+            const auto beside = static_cast<double>(places.count(place)); // both farther out
+            places.insert(place);
+            const double center = place + side * (0.7 + 1.4 * beside) * m_Layout.font;
             // In the middle at an end, where points may be drawn that belong farther out, too.
             const double top = m_Layout.top + (isOutside ? 0.5 * (plotHeight() - width) : 4.0);
             m_Text += "set label " + Quoted(name) + " at " + AtPixel(center, top) +
@@ -313,9 +321,53 @@ private:
         }
     }
 
+    /// An arrow to the corner of small values, as near to that corner as there is room.
+    void AddBetter()
+    {
+        if (!m_Plot.isLessBetter)
+        {
+            return;
+        }
+        const double size = 2.2 * m_Layout.font; // of the arrow, along each axis
+        const double width = size + TextWidth(k_Better, m_Layout.font) + 4.0;
+        const double height = size + 0.6 * m_Layout.font;
+        const double margin = 8.0;
+        const double right = m_Layout.width - m_Layout.right - width;
+        const double bottom = m_Layout.top + plotHeight() - margin - height;
+        double nearest = std::numeric_limits<double>::infinity();
+        PixelBox place{};
+        for (double y = bottom; y >= m_Layout.top; y -= margin)
+        {
+            for (double x = m_Layout.left + margin; x <= right; x += margin)
+            {
+                const PixelBox box{x, y, x + width, y + height};
+                const double distance = std::hypot(x - m_Layout.left, y - bottom);
+                const bool isFree = std::ranges::none_of(m_Obstacles, [&box](const PixelBox& one)
+                                                         { return Overlap(box, one) > 0.0; });
+                if (isFree && distance < nearest)
+                {
+                    nearest = distance;
+                    place = box;
+                }
+            }
+        }
+        if (std::isinf(nearest))
+        {
+            return; // the caption says it as well
+        }
+        m_Text += "set arrow from " + AtPixel(place.left + size, place.bottom - size) + " to " +
+                  AtPixel(place.left, place.bottom) + " head filled size screen " +
+                  Exact(0.8 * m_Layout.font / m_Layout.width) + ",25 lw 2 lc rgb '" +
+                  k_BetterColor + "'\nset label '" + k_Better + "' at " +
+                  AtPixel(place.left + size + 4.0, place.bottom - size) + " left textcolor rgb '" +
+                  k_BetterColor + "'\n";
+        m_Obstacles.push_back(place);
+    }
+
     void AddNames()
     {
         AddObstacles();
+        AddBetter();
         std::vector<const PlotPoint*> points;
         for (const PlotSeries& series : m_Plot.series)
         {

@@ -90,11 +90,12 @@ Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget
         "Mean error (" + ErrorOf(comparison) + ") of an outline of " + Readable(comparison.width) +
         " px against the GPU time it adds to a frame of " +
         SizeText(comparison.pictureWidth, comparison.pictureHeight) +
-        ", both less is better; bars: where the median of the time lies with 95 %. What is on "
-        "the line is beaten by nothing in both." +
+        "; less is better of both. Bars show where the median of the time lies with 95 %. No "
+        "technique is better in both than one on the line." +
         NotDrawn(comparison);
     plot.labelX = k_TimeLabel;
     plot.labelY = k_ErrorLabel;
+    plot.isLessBetter = true;
     plot.series = NamedPoints(comparison.standings);
     for (const std::size_t index : comparison.front)
     {
@@ -291,6 +292,7 @@ Plot FlickerAgainstTime(const Comparison& comparison)
         Readable(comparison.width) + " px wide).";
     plot.labelX = k_TimeLabel;
     plot.labelY = "flicker";
+    plot.isLessBetter = true;
     std::vector<Standing> standings = comparison.standings;
     for (Standing& standing : standings)
     {

@@ -38,6 +38,7 @@ struct Plot
     std::vector<std::pair<double, std::string>> verticals; ///< vertical lines and their texts
     std::vector<PlotSeries> series;
     std::vector<TimeAndError> front; ///< {} = none
+    bool isLessBetter = false;       ///< true if an arrow points to small values of both axes
 
     bool isEmpty() const; ///< true if it has no finite point
 };

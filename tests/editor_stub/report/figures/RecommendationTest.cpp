@@ -41,16 +41,16 @@ TEST(Recommendation, IsASentenceWithItsFigures)
     const study::Comparison comparison = Compare(sample);
     EXPECT_EQ("Within 2 ms take Quick: mean error 0.1 for 1 ± 0.1 ms (8 px wide, in a picture of "
               "640x360). More time buys less error: Slow has mean error 0.001 for 10 ± 1 ms.",
-              Recommend(comparison, 2.0).sentence);
+              Recommend(comparison, 2.0).Text());
     EXPECT_EQ("Nothing fits 0.5 ms for certain: the quickest outline is Quick with mean error 0.1 "
               "for 1 ± 0.1 ms (8 px wide, in a picture of 640x360).",
-              Recommend(comparison, 0.5).sentence);
+              Recommend(comparison, 0.5).Text());
     EXPECT_EQ("With all the time there is take Slow: mean error 0.001 for 10 ± 1 ms (8 px wide, in "
               "a picture of 640x360).",
-              Recommend(comparison, k_Unlimited).sentence);
+              Recommend(comparison, k_Unlimited).Text());
     const study::Comparison nothing;
     EXPECT_EQ("No technique has both an error and a time to choose by.",
-              Recommend(nothing, 5.0).sentence);
+              Recommend(nothing, 5.0).Text());
 }
 
 TEST(Recommendation, NamesTheFlickerAndTheWidthItIsOf)
@@ -65,7 +65,7 @@ TEST(Recommendation, NamesTheFlickerAndTheWidthItIsOf)
             {{"flicker", 0.5}});
     EXPECT_EQ("With all the time there is take Slow: mean error 0.001 and flicker 0.02 for 10 ± 1 "
               "ms (8 px wide, in a picture of 640x360; flicker of shapes, 2 px wide).",
-              Recommend(Compare(sample), k_Unlimited).sentence);
+              Recommend(Compare(sample), k_Unlimited).Text());
 }
 
 TEST(Recommendation, SaysWhereItCannotTellWhetherATimeIsWithinTheBudget)
@@ -74,14 +74,14 @@ TEST(Recommendation, SaysWhereItCannotTellWhetherATimeIsWithinTheBudget)
     const study::Comparison comparison = Compare(sample);
     for (const double budget : {9.0, 9.5, 10.999})
     {
-        EXPECT_THAT(Recommend(comparison, budget).sentence,
+        EXPECT_THAT(Recommend(comparison, budget).Text(),
                     testing::EndsWith(" This run cannot tell whether these fit: Slow (mean error "
                                       "0.001 for 10 ± 1 ms)."))
             << budget;
     }
-    EXPECT_THAT(Recommend(comparison, 1.0).sentence,
+    EXPECT_THAT(Recommend(comparison, 1.0).Text(),
                 HasSubstr("Nothing fits 1 ms for certain: the quickest outline is Quick"));
-    EXPECT_THAT(Recommend(comparison, 1.0).sentence,
+    EXPECT_THAT(Recommend(comparison, 1.0).Text(),
                 HasSubstr("This run cannot tell whether these fit: Quick (mean error 0.1 for 1 ± "
                           "0.1 ms)."));
 }
@@ -104,7 +104,7 @@ TEST(Recommendation, IsNotOfATimeThatMayBeZeroOrHasNoBound)
             "Of those whose time this run knows take Quick: mean error 0.1 for 1 ± 0.1 ms "
             "(8 px wide, in a picture of 640x360). This run does not know the time of Slow (mean "
             "error 0.001).",
-            Recommend(comparison, k_Unlimited).sentence);
+            Recommend(comparison, k_Unlimited).Text());
     }
 }
 
@@ -123,7 +123,7 @@ TEST(Recommendation, OfWhatTimesDoNotTellApartFlickersLeast)
     EXPECT_EQ("Within 5 ms take Steady: mean error 0.25 and flicker 0.01 for 1.1 ± 0.11 ms (4 px "
               "wide, in a picture of 640x360; flicker of shapes, 4 px wide). As good, as far as "
               "the times tell: Quick (flicker 0.02).",
-              Recommend(Compare(sample), 5.0).sentence);
+              Recommend(Compare(sample), 5.0).Text());
 }
 
 TEST(Recommendation, WithinABudgetTakesTheLongestThatATimeMayBe)
@@ -134,12 +134,12 @@ TEST(Recommendation, WithinABudgetTakesTheLongestThatATimeMayBe)
     EXPECT_EQ(
         "Within 20.5 ms take Slow: mean error 0.001 for 10 ± 10.5 ms, so at most 20.5 ms (8 px "
         "wide, in a picture of 640x360).",
-        Recommend(comparison, 20.5).sentence);
-    EXPECT_THAT(Recommend(comparison, 20.0).sentence,
+        Recommend(comparison, 20.5).Text());
+    EXPECT_THAT(Recommend(comparison, 20.0).Text(),
                 testing::EndsWith("This run cannot tell whether these fit: Slow (mean error 0.001 "
                                   "for 10 ± 10.5 ms, so at most 20.5 ms)."));
     sample.cells[1].values.erase("gpuAddedUncertainty");
-    EXPECT_THAT(Recommend(Compare(sample), 20.5).sentence,
+    EXPECT_THAT(Recommend(Compare(sample), 20.5).Text(),
                 testing::EndsWith("This run does not know the time of Slow (mean error 0.001)."));
 }
 
@@ -152,7 +152,7 @@ TEST(Recommendation, IsNotMadeWhereNoTimeIsKnown)
     {
         EXPECT_EQ("There is no recommendation: this run does not know the time of any technique. "
                   "Measure again on a quieter machine.",
-                  Recommend(Compare(sample), budget).sentence);
+                  Recommend(Compare(sample), budget).Text());
     }
 }
 
@@ -179,8 +179,8 @@ TEST(Recommendation, NamesWhatIsAsGoodAsFarAsTheTimesTell)
     AddPoint(sample, "Worse", 4.0, 1.1, 0.26);
     const study::Comparison comparison = Compare(sample);
     const std::string sentence = " As good, as far as the times tell: Near.";
-    EXPECT_THAT(Recommend(comparison, 5.0).sentence, testing::EndsWith(sentence));
-    EXPECT_THAT(Recommend(comparison, 1.25).sentence, testing::Not(HasSubstr("As good")));
+    EXPECT_THAT(Recommend(comparison, 5.0).Text(), testing::EndsWith(sentence));
+    EXPECT_THAT(Recommend(comparison, 1.25).Text(), testing::Not(HasSubstr("As good")));
 }
 
 /// The cells of cost of a study.

@@ -5,6 +5,7 @@
 #include <limn/base/RunProgram.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -161,6 +162,8 @@ TEST(ErrorAgainstTimePlot, HasTheFrontTheFloorTheBudgetAndArticlesApart)
                 HasSubstr("Not in it, for want of an error or of a time that this run "
                           "knows: Rim."));
     EXPECT_EQ(std::pair(1.8, 2.2), plot.series[0].points[0].barX);
+    EXPECT_TRUE(plot.isLessBetter);
+    EXPECT_FALSE(FindPlot(plots, "time_objects").isLessBetter) << "more objects are not worse";
 }
 
 TEST(ErrorAgainstTimePlot, HasNoPointWhereATimeHasNoBound)
@@ -248,6 +251,88 @@ TEST(PlotScript, NamesStandAsTheyAre)
         RunProgram({"gnuplot", "-d", "-"},
                    PlotScript(PlotNamed("it's <b>_a_ & {b}^2"), study::PlotFormat::Svg), "gnuplot");
     EXPECT_THAT(svg, HasSubstr("it’s &lt;b>_a_ &amp; {b}^2"));
+}
+
+/// The numbers on the rest of the first line of a script that begins so; {} if there is none.
+std::vector<double> NumbersAfter(const std::string& script, const std::string& beginning)
+{
+    std::vector<double> numbers;
+    const std::size_t found = script.find(beginning);
+    if (found == std::string::npos)
+    {
+        return numbers;
+    }
+    const std::size_t from = found + beginning.size();
+    std::string line = script.substr(from, script.find('\n', from) - from);
+    std::ranges::replace(line, ',', ' ');
+    std::istringstream words(line);
+    for (std::string word; words >> word;)
+    {
+        const char* const end = word.data() + word.size();
+        double number = 0.0;
+        if (std::from_chars(word.data(), end, number).ptr == end)
+        {
+            numbers.push_back(number);
+        }
+    }
+    return numbers;
+}
+
+TEST(PlotScript, HasAnArrowToTheBetterCornerBesideThePoints)
+{
+    Plot plot = PlotNamed("a");
+    plot.front.clear();
+    plot.verticals.clear();
+    EXPECT_THAT(PlotScript(plot, study::PlotFormat::Svg), Not(HasSubstr("'better'")));
+    plot.isLessBetter = true;
+    for (const bool isCornerTaken : {false, true})
+    {
+        // Of 1 to 10, and of 0.1 to 1: one point at each end.
+        plot.series[0].points[0].at = {1.0, isCornerTaken ? 0.1 : 1.0};
+        plot.series[1].points[0].at = {10.0, isCornerTaken ? 1.0 : 0.1};
+        for (study::PlotSeries& series : plot.series)
+        {
+            series.points[0].barX = series.points[0].barY = {std::nan(""), std::nan("")};
+        }
+        const std::string script = PlotScript(plot, study::PlotFormat::Svg);
+        EXPECT_THAT(script, HasSubstr("set label 'better' at graph "));
+        // From x, y to x, y, in parts of the plot's width and height.
+        const std::vector<double> arrow = NumbersAfter(script, "\nset arrow from graph");
+        ASSERT_GE(arrow.size(), 4u) << script;
+        EXPECT_LT(arrow[2], arrow[0]) << "to the left";
+        EXPECT_LT(arrow[3], arrow[1]) << "down";
+        if (isCornerTaken)
+        {
+            EXPECT_GT(std::max(arrow[2], arrow[3]), 0.04) << "the point is at 0.06 of both";
+        }
+        else
+        {
+            EXPECT_LT(std::max(arrow[2], arrow[3]), 0.04);
+        }
+        EXPECT_LT(std::max(arrow[2], arrow[3]), 0.3) << "and as near to the corner as it can be";
+    }
+}
+
+TEST(PlotScript, NamesTwoVerticalsThatAreFartherOutBesideEachOther)
+{
+    Plot plot = PlotNamed("a");
+    plot.ticksX.clear();
+    plot.verticals = {{1e-9, "floor"}, {1e-8, "budget"}};
+    const std::string script = PlotScript(plot, study::PlotFormat::Svg);
+    const std::vector<double> floor =
+        NumbersAfter(script, "set label 'floor 1.0e-09 ms, farther out' at graph");
+    const std::vector<double> budget =
+        NumbersAfter(script, "set label 'budget 1.0e-08 ms, farther out' at graph");
+    ASSERT_GE(floor.size(), 2u) << script;
+    ASSERT_GE(budget.size(), 2u) << script;
+    EXPECT_GT(std::abs(floor[0] - budget[0]), 14.0 / 860.0) << "a letter of 14 px of 860";
+}
+
+TEST(PlotScript, NamesBothAxesLogarithmic)
+{
+    const std::string script = PlotScript(PlotNamed("a"), study::PlotFormat::NarrowSvg);
+    EXPECT_THAT(script, HasSubstr("set xlabel 'a (logarithmic)'"));
+    EXPECT_THAT(script, HasSubstr("set label 'a (logarithmic)'"));
 }
 
 TEST(PlotScript, DrawsZeroAtTheEndOfTheAxis)
