@@ -370,13 +370,9 @@ bool Material::IsKeywordEnabled(std::string_view keyword) const
 std::shared_ptr<const ShaderProgram>
 Material::Compile(int passIndex, std::span<const std::string> globalKeywords) const
 {
-    // Choosing a variant costs more than a draw should.
-    if (!m_HasInitialKeywords)
-    {
-        return m_Shader->Compile(passIndex, m_Keywords, globalKeywords);
-    }
-    return globalKeywords.empty() ? m_Shader->Compile(passIndex)
-                                  : m_Shader->CompileWithGlobals(passIndex, globalKeywords);
+    return m_HasInitialKeywords && globalKeywords.empty()
+               ? m_Shader->Compile(passIndex)
+               : m_Shader->Compile(passIndex, m_Keywords, globalKeywords);
 }
 
 void Material::SetShaderPassEnabled(std::string_view passName, bool enabled)

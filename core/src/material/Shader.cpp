@@ -100,7 +100,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
         m_StaysWithinMesh.push_back(StaysWithinMesh(pass));
     }
     m_Initial = std::vector<Variant>(m_SubShader.passes.size());
-    m_LastGlobals = std::vector<LastGlobals>(m_SubShader.passes.size());
+    m_LastChoices = std::vector<LastChoices>(m_SubShader.passes.size());
 }
 
 std::shared_ptr<const Shader> Shader::Load(const std::filesystem::path& path,
@@ -257,6 +257,34 @@ std::shared_ptr<const ShaderProgram>
 Shader::Compile(int passIndex, std::span<const std::string> enabled,
                 std::span<const std::string> globalKeywords) const
 {
+    PassAt(passIndex);
+    constexpr std::size_t k_MostChoices = 16;
+    LastChoices& last = m_LastChoices[static_cast<std::size_t>(passIndex)];
+    std::unique_lock lock(last.mutex);
+    for (const LastChoices::Choice& choice : last.choices)
+    {
+        if (std::ranges::equal(choice.enabled, enabled) &&
+            std::ranges::equal(choice.globals, globalKeywords))
+        {
+            return choice.compiled;
+        }
+    }
+    lock.unlock(); // others need not wait for the compiler
+    LastChoices::Choice choice{{enabled.begin(), enabled.end()},
+                               {globalKeywords.begin(), globalKeywords.end()},
+                               Choose(passIndex, enabled, globalKeywords)};
+    lock.lock();
+    last.choices.resize(std::max(last.choices.size(), last.next + 1));
+    LastChoices::Choice& place = last.choices[last.next];
+    last.next = (last.next + 1) % k_MostChoices;
+    place = std::move(choice);
+    return place.compiled;
+}
+
+std::shared_ptr<const ShaderProgram>
+Shader::Choose(int passIndex, std::span<const std::string> enabled,
+               std::span<const std::string> globalKeywords) const
+{
     std::vector<std::string> wanted = keywords(passIndex, enabled, globalKeywords);
     const auto isProcedural = [](const auto& names)
     {
@@ -274,29 +302,6 @@ Shader::Compile(int passIndex, std::span<const std::string> enabled,
     Variant& variant = m_Others[{passIndex, wanted}]; // stays where it is
     mapLock.unlock();
     return Once(variant, [&] { return CompileVariant(passIndex, wanted); });
-}
-
-std::shared_ptr<const ShaderProgram>
-Shader::CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const
-{
-    PassAt(passIndex);
-    constexpr std::size_t k_MostChoices = 4;
-    LastGlobals& last = m_LastGlobals[static_cast<std::size_t>(passIndex)];
-    const std::lock_guard lock(last.mutex);
-    const auto known =
-        std::ranges::find_if(last.choices, [&](const LastGlobals::Choice& choice)
-                             { return std::ranges::equal(choice.keywords, globalKeywords); });
-    if (known != last.choices.end())
-    {
-        return known->compiled;
-    }
-    LastGlobals::Choice choice{{globalKeywords.begin(), globalKeywords.end()},
-                               Compile(passIndex, m_InitialKeywords, globalKeywords)};
-    last.choices.resize(std::max(last.choices.size(), last.next + 1));
-    LastGlobals::Choice& place = last.choices[last.next];
-    last.next = (last.next + 1) % k_MostChoices;
-    place = std::move(choice);
-    return place.compiled;
 }
 
 } // namespace limn

@@ -148,38 +148,44 @@ bool CameraTextures::TakesDepthFromPrepass(const ScriptableRenderContext& contex
            context.Reads(*m_DepthNormals.rt());
 }
 
-std::vector<CameraTextures::LatePass> CameraTextures::Needed(const ScriptableRenderContext& context,
-                                                             const RTHandle& depth)
+std::span<const CameraTextures::LatePass>
+CameraTextures::Needed(const ScriptableRenderContext& context, const RTHandle& depth)
 {
-    std::vector<LatePass> passes;
+    m_Late.clear();
     if (context.Reads(*m_OpaqueColor.rt()))
     {
         m_CopyColor.SetTargets(m_ColorThere, m_OpaqueColor);
-        passes.push_back({m_ColorPlace.value(), &m_CopyColor});
+        AddLate({m_ColorPlace.value(), &m_CopyColor});
     }
     if (context.Reads(*m_CopiedDepth.rt()))
     {
-        passes.push_back(CopyDepth(depth));
+        AddLate(CopyDepth(depth));
     }
     const bool readsDepth = context.Reads(*m_PrepassDepth.rt());
     const bool readsBoth = context.Reads(*m_DepthNormals.rt());
     if (readsBoth)
     {
         m_EncodeDepthNormals.SetTargets(m_Normals, m_DepthNormals, m_PrepassDepth);
-        passes.push_back({m_PrepassPlace.value(), &m_EncodeDepthNormals});
+        AddLate({m_PrepassPlace.value(), &m_EncodeDepthNormals});
     }
     if (readsBoth || context.Reads(*m_Normals.rt()) || (readsDepth && m_AsksForNormals))
     {
-        passes.push_back({m_PrepassPlace.value(), &m_DepthNormalPrepass});
+        AddLate({m_PrepassPlace.value(), &m_DepthNormalPrepass});
     }
     else if (readsDepth)
     {
-        passes.push_back({m_PrepassPlace.value(), &m_DepthPrepass});
+        AddLate({m_PrepassPlace.value(), &m_DepthPrepass});
     }
-    std::stable_sort(passes.begin(), passes.end(),
-                     [](const LatePass& a, const LatePass& b)
-                     { return a.place.pass > b.place.pass; });
-    return passes;
+    return m_Late;
+}
+
+void CameraTextures::AddLate(const LatePass& pass)
+{
+    const auto isBefore = [](const LatePass& a, const LatePass& b)
+    {
+        return a.place.pass > b.place.pass;
+    };
+    m_Late.insert(std::upper_bound(m_Late.begin(), m_Late.end(), pass, isBefore), pass);
 }
 
 CameraTextures::LatePass CameraTextures::CopyDepth(const RTHandle& depth)

@@ -43,8 +43,9 @@ public:
         ScriptableRenderer::PassPlace place;
         ScriptableRenderPass* pass = nullptr; ///< never null
     };
-    /// Returns the passes that make what was read, the last first.
-    std::vector<LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& depth);
+    /// Returns the passes that make what was read, the last first; they are valid until the next
+    /// call.
+    std::span<const LatePass> Needed(const ScriptableRenderContext& context, const RTHandle& depth);
 
 private:
     struct PlaceOfEvent
@@ -58,6 +59,9 @@ private:
     bool TakesDepthFromPrepass(const ScriptableRenderContext& context) const;
     LatePass CopyDepth(const RTHandle& depth);
 
+    /// Adds a pass that Needed returns, behind those of its place.
+    void AddLate(const LatePass& pass);
+
     DrawObjectsPass m_DepthPrepass;
     DrawObjectsPass m_DepthNormalPrepass;
     BlitPass m_CopyDepth;
@@ -70,6 +74,7 @@ private:
     RTHandle m_OpaqueColor;
 
     // These are of the frame:
+    std::vector<LatePass> m_Late;
     bool m_AsksForNormals = false;
     RenderPassEvent m_FirstDepthEvent{}; ///< of the passes that asked or read
     bool m_IsDepthChosen = false;        ///< from prepass or copy

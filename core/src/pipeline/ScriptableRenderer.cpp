@@ -422,7 +422,11 @@ void ScriptableRenderer::BeforePass(ScriptableRenderContext&, RenderingData&,
 void ScriptableRenderer::ExecuteAt(const PassPlace& place, ScriptableRenderContext& context,
                                    ScriptableRenderPass& pass, RenderingData& renderingData)
 {
-    context.RecordAt(place.commands, [&] { ExecuteRenderPass(context, pass, renderingData); });
+    const auto record = [&]
+    {
+        ExecuteRenderPass(context, pass, renderingData);
+    };
+    context.RecordAt(place.commands, std::ref(record)); // a copy would need memory
     auto& passes = renderingData.report->passes;
     std::rotate(passes.begin() + static_cast<std::ptrdiff_t>(place.pass), passes.end() - 1,
                 passes.end());

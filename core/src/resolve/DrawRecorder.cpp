@@ -190,7 +190,7 @@ DrawRecorder::Place DrawRecorder::MarkPlace()
 
 void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>& record)
 {
-    MaterialPropertyBlock now = m_Globals;
+    m_LaterGlobals = m_Globals;
     const std::size_t count = m_Changes.size();
     for (std::size_t i = count; i-- > place.globalChange;)
     {
@@ -210,7 +210,7 @@ void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>
     record();
     m_State = state;
     m_Changes.resize(count);
-    m_Globals = std::move(now);
+    std::swap(m_Globals, m_LaterGlobals);
     ++m_GlobalsVersion;
     m_AreKeywordsOld = true;
 }

@@ -133,6 +133,8 @@ private:
 
     FrameCommands& m_Frame;
     MaterialPropertyBlock& m_Globals;
+    MaterialPropertyBlock
+        m_LaterGlobals; ///< those of now, while a pass is recorded at a place before
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;

@@ -105,14 +105,13 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
                                                      ScriptableRenderer& renderer,
                                                      RenderingData& renderingData)
 {
-    const OutlinedObjects found =
-        FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
-    if (found.objects.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (m_Found.objects.empty())
     {
-        return found.why;
+        return m_Found.why;
     }
     OutlineWork work;
-    work.isAlphaTested = std::ranges::any_of(found.objects, [](const OutlinedObject& object)
+    work.isAlphaTested = std::ranges::any_of(m_Found.objects, [](const OutlinedObject& object)
                                              { return IsAlphaTested(*object.item.material); });
     const OutlineTechnique wanted = m_Settings.m_Technique;
     const bool isAuto = wanted == OutlineTechnique::Auto;
@@ -128,7 +127,7 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
         work.strokeArea = m_Strokes->strokeArea();
     }
     work.width = component.m_OutlineWidth.value();
-    work.regionArea = RegionArea(found.objects, renderingData.cameraData, component.reach());
+    work.regionArea = RegionArea(m_Found.objects, renderingData.cameraData, component.reach());
     const OutlineChoice choice =
         isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique says"};
     std::string why;

@@ -81,13 +81,12 @@ std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingDa
     m_Part = {0, 0, picture.x, picture.y};
     if (m_Settings.m_OnlyFilteredObjects)
     {
-        const OutlinedObjects found =
-            FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together);
-        if (found.objects.empty())
+        FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together, m_Found);
+        if (m_Found.objects.empty())
         {
-            return found.why;
+            return m_Found.why;
         }
-        const auto region = FindOutlineRegion(found.objects, camera, std::max(taps.z, taps.w));
+        const auto region = FindOutlineRegion(m_Found.objects, camera, std::max(taps.z, taps.w));
         m_Part = region ? region->InPicture() : ViewportRect{};
         if (m_Part.width == 0 || m_Part.height == 0)
         {

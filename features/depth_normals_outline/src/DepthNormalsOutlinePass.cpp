@@ -56,7 +56,8 @@ std::string DepthNormalsOutlinePass::Setup(const DepthNormalsOutline& component,
     m_Material->SetFloat(_Softness, component.m_Softness.value());
     m_Material->SetFloat(_DepthSensitivity, component.m_DepthSensitivity.value());
     m_Material->SetFloat(_NormalsSensitivity, component.m_NormalsSensitivity.value());
-    return FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together).why;
+    FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together, m_Found);
+    return m_Found.why;
 }
 
 void DepthNormalsOutlinePass::Execute(ScriptableRenderContext& context,

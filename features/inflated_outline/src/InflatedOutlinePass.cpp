@@ -18,12 +18,12 @@ const ShaderPropertyId _InflatedColor{"_InflatedColor"};
 const ShaderPropertyId _InflatedWidth{"_InflatedWidth"};
 
 /// How far the nearest of them is, by the middles of their bounds, along the view axis.
-double DepthOf(const std::vector<RendererItem>& items, const glm::dmat4& view)
+double DepthOf(std::span<const OutlinedObject> objects, const glm::dmat4& view)
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (const RendererItem& item : items)
+    for (const OutlinedObject& object : objects)
     {
-        nearest = std::min(nearest, -(view * glm::dvec4(item.boundsCenter, 1.0)).z);
+        nearest = std::min(nearest, -(view * glm::dvec4(object.item.boundsCenter, 1.0)).z);
     }
     return nearest;
 }
@@ -71,19 +71,25 @@ std::string InflatedOutlinePass::Setup(const InflatedOutline& component,
     {
         return "InflatedOutline.m_WidthInMetres is 0";
     }
-    OutlinedObjects found = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
-    if (!found.why.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (!m_Found.why.empty())
     {
-        return found.why;
+        return m_Found.why;
     }
-    m_Groups.assign(static_cast<std::size_t>(found.groupCount), {});
-    for (OutlinedObject& object : found.objects)
-    {
-        m_Groups[static_cast<std::size_t>(object.group)].push_back(std::move(object.item));
-    }
+    m_Groups.clear();
     const glm::dmat4 view = renderingData.cameraData.camera->viewMatrix();
-    std::ranges::stable_sort(m_Groups, std::ranges::greater{},
-                             [&view](const Items& items) { return DepthOf(items, view); });
+    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
+    {
+        const auto end = std::find_if(first, m_Found.objects.end(),
+                                      [&](const OutlinedObject& object)
+                                      { return object.group != first->group; });
+        const std::span<const OutlinedObject> objects(first, end);
+        m_Groups.push_back({objects, DepthOf(objects, view)});
+        first = end;
+    }
+    std::ranges::sort(
+        m_Groups, [](const Group& a, const Group& b)
+        { return a.depth != b.depth ? a.depth > b.depth : a.objects.data() < b.objects.data(); });
     const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
     m_Material->SetColor(_InflatedColor, component.m_OutlineColor.value());
     m_Material->SetFloat(_InflatedWidth, m_HullPass == 0
@@ -95,15 +101,15 @@ std::string InflatedOutlinePass::Setup(const InflatedOutline& component,
 void InflatedOutlinePass::Execute(ScriptableRenderContext& context, RenderingData&)
 {
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    for (const Items& items : m_Groups)
+    for (const Group& group : m_Groups)
     {
-        for (const RendererItem& item : items)
+        for (const OutlinedObject& object : group.objects)
         {
-            cmd->DrawRenderer(*item.object, m_Material, item.subMesh, m_HullPass);
+            cmd->DrawRenderer(*object.item.object, m_Material, object.item.subMesh, m_HullPass);
         }
-        for (const RendererItem& item : items)
+        for (const OutlinedObject& object : group.objects)
         {
-            DrawForward(*cmd, item);
+            DrawForward(*cmd, object.item);
         }
     }
     context.ExecuteCommandBuffer(*cmd);

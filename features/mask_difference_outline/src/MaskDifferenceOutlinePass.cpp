@@ -88,7 +88,7 @@ MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureN
 std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& component,
                                              const RenderingData& renderingData)
 {
-    m_Objects = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Objects);
     if (m_Objects.objects.empty())
     {
         return m_Objects.why;
@@ -148,20 +148,20 @@ void MaskDifferenceOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData& ren
     }
 }
 
-void MaskDifferenceOutlinePass::DrawMask(CommandBuffer& cmd, const CameraData& camera) const
+void MaskDifferenceOutlinePass::DrawMask(CommandBuffer& cmd, const CameraData& camera)
 {
     CoreUtils::SetRenderTarget(cmd, m_Mask, m_MaskDepth, ClearFlag::All, Color::clear);
     SetRegionProjection(cmd, m_Region, camera);
     const glm::vec4 color = m_Color.linear().vector();
-    MaterialPropertyBlock properties;
+    m_Properties.Clear();
     for (const OutlinedObject& object : m_Objects.objects)
     {
         const glm::vec3 rgb =
             m_Settings.m_ColorByGroup ? ColorOfGroup(object.group) : glm::vec3(color);
-        properties.SetVector(k_MaskDifference._MaskValue,
-                             glm::vec4(rgb * color.a, IdOfGroup(object.group)));
+        m_Properties.SetVector(k_MaskDifference._MaskValue,
+                               glm::vec4(rgb * color.a, IdOfGroup(object.group)));
         cmd.DrawRenderer(*object.item.object, m_Material, object.item.subMesh,
-                         MaskDifferenceNames::k_MaskPass, properties);
+                         MaskDifferenceNames::k_MaskPass, m_Properties);
     }
     SetCameraProjection(cmd, camera);
 }
@@ -180,12 +180,12 @@ void MaskDifferenceOutlinePass::Execute(ScriptableRenderContext& context,
     }
     CoreUtils::SetRenderTarget(*cmd, color);
     cmd->SetViewport(m_Region.InPicture());
-    MaterialPropertyBlock properties;
-    properties.SetVector(k_MaskDifference._BlitScaleBias, m_Region.ScaleBias());
+    m_Properties.Clear();
+    m_Properties.SetVector(k_MaskDifference._BlitScaleBias, m_Region.ScaleBias());
     cmd->DrawProcedural(glm::mat4(1.0f), m_Material,
                         m_Settings.m_FramebufferFetch ? MaskDifferenceNames::k_FramebufferFetchPass
                                                       : MaskDifferenceNames::k_OutlinePass,
-                        3, properties);
+                        3, m_Properties);
     context.ExecuteCommandBuffer(*cmd);
 }
 

@@ -14,28 +14,28 @@ float OutlineComponent::WidthWithin(const glm::ivec2& picture) const
 
 std::string WhyInactive(const OutlineComponent* component, std::string_view name)
 {
-    const std::string type(name);
     if (component == nullptr)
     {
-        return type + " was not registered when the camera's volume stack was made";
+        return std::string(name) + " was not registered when the camera's volume stack was made";
     }
     if (!component->m_Enable.overrideState() && !component->m_Enable.value())
     {
-        return "no volume at the camera sets " + type + ".m_Enable, which is false by default";
+        return "no volume at the camera sets " + std::string(name) +
+               ".m_Enable, which is false by default";
     }
     if (!component->IsActive())
     {
-        return "a volume sets " + type + ".m_Enable to false";
+        return "a volume sets " + std::string(name) + ".m_Enable to false";
     }
     if (component->reach() <= 0.0f)
     {
         const double width = static_cast<double>(component->m_OutlineWidth.value());
-        return type + ".m_OutlineWidth is " +
+        return std::string(name) + ".m_OutlineWidth is " +
                (width > 0.0 ? NumberText(width) + ", which rounds to no pixel" : "0");
     }
     if (component->m_OutlineColor.value().a <= 0.0f)
     {
-        return type + ".m_OutlineColor has alpha 0";
+        return std::string(name) + ".m_OutlineColor has alpha 0";
     }
     return "";
 }

@@ -1,6 +1,6 @@
 #include <algorithm>
+#include <functional>
 #include <limn/features/OutlinedObjects.h>
-#include <unordered_map>
 
 namespace limn
 {
@@ -18,6 +18,57 @@ const Transform* RootOf(const Transform& transform)
     return root;
 }
 
+const void* GroupOf(const GameObject* object, OutlineGrouping grouping)
+{
+    return grouping == OutlineGrouping::Together ? nullptr
+           : grouping == OutlineGrouping::PerGroup
+               ? static_cast<const void*>(RootOf(object->transform))
+               : object;
+}
+
+/// Numbers the groups in the order of their first objects, and sorts the objects by their group, in
+/// their order before within each.
+/// @return the number of groups
+int SortIntoGroups(std::vector<OutlinedObject>& objects, OutlineGrouping grouping)
+{
+    struct Member
+    {
+        const void* group;
+        std::size_t place;
+        std::size_t first; ///< the place of the first object of the group
+    };
+    // Kept from frame to frame: a steady frame asks for no memory.
+    thread_local std::vector<Member> members;
+    thread_local std::vector<OutlinedObject> sorted;
+    members.clear();
+    for (std::size_t i = 0; i < objects.size(); ++i)
+    {
+        members.push_back({GroupOf(objects[i].item.object, grouping), i, i});
+    }
+    std::ranges::sort(
+        members, [](const Member& a, const Member& b)
+        { return a.group != b.group ? std::less<>()(a.group, b.group) : a.place < b.place; });
+    for (std::size_t i = 1; i < members.size(); ++i)
+    {
+        if (members[i].group == members[i - 1].group)
+        {
+            members[i].first = members[i - 1].first;
+        }
+    }
+    std::ranges::sort(members, [](const Member& a, const Member& b)
+                      { return a.first != b.first ? a.first < b.first : a.place < b.place; });
+    int count = 0;
+    sorted.clear();
+    for (const Member& member : members)
+    {
+        count += member.place == member.first ? 1 : 0;
+        sorted.push_back({objects[member.place].item, count - 1});
+    }
+    objects.swap(sorted);
+    sorted.clear();
+    return count;
+}
+
 } // namespace
 
 bool IsAlphaTested(const Material& material)
@@ -27,8 +78,8 @@ bool IsAlphaTested(const Material& material)
            k_AlphaTest.Contains(material.renderQueue());
 }
 
-OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
-                                    const OutlineSettings& settings, OutlineGrouping grouping)
+void FindOutlinedObjects(const RenderingData& renderingData, const OutlineSettings& settings,
+                         OutlineGrouping grouping, OutlinedObjects& found)
 {
     DrawingSettings drawing;
     drawing.shaderTagIds.assign(ForwardShaderTags().begin(), ForwardShaderTags().end());
@@ -38,25 +89,13 @@ OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
     {
         renderingData.report->filters.push_back({{}, filtering, drawing, judged.counts});
     }
-
-    OutlinedObjects found;
-    std::unordered_map<const void*, int> groups;
+    found.objects.clear();
     for (const RendererItem& item : judged.drawn)
     {
-        const void* key = grouping == OutlineGrouping::Together ? nullptr
-                          : grouping == OutlineGrouping::PerGroup
-                              ? static_cast<const void*>(RootOf(item.object->transform))
-                              : item.object;
-        const auto [group, isNew] = groups.try_emplace(key, found.groupCount);
-        found.groupCount += isNew;
-        found.objects.push_back({item, group->second});
+        found.objects.push_back({item, 0});
     }
-    std::ranges::stable_sort(found.objects, {}, &OutlinedObject::group);
-    if (found.objects.empty())
-    {
-        found.why = Describe(judged.counts, filtering);
-    }
-    return found;
+    found.groupCount = SortIntoGroups(found.objects, grouping);
+    found.why = found.objects.empty() ? Describe(judged.counts, filtering) : "";
 }
 
 } // namespace limn

@@ -37,10 +37,10 @@ std::string RimOutlinePass::Setup(const RimOutline& component, const RenderingDa
         throw ContractError("RimOutline.m_Variant is " + std::to_string(chosen) +
                             "; it must be Soft 0, Threshold 1 or Pixels 2");
     }
-    std::string why = FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together).why;
-    if (!why.empty())
+    FindOutlinedObjects(renderingData, m_Settings, OutlineGrouping::Together, m_Found);
+    if (!m_Found.why.empty())
     {
-        return why;
+        return m_Found.why;
     }
     for (const char* keyword : k_RimKeywords)
     {

@@ -46,7 +46,13 @@ const ShaderPropertyId _BlitTexture{"_BlitTexture"};
 const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _ScreenSpaceOcclusionTexture{"_ScreenSpaceOcclusionTexture"};
 const ShaderPropertyId _AmbientOcclusionParam{"_AmbientOcclusionParam"};
-constexpr const char* k_Keyword = "_SCREEN_SPACE_OCCLUSION";
+/// Returns the keyword with which shaders read the occlusion. It is made once, as making it needs
+/// memory.
+const GlobalKeyword& OcclusionKeyword()
+{
+    static const GlobalKeyword keyword("_SCREEN_SPACE_OCCLUSION");
+    return keyword;
+}
 constexpr float k_BlueNoiseRadius = 1.5f; ///< URP 14's: most of its samples lie near the pixel
 constexpr float k_Largest = 1e9f;         ///< of settings: products of them stay finite
 
@@ -221,12 +227,12 @@ void ScreenSpaceAmbientOcclusionPass::Execute(ScriptableRenderContext& context,
     if (m_Settings.AfterOpaque)
     {
         const ScriptableRenderer& renderer = *renderingData.cameraData.renderer;
-        MaterialPropertyBlock properties;
-        properties.SetTexture(_BlitTexture, last.rt());
-        properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
+        m_Properties.Clear();
+        m_Properties.SetTexture(_BlitTexture, last.rt());
+        m_Properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
         CoreUtils::SetRenderTarget(*cmd, renderer.cameraColorTargetHandle(),
                                    renderer.cameraDepthTargetHandle());
-        CoreUtils::DrawFullScreen(*cmd, m_Material, properties, lastPass + 1);
+        CoreUtils::DrawFullScreen(*cmd, m_Material, m_Properties, lastPass + 1);
     }
     else
     {
@@ -234,22 +240,21 @@ void ScreenSpaceAmbientOcclusionPass::Execute(ScriptableRenderContext& context,
         cmd->SetGlobalTexture(_ScreenSpaceOcclusionTexture, m_Result);
         cmd->SetGlobalVector(_AmbientOcclusionParam,
                              {1.0f, 0.0f, 0.0f, m_Settings.DirectLightingStrength});
-        CoreUtils::SetKeyword(*cmd, k_Keyword, true);
+        cmd->SetKeyword(OcclusionKeyword(), true);
     }
     context.ExecuteCommandBuffer(*cmd);
 }
 
-const RTHandle& ScreenSpaceAmbientOcclusionPass::DrawUpToLastBlur(CommandBuffer& cmd,
-                                                                  int& lastPass) const
+const RTHandle& ScreenSpaceAmbientOcclusionPass::DrawUpToLastBlur(CommandBuffer& cmd, int& lastPass)
 {
     const auto blur = [&](const RTHandle& source, const RTHandle& target, ShaderPass pass)
     {
         Blitter::BlitCameraTexture(cmd, source, target, m_Material, pass);
     };
     CoreUtils::SetRenderTarget(cmd, m_Occlusion);
-    MaterialPropertyBlock properties;
-    properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
-    CoreUtils::DrawFullScreen(cmd, m_Material, properties, Occlusion);
+    m_Properties.Clear();
+    m_Properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
+    CoreUtils::DrawFullScreen(cmd, m_Material, m_Properties, Occlusion);
     switch (m_Settings.BlurQuality)
     {
     case Settings::BlurQualityOptions::High:
@@ -272,7 +277,7 @@ const RTHandle& ScreenSpaceAmbientOcclusionPass::DrawUpToLastBlur(CommandBuffer&
 
 void ScreenSpaceAmbientOcclusionPass::OnCameraCleanup(CommandBuffer& cmd)
 {
-    CoreUtils::SetKeyword(cmd, k_Keyword, false);
+    cmd.SetKeyword(OcclusionKeyword(), false);
 }
 
 } // namespace limn

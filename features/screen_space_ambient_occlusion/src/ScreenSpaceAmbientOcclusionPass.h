@@ -34,9 +34,10 @@ private:
     void SetKeywords(bool isOrthographic);
     /// @param lastPass  receives the shader's pass of the last blur
     /// @return the texture that the last blur reads
-    const RTHandle& DrawUpToLastBlur(CommandBuffer& cmd, int& lastPass) const;
+    const RTHandle& DrawUpToLastBlur(CommandBuffer& cmd, int& lastPass);
 
     std::shared_ptr<Material> m_Material;
+    MaterialPropertyBlock m_Properties;
     std::array<std::string_view, 4> m_Keywords; ///< the keywords of the material; "" = none
     ScreenSpaceAmbientOcclusionSettings m_Settings;
     RTHandle m_Occlusion; ///< the unblurred result

@@ -72,12 +72,11 @@ OutlineEffect::Step OutlineEffect::MakeStep(const std::shared_ptr<const Shader>&
 std::string OutlineEffect::Setup(const SelectionOutline& volumeComponent,
                                  const RenderingData& renderingData)
 {
-    OutlinedObjects found = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
-    if (found.objects.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (m_Found.objects.empty())
     {
-        return found.why;
+        return m_Found.why;
     }
-    m_Objects = std::move(found.objects);
     FindGroups(renderingData);
 
     m_Width = renderingData.cameraData.cameraTargetDescriptor.width;
@@ -99,9 +98,9 @@ std::string OutlineEffect::Setup(const SelectionOutline& volumeComponent,
 void OutlineEffect::FindGroups(const RenderingData& renderingData)
 {
     m_Groups.clear();
-    for (auto first = m_Objects.begin(); first != m_Objects.end();)
+    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
     {
-        const auto end = std::find_if(first, m_Objects.end(),
+        const auto end = std::find_if(first, m_Found.objects.end(),
                                       [&](const OutlinedObject& object)
                                       { return object.group != first->group; });
         double depth = std::numeric_limits<double>::infinity();
@@ -113,7 +112,9 @@ void OutlineEffect::FindGroups(const RenderingData& renderingData)
         m_Groups.push_back({std::span(first, end), depth});
         first = end;
     }
-    std::ranges::stable_sort(m_Groups, std::ranges::greater(), &Group::depth);
+    std::ranges::sort(
+        m_Groups, [](const Group& a, const Group& b)
+        { return a.depth != b.depth ? a.depth > b.depth : a.objects.data() < b.objects.data(); });
 }
 
 void OutlineEffect::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
@@ -258,7 +259,7 @@ void OutlineEffect::OnCameraCleanup(CommandBuffer&)
     m_StencilTex.Release(); // where something threw in between
     m_BlurTex.Release();
     m_Groups.clear();
-    m_Objects.clear();
+    m_Found.objects.clear();
 }
 
 } // namespace limn

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <unordered_map>
 
 namespace limn
 {
@@ -44,13 +43,28 @@ bool Cut(glm::dvec4& a, glm::dvec4& b, Plane plane)
     return true;
 }
 
+/// The sign of the area that a face has on the screen, also where it reaches behind the camera: > 0
+/// where its corners go round clockwise, so that it is on the right of each of its sides.
+signed char SignOfArea(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
+{
+    const glm::dmat3 corners(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w),
+                             glm::dvec3(c.x, c.y, c.w));
+    const double area = -glm::determinant(corners);
+    return static_cast<signed char>((area > 0.0) - (area < 0.0));
+}
+
+} // namespace
+
 /// Turns edges of one mesh into strokes.
-class StrokeMaker
+class SilhouetteFinder::StrokeMaker
 {
 public:
-    StrokeMaker(const glm::dvec2& picture, std::vector<Stroke>& strokes)
-        : m_Picture(picture), m_Strokes(&strokes)
+    StrokeMaker(SilhouetteFinder& finder, std::size_t pointCount, const glm::dvec2& picture,
+                std::vector<Stroke>& strokes)
+        : m_Finder(finder), m_Picture(picture), m_Strokes(&strokes)
     {
+        m_Finder.m_Ends.clear();
+        m_Finder.m_EndsOfPoint.assign(pointCount, k_NoPoint);
     }
 
     /// @param side    the object is on the right of a to b (> 0), on the left (< 0), or it cannot
@@ -83,7 +97,7 @@ public:
     /// Finds where strokes go on.
     void Join()
     {
-        for (auto& [point, end] : m_Ends)
+        for (const Ends& end : m_Finder.m_Ends)
         {
             if (end.count != 2)
             {
@@ -103,12 +117,6 @@ public:
     }
 
 private:
-    struct Ends
-    {
-        int count = 0;
-        std::pair<std::size_t, bool> strokes[2]; ///< and whether it is b
-    };
-
     glm::dvec2 ToPixel(const glm::dvec4& clip) const
     {
         return glm::dvec2(1.0 + clip.x / clip.w, 1.0 - clip.y / clip.w) * 0.5 * m_Picture;
@@ -123,7 +131,13 @@ private:
             const std::uint32_t point = isB ? pointB : pointA;
             if (point != k_NoPoint)
             {
-                Ends& ends = m_Ends[point];
+                std::uint32_t& place = m_Finder.m_EndsOfPoint[point];
+                if (place == k_NoPoint)
+                {
+                    place = static_cast<std::uint32_t>(m_Finder.m_Ends.size());
+                    m_Finder.m_Ends.emplace_back();
+                }
+                Ends& ends = m_Finder.m_Ends[place];
                 if (ends.count < 2)
                 {
                     ends.strokes[ends.count] = {index, isB};
@@ -133,24 +147,17 @@ private:
         }
     }
 
+    SilhouetteFinder& m_Finder; ///< whose memory is used again
     glm::dvec2 m_Picture;
     std::vector<Stroke>* m_Strokes;
-    std::unordered_map<std::uint32_t, Ends> m_Ends; ///< by point
 };
 
-/// The sign of the area that a face has on the screen, also where it reaches behind the camera: > 0
-/// where its corners go round clockwise, so that it is on the right of each of its sides.
-signed char SignOfArea(const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
+namespace
 {
-    const glm::dmat3 corners(glm::dvec3(a.x, a.y, a.w), glm::dvec3(b.x, b.y, b.w),
-                             glm::dvec3(c.x, c.y, c.w));
-    const double area = -glm::determinant(corners);
-    return static_cast<signed char>((area > 0.0) - (area < 0.0));
-}
 
 /// Where a plane cuts through a face.
 void AddCut(const WeldedMesh::Face& face, const std::vector<glm::dvec4>& clip, Plane plane,
-            StrokeMaker& maker)
+            SilhouetteFinder::StrokeMaker& maker)
 {
     glm::dvec4 ends[2];
     int count = 0;
@@ -204,7 +211,7 @@ void SilhouetteFinder::Append(const std::shared_ptr<const Mesh>& mesh, int subMe
             SignOfArea(m_Clip[face.points[0]], m_Clip[face.points[1]], m_Clip[face.points[2]]));
     }
 
-    StrokeMaker maker(picture, strokes);
+    StrokeMaker maker(*this, welded.points.size(), picture, strokes);
     for (auto side = welded.sides.begin(); side != welded.sides.end();)
     {
         const auto& points = side->points;

@@ -35,6 +35,8 @@ struct Stroke
 class SilhouetteFinder
 {
 public:
+    class StrokeMaker;
+
     /// Appends the silhouette edges of a sub-mesh.
     /// @param objectToClip  has reversed z
     /// @param picture       the size of the picture in pixels
@@ -43,6 +45,12 @@ public:
                 std::vector<Stroke>& strokes);
 
 private:
+    /// The strokes that end at a point.
+    struct Ends
+    {
+        int count = 0;
+        std::pair<std::size_t, bool> strokes[2]; ///< and whether it is b
+    };
     struct Entry
     {
         std::weak_ptr<const Mesh> mesh;
@@ -53,6 +61,8 @@ private:
     std::map<std::pair<std::uint64_t, int>, Entry> m_Meshes; ///< by Mesh::id
     std::vector<glm::dvec4> m_Clip;                          ///< the points in clip space
     std::vector<signed char> m_Areas;                        ///< the signs of the faces' areas
+    std::vector<Ends> m_Ends;
+    std::vector<std::uint32_t> m_EndsOfPoint; ///< indices in m_Ends, or k_NoPoint
 };
 
 } // namespace limn

@@ -68,10 +68,19 @@ void LeaveOutDoubles(std::vector<Stroke>& strokes)
     {
         return std::tie(stroke.a.x, stroke.a.y, stroke.b.x, stroke.b.y);
     };
-    std::vector<std::size_t> order(strokes.size());
+    // Kept from frame to frame: a steady frame asks for no memory.
+    thread_local std::vector<std::size_t> order;
+    thread_local std::vector<bool> isDouble;
+    order.resize(strokes.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return place(strokes[i]); });
-    std::vector<bool> isDouble(strokes.size());
+    std::ranges::sort(order,
+                      [&](std::size_t a, std::size_t b)
+                      {
+                          const auto placeA = place(strokes[a]);
+                          const auto placeB = place(strokes[b]);
+                          return placeA != placeB ? placeA < placeB : a < b;
+                      });
+    isDouble.assign(strokes.size(), false);
     for (std::size_t i = 1; i < order.size(); ++i)
     {
         isDouble[order[i]] = place(strokes[order[i - 1]]) == place(strokes[order[i]]);
@@ -99,9 +108,11 @@ glm::dvec2 Direction(const Stroke& stroke)
 class Tiles
 {
 public:
-    explicit Tiles(const glm::ivec2& size)
-        : m_Count(size / k_TileSize), m_Touched(static_cast<std::size_t>(m_Count.x * m_Count.y))
+    /// Begins with a region of which no square is touched.
+    void Begin(const glm::ivec2& size)
     {
+        m_Count = size / k_TileSize;
+        m_Touched.assign(static_cast<std::size_t>(m_Count.x * m_Count.y), false);
     }
 
     /// @param a, b  ends of a rectangle's middle line, pixels
@@ -119,10 +130,10 @@ public:
         }
     }
 
-    /// Runs of touched squares as rectangles: left, top, right, bottom.
-    std::vector<glm::vec4> Runs() const
+    /// Runs of touched squares as rectangles: left, top, right, bottom; valid until the next call.
+    std::span<const glm::vec4> Runs()
     {
-        std::vector<glm::vec4> runs;
+        m_Runs.clear();
         for (int y = 0; y < m_Count.y; ++y)
         {
             for (int x = 0; x < m_Count.x; ++x)
@@ -136,10 +147,10 @@ public:
                 {
                     ++x;
                 }
-                runs.emplace_back(glm::vec4(first, y, x, y + 1) * static_cast<float>(k_TileSize));
+                m_Runs.emplace_back(glm::vec4(first, y, x, y + 1) * static_cast<float>(k_TileSize));
             }
         }
-        return runs;
+        return m_Runs;
     }
 
 private:
@@ -160,8 +171,9 @@ private:
         }
     }
 
-    glm::ivec2 m_Count;
+    glm::ivec2 m_Count{0};
     std::vector<bool> m_Touched;
+    std::vector<glm::vec4> m_Runs;
 };
 
 } // namespace
@@ -204,9 +216,10 @@ bool StrokeDraws::Assign(std::vector<Stroke>& strokesOfGroup, double width,
     edgeCount = static_cast<int>(strokesOfGroup.size());
     strokeArea = 0.0;
     const glm::dvec2 corner(region.corner);
-    Tiles touched(region.size);
-    std::vector<glm::vec4> values;
-    values.reserve(strokesOfGroup.size() * 2);
+    thread_local Tiles touched; // for their memory
+    thread_local std::vector<glm::vec4> values;
+    touched.Begin(region.size);
+    values.clear();
     for (const Stroke& stroke : strokesOfGroup)
     {
         const double before = Extension(stroke.turnA, radius);

@@ -54,7 +54,7 @@ void DrawQuads(CommandBuffer& cmd, const std::shared_ptr<Material>& material, in
 {
     for (const std::vector<glm::vec4>& part : arrays.parts)
     {
-        properties.SetVectorArray(id, part);
+        properties.Set(id, PropertyArray<glm::vec4>(std::span(part)));
         const int count = static_cast<int>(part.size()) / arrays.stride;
         cmd.DrawProcedural(glm::mat4(1.0f), material, pass, count * k_VerticesPerQuad, properties);
     }
@@ -97,12 +97,11 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
         return "StrokeOutline.m_OutlineWidth is less than " + std::to_string(k_LeastWidth) +
                " pixels, which nobody sees";
     }
-    OutlinedObjects found = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
-    if (found.objects.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (m_Found.objects.empty())
     {
-        return found.why;
+        return m_Found.why;
     }
-    m_Objects = std::move(found.objects);
     const CameraData& camera = renderingData.cameraData;
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
@@ -112,25 +111,25 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
 
     const glm::dmat4 viewProjection = camera.reversedViewProjection();
     std::size_t used = 0;
-    std::vector<Stroke> strokes;
-    for (auto first = m_Objects.begin(); first != m_Objects.end();)
+    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
     {
-        const auto last = std::find_if(first, m_Objects.end(),
+        const auto last = std::find_if(first, m_Found.objects.end(),
                                        [&](const OutlinedObject& object)
                                        { return object.group != first->group; });
-        strokes.clear();
+        m_Strokes.clear();
         for (const OutlinedObject& object : std::span(first, last))
         {
             const GameObject& gameObject = *object.item.object;
             m_Finder->Append(gameObject.renderer->mesh, object.item.subMesh,
-                             viewProjection * gameObject.transform.worldMatrix(), picture, strokes);
+                             viewProjection * gameObject.transform.worldMatrix(), picture,
+                             m_Strokes);
         }
         if (used == m_Groups.size())
         {
             m_Groups.push_back(std::make_unique<StrokeDraws>());
         }
         m_Groups[used]->objects = std::span(first, last);
-        used += m_Groups[used]->Assign(strokes, width, picture);
+        used += m_Groups[used]->Assign(m_Strokes, width, picture);
         first = last;
     }
     m_Groups.resize(used);
@@ -176,7 +175,8 @@ void StrokeOutlinePass::DrawGroup(CommandBuffer& cmd, const StrokeDraws& group,
     DrawOwnDepth(cmd, group, camera);
 
     const OutlineRegion& region = group.region;
-    MaterialPropertyBlock properties;
+    MaterialPropertyBlock& properties = m_Properties;
+    properties.Clear();
     properties.SetVector(_OutlineRegion, glm::vec4(region.corner, region.size));
     properties.SetVector(_OutlinePicture, glm::vec4(region.picture, 0, 0));
     properties.SetTexture(_StrokeDepth, group.depth.rt());

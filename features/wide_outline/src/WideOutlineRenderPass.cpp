@@ -116,22 +116,21 @@ std::string WideOutlineRenderPass::Setup(const WideOutline& component, Rendering
                              camera.cameraTargetDescriptor.height);
     SetBand(component, picture);
 
-    const OutlinedObjects found =
-        FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
-    if (found.objects.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (m_Found.objects.empty())
     {
-        return found.why;
+        return m_Found.why;
     }
     m_Groups.clear();
     glm::ivec2 size(0);
-    for (auto first = found.objects.begin(); first != found.objects.end();)
+    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
     {
-        const auto end = std::find_if(first, found.objects.end(),
+        const auto end = std::find_if(first, m_Found.objects.end(),
                                       [&](const OutlinedObject& object)
                                       { return object.group != first->group; });
         if (const auto region = FindOutlineRegion(std::span(first, end), camera, m_Farthest))
         {
-            m_Groups.push_back({{first, end}, *region});
+            m_Groups.push_back({std::span(first, end), *region});
             size = glm::max(size, region->size);
         }
         first = end;
@@ -294,21 +293,21 @@ void WideOutlineRenderPass::Composite(CommandBuffer& cmd, const RenderingData& r
 {
     CoreUtils::SetRenderTarget(cmd, renderingData.cameraData.renderer->cameraColorTargetHandle());
     cmd.SetViewport(group.region.InPicture());
-    MaterialPropertyBlock properties;
-    properties.SetTexture(_WideOutlineSource, source.rt());
-    properties.SetTexture(_WideOutlineSeeds, m_Seeds.rt());
-    properties.SetFloat(_WideOutlineStep, static_cast<float>(m_Reach));
-    cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, properties);
+    m_Properties.Clear();
+    m_Properties.SetTexture(_WideOutlineSource, source.rt());
+    m_Properties.SetTexture(_WideOutlineSeeds, m_Seeds.rt());
+    m_Properties.SetFloat(_WideOutlineStep, static_cast<float>(m_Reach));
+    cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, m_Properties);
 }
 
 void WideOutlineRenderPass::DrawWhole(CommandBuffer& cmd, const RTHandle& source,
                                       const RTHandle& target, int pass, float step)
 {
     CoreUtils::SetRenderTarget(cmd, target);
-    MaterialPropertyBlock properties;
-    properties.SetTexture(_WideOutlineSource, source.rt());
-    properties.SetFloat(_WideOutlineStep, step);
-    cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, properties);
+    m_Properties.Clear();
+    m_Properties.SetTexture(_WideOutlineSource, source.rt());
+    m_Properties.SetFloat(_WideOutlineStep, step);
+    cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, m_Properties);
 }
 
 } // namespace limn

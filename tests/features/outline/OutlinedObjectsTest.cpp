@@ -43,7 +43,7 @@ protected:
     {
         RenderingData data;
         data.cullResults = Cull(scene, camera, 1.0f);
-        const OutlinedObjects found = FindOutlinedObjects(data, settings, grouping);
+        FindOutlinedObjects(data, settings, grouping, found);
         why = found.why;
         std::vector<std::string> texts;
         for (const OutlinedObject& object : found.objects)
@@ -57,6 +57,7 @@ protected:
     Camera camera;
     OutlineSettings settings;
     std::string why;
+    OutlinedObjects found;
 };
 
 TEST_F(OutlinedObjectsOf, OneGroupStandInTheScenesOrder)
@@ -95,8 +96,8 @@ TEST_F(OutlinedObjectsOf, ACameraWithAMarginAreFoundBesideThePicture)
     data.cullResults = Cull(scene, camera, 1.0f);
     EXPECT_THAT(data.cullResults.items, testing::IsEmpty());
     data.cullResults = Cull(scene, camera, 1.0f, {0.2f, 0.0f});
-    EXPECT_THAT(FindOutlinedObjects(data, settings, OutlineGrouping::Together).objects,
-                testing::Not(testing::IsEmpty()));
+    FindOutlinedObjects(data, settings, OutlineGrouping::Together, found);
+    EXPECT_THAT(found.objects, testing::Not(testing::IsEmpty()));
 }
 
 } // namespace

@@ -238,10 +238,6 @@ public:
     std::shared_ptr<const ShaderProgram>
     Compile(int passIndex, std::span<const std::string> enabled,
             std::span<const std::string> globalKeywords = {}) const;
-    /// Compiles the pass with the initial keywords and those that are on for all shaders. If they
-    /// are the same as the last time, no variant is searched for.
-    std::shared_ptr<const ShaderProgram>
-    CompileWithGlobals(int passIndex, std::span<const std::string> globalKeywords) const;
 
 private:
     /// One variant of one pass.
@@ -252,15 +248,17 @@ private:
         std::exception_ptr failure; ///< of the one attempt; a frame asks again for each object
     };
 
-    /// The variants that global keywords chose last: those of shadow passes and of others.
-    struct LastGlobals
+    /// The programs of a pass that keywords chose last, because choosing costs more than a draw
+    /// should.
+    struct LastChoices
     {
         struct Choice
         {
-            std::vector<std::string> keywords;
+            std::vector<std::string> enabled;
+            std::vector<std::string> globals;
             std::shared_ptr<const ShaderProgram> compiled;
         };
-        std::mutex mutex;
+        mutable std::mutex mutex;
         std::vector<Choice> choices;
         std::size_t next = 0; ///< the next one to be replaced
     };
@@ -269,6 +267,8 @@ private:
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
+    std::shared_ptr<const ShaderProgram> Choose(int passIndex, std::span<const std::string> enabled,
+                                                std::span<const std::string> globalKeywords) const;
     template <typename Compilation>
     static std::shared_ptr<const ShaderProgram> Once(Variant& variant, const Compilation& compile);
 
@@ -282,7 +282,7 @@ private:
     std::vector<bool> m_StaysWithinMesh;                    ///< by pass
     int m_RenderQueue = 2000;
     mutable std::vector<Variant> m_Initial;         ///< by pass
-    mutable std::vector<LastGlobals> m_LastGlobals; ///< by pass
+    mutable std::vector<LastChoices> m_LastChoices; ///< by pass
     mutable std::mutex m_Mutex;                     ///< guards the map, not what is in it
     mutable std::map<std::pair<int, std::vector<std::string>>, Variant> m_Others;
 };

@@ -4,6 +4,7 @@
 #include <limn/features/AutoOutline.h>
 #include <limn/features/OutlineSettings.h>
 #include <limn/features/OutlineTechnique.h>
+#include <limn/features/OutlinedObjects.h>
 #include <memory>
 
 namespace limn
@@ -40,6 +41,7 @@ public:
     void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
 
     const AutoOutlineSettings& settings() const { return m_Settings; }
+    OutlinedObjects m_Found; ///< of this frame, kept for its memory
 
 private:
     // They return why nothing is drawn, or "".

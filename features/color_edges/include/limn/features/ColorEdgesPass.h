@@ -4,6 +4,7 @@
 #include <limn/core/RTHandle.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/features/ColorEdges.h>
+#include <limn/features/OutlinedObjects.h>
 
 namespace limn
 {
@@ -38,6 +39,7 @@ private:
                   int shaderPass) const;
 
     const ColorEdgesSettings& m_Settings; ///< the feature's
+    OutlinedObjects m_Found;              ///< of this frame, kept for its memory
     std::shared_ptr<Material> m_Material;
     ViewportRect m_Part; ///< the part of the picture that lines can be in and come from
     RTHandle m_Mask;

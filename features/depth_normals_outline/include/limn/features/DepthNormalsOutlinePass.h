@@ -4,6 +4,7 @@
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/features/DepthNormalsOutline.h>
 #include <limn/features/OutlineSettings.h>
+#include <limn/features/OutlinedObjects.h>
 
 namespace limn
 {
@@ -26,6 +27,7 @@ public:
 
 private:
     const OutlineSettings& m_Settings; ///< the feature's
+    OutlinedObjects m_Found;           ///< of this frame, kept for its memory
     std::shared_ptr<Material> m_Material;
     int m_MaterialPass = 0;
 };

@@ -28,12 +28,17 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    using Items = std::vector<RendererItem>;
+    struct Group
+    {
+        std::span<const OutlinedObject> objects; ///< in m_Found
+        double depth = 0.0; ///< of its nearest part, in metres before the camera
+    };
 
     const InflatedOutlineSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
     int m_HullPass = 0;
-    std::vector<Items> m_Groups; ///< the groups of this frame, the farthest first
+    OutlinedObjects m_Found;     ///< of this frame, kept for its memory
+    std::vector<Group> m_Groups; ///< the groups of this frame, the farthest first
 };
 
 } // namespace limn

@@ -32,12 +32,13 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    void DrawMask(CommandBuffer& cmd, const CameraData& camera) const;
+    void DrawMask(CommandBuffer& cmd, const CameraData& camera);
 
     const MaskDifferenceOutlineSettings& m_Settings; ///< the feature's
     std::shared_ptr<Material> m_Material;
     std::shared_ptr<const Material> m_CopyMaterial;
     OutlinedObjects m_Objects;
+    MaterialPropertyBlock m_Properties;
     OutlineRegion m_Region;
     Color m_Color; ///< sRGB
     RTHandle m_Mask;

@@ -40,7 +40,8 @@ public:
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override
     {
         const auto* component = renderingData.volumeStack->template GetComponent<Component>();
-        std::string why = WhyInactive(component, TypeName(typeid(Component)));
+        static const std::string type = TypeName(typeid(Component));
+        std::string why = WhyInactive(component, type);
         if (why.empty())
         {
             if (!m_Pass)

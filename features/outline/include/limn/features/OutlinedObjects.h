@@ -26,11 +26,11 @@ struct OutlinedObjects
     std::string why; ///< if there are no objects: what happened to the renderers
 };
 
-/// Returns the objects that a feature outlines, and adds the filter to RenderReport::filters. An
+/// Finds the objects that a feature outlines, and adds the filter to RenderReport::filters. An
 /// object whose shader has none of URP's forward passes is neither drawn nor outlined.
-///
+/// @param found  receives the objects in place of what it has; its memory is used again
 /// @throws ContractError as OutlineSettings::filtering
-OutlinedObjects FindOutlinedObjects(const RenderingData& renderingData,
-                                    const OutlineSettings& settings, OutlineGrouping grouping);
+void FindOutlinedObjects(const RenderingData& renderingData, const OutlineSettings& settings,
+                         OutlineGrouping grouping, OutlinedObjects& found);
 
 } // namespace limn

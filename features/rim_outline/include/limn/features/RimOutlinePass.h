@@ -2,6 +2,7 @@
 
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderPass.h>
+#include <limn/features/OutlinedObjects.h>
 #include <limn/features/RimOutline.h>
 
 namespace limn
@@ -27,6 +28,7 @@ public:
 
 private:
     const RimOutlineSettings& m_Settings; ///< the feature's
+    OutlinedObjects m_Found;              ///< of this frame, kept for its memory
     std::shared_ptr<Material> m_Material;
 };
 

@@ -104,7 +104,7 @@ private:
     int m_Width = 0;                                ///< the width of the picture in pixels
     int m_Height = 0;
     int m_BlurCount = 0;
-    std::vector<OutlinedObject> m_Objects;
+    OutlinedObjects m_Found;     ///< of this frame, kept for its memory
     std::vector<Group> m_Groups; ///< the farthest first
     MaterialPropertyBlock m_Properties;
     TemporaryTexture m_StencilTex;

@@ -29,6 +29,7 @@ struct StrokeOutlineSettings : OutlineSettings
 };
 
 class SilhouetteFinder;
+struct Stroke;
 struct StrokeDraws;
 
 /// Draws silhouette edges as strokes on the screen, and their coverage outside of the objects into
@@ -66,7 +67,9 @@ private:
     StrokeOutlineSettings m_Settings;
     std::shared_ptr<Material> m_Material;
     std::unique_ptr<SilhouetteFinder> m_Finder;
-    std::vector<OutlinedObject> m_Objects;
+    OutlinedObjects m_Found;       ///< of this frame, kept for its memory
+    std::vector<Stroke> m_Strokes; ///< of one group, kept for its memory
+    MaterialPropertyBlock m_Properties;
     std::vector<std::unique_ptr<StrokeDraws>> m_Groups;
 };
 

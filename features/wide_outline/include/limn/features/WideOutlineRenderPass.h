@@ -4,6 +4,7 @@
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/features/OutlineRegion.h>
 #include <limn/features/OutlineSettings.h>
+#include <limn/features/OutlinedObjects.h>
 #include <limn/features/WideOutline.h>
 
 namespace limn
@@ -60,7 +61,7 @@ public:
 private:
     struct Group
     {
-        std::vector<OutlinedObject> objects;
+        std::span<const OutlinedObject> objects; ///< in m_Found
         OutlineRegion region;
     };
 
@@ -74,6 +75,8 @@ private:
                    float step);
 
     WideOutlineSettings m_Settings;
+    OutlinedObjects m_Found; ///< of this frame, kept for its memory
+    MaterialPropertyBlock m_Properties;
     std::shared_ptr<Material> m_Material;
     std::vector<Group> m_Groups;
     WideOutlineMethod m_Method = WideOutlineMethod::JumpFlood;
