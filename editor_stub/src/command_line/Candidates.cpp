@@ -124,23 +124,16 @@ Candidates SettingCandidates(const std::string& word, const InspectOptions& file
 
 Candidates ObjectCandidates(const RenderOptions& scene)
 {
-    try
+    ShaderCompilerOptions options;
+    options.includeFolders.assign(scene.roots.begin(), scene.roots.end());
+    AssetContext assets(std::move(options));
+    const SceneAsset asset = LoadForRendering(scene, assets);
+    std::set<std::string> names;
+    for (const GameObject* object : ObjectsOf(asset.scene))
     {
-        ShaderCompilerOptions options;
-        options.includeFolders.assign(scene.roots.begin(), scene.roots.end());
-        AssetContext assets(std::move(options));
-        const SceneAsset asset = LoadForRendering(scene, assets);
-        std::set<std::string> names;
-        for (const GameObject* object : ObjectsOf(asset.scene))
-        {
-            names.insert(object->name);
-        }
-        return {names.begin(), names.end()};
+        names.insert(object->name);
     }
-    catch (const std::exception&)
-    {
-        return {};
-    }
+    return {names.begin(), names.end()};
 }
 
 Candidates TechniqueCandidates(const std::vector<std::string>& plugins)

@@ -24,10 +24,12 @@ Candidates FileCandidates(const std::string& word, const std::vector<std::string
 /// @param file  a scene, a profile or a renderer, whose mistakes are passed over
 Candidates SettingCandidates(const std::string& word, const InspectOptions& file);
 
-/// Returns the names of the scene's objects, once each; none for a scene that cannot be loaded.
+/// Returns the names of the scene's objects, once each.
+/// @throws AssetError
 Candidates ObjectCandidates(const RenderOptions& scene);
 
 /// Returns the names of the techniques that draw outlines.
+/// @throws AssetError if a plug-in cannot be used
 Candidates TechniqueCandidates(const std::vector<std::string>& plugins);
 
 /// Returns the names of volume components, features and shaders, without those of plug-ins.

@@ -92,12 +92,23 @@ std::string LinesOf(const std::vector<std::string>& candidates, const std::strin
     return text;
 }
 
+/// Returns the lines of what the flag's value may be; none if a file that must be read for them is
+/// wrong, as a person who is typing is not told yet.
 std::string ValuesOf(const Flag& flag, const std::string& word, const std::string& before = "")
 {
     const std::string words = flag.Words();
-    return !words.empty()    ? LinesOf(SplitText(words, ' '), word, before)
-           : flag.candidates ? LinesOf(flag.candidates(word), word, before)
-                             : "";
+    if (!words.empty())
+    {
+        return LinesOf(SplitText(words, ' '), word, before);
+    }
+    try
+    {
+        return flag.candidates ? LinesOf(flag.candidates(word), word, before) : "";
+    }
+    catch (const std::exception&)
+    {
+        return "";
+    }
 }
 
 /// Returns the first part of a help text; a list has room for no more.

@@ -38,7 +38,7 @@ struct Flag
     char letter = '\0';      ///< 'o', as in -o; '\0' if there is none
     std::string unless = {}; ///< the flag whose presence makes this one optional
     /// Returns what the value may be where a person has begun to type it, once the words before it
-    /// are stored. Null where a shell offers the names of all files.
+    /// are stored. Null where a shell offers the names of all files. May throw what loaders throw.
     std::function<std::vector<std::string>(const std::string&)> candidates = {};
 
     bool isArgument() const { return name.empty(); }

@@ -90,8 +90,10 @@ void PrintChanges(const SetOptions& options, const std::vector<ScalarChange>& ch
     }
     for (const ScalarChange& change : changes)
     {
-        console.Result(change.subject + ": " + change.before +
-                       (change.before == change.after ? ", as it was" : " → " + change.after));
+        console.Results(
+            OneLine(change.subject + ": " + change.before +
+                    (change.before == change.after ? ", as it was" : " → " + change.after)) +
+            "\n");
     }
 }
 

@@ -133,9 +133,22 @@ TEST_F(Completion, OffersObjectsAndTechniques)
 
 TEST_F(Completion, HasNothingToSayAboutMistakes)
 {
-    const CommandRun run = RunCommand({"complete", "--", "set", "no.profile.yaml", "--frob", ""});
-    EXPECT_EQ(0, run.exitCode);
-    EXPECT_EQ("", run.err);
+    working.folder.Write("bad.scene.yaml", "camera: [}\n");
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"set", "no.profile.yaml", "--frob", ""},
+          {"explain", "bad.scene.yaml", "--object", ""},
+          {"set", "bad.scene.yaml", "x"},
+          {"report", "s.scene.yaml", "--plugin", "no.so", "--technique", ""},
+          {"render", "--size", "x", "--set", ""},
+          {"--"},
+          {"\xff\xfe"}})
+    {
+        std::vector<std::string> args{"complete", "--"};
+        args.insert(args.end(), words.begin(), words.end());
+        const CommandRun run = RunCommand(args);
+        EXPECT_EQ(0, run.exitCode) << testing::PrintToString(words);
+        EXPECT_EQ("", run.err);
+    }
 }
 
 TEST_F(Completion, WorksInBash)
