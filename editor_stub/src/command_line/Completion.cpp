@@ -2,6 +2,9 @@
 
 #include "console/Texts.h"
 
+#include <exception>
+#include <limn/base/TerminalText.h>
+
 namespace limn
 {
 

@@ -59,7 +59,7 @@ public:
     void Add(const TableRow::Cell& cell)
     {
         const std::size_t columns = ColumnsOf(cell.text);
-        if (Fits(cell.blanks + columns) || m_Hang + columns <= m_Width)
+        if (Fits(cell.blanks + columns) || (!m_IsEmpty && m_Hang + columns <= m_Width))
         {
             AddWord(cell.text, cell.blanks);
             return;

@@ -120,6 +120,19 @@ TEST(ATerminal, HasTheMessageOfAWrongFileInItsWidthAndTheLineOfTheFileWhole)
     EXPECT_THAT(text, testing::EndsWith("\n" + line + "\n  ^\n"));
 }
 
+TEST(ATerminal, HasProgressInOneLine)
+{
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.Write("with_a_name_that_is_long.shader", "Shader \"A\" { SubShader { Pass { } } }")
+            .string();
+    const std::string clear = "\033[K";
+    const std::string text = Terminal(30).Run({"shader", file});
+    ASSERT_THAT(text, testing::StartsWith(clear));
+    const std::string line = text.substr(clear.size(), text.find(clear, 1) - clear.size());
+    EXPECT_EQ("1 of 1: " + file.substr(0, 20) + "…", line) << "29 columns: it can be replaced";
+}
+
 TEST(ATerminal, IsAsWideAsThePersonSays)
 {
     EXPECT_THAT(Terminal(200).With("COLUMNS", "20").Run({"rendr"}),

@@ -1,9 +1,24 @@
 #include "console/FitLines.h"
 
 #include <gtest/gtest.h>
+#include <iterator>
+#include <random>
+#include <sstream>
+#include <vector>
 
 namespace limn::test
 {
+
+namespace
+{
+
+std::vector<std::string> WordsOf(const std::string& text)
+{
+    std::istringstream stream(text);
+    return {std::istream_iterator<std::string>(stream), {}};
+}
+
+} // namespace
 
 TEST(FitLines, LeavesLinesThatFitAsTheyAre)
 {
@@ -66,6 +81,33 @@ TEST(FitLines, KeepsLongWordsWhole)
               "  /a/very/long/path/of/a/file\n"
               "  for it\n",
               FitLines("see /a/very/long/path/of/a/file for it\n", 12));
+}
+
+TEST(FitLines, KeepsAllWordsInOrderInLinesThatFit)
+{
+    std::mt19937 random(7);
+    const auto upTo = [&random](unsigned most)
+    {
+        return static_cast<std::size_t>(random() % (most + 1));
+    };
+    for (int round = 0; round < 2000; ++round)
+    {
+        std::string text;
+        for (std::size_t i = upTo(40); i > 0; --i)
+        {
+            text += std::string(upTo(2) == 0 ? upTo(12) : 1, ' ') + std::string(upTo(9), 'x') +
+                    (upTo(7) == 0 ? "\n" : "ö");
+        }
+        const std::size_t width = 1 + upTo(50);
+        const std::string fitted = FitLines(text, width);
+        EXPECT_EQ(WordsOf(text), WordsOf(fitted)) << text;
+        std::istringstream lines(fitted);
+        for (std::string line; std::getline(lines, line);)
+        {
+            EXPECT_TRUE(ColumnsOf(line) <= width || WordsOf(line).size() <= 1)
+                << width << ": " << line;
+        }
+    }
 }
 
 TEST(FitLines, CountsCharactersAndNoColours)
