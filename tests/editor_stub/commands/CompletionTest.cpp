@@ -68,7 +68,7 @@ TEST_F(Completion, OffersVerbsFlagsAndWords)
 {
     EXPECT_EQ("render|report", Complete({"re"}));
     EXPECT_EQ("set|schema|shader", Complete({"s"}));
-    EXPECT_EQ("--scene|--size|--set|--select|--stats", Complete({"render", "--s"}));
+    EXPECT_EQ("--set|--select", Complete({"render", "--se"}));
     EXPECT_EQ("glsl|glsles", Complete({"shader", "--emit", "gl"}));
     EXPECT_EQ("--emit=glsl|--emit=glsles", Complete({"shader", "--emit=gl"}));
     EXPECT_EQ("always", Complete({"shader", "--color", "al"}));
