@@ -215,7 +215,7 @@ def plugin(rng, folder, options):
 # ---------------------------------------------------------------- arguments
 
 VERBS = ["render", "inspect", "explain", "report", "set", "schema", "shader", "new", "port", "doctor", "completion",
-         "help", "version"]  # `watch` never ends
+         "complete", "help", "version"]  # `watch` never ends
 PATHS = ["s.scene.yaml", "unity.scene.yaml", "p.profile.yaml", "own.shader", "own.cs", "own.compute", "t.png", "m.gltf",
          "u.asset", "a", "b", ".", "..", "nope", "nope/nope", "out", "out.png", "out/out.png", "out.json", "./out.png",
          "p.profile.yaml/x", "/dev/null", "/dev/full", "-", "Assets", RENDERER, "x" * 300, "x" * 5000, "a.svg", "a.dot"]

@@ -138,6 +138,12 @@ FileKind FileKindOf(const std::filesystem::path& file)
     return KindOfContent(file);
 }
 
+std::string UseOfFile(const std::filesystem::path& file)
+{
+    const FileKind kind = FileKindOf(file);
+    return kind == FileKind::Unknown ? "" : UseOf(kind, file.generic_string());
+}
+
 std::string NearestFile(const std::filesystem::path& missing)
 {
     std::error_code unknown;

@@ -28,6 +28,10 @@ enum class FileKind
 /// keys that a YAML file begins with.
 FileKind FileKindOf(const std::filesystem::path& file);
 
+/// Returns what a file is and what can be done with it: "a scene; 'limn render a.scene.yaml -o
+/// out.png' draws it". Returns "" if its kind is not known.
+std::string UseOfFile(const std::filesystem::path& file);
+
 /// Returns the name of a file beside a missing one that may be meant, or "" if there is none. It
 /// has the same ending and nearly the same name.
 std::string NearestFile(const std::filesystem::path& missing);

@@ -1,14 +1,18 @@
 #include "command_line/CommandLine.h"
 
+#include "assets/FileKind.h"
+#include "command_line/Candidates.h"
 #include "command_line/FlagTable.h"
+#include "command_line/SharedFlags.h"
 #include "command_line/Values.h"
 #include "commands/Commands.h"
+#include "console/Texts.h"
 
-#include <cstdlib>
 #include <filesystem>
 #include <limn/base/TerminalText.h>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Version.h>
+#include <utility>
 
 namespace limn
 {
@@ -18,15 +22,13 @@ namespace
 
 using enum Times;
 
-constexpr const char* k_SceneHelp =
-    "A *.scene.yaml, a .unity file in its project, or the folder of a Unity project";
-
 /// The values of all verbs' flags.
 struct CommandLine
 {
     ConsoleOptions console;
     bool wantsHelp = false;
     bool wantsVersion = false;
+    bool hasNoPager = false;
     RenderOptions render; ///< of report as well
     ShaderOptions shader;
     ExplainOptions explain;
@@ -39,51 +41,12 @@ struct CommandLine
     std::string kind; ///< of what is new, of a schema's files
     std::vector<std::string> schemaPlugins;
     std::string doctorDevice;
-    std::string helpVerb; ///< "": of limn itself
+    bool wantsJson = false; ///< of doctor, version
+    std::string helpVerb;   ///< "": of limn itself
     bool wantsManPage = false;
     std::string shell;
+    std::vector<std::string> typedWords; ///< for completion
 };
-
-Flag Argument(const char* value, const char* help, StoreValue store, Times times = Once)
-{
-    return {"", value, help, std::move(store), times};
-}
-
-Flag Switch(const char* name, const char* help, bool& isGiven, char letter = '\0')
-{
-    return {name, "", help, Into(isGiven), AtMostOnce, letter};
-}
-
-Flag RootFlag(std::vector<std::string>& roots)
-{
-    return {"root", "DIR",
-            "Let references and includes lead into this folder too, not only into the file's own "
-            "and the Unity project around it",
-            Into(roots), Any};
-}
-
-Flag PackageFlag(std::map<std::string, std::string>& packages)
-{
-    return {"package", "[NAME=]DIR",
-            "Take a package's shader includes from a folder of your own; without NAME, what its "
-            "package.json says",
-            IntoPackages(packages), AnyInARow};
-}
-
-Flag PluginFlag(std::vector<std::string>& plugins)
-{
-    return {"plugin", "FILE.so",
-            "Load features, volume components and shaders from a module, whose code runs",
-            Into(plugins), Any};
-}
-
-Flag SceneFlag(RenderOptions& options)
-{
-    return {"scene", "FILE",
-            "The .unity file to take where SCENE is the folder of a Unity project, as a path from "
-            "that folder; by itself the first scene of the build settings",
-            Into(options.sceneInProject)};
-}
 
 /// Returns the options with the scene that --scene names in the place of its project.
 const RenderOptions& InProject(RenderOptions& options)
@@ -102,61 +65,18 @@ const RenderOptions& InProject(RenderOptions& options)
     return options;
 }
 
-Flag SizeFlag(RenderOptions& options)
-{
-    return {"size", "WxH", "Picture size in pixels; without it the scene's",
-            IntoSize(options.width, options.height)};
-}
-
-Flag DeviceFlag(std::string& device)
-{
-    const char* usual = std::getenv("LIMN_DEVICE");
-    device = usual ? usual : "";
-    return {"device", "NAME",
-            "'software', a position in `limn doctor`'s list, or a part of a name; without it what "
-            "LIMN_DEVICE says, else the first real GPU, else the software device",
-            Into(device)};
-}
-
-Flag ProfileFlag(std::string& profile)
-{
-    return {"profile", "FILE", "Put this volume profile in place of that of every global volume",
-            Into(profile)};
-}
-
-Flag SetFlag(std::vector<std::string>& overrides)
-{
-    return {"set", "NAME.path=VALUE",
-            "Change one value; NAME is a volume component's type, a feature's name or a feature's "
-            "type",
-            Into(overrides, CheckAssignment), Any};
-}
-
-Flag NewFolderFlag(std::string& folder)
-{
-    return {"output", "DIR", "A new or empty folder", Into(folder, CheckFolder), Once, 'o'};
-}
-
-Flag SelectFlag(RenderOptions& options)
-{
-    return {"select", "NAME,...",
-            "Select the objects of these names, each with what hangs below it, and no others: they "
-            "get the rendering layer that outline features look for; \"\" selects nothing",
-            IntoSelection(options.selection, SelectionStep::Kind::Select), Any};
-}
-
 /// The flags that `render` and `watch` have in common.
 std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, CheckText check)
 {
     using Kind = SelectionStep::Kind;
     return {
-        Argument("SCENE", k_SceneHelp, Into(options.scene)),
+        SceneArgument(options.scene),
         SceneFlag(options),
         {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
         SizeFlag(options),
         {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
         ProfileFlag(options.profile),
-        SetFlag(options.overrides),
+        SetFlag(options),
         SelectFlag(options),
         {"click", "X,Y[@SECONDS]",
          "Click on this pixel, counted from the top left: it selects the whole object that is seen "
@@ -218,7 +138,9 @@ Verb InspectVerb(InspectOptions& options)
                       "A scene as for 'limn render', a volume profile, a renderer asset or a "
                       "material; or the name of a volume component, of a feature's type or of a "
                       "shader, whose defaults are shown",
-                      Into(options.file)),
+                      Into(options.file), Once,
+                      FilesOr({".scene.yaml", ".profile.yaml", ".unity", ".asset", ".mat"},
+                              NameCandidates)),
              Switch("json", "Print JSON", options.json), PluginFlag(options.plugins),
              RootFlag(options.roots)}};
 }
@@ -232,10 +154,19 @@ Verb ExplainVerb(ExplainOptions& options)
                 InProject(options.rendering);
                 return RunExplain(options, console);
             },
-            {Argument("SCENE", k_SceneHelp, Into(options.rendering.scene)),
+            {SceneArgument(options.rendering.scene),
              SceneFlag(options.rendering),
-             {"object", "NAME", "Only objects of this name and what hangs below them",
-              Into(options.object)},
+             {"object",
+              "NAME",
+              "Only objects of this name and what hangs below them",
+              Into(options.object),
+              AtMostOnce,
+              '\0',
+              {},
+              [&options](const std::string&)
+              {
+                  return ObjectCandidates(options.rendering);
+              }},
              {"pixel", "X,Y",
               "Show what is drawn at this pixel, counted from the top left, and which test rejects "
               "the rest; this draws the scene, so it needs a device",
@@ -246,7 +177,7 @@ Verb ExplainVerb(ExplainOptions& options)
               "out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot",
               Into(options.graph, CheckGraph)},
              ProfileFlag(options.rendering.profile),
-             SetFlag(options.rendering.overrides),
+             SetFlag(options.rendering),
              DeviceFlag(options.rendering.device),
              PluginFlag(options.rendering.plugins),
              PackageFlag(options.rendering.packages),
@@ -265,11 +196,11 @@ Verb CheckVerb(CheckOptions& options)
                 InProject(options.rendering);
                 return RunCheck(options, console);
             },
-            {Argument("SCENE", k_SceneHelp, Into(rendering.scene)),
+            {SceneArgument(rendering.scene),
              Argument("EXPECT.yaml",
                       "The expectations; samples/guide/testing.md explains them, --update writes "
                       "the first",
-                      Into(options.expectations, CheckOutput)),
+                      Into(options.expectations, CheckOutput), Once, Files({".yaml"})),
              SceneFlag(rendering),
              Switch("update",
                     "Replace the values that do not hold, and change nothing else; comments within "
@@ -280,7 +211,7 @@ Verb CheckVerb(CheckOptions& options)
              Switch("json", "Print the results as JSON", options.json),
              SizeFlag(rendering),
              ProfileFlag(rendering.profile),
-             SetFlag(rendering.overrides),
+             SetFlag(rendering),
              SelectFlag(rendering),
              PluginFlag(rendering.plugins),
              PackageFlag(rendering.packages),
@@ -296,7 +227,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
         [&](Console& console) { return RunReport(render, options, console); },
         {Argument("SCENE|DIR",
                   "A scene, as for 'limn render'; for --merge and --compare folders of reports",
-                  Into(options.paths), AtLeastOnce),
+                  Into(options.paths), AtLeastOnce, Files({".scene.yaml", ".unity"})),
          {"output", "DIR",
           "The folder for the report; what an interrupted run left there is taken over",
           Into(options.output, CheckOutput), Once, 'o', "compare"},
@@ -308,7 +239,17 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
          Switch("all-combinations",
                 "Test all combinations of extreme inputs in place of all pairs; this takes days",
                 options.isFull),
-         {"technique", "NAME", "Only this one", Into(options.techniques), Any},
+         {"technique",
+          "NAME",
+          "Only this one",
+          Into(options.techniques),
+          Any,
+          '\0',
+          {},
+          [&render](const std::string&)
+          {
+              return TechniqueCandidates(render.plugins);
+          }},
          {"budget", "MS",
           "Recommend a technique that adds at most so many milliseconds of GPU time",
           IntoBudget(options.budget)},
@@ -319,6 +260,9 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
          Switch("compare",
                 "Say in which cells two folders differ, times apart; exit code 1 if they do",
                 options.isCompare),
+         Switch("json",
+                "Print what a report comes to as JSON: its files, the recommendation, what to know",
+                options.json),
          SizeFlag(render),
          DeviceFlag(render.device),
          PluginFlag(render.plugins),
@@ -333,10 +277,14 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
 
 Verb SetVerb(SetOptions& options)
 {
-    Flag edits = Argument("NAME.path=VALUE",
-                          "Such as ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
-                          "one number, and += -= *= start from the one that there is",
-                          Into(options.edits, CheckAssignment), AtLeastOnce);
+    Flag edits =
+        Argument("NAME.path=VALUE",
+                 "Such as ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
+                 "one number, and += -= *= start from the one that there is",
+                 Into(options.edits, CheckAssignment), AtLeastOnce,
+                 [&options](const std::string& word) {
+                     return SettingCandidates(word, {options.file, false, options.plugins, {}});
+                 });
     edits.unless = "undo";
     return {"set",
             "Change values of a volume profile, or of the features of a scene or a Unity renderer, "
@@ -345,12 +293,13 @@ Verb SetVerb(SetOptions& options)
             {Argument("FILE",
                       "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer "
                       ".asset",
-                      Into(options.file)),
+                      Into(options.file), Once, Files({".profile.yaml", ".scene.yaml", ".asset"})),
              std::move(edits),
              Switch("undo",
                     "Bring back the text from before the last change by 'limn set'; once more "
                     "brings the change again",
                     options.undo),
+             Switch("json", "Print the changes as JSON", options.json),
              PluginFlag(options.plugins)}};
 }
 
@@ -371,7 +320,7 @@ Verb ShaderVerb(ShaderOptions& options)
         "Check ShaderLab files; of a single one show passes, states and layout",
         [&options](Console& console) { return RunShader(options, console); },
         {Argument("FILE|DIR", "Files, and folders with .shader files below them; or .compute files",
-                  Into(options.paths), AtLeastOnce),
+                  Into(options.paths), AtLeastOnce, Files({".shader", ".compute"})),
          {"output", "DIR", "Where --emit writes", Into(options.outputFolder, CheckFolder),
           AtMostOnce, 'o'},
          {"emit", "spirv|glsl|glsles|msl|hlsl", "Write the compiled programs", Into(options.emit)},
@@ -415,7 +364,9 @@ Verb NewVerb(NewOptions& options)
          Argument("CONTENT",
                   "For a profile its volume components, by itself StrokeOutline; for a material "
                   "its shader, by itself \"Universal Render Pipeline/Lit\"",
-                  Into(options.contents), Any),
+                  Into(options.contents), Any,
+                  [&options](const std::string&)
+                  { return options.kind == "profile" ? ComponentCandidates() : Candidates(); }),
          std::move(folder),
          {"style", "urp14|unity6",
           "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
@@ -429,16 +380,17 @@ Verb PortVerb(PortOptions& options)
             "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
             {Argument("FILE.cs", "Its C#: feature, passes, volume component", Into(options.files),
-                      AtLeastOnce),
+                      AtLeastOnce, Files({".cs"})),
              NewFolderFlag(options.folder)}};
 }
 
-Verb DoctorVerb(std::string& device)
+Verb DoctorVerb(CommandLine& line)
 {
     return {"doctor",
             "Show devices, drivers, the cache folder and versions on this machine",
-            [&device](Console& console) { return RunDoctor(device, console); },
-            {DeviceFlag(device)}};
+            [&line](Console& console)
+            { return RunDoctor(line.doctorDevice, line.wantsJson, console); },
+            {DeviceFlag(line.doctorDevice), Switch("json", "Print JSON", line.wantsJson)}};
 }
 
 int Print(const std::string& text, Console& console)
@@ -447,12 +399,26 @@ int Print(const std::string& text, Console& console)
     return static_cast<int>(ExitCode::Done);
 }
 
-Verb CompletionVerb(const FlagTable& table, std::string& shell)
+Verb CompletionVerb(std::string& shell)
 {
     return {"completion",
             "Print a script for a shell's completion",
-            [&](Console& console) { return Print(CompletionScript(table, shell), console); },
+            [&](Console& console) { return Print(CompletionScript(shell), console); },
             {Argument("bash|zsh|fish", "For bash: source <(limn completion bash)", Into(shell))}};
+}
+
+Verb CompleteVerb(const FlagTable& table, std::vector<std::string>& typed)
+{
+    const auto print = [&](Console& console)
+    {
+        const std::vector<std::string> words = std::exchange(typed, {});
+        return Print(CompletionText(table, words), console);
+    };
+    return {"complete",
+            "Print what may stand in place of the last word, for the scripts of 'limn completion'",
+            print,
+            {Argument("WORD", "The words behind 'limn', with -- in front of the first", Into(typed),
+                      AtLeastOnce)}};
 }
 
 Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
@@ -469,21 +435,22 @@ Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
             return Print(ManPage(table), console);
         }
         const Verb& verb = name.empty() ? table.limn : *table.Find(name);
-        return Print(HelpText(table, verb, TerminalWidth(console.out())), console);
+        return Print(HelpText(table, verb, console.outWidth()), console);
     };
     return {"help",
             "Print this, or what a verb takes",
             print,
-            {Argument("VERB", "What to explain", store, AtMostOnce),
+            {Argument("VERB", "What to explain", store, AtMostOnce,
+                      [&table](const std::string&) { return SplitText(table.VerbNames(), ' '); }),
              Switch("man", "Print the man page, which has all verbs, in troff", wantsManPage)}};
 }
 
-Verb VersionVerb()
+Verb VersionVerb(bool& wantsJson)
 {
     return {"version",
             "Print the version, as -V does",
-            [](Console& console) { return Print("limn " LIMN_VERSION_TEXT "\n", console); },
-            {}};
+            [&wantsJson](Console& console) { return RunVersion(wantsJson, console); },
+            {Switch("json", "Print JSON, with the versions of libraries", wantsJson)}};
 }
 
 std::vector<Flag> CommonFlags(CommandLine& line)
@@ -501,7 +468,11 @@ std::vector<Flag> CommonFlags(CommandLine& line)
             Switch("verbose", "Print more: the device that draws, all that `explain` knows",
                    line.console.isVerbose, 'v'),
             {"color", "auto|always|never",
-             "Colours on stderr; 'auto': on a terminal, unless NO_COLOR is set", storeColor}};
+             "Colours on stderr; 'auto': on a terminal, unless NO_COLOR is set", storeColor},
+            Switch("no-pager",
+                   "Print long results at once; by itself LIMN_PAGER, PAGER or `less` shows them "
+                   "on a terminal",
+                   line.hasNoPager)};
 }
 
 /// Fills the table with limn's verbs, which store values in `line`. Both must outlive what is
@@ -524,15 +495,32 @@ void FillTable(FlagTable& table, CommandLine& line)
                    ShaderVerb(line.shader),
                    NewVerb(line.newFiles),
                    PortVerb(line.port),
-                   DoctorVerb(line.doctorDevice),
-                   CompletionVerb(table, line.shell),
+                   DoctorVerb(line),
+                   CompletionVerb(line.shell),
+                   CompleteVerb(table, line.typedWords),
                    HelpVerb(table, line.helpVerb, line.wantsManPage),
-                   VersionVerb()};
+                   VersionVerb(line.wantsJson)};
+    for (Verb& verb : table.verbs)
+    {
+        verb.isRead =
+            IsIn(verb.name, {"inspect", "explain", "check", "schema", "shader", "doctor", "help"});
+    }
+}
+
+/// Returns a sentence about the first wrong word. If a file stands in the place of the verb, the
+/// sentence names the verbs that take it.
+std::string ProblemText(const ParsedFlags& parsed)
+{
+    std::error_code ignored;
+    const std::string& word = parsed.unknownVerb;
+    const std::string use =
+        !word.empty() && std::filesystem::exists(word, ignored) ? UseOfFile(word) : "";
+    return use.empty() ? parsed.problem : "'" + word + "' is no verb but " + use;
 }
 
 int WrongUsage(const FlagTable& table, const ParsedFlags& parsed, Console& console)
 {
-    console.Error(Sentence(parsed.problem));
+    console.Error(Sentence(ProblemText(parsed)));
     const std::string verb = parsed.verb == &table.limn ? "" : " " + parsed.verb->name;
     console.Line("usage: " + UsageText(table, *parsed.verb) + "; see 'limn help" + verb + "'");
     return static_cast<int>(ExitCode::WrongUsage);
@@ -563,6 +551,10 @@ int RunCommandLine(std::span<const std::string> args, Console& console)
     FillTable(table, line);
     const ParsedFlags parsed = ParseFlags(args, table);
     console.Configure(line.console);
+    if (!line.hasNoPager && (line.wantsHelp || args.empty() || parsed.verb->isRead))
+    {
+        console.CollectResults();
+    }
     if (line.wantsHelp || args.empty())
     {
         line.helpVerb = parsed.verb == &table.limn ? "" : parsed.verb->name;

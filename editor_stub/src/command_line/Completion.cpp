@@ -1,155 +1,182 @@
 #include "command_line/FlagTable.h"
 
+#include "console/Texts.h"
+
+#include <exception>
+#include <limn/base/TerminalText.h>
+
 namespace limn
 {
 
 namespace
 {
 
-/// The text with `before` in front of every character that is special.
-std::string Escaped(const std::string& text, const std::string& special, const std::string& before)
+// Bash makes words of their own of '=' and ':', which are put together again. What is offered must
+// then lack what stands before the last of them, and have its blanks quoted unless the person has
+// begun with a quote.
+constexpr const char* k_Bash = R"sh(_limn()
 {
-    std::string escaped;
-    for (const char c : text)
-    {
-        escaped += (special.find(c) == std::string::npos ? "" : before) + c;
-    }
-    return escaped;
+    local words=() word typed line i
+    for ((i = 1; i <= COMP_CWORD; i++)); do
+        word=${COMP_WORDS[i]}
+        [[ $word == [\"\']* ]] && word=${word:1}
+        word=${word//\\/}
+        if ((i > 1)) && [[ ${COMP_WORDS[i]} == [=:]* || ${COMP_WORDS[i - 1]} == *[=:] ]]; then
+            words[${#words[@]} - 1]+=$word
+        else
+            words+=("$word")
+        fi
+    done
+    typed=$word
+    [[ $typed == [=:]* ]] && typed=
+    local before=${words[${#words[@]} - 1]%"$typed"}
+    local limn=${BASH_ALIASES[${COMP_WORDS[0]}]:-${COMP_WORDS[0]}}
+    limn=${limn/#\~/$HOME}
+    COMPREPLY=()
+    while IFS= read -r line; do
+        line=${line%%$'\t'*}
+        line=${line#"$before"}
+        [[ ${COMP_WORDS[COMP_CWORD]} == [\"\']* || $line != *[\ \'\"\(\)\&]* ]] ||
+            printf -v line %q "$line"
+        COMPREPLY+=("$line")
+    done < <("$limn" complete -- "${words[@]}" 2>/dev/null)
+    # A folder, a component and a parameter go on.
+    [[ ${#COMPREPLY[@]} != 1 || $COMPREPLY != *[/.=] ]] || compopt -o nospace 2>/dev/null
 }
+complete -o default -F _limn limn
+)sh";
 
-/// Text within '...' of bash and zsh, which end it before a quote; fish takes a backslash.
-std::string Quoted(const std::string& text, bool isFish = false)
+constexpr const char* k_Zsh = R"sh(#compdef limn
+_limn()
 {
-    return "'" + Escaped(text, "'", isFish ? "\\" : "'\\'") + "'";
+    local -a lines ends opens
+    local line
+    lines=("${(@f)$("${(Q)words[1]/#\~/$HOME}" complete -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
+    for line in $lines; do
+        # A folder, a component and a parameter go on.
+        case $line in
+            *[/.=]) opens+=("$line") ;;
+            *$'\t'*) ends+=("${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}") ;;
+            *) ends+=("${line//:/\\:}") ;;
+        esac
+    done
+    if (( $#ends + $#opens == 0 )); then
+        _files
+        return
+    fi
+    (( $#opens )) && compadd -S '' -a opens
+    (( $#ends )) && _describe value ends
 }
+# It is sourced, or it is the body of a function that zsh loads at the first Tab.
+if [ "$funcstack[1]" = _limn ]; then _limn; else compdef _limn limn; fi
+)sh";
 
-/// The words that may be a verb's argument, "bash zsh"; those of `help` are the verbs.
-std::string WordsOf(const FlagTable& table, const Verb& verb)
-{
-    const bool hasArgument = !verb.flags.empty() && verb.flags.front().isArgument();
-    return verb.name == "help" ? table.VerbNames() : hasArgument ? verb.flags.front().Words() : "";
-}
+constexpr const char* k_Fish = R"sh(function __limn_complete
+    set -l words (commandline -opc)
+    set -l found ($words[1] complete -- $words[2..] (commandline -ct) 2>/dev/null)
+    if test (count $found) -gt 0
+        printf '%s\n' $found
+    else
+        __fish_complete_path (commandline -ct)
+    end
+end
+complete -c limn -f -a '(__limn_complete)'
+)sh";
 
-std::string BashScript(const FlagTable& table)
+/// Returns a line for each candidate that begins as the word does, with `before` in front.
+std::string LinesOf(const std::vector<std::string>& candidates, const std::string& word,
+                    const std::string& before = "")
 {
-    std::string options;
-    std::string values;
-    for (const Verb& verb : table.verbs)
-    {
-        std::string words = WordsOf(table, verb);
-        for (const Flag* flag : table.FlagsOf(verb))
-        {
-            for (const std::string& spelling : flag->Spellings())
-            {
-                words += (words.empty() ? "" : " ") + spelling;
-                values += flag->Words().empty() ? ""
-                                                : "        '" + verb.name + " " + spelling +
-                                                      "') words='" + flag->Words() + "' ;;\n";
-            }
-        }
-        options += "        " + verb.name + ") words='" + words + "' ;;\n";
-    }
-    return "_limn()\n"
-           "{\n"
-           "    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} words=\n"
-           "    if [ \"$COMP_CWORD\" = 1 ]; then\n"
-           "        words='" +
-           table.VerbNames() +
-           "'\n"
-           "    else\n"
-           "        case ${COMP_WORDS[1]} in\n" +
-           options +
-           "        esac\n"
-           "        case \"${COMP_WORDS[1]} $before\" in\n" +
-           values +
-           "        esac\n"
-           "    fi\n"
-           "    COMPREPLY=($(compgen -W \"$words\" -- \"$word\"))\n"
-           "}\n"
-           "complete -o default -F _limn limn\n";
-}
-
-/// "'*--size[Picture size]:value:_files'" for zsh's _arguments.
-std::string ZshFlag(const Flag& flag)
-{
-    const std::string words = flag.Words().empty() ? "_files" : "(" + flag.Words() + ")";
-    const std::string value = flag.value.empty() ? "" : ":value:" + words;
     std::string text;
-    for (const std::string& spelling : flag.Spellings())
+    for (const std::string& candidate : candidates)
     {
-        text += " \\\n            " +
-                Quoted("*" + spelling + "[" + Escaped(flag.help, "[]:", "\\") + "]" + value);
+        text += candidate.starts_with(word) ? before + OneLine(candidate) + "\n" : "";
     }
     return text;
 }
 
-std::string ZshScript(const FlagTable& table)
+/// Returns the lines of what the flag's value may be; none if a file that must be read for them is
+/// wrong, as a person who is typing is not told yet.
+std::string ValuesOf(const Flag& flag, const std::string& word, const std::string& before = "")
 {
-    std::string verbs;
-    std::string cases;
-    for (const Verb& verb : table.verbs)
+    const std::string words = flag.Words();
+    if (!words.empty())
     {
-        verbs += "        " + Quoted(verb.name + ":" + verb.help) + "\n";
-        const std::string words = WordsOf(table, verb);
-        cases += "    " + verb.name +
-                 ")\n        _arguments '*:word:" + (words.empty() ? "_files" : "(" + words + ")") +
-                 "'";
-        for (const Flag* flag : table.FlagsOf(verb))
-        {
-            cases += ZshFlag(*flag);
-        }
-        cases += "\n        ;;\n";
+        return LinesOf(SplitText(words, ' '), word, before);
     }
-    return "#compdef limn\n"
-           "_limn()\n"
-           "{\n"
-           "    local -a verbs=(\n" +
-           verbs +
-           "    )\n"
-           "    if (( CURRENT == 2 )); then\n"
-           "        _describe verb verbs\n"
-           "        return\n"
-           "    fi\n"
-           "    shift words\n"
-           "    (( CURRENT-- ))\n"
-           "    case $words[1] in\n" +
-           cases +
-           "    esac\n"
-           "}\n"
-           // It is sourced, or it is the body of a function that zsh loads at the first Tab.
-           "if [ \"$funcstack[1]\" = _limn ]; then _limn; else compdef _limn limn; fi\n";
+    try
+    {
+        return flag.candidates ? LinesOf(flag.candidates(word), word, before) : "";
+    }
+    catch (const std::exception&)
+    {
+        return "";
+    }
 }
 
-std::string FishScript(const FlagTable& table)
+/// Returns the first part of a help text; a list has room for no more.
+std::string Brief(const std::string& help)
 {
-    std::string script;
+    return help.substr(0, help.find_first_of(";:"));
+}
+
+std::string VerbLines(const FlagTable& table, const std::string& word)
+{
+    std::string text;
     for (const Verb& verb : table.verbs)
     {
-        script += "complete -c limn -n __fish_use_subcommand -f -a " + verb.name + " -d " +
-                  Quoted(verb.help, true) + "\n";
-        const std::string condition =
-            "complete -c limn -n '__fish_seen_subcommand_from " + verb.name + "'";
-        const std::string words = WordsOf(table, verb);
-        script += words.empty() ? "" : condition + " -f -a '" + words + "'\n";
-        for (const Flag* flag : table.FlagsOf(verb))
+        text += verb.name.starts_with(word) ? verb.name + "\t" + Brief(verb.help) + "\n" : "";
+    }
+    return text;
+}
+
+std::string FlagLines(const FlagTable& table, const Verb& verb, const std::string& word)
+{
+    std::string text;
+    for (const Flag* flag : table.FlagsOf(verb))
+    {
+        for (const std::string& spelling : flag->Spellings())
         {
-            script += condition + " -l " + flag->name +
-                      (flag->letter == '\0' ? "" : " -s " + flag->Spellings().back().substr(1)) +
-                      (flag->value.empty() ? "" : " -r") +
-                      (flag->Words().empty() ? "" : " -f -a '" + flag->Words() + "'") + " -d " +
-                      Quoted(flag->help, true) + "\n";
+            const bool isWanted = spelling.starts_with(word) && (spelling.size() > 2 || word != "");
+            text += isWanted ? spelling + "\t" + Brief(flag->help) + "\n" : "";
         }
     }
-    return script;
+    return text;
 }
 
 } // namespace
 
-std::string CompletionScript(const FlagTable& table, const std::string& shell)
+std::string CompletionText(const FlagTable& table, std::span<const std::string> words)
 {
-    return shell == "bash"  ? BashScript(table)
-           : shell == "zsh" ? ZshScript(table)
-                            : FishScript(table);
+    const std::string& word = words.back();
+    const ParsedFlags before = ParseFlags(words.first(words.size() - 1), table);
+    const bool isFlag = word.starts_with('-');
+    const std::size_t equals = word.find('=');
+    if (before.next && !before.next->isArgument())
+    {
+        return ValuesOf(*before.next, word);
+    }
+    if (isFlag && equals != std::string::npos)
+    {
+        for (const Flag* flag : table.FlagsOf(*before.verb))
+        {
+            if (flag->Name() == word.substr(0, equals))
+            {
+                return ValuesOf(*flag, word.substr(equals + 1), word.substr(0, equals + 1));
+            }
+        }
+        return "";
+    }
+    if (isFlag || (!before.next && before.verb != &table.limn))
+    {
+        return FlagLines(table, *before.verb, word);
+    }
+    return before.next ? ValuesOf(*before.next, word) : VerbLines(table, word);
+}
+
+std::string CompletionScript(const std::string& shell)
+{
+    return shell == "bash" ? k_Bash : shell == "zsh" ? k_Zsh : k_Fish;
 }
 
 } // namespace limn

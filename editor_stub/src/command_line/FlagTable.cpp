@@ -91,7 +91,7 @@ std::vector<const Flag*> FlagTable::FlagsOf(const Verb& verb) const
     {
         for (const Flag& flag : each->flags)
         {
-            if (!flag.isArgument())
+            if (!flag.isArgument() && std::ranges::find(flags, &flag) == flags.end())
             {
                 flags.push_back(&flag);
             }

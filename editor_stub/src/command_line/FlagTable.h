@@ -37,6 +37,9 @@ struct Flag
     Times times = Times::AtMostOnce;
     char letter = '\0';      ///< 'o', as in -o; '\0' if there is none
     std::string unless = {}; ///< the flag whose presence makes this one optional
+    /// Returns what the value may be where a person has begun to type it, once the words before it
+    /// are stored. Null where a shell offers the names of all files. May throw what loaders throw.
+    std::function<std::vector<std::string>(const std::string&)> candidates = {};
 
     bool isArgument() const { return name.empty(); }
     bool isRequired() const { return times == Times::Once || times == Times::AtLeastOnce; }
@@ -64,6 +67,7 @@ struct Verb
     std::function<int(Console&)> run;
     std::vector<Flag> flags; ///< in the order in which help lists them, the arguments first
     std::vector<FlagRule> rules = {};
+    bool isRead = false; ///< true if it prints at its end, for people to read
 };
 
 struct FlagTable
@@ -79,8 +83,12 @@ struct FlagTable
 
 struct ParsedFlags
 {
-    const Verb* verb;    ///< FlagTable::limn if the words name no verb
-    std::string problem; ///< a sentence about the first wrong word; "" if there is none
+    const Verb* verb;             ///< FlagTable::limn if the words name no verb
+    std::string problem;          ///< a sentence about the first wrong word; "" if there is none
+    std::string unknownVerb = {}; ///< the word that stands where a verb should, if it is none
+    /// The flag that lacks its value behind the last word, else the argument that may follow; null
+    /// if there is none.
+    const Flag* next = nullptr;
 };
 
 /// Reads `[FLAGS] VERB [FLAGS|ARGUMENTS]` and stores every value, even behind a wrong word.
@@ -96,10 +104,15 @@ std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width
 /// Returns the man page limn(1) in troff, with every verb and flag.
 std::string ManPage(const FlagTable& table);
 
-/// Returns a script that makes a shell complete verbs, flags, and values where there are only a
-/// few. Other words are completed as file names.
+/// Returns a script that makes a shell ask `limn complete` for what may stand in place of a word,
+/// and complete the word as a file's name where nothing may.
 /// @param shell  "bash", "zsh" or "fish"
-std::string CompletionScript(const FlagTable& table, const std::string& shell);
+std::string CompletionScript(const std::string& shell);
+
+/// Returns what may stand in place of the last word of a command line: verbs, flags, values. Each
+/// has a line, in which a tab and what it is for may follow it.
+/// @param words  what was typed behind "limn", not empty; its values are stored
+std::string CompletionText(const FlagTable& table, std::span<const std::string> words);
 
 /// Returns what is wrong with a word, "unknown verb 'rendr'; did you mean 'render'?", or "" if it
 /// is one of the known words.

@@ -43,7 +43,7 @@ public:
         CheckMissing();
         CheckRules(*m_Verb);
         Complain(m_Surplus);
-        return {m_Verb, m_Problem};
+        return {m_Verb, m_Problem, m_UnknownVerb, m_Open ? m_Open : NextArgument()};
     }
 
 private:
@@ -53,6 +53,7 @@ private:
         {
             const Verb* verb = m_Table.Find(word);
             Complain(CheckWord("verb", word, m_Table.VerbNames()));
+            m_UnknownVerb = verb ? "" : word;
             m_Verb = verb ? verb : m_Verb;
             m_Next = verb ? m_Next : m_Words.size();
             return;
@@ -62,10 +63,7 @@ private:
             return;
         }
         m_InARow = nullptr;
-        const auto argument = std::ranges::find_if(
-            m_Verb->flags, [this](const Flag& flag)
-            { return flag.isArgument() && (flag.isRepeatable() || m_Counts[&flag] == 0); });
-        if (argument != m_Verb->flags.end())
+        if (const Flag* argument = NextArgument())
         {
             Store(*argument, word);
         }
@@ -73,6 +71,15 @@ private:
         {
             m_Surplus = "unexpected argument '" + Shortened(word, 64) + "'";
         }
+    }
+
+    /// The argument that the next word is; null if the verb takes no more.
+    const Flag* NextArgument()
+    {
+        const auto argument = std::ranges::find_if(
+            m_Verb->flags, [this](const Flag& flag)
+            { return flag.isArgument() && (flag.isRepeatable() || m_Counts[&flag] == 0); });
+        return argument == m_Verb->flags.end() ? nullptr : &*argument;
     }
 
     /// Stores the word if it is one more value of the flag before it. A folder may as well be the
@@ -132,6 +139,7 @@ private:
         }
         else if (isLast || FindFlag(m_Words[m_Next]))
         {
+            m_Open = isLast ? &flag : nullptr;
             Complain(flag.Name() + " needs a value: " + flag.value +
                      (isLast ? "" : "; '" + m_Words[m_Next] + "' is an option"));
         }
@@ -239,7 +247,9 @@ private:
     std::size_t m_Next = 0; ///< of m_Words
     std::map<const Flag*, int> m_Counts;
     const Flag* m_InARow = nullptr; ///< the flag that may have one value more
-    std::string m_Surplus;          ///< complaint about the first argument that has no place
+    const Flag* m_Open = nullptr;   ///< the flag that lacks its value at the end
+    std::string m_UnknownVerb;
+    std::string m_Surplus; ///< complaint about the first argument that has no place
     std::string m_Problem;
 };
 

@@ -116,6 +116,7 @@ ExitCode ExitCodeOf(Console& console)
 /// Results that did not all go out are as good as none.
 int CheckResults(int exitCode, Console& console)
 {
+    console.ShowCollected();
     if (console.out().flush())
     {
         return exitCode;
@@ -137,6 +138,7 @@ int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& 
     }
     catch (...)
     {
+        console.ShowCollected(); // what was found before goes in front of the error
         return static_cast<int>(ExitCodeOf(console));
     }
 }

@@ -85,9 +85,9 @@ int RunCheck(const CheckOptions& options, Console& console)
     {
         WriteFile(options.junit, JUnitXml(results, options.expectations, rendering.scene));
     }
-    console.Results(options.json
-                        ? CheckJson(results, options.expectations, rendering.scene)
-                        : CheckText(results, options.expectations, "failed", console.isVerbose()));
+    options.json
+        ? console.Data(CheckJson(results, options.expectations, rendering.scene))
+        : console.Results(CheckText(results, options.expectations, "failed", console.isVerbose()));
     return static_cast<int>(std::ranges::all_of(results, &Expectation::holds) ? ExitCode::Done
                                                                               : ExitCode::BadInput);
 }

@@ -35,6 +35,12 @@ struct InspectOptions
     std::vector<std::string> roots;
 };
 
+struct InspectReport;
+
+/// Returns what RunInspect prints. Notes go to the console.
+/// @throws AssetError
+InspectReport InspectFile(const InspectOptions& options, Console& console);
+
 /// Prints what the file sets: the parameters of volumes' components and the settings of features,
 /// each with its value, default and range. For a component, feature or shader it prints what can be
 /// set. Needs no device and compiles nothing.
@@ -90,6 +96,7 @@ struct ReportCommandOptions
     int shards = 1;
     bool isMerge = false;
     bool isCompare = false;
+    bool json = false;
 };
 
 /// Measures the error and the cost of outline techniques in a scene, and writes a report.
@@ -105,6 +112,7 @@ struct SetOptions
     std::vector<std::string> edits; ///< "NAME.path=value"; empty with `undo`
     std::vector<std::string> plugins; ///< modules with features of other people
     bool undo = false;
+    bool json = false;
 };
 
 /// Changes a profile's parameters, or the settings of a scene's or renderer's features, in place,
@@ -178,6 +186,10 @@ int RunPort(const PortOptions& options, Console& console);
 /// Prints what limn finds on this machine.
 /// @param device  the wanted device, as VulkanDeviceOptions::device
 /// @return an ExitCode: MachineLacksIt if no device can be used
-int RunDoctor(const std::string& device, Console& console);
+int RunDoctor(const std::string& device, bool wantsJson, Console& console);
+
+/// Prints limn's version, in JSON with those of the libraries.
+/// @return an ExitCode
+int RunVersion(bool wantsJson, Console& console);
 
 } // namespace limn

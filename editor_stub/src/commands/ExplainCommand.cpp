@@ -207,8 +207,8 @@ int ExplainPixel(const ExplainOptions& options, Console& console)
     const PixelHistory history =
         TracePixel(std::move(asset), assets, device, pixel.x, pixel.y, progress);
     console.Progress("");
-    console.Results(options.json ? JsonText(PixelJson(history))
-                                 : PixelText(history, console.isVerbose()));
+    options.json ? console.Data(JsonText(PixelJson(history)))
+                 : console.Results(PixelText(history, console.isVerbose()));
     return static_cast<int>(ExitCode::Done);
 }
 
@@ -238,7 +238,7 @@ int RunExplain(const ExplainOptions& options, Console& console)
     }
     if (options.json)
     {
-        console.Results(JsonText(ToJson(explanation)));
+        console.Data(JsonText(ToJson(explanation)));
         return static_cast<int>(ExitCode::Done);
     }
     console.Results(!options.object.empty()

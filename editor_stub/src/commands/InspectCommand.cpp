@@ -94,7 +94,9 @@ bool MayBeName(const std::string& word)
            std::filesystem::path(word).extension().empty();
 }
 
-InspectReport Inspect(const InspectOptions& options, Console& console)
+} // namespace
+
+InspectReport InspectFile(const InspectOptions& options, Console& console)
 {
     const std::string& file = options.file;
     ShaderCompilerOptions compilerOptions;
@@ -122,8 +124,6 @@ InspectReport Inspect(const InspectOptions& options, Console& console)
     return report;
 }
 
-} // namespace
-
 int RunInspect(const InspectOptions& options, Console& console)
 {
     if (FileKindOf(options.file) != FileKind::UnityMaterial)
@@ -131,8 +131,8 @@ int RunInspect(const InspectOptions& options, Console& console)
         RequireKind(options.file, {FileKind::Scene, FileKind::Profile, FileKind::UnityScene},
                     "inspect");
     }
-    const InspectReport report = Inspect(options, console);
-    console.Results(options.json ? ToJson(report) : ToText(report));
+    const InspectReport report = InspectFile(options, console);
+    options.json ? console.Data(ToJson(report)) : console.Results(ToText(report));
     return static_cast<int>(ExitCode::Done);
 }
 

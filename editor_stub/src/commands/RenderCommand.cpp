@@ -83,7 +83,7 @@ void WritePicture(const RenderOptions& options, const Image& image, Console& con
 
 int RunRender(const RenderOptions& options, Console& console)
 {
-    if (options.output == k_Stdout && isTerminal(console.out()))
+    if (options.output == k_Stdout && console.isOutTerminal())
     {
         console.Error("-o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
                       "'limn render SCENE -o - > out.png'");

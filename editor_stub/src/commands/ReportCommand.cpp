@@ -1,6 +1,7 @@
 #include "commands/Commands.h"
 
 #include "assets/FileKind.h"
+#include "console/Json.h"
 #include "console/Texts.h"
 #include "report/StudyPlan.h"
 #include "report/extremes/Stability.h"
@@ -113,21 +114,6 @@ Study Describe(const std::string& scene, const StudyOptions& options, const Asse
     return study;
 }
 
-/// "time of all techniques: scene, 4 px wide, 1280x720".
-std::string WhatIsMeasured(const std::vector<CellId>& unit)
-{
-    const CellId& id = unit.front();
-    const char* what = id.kind == CellKind::Geometry    ? "error"
-                       : id.kind == CellKind::Numerical ? "numerical error"
-                       : id.kind == CellKind::Temporal  ? "flicker"
-                       : id.kind == CellKind::Cost      ? "time"
-                                                        : "stability";
-    return std::string(what) + " of " + (unit.size() > 1 ? "all techniques" : id.technique) + ": " +
-           id.subject + (id.variant.empty() ? "" : " with " + id.variant) + ", " +
-           Readable(id.width) + " px wide, " + std::to_string(id.pictureWidth) + "x" +
-           std::to_string(id.pictureHeight);
-}
-
 /// Measures what is missing of one shard.
 class StudyRun
 {
@@ -190,7 +176,7 @@ private:
             left.Skip(WorkOf(unit));
             return;
         }
-        console.Progress(left.Line(WhatIsMeasured(missing)));
+        console.Progress(left.Line(UnitText(missing)));
         if (missing.front().kind == CellKind::Cost)
         {
             study.copyBandwidth = bench.copyBandwidth();
@@ -208,6 +194,16 @@ private:
         left.Add(WorkOf(unit));
     }
 };
+
+Json ReportJson(const ReportFiles& report)
+{
+    return {
+        {"files", JsonList(report.files, [](const auto& file) { return file.generic_string(); })},
+        {"recommendation", report.recommendation},
+        {"remarks", report.sceneRemarks},
+        {"warnings", report.warnings},
+        {"noPlots", report.noPlots.empty() ? Json() : Json(report.noPlots)}};
+}
 
 void PrintReport(const ReportFiles& report, Console& console)
 {
@@ -250,6 +246,7 @@ int Merge(const ReportCommandOptions& options, Console& console)
     }
     const std::vector<MergedStudy> merged = MergeStudies(parts);
     bool isWhole = true;
+    Json json = Json::array();
     for (std::size_t i = 0; i < merged.size(); ++i)
     {
         const MergedStudy& part = merged[i];
@@ -272,7 +269,19 @@ int Merge(const ReportCommandOptions& options, Console& console)
         console.Note(folder.string() + ": " + study.scene + " on " + study.device + ", " +
                      std::to_string(study.cells.size()) + " of " +
                      std::to_string(study.planned.size()) + " cells");
-        PrintReport(WriteReport(study, folder, pages), console);
+        const ReportFiles report = WriteReport(study, folder, pages);
+        if (!options.json)
+        {
+            PrintReport(report, console);
+            continue;
+        }
+        json.push_back(ReportJson(report));
+        json.back()["missing"] = part.missing;
+        json.back()["doubled"] = part.doubled;
+    }
+    if (options.json)
+    {
+        console.Data(JsonText({{"reports", json}}));
     }
     return static_cast<int>(isWhole ? ExitCode::Done : ExitCode::BadInput);
 }
@@ -282,6 +291,12 @@ int Compare(const ReportCommandOptions& options, Console& console)
     const Study first = ReadStudy(options.paths[0]);
     const Study second = ReadStudy(options.paths[1]);
     const std::vector<std::string> differences = CompareStudies(first, second);
+    if (options.json)
+    {
+        console.Data(JsonText(
+            {{"cells", {first.cells.size(), second.cells.size()}}, {"differences", differences}}));
+        return static_cast<int>(differences.empty() ? ExitCode::Done : ExitCode::BadInput);
+    }
     for (const std::string& difference : differences)
     {
         console.Result(difference);
@@ -338,10 +353,13 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
                                                                 console);
     if (options.shards > 1)
     {
-        console.Result(options.output);
+        options.json ? console.Data(JsonText({{"folder", options.output},
+                                              {"shard", {options.shard, options.shards}}}))
+                     : console.Result(options.output);
         return static_cast<int>(ExitCode::Done);
     }
-    PrintReport(WriteReport(study, options.output, PageOptions(options)), console);
+    const ReportFiles report = WriteReport(study, options.output, PageOptions(options));
+    options.json ? console.Data(JsonText(ReportJson(report))) : PrintReport(report, console);
     return static_cast<int>(ExitCode::Done);
 }
 

@@ -47,8 +47,14 @@ void KeepForUndo(const std::string& file, const FileEdit& edit)
     }
 }
 
+void PrintUndone(const SetOptions& options, Console& console)
+{
+    options.json ? console.Data(JsonText({{"file", options.file}, {"undone", true}}))
+                 : console.Result("the last change is undone; --undo once more brings it back");
+}
+
 /// @throws AssetError if no change is kept, or the file has been changed since
-void Undo(const std::string& file, Console& console)
+void Undo(const std::string& file)
 {
     const FileLock lock(file);
     const std::string text = ReadYamlText(file);
@@ -66,7 +72,29 @@ void Undo(const std::string& file, Console& console)
     }
     ReplaceContent(file, edit.before, edit.after);
     KeepForUndo(file, edit);
-    console.Result("the last change is undone; --undo once more brings it back");
+}
+
+Json ChangeJson(const ScalarChange& change)
+{
+    return {{"name", change.subject}, {"before", change.before}, {"after", change.after}};
+}
+
+void PrintChanges(const SetOptions& options, const std::vector<ScalarChange>& changes,
+                  Console& console)
+{
+    if (options.json)
+    {
+        console.Data(
+            JsonText({{"file", options.file}, {"changes", JsonList(changes, ChangeJson)}}));
+        return;
+    }
+    for (const ScalarChange& change : changes)
+    {
+        console.Results(
+            OneLine(change.subject + ": " + change.before +
+                    (change.before == change.after ? ", as it was" : " → " + change.after)) +
+            "\n");
+    }
 }
 
 } // namespace
@@ -76,7 +104,8 @@ int RunSet(const SetOptions& options, Console& console)
     RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "set");
     if (options.undo)
     {
-        Undo(options.file, console);
+        Undo(options.file);
+        PrintUndone(options, console);
         return static_cast<int>(ExitCode::Done);
     }
     AssetContext assets;
@@ -95,11 +124,7 @@ int RunSet(const SetOptions& options, Console& console)
             ? SetFeatureSettings(options.file, edits, assets, &written)
             : SetScalars(options.file, edits, assets.volumeComponents(), &written);
     KeepForUndo(options.file, written);
-    for (const ScalarChange& change : changes)
-    {
-        console.Result(change.subject + ": " + change.before +
-                       (change.before == change.after ? ", as it was" : " → " + change.after));
-    }
+    PrintChanges(options, changes, console);
     return static_cast<int>(ExitCode::Done);
 }
 

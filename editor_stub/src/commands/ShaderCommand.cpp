@@ -318,7 +318,7 @@ int PrintFiles(const ShaderOptions& options, Console& console)
         const std::string text = CanonicalText(file, console);
         hasErrors = hasErrors || text.empty();
         // A file of its own where it goes into one, and text for people on a terminal.
-        console.out() << (isTerminal(console.out()) ? SeveralLines(text) : text);
+        console.out() << (console.isOutTerminal() ? SeveralLines(text) : text);
     }
     return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
 }
@@ -415,7 +415,7 @@ int RunShader(const ShaderOptions& options, Console& console)
         options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front(), ignored);
     if (options.json)
     {
-        console.Results(ShadersAsJson(checks));
+        console.Data(ShadersAsJson(checks));
     }
     else if (options.variants)
     {

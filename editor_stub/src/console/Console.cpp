@@ -1,7 +1,10 @@
 #include "console/Console.h"
 
+#include "console/FitLines.h"
+
+#include <algorithm>
 #include <array>
-#include <iterator>
+#include <limn/base/Pager.h>
 #include <limn/base/ReadFile.h>
 #include <limn/base/TerminalText.h>
 #include <map>
@@ -13,6 +16,19 @@ namespace
 {
 
 constexpr std::string_view k_ClearLine = "\r\033[K";
+
+/// Returns the rows that a text takes on a terminal, which breaks lines that are too long.
+std::size_t RowsOf(std::string_view text, std::size_t width)
+{
+    std::size_t rows = 0;
+    while (!text.empty())
+    {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        rows += std::max<std::size_t>((ColumnsOf(line) + width - 1) / width, 1);
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return rows;
+}
 
 const char* ColorCode(Severity severity)
 {
@@ -40,6 +56,39 @@ void Console::Configure(const ConsoleOptions& options)
     m_ShowsProgress = isTerminal(m_Err) && !isDumbTerminal() && !options.isQuiet;
 }
 
+bool Console::isOutTerminal() const
+{
+    return isTerminal(m_Out);
+}
+
+std::size_t Console::outWidth() const
+{
+    return TerminalWidth(m_Out);
+}
+
+void Console::CollectResults()
+{
+    m_IsCollecting = isOutTerminal();
+}
+
+void Console::ShowCollected()
+{
+    if (!m_IsCollecting)
+    {
+        return;
+    }
+    m_IsCollecting = false;
+    const std::string text = m_Collected.str();
+    const std::size_t height = TerminalHeight(m_Out);
+    const std::string pager =
+        RowsOf(text, outWidth()) < height || isDumbTerminal() ? "" : PagerCommand();
+    ClearProgress();
+    if (pager.empty() || !ShowInPager(pager, text))
+    {
+        m_Out << text;
+    }
+}
+
 std::string Console::Colored(Severity severity, std::string_view text) const
 {
     const std::string plain(text);
@@ -53,25 +102,32 @@ bool Console::isShown(Severity severity) const
 
 void Console::Result(std::string_view line)
 {
-    m_Out << OneLine(line) << '\n';
+    out() << OneLine(line) << '\n';
 }
 
 void Console::Results(std::string_view lines)
 {
-    m_Out << SeveralLines(lines);
+    const std::string text = SeveralLines(lines);
+    out() << (isOutTerminal() ? FitLines(text, outWidth()) : text);
+}
+
+void Console::Data(std::string_view lines)
+{
+    out() << SeveralLines(lines);
 }
 
 void Console::Print(const Diagnostic& diagnostic)
 {
-    Print(diagnostic, ToString(diagnostic));
+    Print(diagnostic, "");
 }
 
-void Console::Print(const Diagnostic& diagnostic, std::string text)
+void Console::Print(const Diagnostic& diagnostic, const std::string& source)
 {
     if (!isShown(diagnostic.severity))
     {
         return;
     }
+    std::string text = ToString(diagnostic);
     const std::string word = std::string(": ") + SeverityName(diagnostic.severity) + ": ";
     const std::size_t at = text.find(word);
     if (at != std::string::npos)
@@ -79,7 +135,7 @@ void Console::Print(const Diagnostic& diagnostic, std::string text)
         text.replace(at + 2, word.size() - 4,
                      Colored(diagnostic.severity, SeverityName(diagnostic.severity)));
     }
-    Write(text);
+    Write(Fitted(text) + source); // a caret stands below its character only in a whole line
 }
 
 void Console::Print(const std::vector<Diagnostic>& diagnostics)
@@ -100,7 +156,8 @@ void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
         {
             entry->second = TryReadFile(diagnostic.file).bytes;
         }
-        Print(diagnostic, ToStringWithSource(diagnostic, entry->second));
+        Print(diagnostic,
+              ToStringWithSource(diagnostic, entry->second).substr(ToString(diagnostic).size()));
     }
 }
 
@@ -140,14 +197,14 @@ void Console::Verbose(std::string_view sentence)
 
 void Console::Line(std::string_view text)
 {
-    Write(SeveralLines(text));
+    Write(Fitted(SeveralLines(text)));
 }
 
 void Console::Say(Severity severity, std::string_view text)
 {
     if (isShown(severity))
     {
-        Write(Colored(severity, SeverityName(severity)) + ": " + std::string(text));
+        Write(Fitted(Colored(severity, SeverityName(severity)) + ": " + std::string(text)));
     }
 }
 
@@ -157,11 +214,17 @@ void Console::Write(std::string_view text)
     m_Err << text << '\n';
 }
 
+std::string Console::Fitted(std::string_view text) const
+{
+    return isOnTerminal() ? FitLines(text, TerminalWidth(m_Err)) : std::string(text);
+}
+
 void Console::Progress(std::string_view text)
 {
     if (m_ShowsProgress)
     {
-        m_Err << k_ClearLine << OneLine(text) << std::flush;
+        // In a second line it could not be replaced.
+        m_Err << k_ClearLine << CutLine(OneLine(text), TerminalWidth(m_Err) - 1) << std::flush;
         m_HasProgress = !text.empty();
     }
 }

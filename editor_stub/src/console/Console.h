@@ -4,6 +4,7 @@
 
 #include <limn/base/Diagnostic.h>
 #include <ostream>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,13 +33,23 @@ public:
     Console(std::ostream& out, std::ostream& err);
 
     void Configure(const ConsoleOptions& options);
+    /// Collects the results that follow, if they go to a terminal, until ShowCollected.
+    void CollectResults();
+    /// Writes the collected results, in the person's pager if they are longer than the terminal is
+    /// high.
+    void ShowCollected();
     bool isVerbose() const { return m_Options.isVerbose; }
 
-    void Result(std::string_view line); ///< one line, to which an end of line is added
-    /// Prints several lines, of which the last one has its end. Names in them must have gone
-    /// through OneLine.
+    /// Prints one line, to which an end of line is added. It stays whole, as paths must.
+    void Result(std::string_view line);
+    /// Prints several lines for people, of which the last one has its end. On a terminal they are
+    /// made to fit. Names in them must have gone through OneLine.
     void Results(std::string_view lines);
-    std::ostream& out() { return m_Out; } ///< for text without words of files, and for bytes
+    void Data(std::string_view lines); ///< lines for programs, such as JSON, which stay whole
+    /// Returns the stream for text without words of files, and for bytes.
+    std::ostream& out() { return m_IsCollecting ? m_Collected : m_Out; }
+    bool isOutTerminal() const;   ///< true if people read the results at once
+    std::size_t outWidth() const; ///< the columns of the results' terminal
 
     void Print(const Diagnostic& diagnostic);
     void Print(const std::vector<Diagnostic>& diagnostics);
@@ -56,14 +67,17 @@ public:
     void Progress(std::string_view text);
 
 private:
-    void Print(const Diagnostic& diagnostic, std::string text);
+    void Print(const Diagnostic& diagnostic, const std::string& source);
     void Say(Severity severity, std::string_view text);
     void Write(std::string_view text);
+    std::string Fitted(std::string_view text) const;
     bool isShown(Severity severity) const;
     std::string Colored(Severity severity, std::string_view text) const;
     void ClearProgress();
 
     std::ostream& m_Out;
+    std::ostringstream m_Collected;
+    bool m_IsCollecting = false;
     std::ostream& m_Err;
     ConsoleOptions m_Options;
     bool m_UsesColor = false;

@@ -30,7 +30,8 @@ InspectedGroup InspectShader(const Shader& shader)
     return group;
 }
 
-/// Returns every name that InspectName knows, for "did you mean".
+} // namespace
+
 std::vector<std::string> KnownNames(const AssetContext& assets)
 {
     std::vector<std::string> names;
@@ -44,8 +45,6 @@ std::vector<std::string> KnownNames(const AssetContext& assets)
     }
     return names;
 }
-
-} // namespace
 
 InspectReport InspectName(const std::string& name, AssetContext& assets)
 {

@@ -50,6 +50,9 @@ struct InspectReport
 /// @throws AssetError with the nearest name, if there is none of them
 InspectReport InspectName(const std::string& name, AssetContext& assets);
 
+/// Returns every name that InspectName finds.
+std::vector<std::string> KnownNames(const AssetContext& assets);
+
 std::vector<InspectedGroup> InspectProfile(const VolumeProfile& profile,
                                            const VolumeComponentRegistry& registry);
 std::vector<InspectedGroup> InspectFeatures(const RendererAsset& renderer,

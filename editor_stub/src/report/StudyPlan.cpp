@@ -1,10 +1,13 @@
 #include "report/StudyPlan.h"
 
 #include "report/extremes/Stability.h"
+#include "report/figures/Numbers.h"
 #include "report/measure/StudyBench.h"
 #include "report/measure/StudyScene.h"
 
 #include <algorithm>
+#include <limn/base/Diagnostic.h>
+#include <map>
 #include <sstream>
 
 namespace limn::study
@@ -117,6 +120,45 @@ private:
     std::vector<CellId> m_Cells;
 };
 
+const char* KindText(CellKind kind)
+{
+    switch (kind)
+    {
+    case CellKind::Geometry:
+        return "error";
+    case CellKind::Numerical:
+        return "rounding error";
+    case CellKind::Temporal:
+        return "flicker";
+    case CellKind::Cost:
+        return "time";
+    case CellKind::Stability:
+        return "stability";
+    }
+    throw ContractError("KindText: unknown kind of cell");
+}
+
+/// Returns words for a subject or a variant that results have a short key for.
+std::string WordsFor(const std::string& key)
+{
+    static const std::map<std::string, std::string> words = {
+        {k_SceneSubject, "in your scene"},
+        {k_BallsSubject, "around balls"},
+        {"disc", "around a disc"},
+        {"ring", "around a ring"},
+        {"star", "around a star"},
+        {"needle", "around a needle"},
+        {"two", "around two shapes"},
+        {"1 objects", "1 object"},
+        {"half", "half precision"},
+        {"standard Z", "depth from 0 (near) to 1 (far)"},
+        {"R8 targets", "8-bit targets"},
+        {k_SeenPart, "the part that is seen"},
+        {k_HiddenPart, "the part behind something"}};
+    const auto found = words.find(key);
+    return found == words.end() ? key : found->second;
+}
+
 } // namespace
 
 int StudyOptions::RoundsOf(const CellId& cell) const
@@ -153,6 +195,22 @@ std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Techn
                                                       : SweepSize::Pairwise);
     }
     return Planner(options, std::move(wanted)).Plan();
+}
+
+std::string UnitText(std::span<const CellId> unit)
+{
+    const CellId& id = unit.front();
+    if (id.technique == k_FormulasName)
+    {
+        return "the formula " + id.subject + " with extreme numbers";
+    }
+    const bool isExtreme = id.kind == CellKind::Stability;
+    return std::string(KindText(id.kind)) + " of " +
+           (unit.size() > 1 ? "all techniques" : id.technique) + " " +
+           (isExtreme ? "with extreme settings" : WordsFor(id.subject)) +
+           (isExtreme || id.variant.empty() ? "" : ", " + WordsFor(id.variant)) + ", " +
+           Readable(id.width) + " pixels wide, picture " + std::to_string(id.pictureWidth) + "x" +
+           std::to_string(id.pictureHeight);
 }
 
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)

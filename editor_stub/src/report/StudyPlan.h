@@ -29,6 +29,10 @@ struct StudyOptions
 /// @param techniques  the techniques from which StudyOptions::techniques selects
 std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Technique> techniques);
 
+/// Returns words for people: "flicker of Strokes around a disc, 8 pixels wide, picture 160x90".
+/// The cells are one of UnitsOf's groups.
+std::string UnitText(std::span<const CellId> unit);
+
 /// Returns the cells in groups that are measured together. Cells of cost that differ only in their
 /// technique form a group, so that the techniques' frames take turns. Every other cell is alone.
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells);

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <iterator>
 #include <limn/editor_stub/RunLimn.h>
+#include <optional>
 #include <poll.h>
 #include <pty.h>
 #include <sstream>
@@ -52,7 +53,15 @@ public:
         return changed;
     }
 
-    std::string Run(std::vector<std::string> args) const
+    Terminal Without(const std::string& variable) const
+    {
+        Terminal changed = *this;
+        changed.m_Variables.emplace_back(variable, std::nullopt);
+        return changed;
+    }
+
+    /// @param exitCode  receives the exit code; may be null
+    std::string Run(std::vector<std::string> args, int* exitCode = nullptr) const
     {
         args.insert(args.begin(), "limn");
         std::vector<char*> words;
@@ -76,14 +85,20 @@ public:
             login_tty(end);
             setenv("TERM", "xterm", 1);
             unsetenv("NO_COLOR");
+            setenv("LIMN_PAGER", "cat", 1); // none
             for (const auto& [name, value] : m_Variables)
             {
-                setenv(name.c_str(), value.c_str(), 1);
+                value ? setenv(name.c_str(), value->c_str(), 1) : unsetenv(name.c_str());
             }
             execv(program.c_str(), words.data());
             _exit(127);
         }
-        std::string text = ReadUntilItEnds(child, terminal, end);
+        int status = 0;
+        std::string text = ReadUntilItEnds(child, terminal, end, status);
+        if (exitCode)
+        {
+            *exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+        }
         close(end);
         close(terminal);
         std::erase(text, '\r'); // a terminal's line ends with both
@@ -93,7 +108,7 @@ public:
 private:
     /// What the child writes. When it has ended a mark is written behind that, so that what a
     /// terminal hands on late is not missed.
-    static std::string ReadUntilItEnds(pid_t child, int terminal, int end)
+    static std::string ReadUntilItEnds(pid_t child, int terminal, int end, int& status)
     {
         constexpr char k_Mark = '\x1f';
         constexpr int k_Patience = 10; // milliseconds
@@ -101,7 +116,7 @@ private:
         bool isRunning = true;
         while (!text.ends_with(k_Mark))
         {
-            if (isRunning && waitpid(child, nullptr, WNOHANG) == child)
+            if (isRunning && waitpid(child, &status, WNOHANG) == child)
             {
                 isRunning = false;
                 if (write(end, &k_Mark, 1) != 1)
@@ -122,7 +137,7 @@ private:
     }
 
     unsigned short m_Columns;
-    std::vector<std::pair<std::string, std::string>> m_Variables;
+    std::vector<std::pair<std::string, std::optional<std::string>>> m_Variables;
 };
 
 /// What a shell command writes to a pipe.

@@ -1,5 +1,6 @@
 #include "commands/CommandRun.h"
 #include "commands/WorkingFolder.h"
+#include "console/FitLines.h"
 
 #include <gmock/gmock.h>
 
@@ -52,6 +53,7 @@ const Verb k_Verbs[] = {
     {"port", "port FILE.cs ... -o DIR", "FILE.cs and -o DIR are missing", {}, {}},
     {"doctor", "doctor", "", {}, {"x"}},
     {"completion", "completion bash|zsh|fish", "bash|zsh|fish is missing", {"bash"}, {"bash", "x"}},
+    {"complete", "complete WORD ...", "WORD is missing", {"re"}, {}},
     {"help", "help [VERB]", "", {"set"}, {"set", "x"}},
     {"version", "version", "", {}, {"x"}}};
 
@@ -83,7 +85,13 @@ std::string Complaint(const Verb& verb, const std::string& problem,
 class EveryVerb : public testing::Test
 {
 protected:
-    EveryVerb() { WriteProject(working.folder); }
+    EveryVerb()
+    {
+        WriteProject(working.folder);
+        working.folder.Write("wrong.yaml",
+                             "order: [Draw Opaque Objects, Draw Transparent Objects, Final Blit, "
+                             "A Pass That No Renderer Has And That Is Long]\n");
+    }
 
     static void ExpectWrongUsage(const Verb& verb, const Words& more, const std::string& problem)
     {
@@ -159,9 +167,9 @@ TEST_F(EveryVerb, HasColourOnATerminalThatWantsIt)
         const Words wrong = With(verb, {"--frob"});
         const std::string colored = Complaint(verb, problem, k_Colored);
         const std::string plain = Complaint(verb, problem);
-        EXPECT_EQ(colored, Terminal(60).Run(wrong));
-        EXPECT_EQ(plain, Terminal(60).With("NO_COLOR", "1").Run(wrong));
-        EXPECT_EQ(plain, Terminal(60).Run(With(verb, {"--color", "never", "--frob"})));
+        EXPECT_EQ(colored, Terminal(200).Run(wrong));
+        EXPECT_EQ(plain, Terminal(200).With("NO_COLOR", "1").Run(wrong));
+        EXPECT_EQ(plain, Terminal(200).Run(With(verb, {"--color", "never", "--frob"})));
         EXPECT_EQ(plain, RunInPipe(Quoted(wrong) + " 2>&1"));
         EXPECT_EQ(colored,
                   RunInPipe(Quoted(With(verb, {"--color", "always", "--frob"})) + " 2>&1"));
@@ -184,9 +192,45 @@ TEST_F(EveryVerb, GivesTheSameResultsToATerminalAndAPipe)
             << verb.name;
         const bool isHelp = verb.name == "help"; // which is as wide as the terminal
         const std::string shown =
-            Terminal(isHelp ? 80 : 60).With("TERM", "dumb").Run(With(verb, verb.good));
+            Terminal(isHelp ? 80 : 9999).With("TERM", "dumb").Run(With(verb, verb.good));
         EXPECT_EQ(run.out, shown) << verb.name;
     }
+}
+
+TEST_F(EveryVerb, FitsATerminalButForWordsThatAreTooLong)
+{
+    constexpr unsigned short k_Columns = 80;
+    int tooLong = 0;
+    for (const Words& args : {Words{"inspect", "s.scene.yaml"},
+                              {"inspect", "p.profile.yaml"},
+                              {"inspect", "StrokeOutline"},
+                              {"inspect", "Universal Render Pipeline/Lit"},
+                              {"inspect", "no.scene.yaml"},
+                              {"explain", "s.scene.yaml"},
+                              {"explain", "-v", "s.scene.yaml"},
+                              {"explain", "--object", "Piece", "s.scene.yaml"},
+                              {"check", "s.scene.yaml", "wrong.yaml"},
+                              {"schema", "scene"},
+                              {"schema", "profile"},
+                              {"shader", "a.shader"},
+                              {"doctor"},
+                              {"help", "report"},
+                              {"frobnicate"}})
+    {
+        std::istringstream lines(Terminal(k_Columns).With("XDG_CACHE_HOME", "/c").Run(args));
+        int count = 0;
+        for (std::string line; std::getline(lines, line); ++count)
+        {
+            const std::size_t replaced = line.rfind("\033[K"); // a line of progress was before it
+            line.erase(0, replaced == std::string::npos ? 0 : replaced + 3);
+            const std::size_t begin = line.find_first_not_of(' ');
+            const bool isOneWord = line.find(' ', begin) == std::string::npos;
+            tooLong += ColumnsOf(line) > k_Columns && isOneWord ? 1 : 0;
+            EXPECT_TRUE(ColumnsOf(line) <= k_Columns || isOneWord) << args[0] << ": " << line;
+        }
+        EXPECT_GT(count, 0) << args[0];
+    }
+    EXPECT_LE(tooLong, 30) << "the patterns of schemas and little else";
 }
 
 TEST_F(EveryVerb, NamesTheFileThatIsNotThere)
@@ -258,7 +302,7 @@ TEST_F(EveryVerb, WritesToStdoutWhereThatMakesSense)
     EXPECT_FALSE(std::filesystem::exists("-"));
     EXPECT_EQ(k_Colored + ": -o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
                           "'limn render SCENE -o - > out.png'\n",
-              Terminal(60).Run({"render", "s.scene.yaml", "-o", "-"}));
+              Terminal(200).Run({"render", "s.scene.yaml", "-o", "-"}));
 }
 
 } // namespace limn::test

@@ -36,6 +36,8 @@ TEST(ATerminal, HasHelpWrappedToItsWidth)
               "      --undo\n"
               "        Bring back the text from before the last change by\n"
               "        'limn set'; once more brings the change again\n"
+              "      --json\n"
+              "        Print the changes as JSON\n"
               "      --plugin FILE.so ...\n"
               "        Load features, volume components and shaders from a\n"
               "        module, whose code runs\n"
@@ -52,7 +54,10 @@ TEST(ATerminal, HasHelpWrappedToItsWidth)
               "        `explain` knows\n"
               "      --color auto|always|never\n"
               "        Colours on stderr; 'auto': on a terminal, unless\n"
-              "        NO_COLOR is set\n",
+              "        NO_COLOR is set\n"
+              "      --no-pager\n"
+              "        Print long results at once; by itself LIMN_PAGER,\n"
+              "        PAGER or `less` shows them on a terminal\n",
               Terminal(60).Run({"help", "set"}));
 }
 
@@ -105,6 +110,37 @@ TEST(ATerminal, ShowsTheLineOfAFileThatIsWrong)
     EXPECT_THAT(RunCommand(words).err, testing::EndsWith("did you mean 'intensity'?\n"));
 }
 
+TEST(ATerminal, HasTheMessageOfAWrongFileInItsWidthAndTheLineOfTheFileWhole)
+{
+    const TemporaryFolder folder;
+    const std::string line = "  intensty: 1 # " + std::string(60, 'x') + " " + std::string(40, 'y');
+    const std::string file = folder.Write("a.profile.yaml", "Bloom:\n" + line + "\n").string();
+    const std::string text = Terminal(40).Run({"inspect", file, "--color", "never"});
+    EXPECT_THAT(text, testing::HasSubstr("\n  'intensty'; did you mean 'intensity'?\n"));
+    EXPECT_THAT(text, testing::EndsWith("\n" + line + "\n  ^\n"));
+}
+
+TEST(ATerminal, HasProgressInOneLine)
+{
+    const TemporaryFolder folder;
+    const std::string file =
+        folder.Write("with_a_name_that_is_long.shader", "Shader \"A\" { SubShader { Pass { } } }")
+            .string();
+    const std::string clear = "\033[K";
+    const std::string text = Terminal(30).Run({"shader", file});
+    ASSERT_THAT(text, testing::StartsWith(clear));
+    const std::string line = text.substr(clear.size(), text.find(clear, 1) - clear.size());
+    EXPECT_EQ("1 of 1: " + file.substr(0, 20) + "…", line) << "29 columns: it can be replaced";
+}
+
+TEST(ATerminal, IsAsWideAsThePersonSays)
+{
+    EXPECT_THAT(Terminal(200).With("COLUMNS", "20").Run({"rendr"}),
+                testing::HasSubstr(": unknown verb\n  'rendr'; did you\n  mean 'render'?\n"));
+    EXPECT_EQ(k_Red + k_Rest, Terminal(200).With("COLUMNS", "wide").Run({"rendr"}));
+    EXPECT_EQ(k_Red + k_Rest, Terminal(0).Run({"rendr"})) << "80 where it does not tell";
+}
+
 TEST(APipe, HasPlainTextEightyColumnsWide)
 {
     const std::string limn = "'" + LimnExecutable() + "' ";
@@ -114,31 +150,14 @@ TEST(APipe, HasPlainTextEightyColumnsWide)
               RunInPipe(limn + "--color always explain set 2>&1"));
 }
 
-TEST(Completion, GivesBashVerbsOptionsAndValues)
-{
-    const auto complete = [](const std::string& words, int word)
-    {
-        return RunInPipe("bash -c 'source <(\"$0\" completion bash); COMP_WORDS=(" + words +
-                         "); COMP_CWORD=" + std::to_string(word) +
-                         "; _limn; echo ${COMPREPLY[@]}' '" + LimnExecutable() + "' 2>&1");
-    };
-    EXPECT_EQ("render report\n", complete("limn re", 1));
-    EXPECT_EQ("set schema shader\n", complete("limn s", 1));
-    EXPECT_EQ("--scene --size --set --select --stats\n", complete("limn render --s", 2));
-    EXPECT_EQ("glsl glsles\n", complete("limn shader --emit gl", 3));
-    EXPECT_EQ("always\n", complete("limn shader --color al", 3));
-    EXPECT_EQ("profile\n", complete("limn schema p", 2));
-    EXPECT_EQ("explain\n", complete("limn help ex", 2));
-    EXPECT_EQ("\n", complete("limn render s.scene", 2)) << "left to the names of files";
-}
-
 TEST(ManPage, HasEveryVerbWithItsFlags)
 {
     const std::string page = RunCommand({"help", "--man"}).out;
     EXPECT_THAT(page, testing::StartsWith(".TH LIMN 1 "));
     EXPECT_THAT(page, testing::HasSubstr("\n.SH NAME\nlimn \\- "));
-    for (const char* verb : {"render", "watch", "inspect", "explain", "report", "set", "schema",
-                             "shader", "new", "port", "doctor", "completion", "help", "version"})
+    for (const char* verb :
+         {"render", "watch", "inspect", "explain", "report", "set", "schema", "shader", "new",
+          "port", "doctor", "completion", "complete", "help", "version"})
     {
         EXPECT_THAT(page, testing::HasSubstr("\n.SS limn " + std::string(verb) + " "));
     }
@@ -153,23 +172,6 @@ TEST(ManPage, HasEveryVerbWithItsFlags)
                     line.starts_with(".B "))
             << line;
     }
-}
-
-TEST(Completion, GivesZshAndFishEveryVerbAndOption)
-{
-    const std::string zsh = RunCommand({"completion", "zsh"}).out;
-    EXPECT_THAT(zsh, testing::StartsWith("#compdef limn\n"));
-    EXPECT_THAT(zsh, testing::HasSubstr("        'render:Draw a scene into a PNG file'\n"));
-    EXPECT_THAT(zsh, testing::HasSubstr("'*--json[Print JSON]'"));
-    EXPECT_THAT(zsh, testing::HasSubstr("'*:word:(scene profile material)'"));
-    const std::string fish = RunCommand({"completion", "fish"}).out;
-    EXPECT_THAT(fish,
-                testing::HasSubstr("complete -c limn -n __fish_use_subcommand -f -a render -d "
-                                   "'Draw a scene into a PNG file'\n"));
-    EXPECT_THAT(fish,
-                testing::HasSubstr("complete -c limn -n '__fish_seen_subcommand_from inspect' "
-                                   "-l json -d 'Print JSON'\n"));
-    EXPECT_THAT(fish, testing::HasSubstr("-l color -r -f -a 'auto always never' -d "));
 }
 
 } // namespace limn::test

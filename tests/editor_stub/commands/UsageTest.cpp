@@ -1,4 +1,5 @@
 #include "commands/CommandRun.h"
+#include "commands/WorkingFolder.h"
 
 #include <gmock/gmock.h>
 #include <limn/core/DrawError.h>
@@ -122,7 +123,9 @@ TEST(Usage, HelpOfAVerbTellsItsArgumentsAndOptions)
               "                            `explain` knows\n"
               "      --color auto|always|never\n"
               "                            Colours on stderr; 'auto': on a terminal, unless\n"
-              "                            NO_COLOR is set\n",
+              "                            NO_COLOR is set\n"
+              "      --no-pager            Print long results at once; by itself LIMN_PAGER,\n"
+              "                            PAGER or `less` shows them on a terminal\n",
               run.out);
     EXPECT_EQ(run.out, RunCommand({"schema", "--help"}).out);
 }
@@ -151,12 +154,31 @@ TEST(Usage, AWrongVerbIsNamedWithTheNearest)
     ExpectWrongUsage(
         {"-v", "frobnicate"},
         "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, check, "
-        "report, set, schema, shader, new, port, doctor, completion, help, version)\n" +
+        "report, set, schema, shader, new, port, doctor, completion, complete, help, version)\n" +
             k_LimnUsage);
     ExpectWrongUsage({"help", "rendr"},
                      "error: unknown verb 'rendr'; did you mean 'render'?\n"
                      "usage: limn help [VERB] [OPTIONS]; see 'limn help help'\n");
     ExpectWrongUsage({"-v"}, "error: a verb is missing\n" + k_LimnUsage);
+}
+
+TEST(Usage, AFileInThePlaceOfTheVerbIsOfferedTheVerbThatTakesIt)
+{
+    const WorkingFolder working;
+    WriteProject(working.folder);
+    ExpectWrongUsage({"s.scene.yaml"},
+                     "error: 's.scene.yaml' is no verb but a scene; 'limn render s.scene.yaml -o "
+                     "out.png' draws it\n" +
+                         k_LimnUsage);
+    ExpectWrongUsage({"a.shader", "-v"},
+                     "error: 'a.shader' is no verb but a shader; 'limn shader a.shader' describes "
+                     "it\n" +
+                         k_LimnUsage);
+    ExpectWrongUsage({"no.scene.yaml"},
+                     "error: unknown verb 'no.scene.yaml' (known: render, watch, inspect, explain, "
+                     "check, report, set, schema, shader, new, port, doctor, completion, complete, "
+                     "help, version)\n" +
+                         k_LimnUsage);
 }
 
 TEST(Usage, WhatIsMissingOrTooMuchIsNamed)

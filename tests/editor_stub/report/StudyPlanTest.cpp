@@ -33,6 +33,41 @@ std::vector<CellId> Plan(const StudyOptions& options)
     return PlanStudy(options, test::ShippedTechniques());
 }
 
+TEST(StudyPlan, TellsInWordsWhatIsMeasured)
+{
+    using enum CellKind;
+    const CellId cost{Cost, "Strokes", "scene", 4.0, 1280, 720, ""};
+    CellId other = cost;
+    other.technique = "Inflated";
+    EXPECT_EQ("time of all techniques in your scene, 4 pixels wide, picture 1280x720",
+              UnitText(std::vector{cost, other}));
+    EXPECT_EQ("flicker of Strokes around a disc, 2 pixels wide, picture 160x90",
+              UnitText(std::vector{CellId{Temporal, "Strokes", "disc", 2.0, 160, 90, ""}}));
+    EXPECT_EQ(
+        "rounding error of Strokes around a star, depth from 0 (near) to 1 (far), 4 pixels "
+        "wide, picture 160x90",
+        UnitText(std::vector{CellId{Numerical, "Strokes", "star", 4.0, 160, 90, "standard Z"}}));
+    EXPECT_EQ("stability of Strokes with extreme settings, 8 pixels wide, picture 96x64",
+              UnitText(std::vector{CellId{Stability, "Strokes", "torus", 8.0, 96, 64,
+                                          "ratio=1e+02 fov=60 scale=mirrored"}}));
+    EXPECT_EQ("time of Strokes around balls, 1 object, 4 pixels wide, picture 1280x720",
+              UnitText(std::vector{CellId{Cost, "Strokes", "balls", 4.0, 1280, 720, "1 objects"}}));
+}
+
+TEST(StudyPlan, HasWordsForAllThatItPlans)
+{
+    StudyOptions options = Options(false);
+    options.isPartlyHidden = true;
+    for (const auto& unit : UnitsOf(Plan(options)))
+    {
+        const std::string text = UnitText(unit);
+        EXPECT_THAT(text, testing::AnyOf(testing::HasSubstr(" in your scene, "),
+                                         testing::HasSubstr(" around a "),
+                                         testing::HasSubstr(" around two shapes, "),
+                                         testing::HasSubstr(" around balls, ")));
+    }
+}
+
 TEST(StudyPlan, NamesEachCellOnce)
 {
     for (const bool isQuick : {true, false})

@@ -14,14 +14,12 @@ namespace limn
 namespace
 {
 
-constexpr std::size_t k_Columns = 80;
 constexpr std::size_t k_NamedObjects = 4; ///< of one draw
 constexpr std::size_t k_ShownLines = 12;
 
-/// Breaks the words into lines, all but the first one `indent` blanks farther in.
-std::string WrappedLine(const std::string& words, std::size_t begin, std::size_t indent)
+std::string TextLine(const std::string& words, std::size_t begin)
 {
-    return std::string(begin, ' ') + Wrapped(OneLine(words), begin, begin + indent, k_Columns);
+    return std::string(begin, ' ') + OneLine(words) + "\n";
 }
 
 std::string ColorText(const std::array<int, 3>& color)
@@ -88,18 +86,18 @@ std::string ValueLine(const std::string& name, const PixelValue& value, const Pi
         isOfPicture ? ""
                     : " at " + std::to_string(value.x) + "," + std::to_string(value.y) + " of " +
                           std::to_string(value.width) + "x" + std::to_string(value.height);
-    return WrappedLine(name + place + " " +
-                           (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
-                           NumbersText(value.after),
-                       4, 2);
+    return TextLine(name + place + " " +
+                        (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
+                        NumbersText(value.after),
+                    4);
 }
 
 std::string EventText(const PixelHistory& history, std::size_t index)
 {
     const PixelEvent& event = history.events[index];
 
-    std::string text = WrappedLine(HeadText(event, index + 1), 2, 2);
-    text += event.reason.empty() ? "" : WrappedLine(event.reason, 4, 2);
+    std::string text = TextLine(HeadText(event, index + 1), 2);
+    text += event.reason.empty() ? "" : TextLine(event.reason, 4);
     const auto add = [&](const std::string& name, const PixelValue& value)
     {
         const bool isShown = event.fate == PixelFate::Cleared || value.isChanged();
@@ -118,9 +116,9 @@ std::string EventText(const PixelHistory& history, std::size_t index)
         add("stencil", *event.stencil);
     }
     const bool isLeftOut = !event.isRun && event.fate == PixelFate::Drawn;
-    return text + (isLeftOut ? WrappedLine("the device is spared this draw: the picture is the "
-                                           "same without it",
-                                           4, 2)
+    return text + (isLeftOut ? TextLine("the device is spared this draw: the picture is the "
+                                        "same without it",
+                                        4)
                              : "");
 }
 
@@ -157,10 +155,10 @@ std::string FiltersText(const PixelHistory& history, bool isLong)
     for (std::size_t i = 0; i < shown; ++i)
     {
         const std::vector<std::string>& all = names[order[i]];
-        text += WrappedLine(order[i].first + " leaves out " +
-                                NamesText(all, isLong ? all.size() : k_NamedObjects) + ": " +
-                                order[i].second,
-                            2, 2);
+        text += TextLine(order[i].first + " leaves out " +
+                             NamesText(all, isLong ? all.size() : k_NamedObjects) + ": " +
+                             order[i].second,
+                         2);
     }
     return text + MoreText(order.size() - shown);
 }
@@ -170,8 +168,7 @@ std::string AbsentText(const PixelHistory& history, bool areHere)
     std::string text;
     for (const PixelAbsent& absent : history.absent)
     {
-        text +=
-            absent.isHere == areHere ? WrappedLine(absent.object + ": " + absent.reason, 2, 2) : "";
+        text += absent.isHere == areHere ? TextLine(absent.object + ": " + absent.reason, 2) : "";
     }
     return text;
 }
@@ -205,7 +202,7 @@ std::string RestSentence(const PixelHistory& history)
     text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
                                 " not laid out as the picture is"
                           : "";
-    return WrappedLine(text + ": -v names them", 0, 2);
+    return TextLine(text + ": -v names them", 0);
 }
 
 /// Names what has nothing to do with the pixel.
@@ -214,20 +211,20 @@ std::string RestText(const PixelHistory& history)
     std::string elsewhere;
     for (const PixelElsewhere& pass : history.elsewhere)
     {
-        elsewhere += WrappedLine(pass.pass + ": " + pass.texture + " " + pass.size, 2, 2);
+        elsewhere += TextLine(pass.pass + ": " + pass.texture + " " + pass.size, 2);
     }
     std::string uncovered;
     for (const std::string& name : history.uncovered)
     {
-        uncovered += WrappedLine(name, 2, 2);
+        uncovered += TextLine(name, 2);
     }
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
         uncovered +=
-            WrappedLine(Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass +
-                            ": " + draws.shader +
-                            (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
-                        2, 2);
+            TextLine(Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass +
+                         ": " + draws.shader +
+                         (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
+                     2);
     }
     return SectionText("drawn, but not over the pixel", uncovered) +
            SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
@@ -248,7 +245,7 @@ std::string NotesText(const PixelHistory& history, bool isLong)
     const std::size_t shown = isLong ? notes.size() : std::min(notes.size(), k_ShownLines);
     for (std::size_t i = 0; i < shown; ++i)
     {
-        text += WrappedLine(notes[i], 2, 2);
+        text += TextLine(notes[i], 2);
     }
     return text + MoreText(notes.size() - shown);
 }
@@ -302,7 +299,7 @@ std::string PixelText(const PixelHistory& history, bool isLong)
     const bool hasObject =
         std::ranges::any_of(history.events, [](const PixelEvent& event)
                             { return event.fate == PixelFate::Drawn && !event.objects.empty(); });
-    return WrappedLine(head, 0, 2) + (hasObject ? "" : "no object is drawn there\n") +
+    return TextLine(head, 0) + (hasObject ? "" : "no object is drawn there\n") +
            SectionText("done there, in this order", EventsText(history, false)) +
            SectionText("rejected there", EventsText(history, true)) +
            SectionText("left out there by a filter", FiltersText(history, isLong)) +

@@ -93,9 +93,9 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "  Ghost: inactive\n"
               "odd:\n"
               "  a feature lacks something\n"
-              "2 objects do not cover the pixel, nor does 1 draw of Line, nor do 3 draws of\n"
-              "  Dots; 1 object is drawn nowhere; 1 target is not laid out as the picture is:\n"
-              "  -v names them\n",
+              "2 objects do not cover the pixel, nor does 1 draw of Line, nor do 3 draws of "
+              "Dots; 1 object is drawn nowhere; 1 target is not laid out as the picture is: "
+              "-v names them\n",
               PixelText(SampleHistory(), false));
 }
 

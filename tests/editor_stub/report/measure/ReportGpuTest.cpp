@@ -10,6 +10,7 @@
 #include <cmath>
 #include <fstream>
 #include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
 #include <sstream>
 
 namespace limn::study
@@ -101,6 +102,26 @@ TEST_F(ReportGpu, IsTheSameWhetherMeasuredAtOnceOrInPartsOrInterrupted)
     EXPECT_EQ(part.exitCode, 1);
     EXPECT_THAT(part.err, HasSubstr("warning: part: missing: "));
     EXPECT_THAT(Compared("whole", "part"), HasSubstr("only in the first"));
+    const CommandRun json = RunCommand({"report", "--compare", "whole", "part", "--json"});
+    EXPECT_EQ(json.exitCode, 1);
+    EXPECT_EQ(nlohmann::json::parse(json.out)["cells"][0], cells);
+    EXPECT_FALSE(nlohmann::json::parse(json.out)["differences"].empty());
+}
+
+TEST_F(ReportGpu, TellsTheSameAsJson)
+{
+    const CommandRun text = Report("r");
+    const CommandRun run = Report("r", {"--json"}); // which takes over what is measured
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const nlohmann::json json = nlohmann::json::parse(run.out);
+    EXPECT_EQ(json["files"][0], "r/report.html");
+    EXPECT_THAT(text.err, testing::EndsWith(json["recommendation"].get<std::string>() + "\n"));
+    const CommandRun merged = RunCommand({"report", "--merge", "r", "-o", "m", "--json"});
+    const nlohmann::json reports = nlohmann::json::parse(merged.out)["reports"];
+    ASSERT_EQ(reports.size(), 1u);
+    EXPECT_EQ(reports[0]["files"][0], "m/report.html");
+    EXPECT_TRUE(reports[0]["missing"].empty());
 }
 
 TEST_F(ReportGpu, PrintsThePageAndWhatItBeginsWith)
