@@ -114,7 +114,7 @@ float LoadFloat(const Elements& elements, const unsigned char* bytes, int access
         return LoadInteger<std::uint16_t>(bytes, elements.normalized);
     default:
         Fail(accessor, "component type " + std::to_string(elements.componentType) +
-                           " is none of vertex data; 5120 to 5123 or 5126 (float) is right");
+                           " cannot be vertex data; 5120 to 5123 or 5126 (float) is expected");
     }
 }
 
@@ -126,9 +126,9 @@ GltfFloats ReadGltfFloats(const tinygltf::Model& model, int accessor, int minCom
     const Elements elements = Locate(model, accessor);
     if (elements.components < minComponents || elements.components > maxComponents)
     {
-        Fail(accessor, std::to_string(elements.components) + " numbers an element; " +
+        Fail(accessor, "each element has " + std::to_string(elements.components) + " numbers; " +
                            std::to_string(minComponents) + " to " + std::to_string(maxComponents) +
-                           " are right here");
+                           " are expected here");
     }
     GltfFloats floats;
     floats.components = elements.components;
@@ -166,7 +166,7 @@ std::vector<std::uint32_t> ReadGltfIndices(const tinygltf::Model& model, int acc
             break;
         default:
             Fail(accessor, "component type " + std::to_string(elements.componentType) +
-                               " is none of indices; 5121, 5123 or 5125 (unsigned) is right");
+                               " cannot be indices; 5121, 5123 or 5125 (unsigned) is expected");
         }
     }
     return indices;

@@ -197,7 +197,7 @@ std::vector<std::string> FileProblems(const tinygltf::Model& model)
     std::vector<std::string> problems;
     if (!model.asset.version.starts_with("2."))
     {
-        problems.push_back("asset: version " + model.asset.version + "; 2.0 is read");
+        problems.push_back("asset: the version is " + model.asset.version + "; limn reads 2.0");
     }
     for (const std::string& extension : model.extensionsRequired)
     {
@@ -236,7 +236,7 @@ std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path, cons
     if (data.triangles.empty())
     {
         throw AssetError(path.string(), {},
-                         "holds no triangles; a mesh that the scene shows is needed");
+                         "holds no triangles; at least one node of its scene must have a mesh");
     }
     ThrowIfAny(path, MeshProblems(data));
     return std::make_shared<const Mesh>(path.stem().string(), std::move(data));

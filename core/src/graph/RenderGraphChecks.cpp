@@ -88,9 +88,9 @@ void RenderGraphRun::ResolveGlobals()
         const RTHandle texture = GlobalTexture(m_Context, global.id);
         if (!texture)
         {
-            Fail(Subject() + ": UseGlobalTexture of '" + global.id.name() +
-                 "', but no pass before it made a texture global under that name; "
-                 "SetGlobalTextureAfterPass does");
+            Fail(Subject() + ": UseGlobalTexture names '" + global.id.name() +
+                 "', but no pass before it made a texture global under that name; call "
+                 "SetGlobalTextureAfterPass in such a pass");
         }
         else if (m_Pass->FindUse(texture) == nullptr)
         {
@@ -114,11 +114,11 @@ void RenderGraphRun::ExpectWritten()
             Subject() + " reads '" + use.texture.rt()->name() + "', which no pass before it writes";
         if (texture->clears)
         {
-            m_Report.notes.push_back(what + ": it finds the clearColor");
+            m_Report.notes.push_back(what + ": the texture holds the clearColor");
         }
         else
         {
-            Fail(what + ", and clearBuffer is false: it holds nothing in particular");
+            Fail(what + ", and clearBuffer is false: its contents are undefined");
         }
     }
     for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)

@@ -204,7 +204,7 @@ void Material::SetTexture(ShaderPropertyId id, const RTHandle& value)
 void Material::FailGet(ShaderPropertyId id, const char* kind) const
 {
     throw ContractError("material '" + m_Name + "': property '" + id.name() + "' is " +
-                        (Find(id) != nullptr ? "not " : "not set, asked for as ") + kind);
+                        (Find(id) != nullptr ? "not " : "not set, but it was read as ") + kind);
 }
 
 float Material::GetFloat(ShaderPropertyId id) const

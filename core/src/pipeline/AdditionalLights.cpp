@@ -130,9 +130,9 @@ void FindAdditionalLights(const Scene& scene, const CameraData& camera,
     if (lights.size() > k_MaxVisibleAdditionalLights)
     {
         notes.push_back(std::to_string(lights.size()) +
-                        " lights reach into the picture, of which the first " +
+                        " lights reach into the picture, but only the first " +
                         std::to_string(k_MaxVisibleAdditionalLights) +
-                        " are drawn: shaders have no room for more");
+                        " light it: shaders have room for no more");
         lights.resize(k_MaxVisibleAdditionalLights);
     }
 }

@@ -76,7 +76,7 @@ void CameraTextures::Setup(std::span<ScriptableRenderPass* const> queue, LayerMa
         if (pass->input() & Input::Motion)
         {
             notes.push_back(pass->profilingSampler.name() +
-                            ": motion vectors are asked for, which limn does not make; "
+                            ": it asks for motion vectors, but limn does not make them; "
                             "_MotionVectorTexture is gray");
         }
     }

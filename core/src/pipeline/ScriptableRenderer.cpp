@@ -328,7 +328,7 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
         }
         else if (renderingData.cameraData.renderType == CameraRenderType::Base)
         {
-            report.notes.push_back(feature->name + ": not drawn, the feature is inactive");
+            report.notes.push_back(feature->name + ": it is not drawn; the feature is inactive");
         }
         m_FeaturePassEnds.push_back(m_Queue.size());
         const SampleName name(feature->name);

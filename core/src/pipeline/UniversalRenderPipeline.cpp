@@ -173,8 +173,8 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, flo
     {
         report.notes.push_back("the camera is drawn with " +
                                std::to_string(descriptor.msaaSamples) +
-                               " samples a texel in place of " + std::to_string(msaaSampleCount) +
-                               " (msaaSampleCount): the device does no more of its format");
+                               " samples per texel in place of " + std::to_string(msaaSampleCount) +
+                               " (msaaSampleCount): the device supports no more for its format");
     }
     return descriptor;
 }
@@ -242,7 +242,7 @@ void NoteBeyondFloat(const CullingResults& results, RenderReport& report)
             "object '" + results.beyondFloat.front()->name + "'" +
             (count > 1 ? " and " + std::to_string(count - 1) + " more: nothing of them"
                        : ": nothing of it") +
-            " is drawn: position or size in the world is beyond a float, 3.4e38");
+            " is drawn: a position or size in the world exceeds the range of a float, 3.4e38");
     }
 }
 

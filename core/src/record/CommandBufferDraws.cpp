@@ -107,8 +107,8 @@ void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, i
 {
     if (count < 0 || static_cast<std::size_t>(count) > matrices.size())
     {
-        throw ContractError("DrawMeshInstanced: " + std::to_string(count) + " of " +
-                            std::to_string(matrices.size()) + " matrices");
+        throw ContractError("DrawMeshInstanced: the count is " + std::to_string(count) +
+                            ", but there are " + std::to_string(matrices.size()) + " matrices");
     }
     DrawMeshInstanced(mesh, submeshIndex, material, shaderPass,
                       matrices.first(static_cast<std::size_t>(count)), properties);
@@ -122,8 +122,8 @@ void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, i
     constexpr std::size_t k_Most = 1023; // Unity's
     if (matrices.size() > k_Most)
     {
-        throw ContractError("DrawMeshInstanced: " + std::to_string(matrices.size()) +
-                            " matrices; at most " + std::to_string(k_Most));
+        throw ContractError("DrawMeshInstanced: it was given " + std::to_string(matrices.size()) +
+                            " matrices; a call takes at most " + std::to_string(k_Most));
     }
     ExpectMaterial(material);
     const bool isEach = shaderPass == k_AllPasses;

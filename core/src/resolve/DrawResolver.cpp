@@ -522,8 +522,8 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
             ": texture '" + id.name() + "' is ";
         m_Notes->push_back(
             subject + (isMade ? std::string(made->look) +
-                                    " everywhere: nothing has written it yet; "
-                                    "UniversalRenderer has it made for passes behind event " +
+                                    " everywhere: nothing has written it yet; UniversalRenderer "
+                                    "makes it for passes after event " +
                                     made->event
                               : "gray: it is no property of the shader, and neither material "
                                 "'" +

@@ -233,7 +233,7 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
     {
         renderingData.report->notes.push_back(
             std::to_string(leftOut) + " lights throw no shadows: shaders have room for " +
-            std::to_string(k_MostSlices) + " squares, of which a spot takes 1 and a point 6");
+            std::to_string(k_MostSlices) + " squares; a spot takes 1 and a point 6");
     }
 }
 
@@ -279,9 +279,10 @@ void AdditionalLightsShadowCasterPass::PlaceSlices(const RenderingData& renderin
     if (kept < m_Slices.size())
     {
         renderingData.report->notes.push_back(
-            "some lights throw no shadows: of " + std::to_string(m_Slices.size()) +
-            " squares the map of " + std::to_string(settings.additionalLightsShadowmapResolution) +
-            " texels has room for " + std::to_string(kept) + " that are large enough");
+            "some lights throw no shadows: the shadow map of " +
+            std::to_string(settings.additionalLightsShadowmapResolution) +
+            " texels has room for only " + std::to_string(kept) + " of " +
+            std::to_string(m_Slices.size()) + " squares of the least size");
         m_Slices.resize(kept);
     }
 }

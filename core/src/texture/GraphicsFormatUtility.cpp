@@ -124,9 +124,10 @@ GraphicsFormat GraphicsFormatUtility::GetDepthStencilFormat(int minimumDepthBits
     if (minimumDepthBits < 0 || minimumDepthBits > 32 || minimumStencilBits < 0 ||
         minimumStencilBits > 8)
     {
-        throw ContractError("GetDepthStencilFormat: " + std::to_string(minimumDepthBits) +
-                            " bits of depth and " + std::to_string(minimumStencilBits) +
-                            " of stencil; there are 0 to 32 and 0 to 8");
+        throw ContractError("GetDepthStencilFormat: it was asked for " +
+                            std::to_string(minimumDepthBits) + " bits of depth and " +
+                            std::to_string(minimumStencilBits) +
+                            " of stencil; they must be 0 to 32 and 0 to 8");
     }
     return minimumStencilBits > 0 ? GraphicsFormat::D32_SFloat_S8_UInt
            : minimumDepthBits > 0 ? GraphicsFormat::D32_SFloat

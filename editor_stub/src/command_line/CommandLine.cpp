@@ -104,7 +104,8 @@ const RenderOptions& InProject(RenderOptions& options)
 
 Flag SizeFlag(RenderOptions& options)
 {
-    return {"size", "WxH", "Picture size in pixels; without it the scene's",
+    return {"size", "WxH",
+            "The size of the picture in pixels; without it the scene's size is taken",
             IntoSize(options.width, options.height)};
 }
 
@@ -120,7 +121,7 @@ Flag DeviceFlag(std::string& device)
 
 Flag ProfileFlag(std::string& profile)
 {
-    return {"profile", "FILE", "Put this volume profile in place of that of every global volume",
+    return {"profile", "FILE", "Use this volume profile in place of that of every global volume",
             Into(profile)};
 }
 
@@ -140,7 +141,7 @@ Flag NewFolderFlag(std::string& folder)
 Flag SelectFlag(RenderOptions& options)
 {
     return {"select", "NAME,...",
-            "Select the objects of these names, each with what hangs below it, and no others: they "
+            "Select the objects of these names with their children, and no others: they "
             "get the rendering layer that outline features look for; \"\" selects nothing",
             IntoSelection(options.selection, SelectionStep::Kind::Select), Any};
 }
@@ -154,7 +155,8 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         SceneFlag(options),
         {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
         SizeFlag(options),
-        {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
+        {"time", "SECONDS", "The value of _Time in the first frame, in seconds",
+         IntoTime(options.time)},
         ProfileFlag(options.profile),
         SetFlag(options.overrides),
         SelectFlag(options),
@@ -182,7 +184,7 @@ Verb RenderVerb(RenderOptions& options)
         DrawingFlags(options, "The PNG file to write; - is stdout", CheckPicture);
     flags.insert(
         flags.end(),
-        {{"frames", "N", "Draw so many frames, 1/60 s apart, and write the last",
+        {{"frames", "N", "Draw this number of frames, 1/60 s apart, and write the last",
           IntoNumber(options.frames, 100000)},
          {"stats", "FILE", "Write times and counts as JSON", Into(options.statsFile)},
          {"trace", "FILE", "Write a trace for chrome://tracing or Perfetto",
@@ -222,7 +224,7 @@ Verb InspectVerb(InspectOptions& options)
 Verb ExplainVerb(ExplainOptions& options)
 {
     return {"explain",
-            "Say what a scene draws and why: counts and what is odd; -v says all",
+            "Explain what a scene draws and why: counts and everything odd; -v prints all",
             [&options](Console& console)
             {
                 InProject(options.rendering);
@@ -230,13 +232,13 @@ Verb ExplainVerb(ExplainOptions& options)
             },
             {Argument("SCENE", k_SceneHelp, Into(options.rendering.scene)),
              SceneFlag(options.rendering),
-             {"object", "NAME", "Only objects of this name and what hangs below them",
+             {"object", "NAME", "Explain only the objects of this name and their children",
               Into(options.object)},
              {"pixel", "X,Y",
               "Show what is drawn at this pixel, counted from the top left, and which test rejects "
               "the rest; this draws the scene, so it needs a device",
               Into(options.pixel, CheckPixel)},
-             Switch("json", "As JSON", options.json),
+             Switch("json", "Print JSON", options.json),
              {"graph", "FILE",
               "Write the frame as a picture: its passes, the textures between them, what is left "
               "out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot",
@@ -304,7 +306,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
          Switch("all-combinations",
                 "Test all combinations of extreme inputs in place of all pairs; this takes days",
                 options.isFull),
-         {"technique", "NAME", "Only this one", Into(options.techniques), Any},
+         {"technique", "NAME", "Measure only this technique", Into(options.techniques), Any},
          {"budget", "MS",
           "Recommend a technique that adds at most so many milliseconds of GPU time",
           IntoBudget(options.budget)},
@@ -313,7 +315,8 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
          Switch("merge", "Make one report of the folders of all parts; nothing is drawn",
                 options.isMerge),
          Switch("compare",
-                "Say in which cells two folders differ, times apart; exit code 1 if they do",
+                "Print the cells in which two folders differ, except for times; exit code 1 if "
+                "they do",
                 options.isCompare),
          SizeFlag(render),
          DeviceFlag(render.device),
@@ -329,14 +332,15 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
 
 Verb SetVerb(SetOptions& options)
 {
-    Flag edits = Argument("NAME.path=VALUE",
-                          "Such as ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
-                          "one number, and += -= *= start from the one that there is",
-                          Into(options.edits, CheckAssignment), AtLeastOnce);
+    Flag edits =
+        Argument("NAME.path=VALUE",
+                 "For example ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
+                 "one number, and += -= *= start from the one that there is",
+                 Into(options.edits, CheckAssignment), AtLeastOnce);
     edits.unless = "undo";
     return {"set",
             "Change values of a volume profile, or of the features of a scene or a Unity renderer, "
-            "in place, and not a character besides",
+            "in place; no other character changes",
             [&options](Console& console) { return RunSet(options, console); },
             {Argument("FILE",
                       "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer "
@@ -377,7 +381,7 @@ Verb ShaderVerb(ShaderOptions& options)
          Switch("variants", "Count variants; compile nothing", options.variants),
          {"keywords", "A,B", "Compile with these keywords, not with those of a new material",
           IntoWords(options.keywords), Any},
-         {"jobs", "N", "Files to check at a time; one a core by itself",
+         {"jobs", "N", "The number of files to check at a time; without it one per core",
           IntoNumber(options.jobs, 256), AtMostOnce, 'j'},
          Switch("json", "Print {files: [...], summary: {...}}: what was parsed, compiled, refused",
                 options.json),
@@ -396,14 +400,14 @@ Verb NewVerb(NewOptions& options)
 {
     Flag folder = NewFolderFlag(options.folder);
     folder.times = AtMostOnce;
-    folder.help = "Of a feature: a new or empty folder";
+    folder.help = "For a feature: a new or empty folder";
     return {
         "new",
         "Write a scene, a volume profile or a material to start from, or the folder of a "
         "render feature that builds and draws at once",
         [&options](Console& console) { return RunNew(options, console); },
         {Argument("scene|profile|material|feature",
-                  "What to write: scene, profile, material or feature", Into(options.kind)),
+                  "The kind of file: scene, profile, material or feature", Into(options.kind)),
          Argument("NAME",
                   "The name of the file, hero for hero.scene.yaml; for a feature the name of its "
                   "classes, such as DepthFog",
@@ -414,7 +418,8 @@ Verb NewVerb(NewOptions& options)
                   Into(options.contents), Any),
          std::move(folder),
          {"style", "urp14|unity6",
-          "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
+          "The style of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render "
+          "graph",
           Into(options.style)}}};
 }
 
@@ -424,8 +429,8 @@ Verb PortVerb(PortOptions& options)
             "Start a C++ port of a Unity render feature, and report which of the members that it "
             "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
-            {Argument("FILE.cs", "Its C#: feature, passes, volume component", Into(options.files),
-                      AtLeastOnce),
+            {Argument("FILE.cs", "The C# files of the feature, its passes and its volume component",
+                      Into(options.files), AtLeastOnce),
              NewFolderFlag(options.folder)}};
 }
 
@@ -468,9 +473,9 @@ Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
         return Print(HelpText(table, verb, TerminalWidth(console.out())), console);
     };
     return {"help",
-            "Print this, or what a verb takes",
+            "Print this help, or the arguments of a verb",
             print,
-            {Argument("VERB", "What to explain", store, AtMostOnce),
+            {Argument("VERB", "The verb to explain", store, AtMostOnce),
              Switch("man", "Print the man page, which has all verbs, in troff", wantsManPage)}};
 }
 
@@ -492,7 +497,7 @@ std::vector<Flag> CommonFlags(CommandLine& line)
         return std::string();
     };
     return {Switch("version", "Print the version", line.wantsVersion, 'V'),
-            Switch("help", "Print this", line.wantsHelp, 'h'),
+            Switch("help", "Print this help", line.wantsHelp, 'h'),
             Switch("quiet", "Print errors only, besides results", line.console.isQuiet, 'q'),
             Switch("verbose", "Print more: the device that draws, all that `explain` knows",
                    line.console.isVerbose, 'v'),

@@ -343,11 +343,12 @@ std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path
             if (!layer.empty())
             {
                 value.value = OnOneLine(*node);
-                console.Print(Diagnostic{Severity::Note, path.generic_string(), node->location(),
-                                         group.type + "." + value.name +
-                                             ": shown as written; only a scene can know the layer "
-                                             "'" +
-                                             layer + "'"});
+                console.Print(Diagnostic{
+                    Severity::Note, path.generic_string(), node->location(),
+                    group.type + "." + value.name +
+                        ": the value is shown as it is written; only a scene knows the layer "
+                        "'" +
+                        layer + "'"});
             }
         }
     }

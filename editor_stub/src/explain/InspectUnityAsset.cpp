@@ -252,8 +252,8 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
                                          tooltip));
         }
     };
-    add("m_OpaqueLayerMask", "Bits of the layers whose opaque objects are drawn");
-    add("m_TransparentLayerMask", "Bits of the layers whose transparent objects are drawn");
+    add("m_OpaqueLayerMask", "The bits of the layers whose opaque objects are drawn");
+    add("m_TransparentLayerMask", "The bits of the layers whose transparent objects are drawn");
     add("m_RenderingMode", "0 forward, 1 deferred, 2 forward+; limn draws all of them forward");
     add("m_DefaultStencilState",
         "1 replaces the Stencil block of all objects, which limn leaves out");

@@ -12,9 +12,10 @@ Ray ScreenPointToRay(const Camera& camera, int width, int height, const glm::dve
 {
     if (width < 1 || height < 1 || !std::isfinite(point.x) || !std::isfinite(point.y))
     {
-        throw ContractError("a ray through (" + std::to_string(point.x) + ", " +
-                            std::to_string(point.y) + ") of a picture of " + std::to_string(width) +
-                            "x" + std::to_string(height) + " pixels");
+        throw ContractError("ScreenPointToRay: there is no ray through (" +
+                            std::to_string(point.x) + ", " + std::to_string(point.y) +
+                            ") of a picture of " + std::to_string(width) + "x" +
+                            std::to_string(height) + " pixels");
     }
     // The very matrix that the device draws with.
     const glm::dmat4 toView = glm::inverse(glm::dmat4(

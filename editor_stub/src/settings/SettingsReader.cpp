@@ -295,7 +295,7 @@ void SettingsLevel::ReportTwice(std::string_view name, const YamlMapReader& firs
                                        "; keep one of them");
         return;
     }
-    m_Diagnostics.Note(place, subject + ": left out, " + m_UnityType +
+    m_Diagnostics.Note(place, subject + ": it is left out; " + m_UnityType +
                                   " has one setting of this name, which is " + same +
                                   "; a group in its Describe would tell them apart");
 }
@@ -308,7 +308,7 @@ void SettingsLevel::NoteUnknown(const YamlMapReader& map)
                              FindMember(m_Group, entry.key) || IsSettingsClass(entry, m_Group);
         if (!isKnown)
         {
-            m_Diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +
+            m_Diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": it is left out; " +
                                                       m_UnityType + " has no such setting");
         }
     }

@@ -175,8 +175,7 @@ private:
         {
             Refuse(checked,
                    {Severity::Note, m_Check.document->file, pass.location,
-                    "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what "
-                    "it copies"},
+                    "GrabPass: it is not supported, as in URP; read _CameraOpaqueTexture instead"},
                    diagnostics);
         }
         if (!pass.program)

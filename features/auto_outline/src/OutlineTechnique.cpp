@@ -67,7 +67,8 @@ OutlineChoice ChooseOutlineTechnique(const OutlineWork& work)
         separable <= flood ? OutlineTechnique::Separable : OutlineTechnique::JumpFlood;
     if (work.isAlphaTested)
     {
-        return {best, "a material is alpha-tested, so the mesh's silhouette is not what is seen"};
+        return {best,
+                "a material is alpha-tested, so the mesh's silhouette is not the one that is seen"};
     }
     const double strokes = CostOfStrokes(work);
     const std::string costs = std::to_string(work.edgeCount) + " silhouette edges cost about " +

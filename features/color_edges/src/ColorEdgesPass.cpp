@@ -59,9 +59,9 @@ glm::vec4 ColorEdgesTaps(float width, const glm::ivec2& picture)
 void ColorEdgesSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
-    inspector.Field("m_OnlyFilteredObjects", m_OnlyFilteredObjects,
-                    "Whether lines are drawn only where a filtered object is seen, or else all "
-                    "over the picture");
+    inspector.Field(
+        "m_OnlyFilteredObjects", m_OnlyFilteredObjects,
+        "On: lines are drawn only where a filtered object is seen; off: all over the picture");
 }
 
 ColorEdgesPass::ColorEdgesPass(const std::string& featureName, const ColorEdgesSettings& settings,

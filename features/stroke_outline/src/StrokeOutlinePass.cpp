@@ -68,7 +68,7 @@ void StrokeOutlineSettings::Describe(Inspector& inspector)
     inspector.Header("Strokes");
     DescribeGrouping(inspector, m_Grouping);
     inspector.Field("m_Occlusion", m_Occlusion, k_Occlusions,
-                    "Whether it is drawn where something stands in front of the object");
+                    "The treatment of the parts that something hides");
 }
 
 StrokeOutlinePass::StrokeOutlinePass(const std::string& featureName,
@@ -95,7 +95,7 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
     if (volumeComponent.m_OutlineWidth.value() < k_LeastWidth)
     {
         return "StrokeOutline.m_OutlineWidth is less than " + std::to_string(k_LeastWidth) +
-               " pixels, which nobody sees";
+               " pixels, which is too little to be seen";
     }
     OutlinedObjects found = FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping);
     if (found.objects.empty())

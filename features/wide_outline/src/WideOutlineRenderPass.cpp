@@ -85,9 +85,9 @@ void WideOutlineSettings::Describe(Inspector& inspector)
     OutlineSettings::Describe(inspector);
     inspector.Header("Wide Outline");
     inspector.Field("m_Method", m_Method, k_WideMethods,
-                    "How distances are found: the error is alike, the time is not");
+                    "The method that finds distances; the errors are alike, the times are not");
     inspector.Field("m_Occlusion", m_Occlusion, k_WideOcclusions,
-                    "Whether what stands in front of an object cuts its outline");
+                    "The treatment of objects that stand in front of an outlined one");
     DescribeGrouping(inspector, m_Grouping);
 }
 

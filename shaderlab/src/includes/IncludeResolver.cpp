@@ -139,8 +139,8 @@ std::uint64_t HashLibrary()
 std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
 {
     const std::string quoted = "\"" + std::string(name) + "\"";
-    return refusal.empty() ? "no such file " + quoted +
-                                 "; it was looked for beside this file, in the project, its "
+    return refusal.empty() ? "there is no file " + quoted +
+                                 "; limn looks for it beside this file, in the project, its "
                                  "packages and the built-in ShaderLibrary"
                            : quoted + " is " + std::string(refusal);
 }
@@ -188,7 +188,7 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     }
     if (isAbsolute(path))
     {
-        m_Refusal = "an absolute path; write it from this file or from the project's folder";
+        m_Refusal = "an absolute path; write the path from this file or from the project's folder";
         return std::nullopt;
     }
     if (const FileBeside* file = FindBeside(path, includer))

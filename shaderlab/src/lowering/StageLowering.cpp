@@ -76,8 +76,8 @@ public:
             {
                 throw UnsupportedProgramError(m_Tokens.Error(
                     object.token, "a " + std::string(object.type) +
-                                      " can be written to, which limn does in compute shaders "
-                                      "only; its passes read textures and buffers"));
+                                      " can be written to, but limn allows that in compute shaders "
+                                      "only; in a pass, read a texture or buffer"));
             }
         }
     }
@@ -486,8 +486,8 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
     StageLowering lowering(source, kernel.name);
     if (lowering.reach().Names(k_DrawIndex))
     {
-        fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
-             "nothing, so give it the value as a parameter");
+        fail("it reads a value that belongs to a draw, such as unity_ObjectToWorld; a kernel draws "
+             "nothing, so pass the value as a parameter");
     }
     lowering.Rewrite();
     lowering.TakeAttributes(kernel);

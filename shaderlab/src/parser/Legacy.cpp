@@ -366,9 +366,9 @@ void Parser::NoteLegacyCommands(const ShaderLabPass& pass)
     }
     list += names.size() > k_MaxNamed ? ", ..." : "";
     Report(Severity::Note, m_NotedLegacy,
-           pass.program ? list + ": ignored, since the pass has a program"
-                        : list + ": not synthesised, fixed-function passes draw nothing; write an "
-                                 "HLSLPROGRAM");
+           pass.program ? list + ": it is ignored, since the pass has a program"
+                        : list + ": limn makes no program of fixed-function commands, so the pass "
+                                 "draws nothing; write an HLSLPROGRAM");
 }
 
 } // namespace limn

@@ -260,8 +260,8 @@ TEST_F(ComputePass, RefusesBuffersOfEarlierFrames)
                           graph, "Late", [&](auto& builder) { builder.UseBuffer(kept); },
                           [](ComputeCommandBuffer&) {});
                   }),
-              "pass 'Late': UseBuffer of '', a handle of an earlier frame; handles are for one "
-              "camera's frame");
+              "pass 'Late': UseBuffer of '' is a handle of an earlier frame; a handle is valid in "
+              "one camera's frame only");
 }
 
 TEST_F(ComputePass, SwitchesKeywordsAsUnsafePassesDo)

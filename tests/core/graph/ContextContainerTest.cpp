@@ -45,8 +45,8 @@ TEST(ContextContainer, RefusesTwoOfOneTypeAndNone)
 {
     ContextContainer container;
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Get<Masked>(); }),
-              "ContextContainer: there is no (anonymous namespace)::Masked in this frame; Contains "
-              "asks, GetOrCreate makes one");
+              "ContextContainer: there is no (anonymous namespace)::Masked in this frame; call "
+              "Contains to ask for it, or GetOrCreate to make it");
     container.Create<Masked>();
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Create<Masked>(); }),
               "ContextContainer: Create of (anonymous namespace)::Masked, which is there already; "

@@ -217,10 +217,10 @@ TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
                         cmd.SetGlobalTexture("_Shown", mask);
                     });
             }),
-        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
-        "global under that name; SetGlobalTextureAfterPass does\n"
-        "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is false: "
-        "it holds nothing in particular\n"
+        "pass 'Blur': UseGlobalTexture names '_Nobody', but no pass before it made a texture "
+        "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
+        "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is false: its "
+        "contents are undefined\n"
         "pass 'Blur' sets the global '_Width', which Unity throws for; add "
         "builder.AllowGlobalStateModification(true);\n"
         "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, which "
@@ -432,8 +432,8 @@ TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
         ErrorOf(Blur([](auto& builder, const TextureHandle&)
                      { builder.UseGlobalTexture("_Nobody"); },
                      k_SampleMask)),
-        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
-        "global under that name; SetGlobalTextureAfterPass does\n"
+        "pass 'Blur': UseGlobalTexture names '_Nobody', but no pass before it made a texture "
+        "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
         "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
         "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
@@ -452,12 +452,10 @@ TEST_F(RenderGraphMismatch, NotesATextureThatIsReadBeforeAnythingWroteIt)
                 [](UnsafeCommandBuffer&) {});
         };
     };
-    EXPECT_THAT(NotesOf(read(true)),
-                ElementsAre("pass 'Blur' reads '_Mask', which no pass before it writes: it finds "
-                            "the clearColor"));
-    EXPECT_EQ(ErrorOf(read(false)),
-              "pass 'Blur' reads '_Mask', which no pass before it writes, and clearBuffer is "
-              "false: it holds nothing in particular");
+    EXPECT_THAT(NotesOf(read(true)), ElementsAre("pass 'Blur' reads '_Mask', which no pass before "
+                                                 "it writes: the texture holds the clearColor"));
+    EXPECT_EQ(ErrorOf(read(false)), "pass 'Blur' reads '_Mask', which no pass before it writes, "
+                                    "and clearBuffer is false: its contents are undefined");
 }
 
 TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
@@ -602,14 +600,14 @@ TEST_F(RenderGraphMismatch, NamesAttachmentsThatDoNotFit)
 TEST_F(RenderGraphMismatch, NamesHandlesThatStandForNothing)
 {
     EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseTexture({}); }),
-              "pass 'Blur': UseTexture of an empty handle");
+              "pass 'Blur': UseTexture: the handle is empty");
     EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseRendererList({}); }),
-              "pass 'Blur': UseRendererList of an empty handle");
+              "pass 'Blur': UseRendererList: the handle is empty");
     TextureHandle old;
     Render([&](RenderGraph& graph, ContextContainer&) { old = graph.CreateTexture(Desc("_Old")); });
     EXPECT_EQ(ErrorOfDeclaring([&](auto& builder, RenderGraph&) { builder.UseTexture(old); }),
-              "pass 'Blur': UseTexture of '_Old', a handle of an earlier frame; handles are for "
-              "one camera's frame");
+              "pass 'Blur': UseTexture of '_Old' is a handle of an earlier frame; a handle is "
+              "valid in one camera's frame only");
     EXPECT_EQ(ErrorOf([](RenderGraph& graph, ContextContainer&) { graph.ImportTexture({}); }),
               "ImportTexture: the handle has no texture");
 }
@@ -645,23 +643,24 @@ TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
                       frameData.Get<UniversalResourceData>().cameraColor =
                           graph.CreateTexture(desc);
                   }),
-              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples a texel; the "
-              "camera's colour is 8x4 of 1 samples a texel");
+              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples per texel; the "
+              "camera's colour is 8x4 of 1 samples per texel");
 }
 
 TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)
 {
-    EXPECT_EQ(ErrorOf(
-                  [](RenderGraph& graph, ContextContainer&)
-                  {
-                      TextureDesc half(4, 2);
-                      half.name = "_Half";
-                      graph.AddCopyPass(graph.CreateTexture(Desc("_A")), graph.CreateTexture(half),
-                                        "Copy");
-                  }),
-              "AddCopyPass 'Copy': '_A' is 8x4 R8G8B8A8_UNorm of 1 samples a texel, '_Half' is 4x2 "
-              "R8G8B8A8_UNorm of 1 samples a texel; both must be colours of one size, format and "
-              "number of samples");
+    EXPECT_EQ(
+        ErrorOf(
+            [](RenderGraph& graph, ContextContainer&)
+            {
+                TextureDesc half(4, 2);
+                half.name = "_Half";
+                graph.AddCopyPass(graph.CreateTexture(Desc("_A")), graph.CreateTexture(half),
+                                  "Copy");
+            }),
+        "AddCopyPass 'Copy': '_A' is 8x4 R8G8B8A8_UNorm of 1 samples per texel, '_Half' is 4x2 "
+        "R8G8B8A8_UNorm of 1 samples per texel; both must be colours of one size, format and "
+        "number of samples");
 }
 
 TEST_F(RenderGraphMismatch, LeavesTheNextFrameAsItWouldBe)

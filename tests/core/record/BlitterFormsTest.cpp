@@ -131,7 +131,7 @@ TEST_F(BlitterForms, TakeLoadAndStoreActions)
     EXPECT_EQ(Target(1).depth, m_Depth.rt());
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { m_Cmd.SetRenderTarget(m_Dest, Load::Clear, Store::Store); }),
-              "SetRenderTarget: RenderBufferLoadAction::Clear says not to what; use "
+              "SetRenderTarget: RenderBufferLoadAction::Clear names no colour to clear to; call "
               "ClearRenderTarget");
 }
 

@@ -113,7 +113,7 @@ TEST_F(CommandBuffers, RefuseMoreColorsThanAPassWrites)
 {
     const std::vector<RTHandle> colors(9, m_Color);
     EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(colors, m_Depth); }),
-              "SetRenderTarget: 9 colour targets; at most 8");
+              "SetRenderTarget: 9 colour targets; a pass has at most 8");
 }
 
 TEST_F(CommandBuffers, RefuseAColorAsDepthAndADepthAmongColors)

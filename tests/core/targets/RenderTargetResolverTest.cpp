@@ -220,10 +220,11 @@ TEST_F(IdentifiedTextures, AreNotCopiedIntoOthersOfSizeOrFormat)
 TEST_F(IdentifiedTextures, ThatWereNeverMadeAreASentence)
 {
     m_Cmd.Blit("_Lost", m_Color, m_Sampling);
-    EXPECT_EQ(ErrorOfExecution(), "Blit: '_Lost' stands for no texture; GetTemporaryRT or "
-                                  "SetGlobalTexture comes first");
+    EXPECT_EQ(ErrorOfExecution(),
+              "Blit: '_Lost' stands for no texture; call GetTemporaryRT or SetGlobalTexture first");
     m_Cmd.SetRenderTarget(BuiltinRenderTextureType::CurrentActive);
-    EXPECT_EQ(ErrorOfExecution(), "SetRenderTarget: CurrentActive, but no target is bound yet");
+    EXPECT_EQ(ErrorOfExecution(),
+              "SetRenderTarget: CurrentActive is given, but no target is bound yet");
     m_Cmd.Blit(BuiltinRenderTextureType::None, m_Color);
     EXPECT_EQ(ErrorOfExecution(), "Blit: the source is None, and no material is given");
     m_Cmd.Blit(m_Color, BuiltinRenderTextureType::None);

@@ -253,8 +253,8 @@ TEST(WritePng, RejectsFormatsThatPngDoesNotKnow)
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [&]
                   { WritePng(folder / "a.png", FourTexels(GraphicsFormat::R16G16B16A16_SFloat)); }),
-              "WritePng: format R16G16B16A16_SFloat; R8G8B8A8_SRGB, R8G8B8A8_UNorm and R8_UNorm "
-              "can be written");
+              "WritePng: the format is R16G16B16A16_SFloat; it must be R8G8B8A8_SRGB, "
+              "R8G8B8A8_UNorm or R8_UNorm");
     EXPECT_EQ(folder.fileCount(), 0);
 }
 
@@ -269,7 +269,7 @@ TEST(WritePng, RejectsAnImageWithoutAllItsTexels)
                   [&] {
                       WritePng(folder / "a.png", {0, 2, GraphicsFormat::R8_UNorm, {}});
                   }),
-              "WritePng: size 0x2; both must be at least 1");
+              "WritePng: the size is 0x2; both must be at least 1");
 }
 
 TEST(FlipRows, PutsTheLastRowFirst)

@@ -41,10 +41,10 @@ TEST(Texture2D, RejectsASizeThatIsNotPositive)
 {
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [] { Texture2D("noise", 0, 4, GraphicsFormat::R8_UNorm, {}); }),
-              "texture 'noise': size 0x4; both must be at least 1");
+              "texture 'noise': the size is 0x4; both must be at least 1");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [] { Texture2D("noise", 4, -1, GraphicsFormat::R8_UNorm, {}); }),
-              "texture 'noise': size 4x-1; both must be at least 1");
+              "texture 'noise': the size is 4x-1; both must be at least 1");
 }
 
 TEST(Texture2D, RejectsBytesThatDoNotFitItsSize)
@@ -59,7 +59,7 @@ TEST(Texture2D, RejectsAFormatThatTexelsFromTheCpuCannotHave)
 {
     EXPECT_EQ(
         ThrownMessage<ContractError>([] { Texture2D("noise", 1, 1, GraphicsFormat::None, {}); }),
-        "texture 'noise': format None; it needs a format");
+        "texture 'noise': the format is None; give the texture a format");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   []
                   { Texture2D("z", 1, 1, GraphicsFormat::D32_SFloat, std::vector<std::byte>(4)); }),
@@ -107,7 +107,7 @@ TEST(Texture3D, KeepsItsSlicesInOrder)
 TEST(Texture3D, RejectsASizeThatIsNotPositiveAndBytesThatDoNotFit)
 {
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 4, 0, k_R8, {}); }),
-              "texture 'fog': size 4x4x0; all must be at least 1");
+              "texture 'fog': the size is 4x4x0; all must be at least 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 3, 2, k_R8, Bytes(12)); }),
               "texture 'fog': 12 bytes of texels; 4x3x2 of R8_UNorm takes 24");
 }
@@ -129,7 +129,7 @@ TEST(Texture2DArray, NamesTheElementThatDoesNotFit)
                   }),
               "texture 'sheets': element 1: 5 bytes of texels; 2x2 of R8_UNorm takes 4");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture2DArray("sheets", 2, 2, k_R8, {}); }),
-              "texture 'sheets': size 2x2x0; all must be at least 1");
+              "texture 'sheets': the size is 2x2x0; all must be at least 1");
 }
 
 TEST(Cubemap, KeepsItsFacesInOrder)
@@ -150,7 +150,7 @@ TEST(Cubemap, NamesTheFaceThatDoesNotFit)
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 1, k_R8, faces); }),
               "texture 'sky': face -Y: 0 bytes of texels; 1x1 of R8_UNorm takes 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Cubemap("sky", -2, k_R8, CubemapFaces()); }),
-              "texture 'sky': size -2x-2; both must be at least 1");
+              "texture 'sky': the size is -2x-2; both must be at least 1");
 }
 
 /// Faces of 2x2 and of 1x1 texels.
@@ -183,10 +183,10 @@ TEST(Cubemap, NamesTheLevelThatDoesNotFit)
               "texture 'sky': level 1, face +Y: 4 bytes of texels; 1x1 of R8_UNorm takes 1");
     levels.push_back(levels.back());
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
-              "texture 'sky': 3 mip levels; 2x2 has 1 to 2");
+              "texture 'sky': 3 mip levels; 2x2 can have 1 to 2");
     levels.clear();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
-              "texture 'sky': 0 mip levels; 2x2 has 1 to 2");
+              "texture 'sky': 0 mip levels; 2x2 can have 1 to 2");
 }
 
 TEST(CubemapArray, KeepsItsCubesInOrder)
@@ -208,7 +208,7 @@ TEST(CubemapArray, NamesTheCubeAndFaceThatDoNotFit)
                   }),
               "texture 'skies': cube 1, face +Z: 2 bytes of texels; 1x1 of R8_UNorm takes 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { CubemapArray("skies", 1, k_R8, {}); }),
-              "texture 'skies': size 1x1x0; all must be at least 1");
+              "texture 'skies': the size is 1x1x0; all must be at least 1");
 }
 
 TEST(TexelTexture, HoldsNoDepth)

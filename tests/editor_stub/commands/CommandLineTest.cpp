@@ -152,9 +152,8 @@ TEST_F(BadInput, AnEmptySceneSaysSo)
 TEST_F(BadInput, ABinarySceneSaysSo)
 {
     ExpectRefusal(Render(std::string("camera\0: {}", 11)),
-                  Path("s.scene.yaml") +
-                      ":1:7: error: a NUL byte: this is a binary file or UTF-16; UTF-8 text is "
-                      "expected\n",
+                  Path("s.scene.yaml") + ":1:7: error: here is a NUL byte, so this is a binary "
+                                         "file or UTF-16; UTF-8 text is expected\n",
                   1);
 }
 

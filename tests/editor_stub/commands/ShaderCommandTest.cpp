@@ -279,7 +279,7 @@ TEST_F(ShaderCommand, RefusesAGrabPassByName)
     text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
     const std::string path = Write("good.shader", text);
     const std::string reason =
-        "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what it copies";
+        "GrabPass: it is not supported, as in URP; read _CameraOpaqueTexture instead";
     const CommandRun run = RunCommand({"shader", path, "--json"});
     EXPECT_EQ(0, run.exitCode);
     const nlohmann::json passes =

@@ -28,7 +28,7 @@ TEST(ATerminal, HasHelpWrappedToItsWidth)
               "        A *.profile.yaml, a *.scene.yaml, or a Unity\n"
               "        VolumeProfile or renderer .asset\n"
               "  NAME.path=VALUE ...\n"
-              "        Such as ScreenSpaceOutline.m_OutlineWidth=4;\n"
+              "        For example ScreenSpaceOutline.m_OutlineWidth=4;\n"
               "        m_OutlineColor.r=1 changes one number, and += -= *=\n"
               "        start from the one that there is\n"
               "\n"

@@ -93,9 +93,9 @@ TEST(ShaderLabLegacy, IsNotedAsIgnoredBesideAProgramAndAsNotSynthesisedWithoutOn
         test::ParseMessages("Shader \"T\" { SubShader {\nPass { Lighting Off Fog { Mode Off "
                             "} HLSLPROGRAM ENDHLSL }\nPass { Color (1,1,1,1) Color (0,0,0,0) "
                             "} Pass { } } }"),
-        ElementsAre("2:8: note: Lighting, Fog: ignored, since the pass has a program",
-                    "3:8: note: Color: not synthesised, fixed-function passes draw nothing; "
-                    "write an HLSLPROGRAM"));
+        ElementsAre("2:8: note: Lighting, Fog: it is ignored, since the pass has a program",
+                    "3:8: note: Color: limn makes no program of fixed-function commands, so the "
+                    "pass draws nothing; write an HLSLPROGRAM"));
 }
 
 TEST(ShaderLabLegacy, IsNotedOnceForAllPassesThatACommandHoldsFor)

@@ -408,8 +408,8 @@ void ReplaceContent(const std::filesystem::path& path, std::string_view expected
                   if (ReadYamlText(path) != expected)
                   {
                       throw AssetError(path.generic_string(), {},
-                                       "was changed by another program meanwhile, and is left as "
-                                       "that wrote it; try again");
+                                       "has been changed by another program meanwhile, so limn "
+                                       "does not write it; try again");
                   }
               });
 }

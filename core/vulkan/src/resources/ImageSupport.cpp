@@ -169,7 +169,7 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
     RequireMips(context, info, texture);
     if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
-        throw DrawError(subject + "the device does not do " +
+        throw DrawError(subject + "the device does not support " +
                         std::to_string(static_cast<int>(info.samples)) + " samples of " +
                         limn::ToString(texture.graphicsFormat()));
     }

@@ -118,8 +118,8 @@ std::string EventText(const PixelHistory& history, std::size_t index)
         add("stencil", *event.stencil);
     }
     const bool isLeftOut = !event.isRun && event.fate == PixelFate::Drawn;
-    return text + (isLeftOut ? WrappedLine("the device is spared this draw: the picture is the "
-                                           "same without it",
+    return text + (isLeftOut ? WrappedLine("the device does not run this draw, because the picture "
+                                           "is the same without it",
                                            4, 2)
                              : "");
 }
@@ -203,7 +203,7 @@ std::string RestSentence(const PixelHistory& history)
     text += absent > 0 ? "; " + Count(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
     const std::size_t elsewhere = history.elsewhere.size();
     text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
-                                " not laid out as the picture is"
+                                " of another layout than the picture"
                           : "";
     return WrappedLine(text + ": -v names them", 0, 2);
 }
@@ -231,7 +231,7 @@ std::string RestText(const PixelHistory& history)
     }
     return SectionText("drawn, but not over the pixel", uncovered) +
            SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
-           SectionText("targets that are not laid out as the picture is", elsewhere);
+           SectionText("targets that are of another layout than the picture", elsewhere);
 }
 
 std::string NotesText(const PixelHistory& history, bool isLong)

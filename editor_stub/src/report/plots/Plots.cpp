@@ -281,7 +281,7 @@ Plot FlickerAgainstTime(const Comparison& comparison)
     plot.file = "flicker_time";
     plot.title = "Flicker against GPU time";
     plot.caption =
-        "What changes beyond what the exact outline changes, in motion by sixteenths of a "
+        "The change in motion beyond that of the exact outline, in motion by sixteenths of a "
         "pixel (" +
         Readable(comparison.flickerWidth) +
         " px wide, median over what moved, bars over its quartiles and where the median of the "

@@ -82,7 +82,7 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "    stencil 0 → 7\n"
               "  4 Mask draws without a mesh: Mask, pass 0\n"
               "    _Mask at 1,2 of 32x24 1\n"
-              "    the device is spared this draw: the picture is the same without it\n"
+              "    the device does not run this draw, because the picture is the same without it\n"
               "rejected there:\n"
               "  3 Opaque draws A, B, C, D and 1 more: Lit, pass 2\n"
               "    it is behind what is there\n"
@@ -94,7 +94,7 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "odd:\n"
               "  a feature lacks something\n"
               "2 objects do not cover the pixel, nor does 1 draw of Line, nor do 3 draws of\n"
-              "  Dots; 1 object is drawn nowhere; 1 target is not laid out as the picture is:\n"
+              "  Dots; 1 object is drawn nowhere; 1 target is of another layout than the picture:\n"
               "  -v names them\n",
               PixelText(SampleHistory(), false));
 }
@@ -109,7 +109,7 @@ TEST(PixelReport, NamesWhatIsElsewhereWhereMoreIsAskedFor)
               "  3 draws of Dots: Dot\n"
               "drawn nowhere, and not at the pixel:\n"
               "  Far: inactive\n"
-              "targets that are not laid out as the picture is:\n"
+              "targets that are of another layout than the picture:\n"
               "  Shadow: _Shadow 256x256\n",
               text.substr(text.find("drawn, but")));
 }
