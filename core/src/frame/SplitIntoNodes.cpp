@@ -211,7 +211,7 @@ private:
         return node;
     }
 
-    /// Whether the last node draws into what is bound.
+    /// Returns whether the last node draws into what is bound.
     bool IsOnTarget() const
     {
         return m_Target && !m_Nodes.empty() && !m_Nodes.back().isCompute &&

@@ -11,7 +11,7 @@ namespace limn
 namespace
 {
 
-/// Where the elements of an accessor lie; every one is inside its buffer.
+/// The place of an accessor's elements, each of which is inside its buffer.
 struct Elements
 {
     const unsigned char* first = nullptr;

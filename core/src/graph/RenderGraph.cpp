@@ -39,7 +39,7 @@ std::string Describe(const RenderTexture& texture)
            std::to_string(texture.descriptor().msaaSamples) + " samples per texel";
 }
 
-/// What a blit's render function draws with.
+/// The data of a blit's render function.
 struct BlitData
 {
     TextureHandle source;

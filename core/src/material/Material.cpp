@@ -71,7 +71,8 @@ ShaderPropertyId ScaleOffsetId(ShaderPropertyId texture)
     return ShaderPropertyId(texture.name() + "_ST");
 }
 
-/// Of numbers and what is made of a fixed count of them; -0 is not 0.
+/// Returns whether two values have the same bytes, for numbers and fixed counts of them; -0 differs
+/// from 0.
 bool HasSameBytes(const ShaderPropertyValue& a, const ShaderPropertyValue& b)
 {
     return a.index() == b.index() &&

@@ -90,7 +90,8 @@ void ExpectPipelineVersion(int version)
     }
 }
 
-/// Of this camera's target. Unity: UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
+/// Returns the scale of this camera's target. Unity:
+/// UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
 float RenderScaleOf(const Camera& camera, float renderScale)
 {
     constexpr float k_Threshold = 0.05f;
@@ -113,7 +114,7 @@ glm::ivec2 PictureSize(const RenderRequest& request)
                              : glm::ivec2(request.width, request.height);
 }
 
-/// How many samples the device does of both colour and depth.
+/// Returns the number of samples that the device supports for both colour and depth.
 int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor camera)
 {
     RenderTextureDescriptor color = camera;
@@ -265,8 +266,8 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
     }
 }
 
-/// What does not change within a camera, and what an overlay must not take over from the camera
-/// before it.
+/// Sets the uniforms that do not change within a camera, and those that an overlay must not take
+/// over from the camera before it.
 void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
                  const RenderingData& renderingData)
 {

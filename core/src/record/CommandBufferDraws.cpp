@@ -46,8 +46,9 @@ void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTextur
     }
 }
 
-/// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
-/// @param properties  gets it: what a draw brings along wins over what is global
+/// Sets the matrices of a blit's vertex function: those of Unity's GL.LoadOrtho, whatever the
+/// camera is.
+/// @param properties  receives them, since a draw's own properties win over global ones
 void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& dest)
 {
     static const ShaderPropertyId limn_Origin{"limn_Origin"};
@@ -207,7 +208,7 @@ void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source,
     properties.Clear();
 }
 
-/// Of the draw's material, the pass that it names or each.
+/// Draws with the pass of the material that the draw names, or with each of them.
 void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
 {
     ExpectMaterial(draw.material);

@@ -22,7 +22,7 @@ float AspectOf(const glm::ivec2& size)
     return static_cast<float>(size.x) / static_cast<float>(size.y);
 }
 
-/// In view space, at that distance in front of the camera.
+/// Returns the point in view space at that distance in front of the camera.
 glm::dvec3 ViewPoint(const Camera& camera, const glm::dvec2& viewport, double distance,
                      float aspect)
 {

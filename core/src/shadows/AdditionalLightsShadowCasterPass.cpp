@@ -36,7 +36,7 @@ const ShaderPropertyId k_ShadowBias{"_ShadowBias"};
 const ShaderPropertyId _LightPosition{"_LightPosition"};
 const ShaderPropertyId limn_LightPosition{"limn_LightPosition"};
 
-/// How many squares shaders have room for.
+/// The number of squares for which shaders have room.
 constexpr std::size_t k_MostSlices = 64;
 constexpr std::size_t k_CubeSides = 6;
 // Squares smaller than these, texels along a side, do not look like shadows (URP's).
@@ -62,7 +62,8 @@ const std::vector<std::uint8_t>& Receivers(const RendererTable& table)
     return receives;
 }
 
-/// Whether something that is seen, and near enough to camera and light, can show a shadow of it.
+/// Returns whether something that is seen, and near enough to camera and light, can show a shadow
+/// of it.
 bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec3& camera,
                  double shadowDistance)
 {

@@ -16,7 +16,7 @@ const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
 const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
-// Of CameraTargets::copy.
+// The passes of CameraTargets::copy.
 constexpr int k_NearestPass = 0;
 constexpr int k_BilinearPass = 1;
 constexpr int k_NearestQuadPass = 6;
@@ -80,7 +80,7 @@ const CameraTargets& RenderTargetResolver::Camera(std::string_view call) const
     return m_Camera;
 }
 
-/// What later draws of the frame go into.
+/// Returns the target of the frame's later draws.
 const SetRenderTargetCommand& RenderTargetResolver::Bound(std::string_view call) const
 {
     const auto isTarget = [](const FrameCommand& command)

@@ -56,7 +56,7 @@ constexpr BlockFacts k_Blocks[] = {
     {"ASTC10X10", 10, 10, 16}, {"ASTC12X12", 12, 12, 16},
 };
 
-/// Null for what is not compressed.
+/// Returns the facts about a compressed format, or null for other formats.
 const BlockFacts* BlockOf(GraphicsFormat format)
 {
     const auto found = std::ranges::find_if(k_Blocks,

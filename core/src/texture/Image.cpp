@@ -73,7 +73,8 @@ std::string SizeProblem(const png_image& header, std::string_view file)
     const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
     if (header.width > k_MaxSide || header.height > k_MaxSide)
     {
-        return "is " + size + "; at most " + std::to_string(k_MaxSide) + " either way is read";
+        return "is " + size + "; limn reads at most " + std::to_string(k_MaxSide) +
+               " texels either way";
     }
     constexpr std::uint64_t maxRatio = 1032;
     constexpr std::uint64_t channels[] = {1, 0, 3, 1, 2, 0, 4}; // by the header's colour type

@@ -64,7 +64,8 @@ SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState 
     return sampler;
 }
 
-/// What has no meaning here and is not to be passed over in silence; "" = there is nothing such.
+/// Returns why limn refuses the descriptor, "" if it accepts it. A setting that has no meaning here
+/// must not be ignored silently.
 std::string ReasonRefused(const RenderTextureDescriptor& descriptor)
 {
     if (descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1)

@@ -65,8 +65,8 @@ Flag RootFlag(std::vector<std::string>& roots)
 Flag PackageFlag(std::map<std::string, std::string>& packages)
 {
     return {"package", "[NAME=]DIR",
-            "Take a package's shader includes from a folder of your own; without NAME, what its "
-            "package.json says",
+            "Take a package's shader includes from a folder of your own; without NAME its "
+            "package.json names the package",
             IntoPackages(packages), AnyInARow};
 }
 
@@ -80,8 +80,8 @@ Flag PluginFlag(std::vector<std::string>& plugins)
 Flag SceneFlag(RenderOptions& options)
 {
     return {"scene", "FILE",
-            "The .unity file to take where SCENE is the folder of a Unity project, as a path from "
-            "that folder; by itself the first scene of the build settings",
+            "The .unity file to draw if SCENE is the folder of a Unity project, as a path from "
+            "that folder; without it the first scene of the build settings",
             Into(options.sceneInProject)};
 }
 
@@ -114,8 +114,8 @@ Flag DeviceFlag(std::string& device)
     const char* usual = std::getenv("LIMN_DEVICE");
     device = usual ? usual : "";
     return {"device", "NAME",
-            "'software', a position in `limn doctor`'s list, or a part of a name; without it what "
-            "LIMN_DEVICE says, else the first real GPU, else the software device",
+            "'software', a position in `limn doctor`'s list, or a part of a name; without it the "
+            "one that LIMN_DEVICE names, else the first real GPU, else the software device",
             Into(device)};
 }
 
@@ -170,7 +170,7 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         DeviceFlag(options.device),
         {"cache-dir", "DIR",
          "Keep compiled shaders, models and pictures here, not in the user's cache folder; "
-         "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many",
+         "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) limits their size",
          Into(options.cacheFolder)},
         Switch("no-cache", "Keep no compiled shaders, models and pictures", options.noCache),
         PluginFlag(options.plugins),
@@ -308,7 +308,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
                 options.isFull),
          {"technique", "NAME", "Measure only this technique", Into(options.techniques), Any},
          {"budget", "MS",
-          "Recommend a technique that adds at most so many milliseconds of GPU time",
+          "Recommend a technique that adds at most this number of milliseconds of GPU time",
           IntoBudget(options.budget)},
          {"shard", "I/N", "Measure the I-th of N parts, which --merge puts together",
           IntoPart(options.shard, options.shards)},
@@ -413,8 +413,8 @@ Verb NewVerb(NewOptions& options)
                   "classes, such as DepthFog",
                   Into(options.name)),
          Argument("CONTENT",
-                  "For a profile its volume components, by itself StrokeOutline; for a material "
-                  "its shader, by itself \"Universal Render Pipeline/Lit\"",
+                  "For a profile its volume components, StrokeOutline unless named; for a material "
+                  "its shader, unless named \"Universal Render Pipeline/Lit\"",
                   Into(options.contents), Any),
          std::move(folder),
          {"style", "urp14|unity6",

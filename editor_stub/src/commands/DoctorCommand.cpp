@@ -42,7 +42,7 @@ void PrintDevices(Console& console)
     }
 }
 
-/// Whether a device could be opened.
+/// Returns whether a device could be opened.
 bool PrintChoice(const std::string& name, Console& console)
 {
     VulkanDeviceOptions options;

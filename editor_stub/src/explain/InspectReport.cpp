@@ -182,7 +182,7 @@ private:
     mutable Names m_SceneLayers;
 };
 
-/// One of the names that stands somewhere in the value; "" if none does.
+/// Returns one of the names if it stands somewhere in the value, "" otherwise.
 std::string NameIn(const YamlNode& node, const Names& names)
 {
     std::string found = node.isScalar() && names.count(node.scalar()) > 0 ? node.scalar() : "";

@@ -17,7 +17,7 @@ namespace limn
 namespace
 {
 
-/// Of the process, by where they are loaded.
+/// The names of the process's plug-ins, by the address at which they are loaded.
 struct PluginNames
 {
     std::mutex mutex;
@@ -107,7 +107,7 @@ void NamePlugin(const void* symbol, const std::string& name)
     SetPluginCodeListener(&NamePluginOf);
 }
 
-/// Of the process.
+/// The plug-ins of the process.
 struct LoadedPlugins
 {
     std::mutex mutex;

@@ -53,7 +53,7 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
                          std::string("is no ") + noun + "; a " + std::string(extension) +
                              " file is expected");
     }
-    // What a person typed, in no file, leads anywhere.
+    // A path that a person typed, and that is in no file, may lead anywhere.
     FileRoots own;
     own.Add(m_Profile.parent_path());
     if (!m_Profile.empty() && !own.Contains(file) && !m_Assets.roots().Contains(file))

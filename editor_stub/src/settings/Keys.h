@@ -207,7 +207,7 @@ inline constexpr SceneKey k_RenderSettings[] = {
      Integer,
      "The texels along an edge of the mirrored sky's cube, a power of two",
      {1.0, 2048.0}},
-    {"reflectionIntensity", Number, "A factor for what is mirrored", k_Intensities}};
+    {"reflectionIntensity", Number, "A factor for the mirrored light", k_Intensities}};
 
 inline constexpr SceneKey k_CameraPosition{
     "position", Vector, "The position in metres; x right, y up, z forward", k_Places};
@@ -320,7 +320,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     k_Rotation,
     k_LightColor,
     k_LightIntensity,
-    {"range", Number, "The distance in metres from which on the light lights nothing", k_Lengths},
+    {"range", Number, "The distance in metres at which the light ends", k_Lengths},
     {"spotAngle", Number, "The angle of a spot's whole cone in degrees", {1.0, 179.0}},
     {"innerSpotAngle",
      Number,
@@ -346,7 +346,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
 /// The keys of a renderer, of which it has one.
 inline constexpr SceneKey k_Renderer[] = {
     {"rendererData", Text,
-     "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` says the same"},
+     "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` has the same effect"},
     {"features", Features, "The features, in the order in which they add their passes"}};
 
 inline constexpr SceneKey k_Volume[] = {

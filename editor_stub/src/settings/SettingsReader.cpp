@@ -139,7 +139,7 @@ bool IsBookkeeping(std::string_view type, std::string_view key)
            std::ranges::count(k_PackageResources, std::pair(type, key)) > 0;
 }
 
-/// Whether the value is a reference, a vector or a colour: a map that is one value.
+/// Returns whether the value is a reference, a vector or a colour: a map that is one value.
 bool IsOneValue(const YamlNode& node)
 {
     const auto isLetter = [](const YamlEntry& entry)
@@ -149,7 +149,7 @@ bool IsOneValue(const YamlNode& node)
     return node.Find("fileID") || std::ranges::all_of(node.entries(), isLetter);
 }
 
-/// Whether an entry that is no member of the group is a settings class whose members are.
+/// Returns whether an entry that is no member of the group is a settings class whose members are.
 bool IsSettingsClass(const YamlEntry& entry, const SettingName& group)
 {
     if (!entry.value.isMap() || IsOneValue(entry.value) || FindMember(group, entry.key))

@@ -47,7 +47,7 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
     return {};
 }
 
-/// Whether resolving the shader takes other shaders.
+/// Returns whether resolving the shader takes other shaders.
 bool needsOthers(const ShaderLabDocument& document)
 {
     const auto isUse = [](const ShaderLabPass& pass)
@@ -131,8 +131,8 @@ private:
         }
     }
 
-    /// Null after a diagnostic. What is wrong with the pass that is used, the file that has it
-    /// tells as an error: here it is a warning.
+    /// Returns the pass that is used, or null after a diagnostic. A fault of that pass is an error
+    /// of its own file; here it is a warning.
     std::shared_ptr<const CheckedUse> CheckUse(const ShaderLabSubShader& subShader,
                                                const ShaderLabPass& usePass)
     {

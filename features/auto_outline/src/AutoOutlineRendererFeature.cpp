@@ -129,7 +129,7 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
     work.width = component.m_OutlineWidth.value();
     work.regionArea = RegionArea(found.objects, renderingData.cameraData, component.reach());
     const OutlineChoice choice =
-        isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique says"};
+        isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique requires"};
     std::string why;
     if (choice.technique == OutlineTechnique::Strokes)
     {

@@ -9,8 +9,8 @@ namespace limn
 namespace
 {
 
-// What a pixel costs, in reads of a texture (1.2 ns): outline_benchmark's times on lavapipe with
-// two cores come to this.
+// The cost of a pixel in reads of a texture (1.2 ns), from the times of outline_benchmark on
+// lavapipe with two cores.
 constexpr double k_ReadsOfStroke = 15.0;
 constexpr double k_ReadsOfOwnDepth = 7.0; ///< and the composite
 constexpr double k_ReadsOfFloodStep = 8.5;

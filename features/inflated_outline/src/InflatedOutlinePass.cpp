@@ -17,7 +17,8 @@ namespace
 const ShaderPropertyId _InflatedColor{"_InflatedColor"};
 const ShaderPropertyId _InflatedWidth{"_InflatedWidth"};
 
-/// How far the nearest of them is, by the middles of their bounds, along the view axis.
+/// Returns the distance of the nearest item along the view axis, measured to the middle of its
+/// bounds.
 double DepthOf(const std::vector<RendererItem>& items, const glm::dmat4& view)
 {
     double nearest = std::numeric_limits<double>::infinity();
@@ -28,7 +29,7 @@ double DepthOf(const std::vector<RendererItem>& items, const glm::dmat4& view)
     return nearest;
 }
 
-/// With its own material, as DrawRenderers draws it.
+/// Draws the item with its own material, as DrawRenderers does.
 void DrawForward(CommandBuffer& cmd, const RendererItem& item)
 {
     for (const ShaderTagId tag : ForwardShaderTags())

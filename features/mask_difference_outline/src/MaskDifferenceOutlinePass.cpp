@@ -14,7 +14,7 @@ namespace limn
 namespace
 {
 
-/// What the shader calls its inputs, the article's names first, and its passes.
+/// The names of the shader's inputs, the article's first, and of its passes.
 struct MaskDifferenceNames
 {
     ShaderPropertyId t_tex0{"t_tex0"};

@@ -34,7 +34,7 @@ const ShaderPropertyId _StrokeDepth = Shader::PropertyToID("_StrokeDepth");
 const ShaderPropertyId _StrokeCoverage = Shader::PropertyToID("_StrokeCoverage");
 const ShaderPropertyId _StrokeEdges = Shader::PropertyToID("_StrokeEdges");
 
-/// How opaque strokes are where the silhouette is visible, and where it is hidden.
+/// Sets the opacity of strokes where the silhouette is visible, and where it is hidden.
 void SetColors(Material& material, const StrokeOutline& component, OutlineOcclusion occlusion)
 {
     Color visible = component.m_OutlineColor.value();

@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// In the order of the shader file.
+/// The passes in the order of the shader file.
 struct WideOutlineShaderPass
 {
     enum
@@ -61,7 +61,7 @@ bool IsCutout(const OutlinedObject& object)
     return IsAlphaTested(*object.item.material);
 }
 
-/// What a material cuts holes with.
+/// Returns the properties with which a material cuts holes.
 MaterialPropertyBlock CutoutOf(const Material& material)
 {
     static const ShaderPropertyId names[] = {

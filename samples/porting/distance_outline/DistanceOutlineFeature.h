@@ -13,7 +13,7 @@ namespace porting
 
 using namespace limn;
 
-/// What Unity has as an asset of its own: the plug-in's .compute file.
+/// Returns the plug-in's .compute file, which is an asset of its own in Unity.
 inline std::shared_ptr<ComputeShader> LoadDistanceOutline(const Shader& shader)
 {
     return FindShippedComputeShader("DistanceOutline.compute", shader.compiler());

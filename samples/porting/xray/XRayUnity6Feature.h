@@ -123,7 +123,7 @@ public:
                         "The event at which it is drawn");
         inspector.Field("layerMask", settings.layerMask,
                         "The layers of the objects whose hidden parts are shown");
-        inspector.Field("shader", settings.shader, "Draws what is hidden");
+        inspector.Field("shader", settings.shader, "Draws the hidden parts");
         inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("stencilReference", settings.stencilReference, {1, 255},
                         "The stencil value of pixels that need no colour");

@@ -34,7 +34,7 @@ const EmbeddedFile* FindEmbedded(std::string_view path)
     return found == s_Files.end() ? nullptr : found->second;
 }
 
-/// Whether the built-in library has files below the folder.
+/// Returns whether the built-in library has files below the folder.
 bool isInLibrary(std::string_view folder)
 {
     const auto files = embedded::ShaderLibrary();
@@ -283,7 +283,8 @@ bool IncludeResolver::isInOwnPackage(const std::filesystem::path& path)
     return m_Roots.Contains(path);
 }
 
-/// What the packages are called decides on what is included.
+/// Adds the manifests of packages to the dependencies, because their names decide which files are
+/// included.
 void IncludeResolver::TakeManifests()
 {
     for (; m_ManifestsTaken < m_Packages.manifests().size(); ++m_ManifestsTaken)

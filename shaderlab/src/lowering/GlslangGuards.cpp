@@ -19,7 +19,7 @@ char ClosingOf(std::string_view open)
     return open == "(" ? ')' : open == "[" ? ']' : '}';
 }
 
-/// Whether `) . method (` stands at the index.
+/// Returns whether `) . method (` stands at the index.
 bool isMethodOfResult(const HlslSource& source, std::size_t index)
 {
     const HlslTokens& tokens = source.tokens;
@@ -28,7 +28,7 @@ bool isMethodOfResult(const HlslSource& source, std::size_t index)
            !source.globals.FindMethods(tokens.Text(index + 2)).empty();
 }
 
-/// Whether the node's value is known when the program runs only.
+/// Returns whether the node's value is known when the program runs only.
 bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     const bool isConstant =
@@ -175,7 +175,8 @@ private:
                             : !isDigit(first) && k_NoOperators.find(first) == k_NoOperators.npos;
     }
 
-    /// Of arguments, parameters or initial values, in brackets that open behind m_Previous.
+    /// Returns whether a bracket behind m_Previous opens a list of arguments, parameters or initial
+    /// values.
     bool isList(char bracket) const
     {
         return bracket == '(' ? m_Previous.isWord && m_Previous.text != "return" &&
@@ -193,7 +194,7 @@ private:
 class StructCounter
 {
 public:
-    /// How deep the type does that whose declaration is at hand.
+    /// Returns how deeply the type is nested whose declaration is at the token.
     std::size_t Take(const HlslTokens& tokens, std::size_t index)
     {
         const auto text = [&](std::size_t ahead)
@@ -412,7 +413,7 @@ std::string DescribeDeepMacros()
 void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     std::vector<HlslProblem> problems;
-    // What is not understood may declare names.
+    // Code that is not understood may declare names.
     const bool knowsNames = std::ranges::none_of(nodes, [](const HlslNode& node)
                                                  { return node.kind == HlslNodeKind::Unknown; });
     for (const HlslNode& node : nodes)

@@ -342,7 +342,7 @@ bool Parser::AppendName(std::span<const EnumName<T>> names)
     return true;
 }
 
-/// Says once for a list of commands that nothing is drawn with them.
+/// Adds a note, once for a list of commands, that nothing is drawn with them.
 void Parser::NoteLegacyCommands(const ShaderLabPass& pass)
 {
     if (pass.legacyCommands.empty() || pass.legacyCommands[0].location == m_NotedLegacy)

@@ -17,7 +17,8 @@ constexpr std::size_t k_MaximumIncludeDepth = 64;
 constexpr std::size_t k_MaximumCount = 10'000;
 constexpr std::size_t k_MaximumTotal = std::size_t{256} << 20;
 
-/// What follows the name if the line is the directive `name`; blanks may stand around the `#`.
+/// Returns the text behind the name if the line is the directive `name`. Blanks may stand around
+/// the `#`.
 std::optional<std::string_view> BehindDirective(std::string_view line, std::string_view name)
 {
     line = Trim(line);

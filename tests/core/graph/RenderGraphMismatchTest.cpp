@@ -221,11 +221,11 @@ TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
         "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
         "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is false: its "
         "contents are undefined\n"
-        "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+        "pass 'Blur' sets the global '_Width', for which Unity throws; add "
         "builder.AllowGlobalStateModification(true);\n"
-        "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, which "
-        "Unity throws for; add builder.UseTexture(<handle of '_Mask'>);\n"
-        "pass 'Blur' sets the global '_Shown', which Unity throws for; add "
+        "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, for which "
+        "Unity throws; add builder.UseTexture(<handle of '_Mask'>);\n"
+        "pass 'Blur' sets the global '_Shown', for which Unity throws; add "
         "builder.AllowGlobalStateModification(true);\n"
         "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
         "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
@@ -381,7 +381,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         };
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), set)),
-              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "pass 'Blur' sets the global '_Width', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
     EXPECT_THAT(NotesOf(Blur(declare(true), set)), IsEmpty());
     const auto setView = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
@@ -390,7 +390,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), setView)),
-              "pass 'Blur' sets the view and projection matrices, which Unity throws for; add "
+              "pass 'Blur' sets the view and projection matrices, for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -422,7 +422,7 @@ TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
     };
     EXPECT_EQ(ErrorOf(Blur(
                   [](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); }, wet)),
-              "pass 'Blur' switches the keyword 'WET', which Unity throws for; add "
+              "pass 'Blur' switches the keyword 'WET', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -488,8 +488,8 @@ TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
         };
     };
     EXPECT_EQ(ErrorOf(record(false, true)),
-              "pass 'List' declares no UseRendererList of a renderer list, yet draws it, of which "
-              "Unity draws nothing; add builder.UseRendererList(<its handle>);");
+              "pass 'List' draws a renderer list without declaring it by UseRendererList, so that "
+              "Unity would draw nothing; add builder.UseRendererList(<its handle>);");
     EXPECT_THAT(NotesOf(record(true, false)),
                 ElementsAre("pass 'List' declares UseRendererList of a list that it does not "
                             "draw"));

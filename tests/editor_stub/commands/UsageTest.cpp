@@ -269,8 +269,8 @@ TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
 TEST(Usage, APictureIsAPngByItsName)
 {
     ExpectWrongUsage({"render", "s", "-o", "x.jpg"},
-                     "error: --output: 'x.jpg' would not be a PNG by its name; PNG is what limn "
-                     "writes: a.png, or - for stdout\n" +
+                     "error: --output: 'x.jpg' is no name of a PNG, and limn writes PNG only: "
+                     "a.png, or - for stdout\n" +
                          k_RenderUsage);
     ExpectWrongUsage({"watch", "s", "-o", "-"},
                      "error: --output: stdout holds one picture only; name a file\n"

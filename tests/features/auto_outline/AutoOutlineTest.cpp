@@ -118,9 +118,9 @@ TEST(AutoOutline, CountsTheEdgesOfAMeshThatIsMuchSmallerThanItsObject)
 TEST(AutoOutline, DoesAsItIsTold)
 {
     for (const auto& [technique, name] :
-         {std::pair{OutlineTechnique::Strokes, "Outline: Strokes, as m_Technique says"},
-          {OutlineTechnique::Separable, "Outline: Separable, as m_Technique says"},
-          {OutlineTechnique::JumpFlood, "Outline: JumpFlood, as m_Technique says"}})
+         {std::pair{OutlineTechnique::Strokes, "Outline: Strokes, as m_Technique requires"},
+          {OutlineTechnique::Separable, "Outline: Separable, as m_Technique requires"},
+          {OutlineTechnique::JumpFlood, "Outline: JumpFlood, as m_Technique requires"}})
     {
         AutoOutlineSettings settings;
         settings.m_Technique = technique;

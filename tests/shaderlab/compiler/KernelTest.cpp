@@ -321,10 +321,11 @@ TEST(Kernel, IsMissedByItsName)
 
 TEST(Kernel, SaysHowManyThreadsItsGroupsHave)
 {
-    EXPECT_EQ(KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
-                           "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
-              (std::vector<std::string>{"t.compute:3:6: error: 'K': a kernel says how many threads "
-                                        "a group has; write '[numthreads(8, 8, 1)]' before it"}));
+    EXPECT_EQ(
+        KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
+                     "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
+        (std::vector<std::string>{"t.compute:3:6: error: 'K': a kernel must set the number of "
+                                  "threads of a group; write '[numthreads(8, 8, 1)]' before it"}));
 }
 
 // Direct3D 11, cs_5_0: at most 1024 along x and y, 64 along z, and 1024 in all.

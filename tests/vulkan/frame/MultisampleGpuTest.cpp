@@ -290,7 +290,7 @@ TEST_F(Multisampling, RefusesToResolveIntoAnotherFormat)
     frame.passes[0].barriers.push_back(
         {other, TextureUsage::Undefined, TextureUsage::ColorAttachment});
     EXPECT_EQ("pass 'test pass': target 'smooth' cannot be resolved into 'target': that must have "
-              "one sample a texel, and the same format",
+              "one sample per texel and the same format",
               ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));
 }
 

@@ -84,7 +84,7 @@ bool IsOverridden(const YamlNode& parameter)
     return state && state->scalar() != "0";
 }
 
-/// Whether the profile changes anything by the component.
+/// Returns whether the profile changes anything by the component.
 bool HasEffect(const UnityObject& object)
 {
     const YamlNode* active = object.fields.Find("active");

@@ -105,7 +105,7 @@ void YamlTreeBuilder::Close()
     {
         m_Anchors[open.anchorId] = built;
     }
-    // What is inside was counted against the limit when it came.
+    // The inner values were counted against the limit when they came.
     Append(built.node.location(), built);
 }
 

@@ -20,7 +20,7 @@ bool isSame(const T& a, const T& b)
     return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// Whether a value has to be set: it is not known, or another one.
+/// Returns whether a value has to be set: it is not known, or another one.
 template <typename T>
 bool Changes(const FixedState* known, const FixedState& state, T FixedState::*member)
 {
@@ -69,7 +69,7 @@ void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& stat
         m_Pipeline = draw.pipeline;
         m_State = nullptr;
         vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
-        // What a pipeline has baked in is not set any more.
+        // State that a pipeline contains is not set any more.
         m_Blend = state.blend.isDynamic ? m_Blend : std::nullopt;
         if (draw.program->fetches.empty())
         {

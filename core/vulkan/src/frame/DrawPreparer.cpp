@@ -179,8 +179,8 @@ PreparedArguments DrawPreparer::ArgumentsOf(const DrawBindings* bindings)
                : PreparedArguments();
 }
 
-/// Of the textures that the kernel reads and writes, where the device reads one of them only if it
-/// is told the format.
+/// Returns the formats of the textures that the kernel both reads and writes, for those that the
+/// device can read only if it knows the format.
 ImageFormats DrawPreparer::FormatsFor(const DispatchSetup& setup) const
 {
     ImageFormats formats;

@@ -46,7 +46,7 @@ void RequireMips(const VulkanContext& context, const VkImageCreateInfo& info,
     }
 }
 
-/// What a usage asks of the format; 0 = limn has no such usage.
+/// Returns the features that a usage requires of the format; 0 if limn has no such usage.
 VkFormatFeatureFlags FeaturesFor(GraphicsFormat format, FormatUsage usage)
 {
     const VkFormatFeatureFlags target = IsDepthFormat(format)

@@ -49,7 +49,8 @@ std::string DepthReason(const PipelineState& state, float own, const TargetTexel
     const std::string stored =
         before.depth.empty() ? "none"
                              : NumbersText(TexelValue(before.depth, GraphicsFormat::D32_SFloat));
-    return std::string(isPlain ? "it is behind what is there" : "the depth test fails") +
+    return std::string(isPlain ? "it is behind the surface that is there"
+                               : "the depth test fails") +
            ": its depth is " + NumbersText({own}) + ", that of the target " + stored +
            " (1 is near), ZTest " + StateText(StateValue<CompareFunction>(state.zTest));
 }

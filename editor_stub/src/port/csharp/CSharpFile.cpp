@@ -20,7 +20,7 @@ bool IsModifier(std::string_view word)
 
 constexpr int k_MaxNesting = 100; ///< of brackets, of types in types, of arrays of arrays
 
-/// How deep a word lies in brackets and types.
+/// The depth of a word in brackets and types.
 class Nesting
 {
 public:
@@ -53,7 +53,8 @@ private:
     bool m_IsBehindName = false;
 };
 
-/// What reads classes and types calls itself for what is in them.
+/// Requires that brackets and types are not nested too deeply, because the reader calls itself for
+/// each level.
 void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& tokens)
 {
     Nesting nesting;

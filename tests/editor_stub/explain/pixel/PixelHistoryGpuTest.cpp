@@ -38,7 +38,8 @@ TEST_F(PixelHistoryGpu, TellsWhatIsDrawnAndWhatIsBehindIt)
 
     const PixelEvent back = EventOf(history, "Back");
     EXPECT_EQ(PixelFate::Depth, back.fate);
-    EXPECT_EQ("it is behind what is there: its depth is 0.4, that of the target 0.6 (1 is near), "
+    EXPECT_EQ("it is behind the surface that is there: its depth is 0.4, that of the target 0.6 (1 "
+              "is near), "
               "ZTest LEqual",
               back.reason);
     EXPECT_FALSE(back.colors.at(0).isChanged());

@@ -36,7 +36,7 @@ public:
     ClampedFloatParameter outlineStrength{
         this, "outlineStrength",
         3.0f, 1.0f,
-        5.0f, {.tooltip = "The factor for the blurred colour, of which at most half is seen."}};
+        5.0f, {.tooltip = "The factor of the blurred colour; at most half of it is seen."}};
 
     /// Returns how often the blur runs.
     int blurCount() const { return 2 * iterate.value() + 1; }
