@@ -239,9 +239,9 @@ inline constexpr SceneKey k_VolumeLayerMask{
 inline constexpr SceneKey k_VolumeTrigger{
     "volumeTrigger", Vector,
     "The point from which volumes are measured; the camera's position unless it is set"};
-inline constexpr SceneKey k_TransparencySortMode{
-    "transparencySortMode", TransparencySortMode,
-    "The distance by which transparent objects are sorted; Default is as the lens has it"};
+inline constexpr SceneKey k_TransparencySortMode{"transparencySortMode", TransparencySortMode,
+                                                 "The distance by which transparent objects are "
+                                                 "sorted; Default follows the camera's projection"};
 inline constexpr SceneKey k_TransparencySortAxis{
     "transparencySortAxis", Vector,
     "The axis of CustomAxis, in the world, pointing away from the viewer", k_Places};

@@ -156,7 +156,8 @@ TEST(ReadPng, TakesNoMemoryForAPictureThatTheFileCannotHold)
         const auto path = folder.Write("a.png", HeaderOf(width, height));
         return ThrownMessage<AssetError>([&] { ReadPng(path); }).erase(0, path.string().size());
     };
-    EXPECT_EQ(errorOf(65535, 65535), ": error: is 65535x65535; limn reads at most 16384 texels either way");
+    EXPECT_EQ(errorOf(65535, 65535),
+              ": error: is 65535x65535; limn reads at most 16384 texels either way");
     EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; limn reads at most 16384 texels either way");
     EXPECT_EQ(errorOf(16384, 16384), ": error: is no readable PNG: a file of 57 bytes cannot hold "
                                      "its picture of 16384x16384");
