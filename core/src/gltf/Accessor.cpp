@@ -126,9 +126,11 @@ GltfFloats ReadGltfFloats(const tinygltf::Model& model, int accessor, int minCom
     const Elements elements = Locate(model, accessor);
     if (elements.components < minComponents || elements.components > maxComponents)
     {
-        Fail(accessor, "each element has " + std::to_string(elements.components) + " numbers; " +
-                           std::to_string(minComponents) + " to " + std::to_string(maxComponents) +
-                           " are expected here");
+        Fail(accessor,
+             "each element has " + std::to_string(elements.components) + " numbers; " +
+                 std::to_string(minComponents) +
+                 (maxComponents > minComponents ? " to " + std::to_string(maxComponents) : "") +
+                 " are expected here");
     }
     GltfFloats floats;
     floats.components = elements.components;

@@ -51,7 +51,7 @@ void CheckTriangles(std::vector<std::string>& problems, const MeshData& data)
         const auto count = std::count_if(indices.begin(), indices.end(), isOutside);
         problems.push_back("triangles[" + std::to_string(first - indices.begin()) + "]: index " +
                            std::to_string(*first) + " is too large for " + std::to_string(limit) +
-                           " vertices; the list has " + std::to_string(count) + " such indices");
+                           " vertices; the number of such indices is " + std::to_string(count));
     }
 }
 

@@ -144,10 +144,9 @@ TEST(ComputeShader, IsDispatchedInAtLeastOneGroup)
 {
     CommandBuffer cmd;
     const auto shader = Two();
-    EXPECT_EQ(
-        test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(shader, 0, 1, 0, 1); }),
-        "DispatchCompute of 'Filter', kernel 'Blur': 1x0x1 groups; each count must be from 1 to "
-        "65535");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(shader, 0, 1, 0, 1); }),
+              "DispatchCompute of 'Filter', kernel 'Blur': it was given 1x0x1 groups; each count "
+              "must be from 1 to 65535");
     EXPECT_THROW(cmd.DispatchCompute(shader, 0, 65536, 1, 1), ContractError);
     EXPECT_THROW(cmd.DispatchCompute(shader, 2, 1, 1, 1), ContractError);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(nullptr, 0, 1, 1, 1); }),
@@ -219,7 +218,7 @@ TEST(ComputeShader, CountsOnlyWhereABufferHasACounter)
 TEST(GraphicsBuffer, IsRefusedWithItsNumbers)
 {
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 0, 4); }),
-              "GraphicsBuffer: count 0 and the stride is 4; both must be greater than 0");
+              "GraphicsBuffer: the count is 0 and the stride is 4; both must be greater than 0");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 1, 6); }),
               "GraphicsBuffer: the stride is 6 bytes; for structured elements it must be a "
               "multiple of 4 up to 2048");
@@ -247,8 +246,9 @@ TEST(GraphicsBuffer, RemembersWhatWasSetLast)
         buffer.SetData(std::vector<int>{i, i}, 0, 2, 2); // over the last one
     }
     EXPECT_EQ(buffer.changes().size(), 2u) << "those that are covered are gone";
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
-              "GraphicsBuffer: 'GraphicsBuffer': SetData writes 20 bytes at 0; it has 16");
+    EXPECT_EQ(
+        test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
+        "GraphicsBuffer: 'GraphicsBuffer': SetData writes 20 bytes from byte 0; the buffer has 16");
     EXPECT_THROW(buffer.SetData(std::vector<int>(2), 1, 0, 2), ContractError);
     EXPECT_THROW(buffer.SetCounterValue(1), ContractError);
     buffer.Release();
@@ -271,8 +271,8 @@ TEST(GraphicsBuffer, IsBoundInPartsFromMultiplesOf256On)
     MaterialPropertyBlock block;
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { block.SetConstantBuffer("Params", buffer, 128, 16); }),
-              "SetConstantBuffer: 16 bytes at 128 of 'constants', which has 1024 bytes; a part "
-              "must begin at a multiple of 256 and end within the buffer");
+              "SetConstantBuffer: the part is 16 bytes from byte 128 of 'constants', which has "
+              "1024 bytes; a part must begin at a multiple of 256 and end within the buffer");
     EXPECT_THROW(block.SetConstantBuffer("Params", buffer, 768, 512), ContractError);
     EXPECT_FALSE(block.hasBuffers());
     block.SetConstantBuffer("Params", buffer, 768, 256);

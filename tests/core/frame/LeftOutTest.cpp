@@ -337,8 +337,8 @@ TEST_F(LeftOutOfAFrame, IsACopyOfDepthThatNothingIsDrawnWithAnyMore)
     m_Frame.Begin("CopyDepth").Bind(copied).Blit(2, {m_Depth}, "copy").End();
     m_Frame.Bind(m_Mask).Draw(3, {m_Edges, copied}).Bind(m_Camera).Draw(4, {m_Mask, copied});
     EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 3", ": draw 4"));
-    EXPECT_THAT(Reasons(), ElementsAre("CopyDepth: what reads 'Copied' reads 'Depth', which "
-                                       "nothing is drawn with any more"));
+    EXPECT_THAT(Reasons(), ElementsAre("CopyDepth: passes that read 'Copied' can read 'Depth', "
+                                       "because nothing draws into that any more"));
     const CompiledRenderPass& scene = m_Last.passes[0];
     EXPECT_EQ(scene.depth->store, StoreOp::Store);
     for (const std::size_t reader : {1u, 2u})

@@ -214,8 +214,8 @@ TEST(GltfMeshError, RejectsElementsOfAnotherShape)
     GltfFile file = Triangle();
     file.AddFloats("VEC2", {0, 0, 0, 0, 0, 0});
     EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 1})"))),
-              "a.gltf: error: mesh 'shape' primitive 0: accessor 1: 2 numbers an element; 3 to 3 "
-              "are expected here");
+              "a.gltf: error: mesh 'shape' primitive 0: accessor 1: each element has 2 numbers; 3 "
+              "to 3 are expected here");
 }
 
 TEST(GltfMeshError, RejectsIndicesThatAreNoIntegers)
@@ -276,10 +276,10 @@ TEST(GltfMeshError, ListsEveryPrimitiveThatCannotBeRead)
                                        R"({"attributes": {"POSITION": 0}, "indices": 1}, )"
                                        R"({"attributes": {"POSITION": 0}, "indices": 2}]}], )"
                                        R"("nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
-    EXPECT_EQ(
-        ErrorOf(text),
-        "a.gltf: error: mesh 'm' primitive 0: index 3 of 3 vertices\n"
-        "a.gltf: error: mesh 'm' primitive 1: 4 indices; their number must be a multiple of three");
+    EXPECT_EQ(ErrorOf(text),
+              "a.gltf: error: mesh 'm' primitive 0: index 3 is too large for 3 vertices\n"
+              "a.gltf: error: "
+              "mesh 'm' primitive 1: it has 4 indices; their number must be a multiple of three");
 }
 
 } // namespace

@@ -49,8 +49,8 @@ TEST(ContextContainer, RefusesTwoOfOneTypeAndNone)
               "Contains to ask for it, or GetOrCreate to make it");
     container.Create<Masked>();
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Create<Masked>(); }),
-              "ContextContainer: Create of (anonymous namespace)::Masked, which is there already; "
-              "Get or GetOrCreate gives it");
+              "ContextContainer: Create: this frame has a (anonymous namespace)::Masked already; "
+              "call Get or GetOrCreate");
 }
 
 // Unity pools items: what Reset leaves alone is found again.

@@ -72,9 +72,9 @@ TEST_F(BufferCopies, AreRefusedAsUnitysDocumentationHasIt)
               "CopyBuffer from 'from' to 'from': source and destination are the same buffer; copy "
               "between two");
     const auto shorter = BufferOf(Target::Structured | Target::CopyDestination, 7, "shorter");
-    EXPECT_EQ(
-        Error([&] { m_Cmd.CopyBuffer(m_From, shorter); }),
-        "CopyBuffer from 'from' to 'shorter': 32 bytes and 28; both must have the same number");
+    EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(m_From, shorter); }),
+              "CopyBuffer from 'from' to 'shorter': they have 32 bytes and 28; both must have the "
+              "same number");
     EXPECT_THAT(Error([&] { m_Cmd.CopyBuffer(m_To, m_From); }),
                 HasSubstr("the first must be made with GraphicsBuffer::Target::CopySource, the "
                           "second with CopyDestination"));

@@ -257,8 +257,7 @@ TEST(ProjectionMatrix, IsRefusedWhereItIsNone)
                   [] {
                       static_cast<void>(Camera().CalculateObliqueMatrix({0, 0, -1, 2}, 1.0f));
                   }),
-              "camera: the oblique near plane has the camera on its visible side, or cuts "
-              "everything away");
+              "camera: the oblique near plane keeps the camera itself, or nothing that it sees");
 }
 
 void ExpectView(const Camera& camera, const glm::vec3& world, const glm::vec3& expected)

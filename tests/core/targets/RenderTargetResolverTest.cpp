@@ -208,11 +208,12 @@ TEST_F(IdentifiedTextures, AreNotCopiedIntoOthersOfSizeOrFormat)
 {
     m_Cmd.CopyTexture(m_Color, RTHandle(test::Target("Small", 8, 4)));
     EXPECT_EQ(ErrorOfExecution(),
-              "CopyTexture: 'CameraColor' is 40x20 R8G8B8A8_UNorm and 'Small' is 8x4 "
-              "R8G8B8A8_UNorm; size and format must be the same");
+              "CopyTexture: the textures are 'CameraColor' is 40x20 R8G8B8A8_UNorm and 'Small' is "
+              "8x4 R8G8B8A8_UNorm; size and format must be the same");
     m_Cmd.CopyTexture(m_Depth, RTHandle(test::DepthTarget("Depth", 40, 20)));
-    EXPECT_EQ(ErrorOfExecution(), "CopyTexture: 'CameraDepth' is 40x20 D32_SFloat_S8_UInt; limn "
-                                  "copies colours of one sample a texel");
+    EXPECT_EQ(ErrorOfExecution(),
+              "CopyTexture: the source is 'CameraDepth' is 40x20 D32_SFloat_S8_UInt; limn copies "
+              "only colours with one sample per texel");
     m_Cmd.CopyTexture(m_Color, BuiltinRenderTextureType::CameraTarget);
     EXPECT_EQ(ErrorOfExecution(), "CopyTexture: 'CameraColor' is both source and destination");
 }

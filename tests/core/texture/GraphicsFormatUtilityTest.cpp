@@ -125,8 +125,8 @@ TEST(GraphicsFormatUtility, FindsTheOlderName)
 TEST(GraphicsFormatUtility, RefusesBitsThatNoDepthHas)
 {
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { Utility::GetDepthStencilFormat(64, 0); }),
-              "GetDepthStencilFormat: 64 bits of depth and 0 of stencil; they must be 0 to 32 and "
-              "0 to 8");
+              "GetDepthStencilFormat: it was asked for 64 bits of depth and 0 of stencil; they "
+              "must be 0 to 32 and 0 to 8");
 }
 
 } // namespace limn

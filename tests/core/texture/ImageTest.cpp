@@ -156,9 +156,8 @@ TEST(ReadPng, TakesNoMemoryForAPictureThatTheFileCannotHold)
         const auto path = folder.Write("a.png", HeaderOf(width, height));
         return ThrownMessage<AssetError>([&] { ReadPng(path); }).erase(0, path.string().size());
     };
-    EXPECT_EQ(errorOf(65535, 65535),
-              ": error: is 65535x65535; limn reads at most 16384 texels either way");
-    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; limn reads at most 16384 texels either way");
+    EXPECT_EQ(errorOf(65535, 65535), ": error: is 65535x65535; at most 16384 either way is read");
+    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; at most 16384 either way is read");
     EXPECT_EQ(errorOf(16384, 16384), ": error: is no readable PNG: a file of 57 bytes cannot hold "
                                      "its picture of 16384x16384");
     // As large as 57 bytes could make it, and still there is nothing in them.
@@ -265,7 +264,7 @@ TEST(WritePng, RejectsAnImageWithoutAllItsTexels)
     Image image = FourTexels();
     image.texels.pop_back();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { WritePng(folder / "a.png", image); }),
-              "WritePng: 15 bytes of texels; 2x2 of R8G8B8A8_SRGB takes 16");
+              "WritePng: there are 15 bytes of texels; 2x2 of R8G8B8A8_SRGB takes 16");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [&] {
                       WritePng(folder / "a.png", {0, 2, GraphicsFormat::R8_UNorm, {}});

@@ -278,7 +278,7 @@ TEST(ScaledHandles, AreRefusedWithoutASize)
                   [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
               "RTHandles::Alloc '': the scale function is empty");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { RTHandles::SetReferenceSize(0, 1); }),
-              "SetReferenceSize: 0x1; both must be greater than 0");
+              "SetReferenceSize: the size is 0x1; both must be greater than 0");
 }
 
 TEST(ScaledHandles, TellTheSizeThatTheyHaveForACamera)

@@ -136,7 +136,7 @@ TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
     EXPECT_EQ(RenderTexture("a", descriptor).mipmapCount(), 3);
     descriptor.mipCount = 6;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
-              "texture 'a': 6 mip levels; 20x7 can have 1 to 5");
+              "texture 'a': it was given 6 mip levels; 20x7 can have 1 to 5");
     descriptor.graphicsFormat = GraphicsFormat::None;
     descriptor.depthBufferBits = 24;
     descriptor.mipCount = 0;
@@ -153,11 +153,11 @@ TEST(RenderTexture, RefusesWhatADescriptorMayAskForInVain)
         return ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); });
     };
     EXPECT_EQ(message([](auto& d) { d.dimension = TextureDimension::Cube; }),
-              "texture 't': dimension Cube and volumeDepth is 1; passes draw only into 2D textures "
-              "with a volumeDepth of 1");
+              "texture 't': dimension is Cube and volumeDepth is 1; passes draw only into 2D "
+              "textures with a volumeDepth of 1");
     EXPECT_EQ(message([](auto& d) { d.volumeDepth = 2; }),
-              "texture 't': dimension 2D and volumeDepth is 2; passes draw only into 2D textures "
-              "with a volumeDepth of 1");
+              "texture 't': dimension is 2D and volumeDepth is 2; passes draw only into 2D "
+              "textures with a volumeDepth of 1");
     EXPECT_EQ(message([](auto& d) { d.vrUsage = VRTextureUsage::TwoEyes; }),
               "texture 't': vrUsage is not VRTextureUsage::None; limn has no XR");
     EXPECT_EQ(message([](auto& d) { d.bindMS = true; }),
@@ -175,12 +175,14 @@ TEST(RenderTexture, OfIntegersHasNoAverages)
 {
     RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R32_SInt);
     descriptor.useMipMap = true;
-    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
-              "texture 't': R32_SInt with useMipMap; integers have no average");
+    EXPECT_EQ(
+        ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
+        "texture 't': its integer format R32_SInt cannot have useMipMap; integers have no average");
     descriptor.useMipMap = false;
     descriptor.msaaSamples = 4;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
-              "texture 't': R32_SInt with several samples per texel; integers have no average");
+              "texture 't': its integer format R32_SInt cannot have several samples per texel; "
+              "integers have no average");
 }
 
 TEST(RenderTexture, TakesItsDepthByFormatAsWell)
