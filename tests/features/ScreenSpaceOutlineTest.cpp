@@ -318,10 +318,9 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)
     ScreenSpaceOutlineSettings settings = Settings();
     settings.m_ScreenSpaceOutlineShader = nullptr;
     AddOutline(r.renderer, settings);
-    EXPECT_THAT(
-        r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
-        ElementsAre("Screen Space Outline: it is not drawn; m_ScreenSpaceOutlineShader is not "
-                    "assigned; Hidden/ScreenSpaceOutline is the one that comes with it"));
+    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+                ElementsAre("Screen Space Outline: it is not drawn; m_ScreenSpaceOutlineShader is "
+                            "not assigned; assign Hidden/ScreenSpaceOutline"));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, RefusesRenderingLayer32)

@@ -376,7 +376,7 @@ TEST(Kernel, HasNoObjectOfItsOwn)
         "RWStructuredBuffer<float4> _Out;",
         "_Out[0] = mul(unity_ObjectToWorld, float4(0, 0, 0, 1));"));
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_NE(errors[0].find("'K': it reads what each draw has of its own, such as "
+    EXPECT_NE(errors[0].find("'K': it reads a value that belongs to a draw, such as "
                              "unity_ObjectToWorld; a kernel draws nothing"),
               std::string::npos)
         << errors[0];

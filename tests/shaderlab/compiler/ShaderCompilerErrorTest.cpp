@@ -126,11 +126,11 @@ TEST(ShaderCompilerError, NamesEveryIncludeThatIsMissing)
 {
     EXPECT_THAT(
         CompileMessages(Program("#include \"no.hlsl\"\n\n#include <Packages/x/y.hlsl>\n")),
-        ElementsAre("t.shader:1: error: #include: no such file \"no.hlsl\"; limn looks for it "
-                    "beside this file, in the project, its packages and the built-in ShaderLibrary",
-                    "t.shader:3: error: #include: no such file \"Packages/x/y.hlsl\"; limn looks "
-                    "for it beside this file, in the project, its packages and the built-in "
-                    "ShaderLibrary"));
+        ElementsAre(
+            "t.shader:1: error: #include: there is no file \"no.hlsl\"; limn looks for it beside "
+            "this file, in the project, its packages and the built-in ShaderLibrary",
+            "t.shader:3: error: #include: there is no file \"Packages/x/y.hlsl\"; limn looks for "
+            "it beside this file, in the project, its packages and the built-in ShaderLibrary"));
 }
 
 TEST(ShaderCompilerError, SpellsTypesAsHlslDoes)
@@ -324,7 +324,7 @@ TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
                                "HLSLPROGRAM\n"
                                "#include_with_pragmas \"entries.hlsl\"\n"
                                "ENDHLSL } } }"),
-                ElementsAre("t.shader:3:1: error: #include_with_pragmas: no such file "
+                ElementsAre("t.shader:3:1: error: #include_with_pragmas: there is no file "
                             "\"entries.hlsl\"; limn looks for it beside this file, in the project, "
                             "its packages and the built-in ShaderLibrary"));
 }

@@ -102,7 +102,7 @@ TEST(ShaderLabLegacy, IsNotedOnceForAllPassesThatACommandHoldsFor)
 {
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Lighting Off Pass { } Pass { } } }"),
-        ElementsAre(StartsWith("1:26: note: Lighting: not synthesised")));
+        ElementsAre(StartsWith("1:26: note: Lighting: limn makes no program of fixed-function")));
 }
 
 TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
@@ -110,7 +110,7 @@ TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Pass {\nFog { Mod Off }\nSetTexture { "
                             "}\nSetTexture [_A] { Combine texure }\nColor (1,\nZWrite Off } } }"),
-        ElementsAre(StartsWith("2:1: note: Fog, SetTexture: not synthesised"),
+        ElementsAre(StartsWith("2:1: note: Fog, SetTexture: limn makes no program"),
                     "2:7: error: Fog: unknown command 'Mod'; did you mean 'Mode'?",
                     "3:12: error: SetTexture: the texture is missing before '{'; write [_Property]",
                     "4:27: error: Combine: unknown value 'texure'; did you mean 'Texture'?",

@@ -130,9 +130,9 @@ TEST(ParseYaml, PointsAtSyntaxErrors)
 TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
 {
     EXPECT_THAT(ProblemsIn("a: 1\nb: \"x\nc: 3\n"),
-                ElementsAre("2:4: this is this is not valid YAML: the quote is never closed"));
+                ElementsAre("2:4: this is not valid YAML: the quote is never closed"));
     EXPECT_THAT(ProblemsIn("b: &anchor 'it''s\n"),
-                ElementsAre("1:4: this is this is not valid YAML: the quote is never closed"));
+                ElementsAre("1:4: this is not valid YAML: the quote is never closed"));
     EXPECT_EQ(ParseYaml("a: 'it''s'\nb: \"say \\\"x\\\"\"\n", "x.yaml").front().Find("b")->scalar(),
               "say \"x\"");
 }
