@@ -9,7 +9,7 @@ namespace limn
 namespace
 {
 
-/// Returns whether nothing of the colour from before the draw is left.
+/// Returns whether the draw replaces the whole colour.
 bool Covers(const FrameNode& node, const DrawSetup& draw)
 {
     if (!draw.fullScreen)

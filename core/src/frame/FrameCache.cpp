@@ -43,7 +43,7 @@ bool AreSame(const DispatchSetup& a, const DispatchSetup& b)
            AreSame(a.bindings, b.bindings);
 }
 
-/// Returns whether each has the same elements and nothing that has died since.
+/// Returns whether both have the same elements, and all of them still exist.
 bool AreSame(const TextureStates& now, const TextureStates& then)
 {
     const auto isSame = [&](const auto& entry)

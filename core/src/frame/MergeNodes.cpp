@@ -67,8 +67,8 @@ bool CanHaveMoreColors(const FrameNode& node, const FrameTables& tables)
                         });
 }
 
-/// Returns whether one's colours are the first ones of the other's, and can be joined by those
-/// behind.
+/// Returns whether the colours of one are the first colours of the other, so that the other's
+/// further colours can be added.
 bool ColorsFit(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
     const auto& colors = node.targets.colors;
@@ -97,7 +97,7 @@ bool DepthFits(const FrameNode& node, const FrameNode& next)
            (node.targets.depth == next.targets.depth && !clears);
 }
 
-/// Returns whether `next` can go on where `node` ends.
+/// Returns whether `next` can continue the pass of `node`.
 bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
     if (node.targets.generatesMips != next.targets.generatesMips)

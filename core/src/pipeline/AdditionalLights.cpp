@@ -23,7 +23,7 @@ const ShaderPropertyId _AdditionalLightsAttenuation{"_AdditionalLightsAttenuatio
 const ShaderPropertyId _AdditionalLightsSpotDir{"_AdditionalLightsSpotDir"};
 const GlobalKeyword _ADDITIONAL_LIGHTS{"_ADDITIONAL_LIGHTS"};
 
-/// Returns whether a ball is not outside of one of the four sides of what the camera sees.
+/// Returns whether a ball is within the four sides of the camera's view, or touches one.
 bool IsSeen(const glm::dvec3& center, double radius, const glm::dmat4& viewProjection)
 {
     const glm::dmat4 rows = glm::transpose(viewProjection);

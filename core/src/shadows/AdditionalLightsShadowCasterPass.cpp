@@ -62,8 +62,8 @@ const std::vector<std::uint8_t>& Receivers(const RendererTable& table)
     return receives;
 }
 
-/// Returns whether something that is seen, and near enough to camera and light, can show a shadow
-/// of it.
+/// Returns whether a visible object that is near enough to camera and light can show the light's
+/// shadow.
 bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec3& camera,
                  double shadowDistance)
 {

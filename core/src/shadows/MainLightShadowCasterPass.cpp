@@ -55,7 +55,7 @@ bool ReceivesShadows(const Shader& shader)
            shader.HasKeyword(_MAIN_LIGHT_SHADOWS_CASCADE.name());
 }
 
-/// Returns whether something that is seen, and near enough, can show a shadow.
+/// Returns whether a visible object that is near enough can show a shadow.
 bool HasReceiver(const RendererItems& items, const glm::dvec3& camera, double distance)
 {
     if (items.empty())

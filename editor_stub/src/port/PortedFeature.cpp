@@ -42,7 +42,7 @@ std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpP
     return Replaced(own && isPlain ? model.QualifiedName(*own) : parameter.type, "::", ".");
 }
 
-/// Returns whether what is handed over has to be a variable.
+/// Returns whether the argument must be a variable.
 bool isMutableReference(const PortModel& model, const CSharpClass& one,
                         const CSharpParameter& parameter)
 {

@@ -38,7 +38,8 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
     return role == PortRole::Feature ? feature : role == PortRole::Pass ? pass : none;
 }
 
-/// Returns whether it is the older half of a pass that has both: limn would run that one alone.
+/// Returns whether it is the older half of a pass that has both halves; limn would run that half
+/// alone.
 bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
 {
     const bool isOld =

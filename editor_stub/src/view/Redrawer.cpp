@@ -117,7 +117,7 @@ bool Redrawer::NoteEmbedded(const std::filesystem::path& path)
     return m_Drawing->assets->reachedFiles().count(path) == 0;
 }
 
-/// Returns whether the work was done; an error is printed. The driver's failures go on.
+/// Returns whether the work was done. It prints an error, but lets failures of the driver pass.
 template <typename Work>
 bool Redrawer::Guard(Work&& work)
 {

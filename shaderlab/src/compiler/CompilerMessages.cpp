@@ -95,7 +95,7 @@ private:
         return true;
     }
 
-    /// Returns whether an error before is in an operand of the node; where no expression is known,
+    /// Returns whether an earlier error is in an operand of the node or, if no expression is known,
     /// in the line.
     bool isConsequence(const HlslNode* node, const HlslPlace& place) const
     {

@@ -6,8 +6,9 @@ namespace limn
 namespace
 {
 
-/// Returns whether it matters where an expression stands that its whole numbers are integers:
-/// floats of the same values are divided, joined bit by bit or counted otherwise, or not taken.
+/// Returns whether the place of an expression requires that its whole numbers are integers. With
+/// floats of the same values, a division, a bit operation or a count would give another result, or
+/// none.
 bool MattersAsInteger(const HlslNode& node)
 {
     const HlslNode* const parent = node.parent;

@@ -13,8 +13,8 @@ namespace limn
 namespace
 {
 
-/// Returns whether the compiler may know its value: it names nothing that changes and calls
-/// nobody's function.
+/// Returns whether the compiler may know the value: it names nothing that changes and calls no
+/// function of the author.
 bool MayBeConstant(const HlslNode& node, const TokenEdits& code)
 {
     switch (node.kind)
@@ -110,7 +110,7 @@ void HlslLowering::Hide(const HlslNode& node)
     Wrap(node, "limn_runtime(", ")");
 }
 
-/// Returns whether glslang gets the operation wrong where all it works on is constant.
+/// Returns whether glslang gets the operation wrong if all its operands are constant.
 bool HlslLowering::FoldsWrong(const HlslNode& node) const
 {
     const std::string_view name = Text(node.token);
@@ -165,8 +165,8 @@ void HlslLowering::SpellDot(const HlslNode& node)
     m_Code.Spelling(node.first) = "(" + sum + ")";
 }
 
-/// Returns whether a static variable's value is only right where a function works it out: elements
-/// of matrices, and vectors that are compared.
+/// Returns whether a static variable gets the right value only if a function computes it: elements
+/// of matrices, and comparisons of vectors.
 bool HlslLowering::NeedsFunction(const HlslNode& value) const
 {
     const auto isOne = [&](const HlslNode& part)

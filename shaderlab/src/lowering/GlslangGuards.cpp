@@ -28,7 +28,7 @@ bool isMethodOfResult(const HlslSource& source, std::size_t index)
            !source.globals.FindMethods(tokens.Text(index + 2)).empty();
 }
 
-/// Returns whether the node's value is known when the program runs only.
+/// Returns whether the node's value is known only when the program runs.
 bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     const bool isConstant =

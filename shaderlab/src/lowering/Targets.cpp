@@ -47,7 +47,7 @@ std::string WriteElements(const std::string& matrix, std::string_view word,
     return text;
 }
 
-/// Returns whether an index is computed, of which what is written may be a part.
+/// Returns whether an index around the written value is computed.
 bool HasIndex(const HlslNode& node)
 {
     const auto isComputed = [](const HlslNode& part)
@@ -123,7 +123,7 @@ private:
 
 } // namespace
 
-/// Returns whether working the expression out may change something, so that it must be done once.
+/// Returns whether computing the expression may change something, so that it must be computed once.
 bool HlslLowering::HasEffects(const HlslNode& node) const
 {
     const HlslNode* const found =
@@ -139,7 +139,7 @@ bool HlslLowering::HasEffects(const HlslNode& node) const
     return found != nullptr;
 }
 
-/// Returns whether the node is written to, itself or in part.
+/// Returns whether the code writes to the node or to a part of it.
 bool HlslLowering::isTarget(const HlslNode& node) const
 {
     const HlslNode* child = &node;
@@ -293,8 +293,7 @@ void HlslLowering::LowerSwizzleStep(const HlslNode& node)
     Wrap(*target.child, function + "(", ")");
 }
 
-/// Returns whether glslang makes invalid SPIR-V of what is handed to a parameter that gives it
-/// back.
+/// Returns whether glslang makes invalid SPIR-V of this argument of an out or inout parameter.
 bool HlslLowering::IsHandedWrong(const HlslNode& argument, const HlslVariable& parameter) const
 {
     const HlslType wanted = TypeOf(m_Globals.declarations(), parameter);

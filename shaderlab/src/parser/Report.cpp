@@ -113,7 +113,8 @@ void Parser::Stop()
     m_Token.text = {};
 }
 
-/// Returns whether the document may have this many parts more; otherwise the file is given up.
+/// Returns whether the document may have this many more parts. If not, the rest of the file is not
+/// read.
 bool Parser::Count(std::size_t items)
 {
     m_Items += items;
@@ -127,8 +128,8 @@ bool Parser::Count(std::size_t items)
     return m_Items <= k_MaxItems;
 }
 
-/// Returns whether inner scopes may be handed so many bytes of what stands around them, again and
-/// again. It is the one way in which a document can become much larger than its file.
+/// Returns whether inner scopes may get this number of bytes from the scopes around them. These
+/// copies are the only way in which a document can become much larger than its file.
 bool Parser::CountRepeated(std::size_t bytes)
 {
     m_RepeatedBytes += bytes;

@@ -103,8 +103,8 @@ bool IsThin(const glm::dvec3& normal, double inward)
     return std::abs(inward) <= 1e-9 * std::pow(glm::length(normal), 1.5);
 }
 
-/// Returns whether the point is on the inner side of the triangle's plane. Of a flat mesh nothing
-/// is.
+/// Returns whether the point is on the inner side of the triangle's plane. A flat mesh has no inner
+/// side.
 bool IsBehind(const Triangle& triangle, const glm::dvec3& point, const glm::dvec3& middle)
 {
     const glm::dvec3 normal = NormalOf(triangle);
@@ -125,8 +125,8 @@ glm::dvec3 MiddleOf(const Mesh& mesh)
     return sum / static_cast<double>(mesh.data().vertices.size());
 }
 
-/// Returns whether the triangles leave nothing open, turned outwards as they then are: the areas of
-/// a closed surface cancel out, as vectors. What is flat encloses nothing that could be open.
+/// Returns whether the triangles form a closed surface, whose areas, as vectors pointing outwards,
+/// cancel out. A flat mesh encloses nothing that could be open.
 bool IsClosed(const Mesh& mesh)
 {
     const glm::dvec3 middle = MiddleOf(mesh);

@@ -71,7 +71,7 @@ std::size_t OffsetOf(std::string_view text, SourceLocation location)
     return offset + static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
 }
 
-/// Returns whether lists are as long, all the way down, so that scalar by scalar can be replaced.
+/// Returns whether all lists have the same lengths, so that the scalars can be replaced one by one.
 /// Numbers may be a list here and a map there; a map may lack keys that stay implied.
 bool HasSameShape(const YamlNode& old, const YamlNode& fresh)
 {

@@ -89,8 +89,8 @@ const Standing* LeastError(const Comparison& comparison, double budget)
     return least;
 }
 
-/// Returns whether a standing has the least error to a hundredth, and a time that may be as short
-/// as well as the two are known.
+/// Returns whether a standing has the least error to a hundredth, and its time may be as short, as
+/// far as both times are known.
 bool IsAsGood(const Standing& standing, const Standing& least, double budget)
 {
     return Fits(standing, budget) && standing.at.error <= least.at.error * 1.01 &&
