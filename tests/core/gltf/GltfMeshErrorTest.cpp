@@ -215,7 +215,7 @@ TEST(GltfMeshError, RejectsElementsOfAnotherShape)
     file.AddFloats("VEC2", {0, 0, 0, 0, 0, 0});
     EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 1})"))),
               "a.gltf: error: mesh 'shape' primitive 0: accessor 1: each element has 2 numbers; 3 "
-              "to 3 are expected here");
+              "are expected here");
 }
 
 TEST(GltfMeshError, RejectsIndicesThatAreNoIntegers)

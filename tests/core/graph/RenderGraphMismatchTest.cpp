@@ -218,18 +218,16 @@ TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
                   }),
               "pass 'Blur': UseGlobalTexture names '_Nobody', but no pass before it made a texture "
               "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
-              "pass 'Blur' "
-              "reads '_Other', which no pass before it writes, and clearBuffer is false: its "
-              "contents are undefined\n"
-              "pass 'Blur' sets the global '_Width', which Unity throws "
-              "for; add builder.AllowGlobalStateModification(true);\n"
-              "pass 'Blur' sets '_Mask' as "
-              "the global '_Shown' and declares no use of it, which Unity throws for; add "
-              "builder.UseTexture(<handle of '_Mask'>);\n"
-              "pass 'Blur' sets the global '_Shown', "
-              "which Unity throws for; add builder.AllowGlobalStateModification(true);\npass "
-              "'Blur' declares no read of '_Mask', yet samples it, where its handle stands for no "
-              "texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
+              "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is "
+              "false: its contents are undefined\n"
+              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "builder.AllowGlobalStateModification(true);\n"
+              "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, for "
+              "which Unity throws; add builder.UseTexture(<handle of '_Mask'>);\n"
+              "pass 'Blur' sets the global '_Shown', for which Unity throws; add "
+              "builder.AllowGlobalStateModification(true);\n"
+              "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands "
+              "for no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
 
 TEST_F(RenderGraphMismatch, IsNoneWhereABlitSamplesWhatIsGlobal)
@@ -391,7 +389,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), setView)),
-              "pass 'Blur' sets the view and projection matrices, which Unity throws for; add "
+              "pass 'Blur' sets the view and projection matrices, for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -423,7 +421,7 @@ TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
     };
     EXPECT_EQ(ErrorOf(Blur(
                   [](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); }, wet)),
-              "pass 'Blur' switches the keyword 'WET', which Unity throws for; add "
+              "pass 'Blur' switches the keyword 'WET', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -489,8 +487,8 @@ TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
         };
     };
     EXPECT_EQ(ErrorOf(record(false, true)),
-              "pass 'List' declares no UseRendererList of a renderer list, yet draws it, of which "
-              "Unity draws nothing; add builder.UseRendererList(<its handle>);");
+              "pass 'List' draws a renderer list without declaring it by UseRendererList, so that "
+              "Unity would draw nothing; add builder.UseRendererList(<its handle>);");
     EXPECT_THAT(NotesOf(record(true, false)),
                 ElementsAre("pass 'List' declares UseRendererList of a list that it does not "
                             "draw"));
@@ -644,8 +642,8 @@ TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
                       frameData.Get<UniversalResourceData>().cameraColor =
                           graph.CreateTexture(desc);
                   }),
-              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples a texel; the "
-              "camera's colour is 8x4 of 1 samples a texel");
+              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples per texel; the "
+              "camera's colour is 8x4 of 1 samples per texel");
 }
 
 TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)

@@ -156,8 +156,9 @@ TEST(ReadPng, TakesNoMemoryForAPictureThatTheFileCannotHold)
         const auto path = folder.Write("a.png", HeaderOf(width, height));
         return ThrownMessage<AssetError>([&] { ReadPng(path); }).erase(0, path.string().size());
     };
-    EXPECT_EQ(errorOf(65535, 65535), ": error: is 65535x65535; at most 16384 either way is read");
-    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; at most 16384 either way is read");
+    EXPECT_EQ(errorOf(65535, 65535),
+              ": error: is 65535x65535; limn reads at most 16384 texels either way");
+    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; limn reads at most 16384 texels either way");
     EXPECT_EQ(errorOf(16384, 16384), ": error: is no readable PNG: a file of 57 bytes cannot hold "
                                      "its picture of 16384x16384");
     // As large as 57 bytes could make it, and still there is nothing in them.

@@ -272,7 +272,7 @@ TEST_F(TextureBindings, RefuseTexturesOfSeveralSamples)
         "Paint");
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
               "material 'Paint': property '_Map' is a texture of several samples per texel in the "
-              "shader; those cannot be bound yet");
+              "shader; limn cannot bind such textures yet");
 }
 
 struct NamedSampler

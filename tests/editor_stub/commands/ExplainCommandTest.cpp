@@ -297,7 +297,7 @@ TEST_F(ExplainCommand, CountsTheFiltersOfFeaturesThatDoNotDrawByDrawRenderers)
     ASSERT_TRUE(json.is_object());
     EXPECT_EQ(4u, json["idleFeatures"].size());
     EXPECT_EQ("Off", json["idleFeatures"][3]["name"]);
-    EXPECT_EQ("not drawn, the feature is inactive", json["idleFeatures"][3]["why"]);
+    EXPECT_EQ("it is not drawn; the feature is inactive", json["idleFeatures"][3]["why"]);
     EXPECT_EQ("rendering layer mask", json["objects"][0]["draws"][3]["rule"]);
 }
 
@@ -314,7 +314,7 @@ TEST_F(ExplainCommand, TellsWhatKeepsAFeatureFromDrawingAnObjectThatItTakes)
                                    "m_LayerMask: Everything}\n"
                                    "volumes: [{name: On, profile: outlines.profile.yaml}]\n"
                                    "objects: [{name: A, mesh: Cube}]\n");
-    EXPECT_THAT(run.out, HasSubstr("  Mask, Default-Material: taken, but not drawn, "));
+    EXPECT_THAT(run.out, HasSubstr("  Mask, Default-Material: taken, but it is not drawn; "));
 }
 
 TEST(ExplainSample, CountsWhatHangsBelowTheObjectAskedFor)

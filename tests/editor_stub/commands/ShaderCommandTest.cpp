@@ -229,7 +229,7 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
     EXPECT_THAT(run.err, HasSubstr("note: program: its SubShader is for the HDRenderPipeline, "
                                    "which limn does not stand in for\n"));
     EXPECT_THAT(run.err,
-                HasSubstr("include.shader:18: error: #include: no such file \"nosuch.hlsl\""));
+                HasSubstr("include.shader:18: error: #include: there is no file \"nosuch.hlsl\""));
 }
 
 TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)

@@ -116,7 +116,7 @@ TEST(Usage, HelpOfAVerbTellsItsArgumentsAndOptions)
               "\n"
               "options of every verb:\n"
               "  -V, --version             Print the version\n"
-              "  -h, --help                Print this\n"
+              "  -h, --help                Print this help\n"
               "  -q, --quiet               Print errors only, besides results\n"
               "  -v, --verbose             Print more: the device that draws, all that\n"
               "                            `explain` knows\n"

@@ -91,7 +91,7 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
         run("no_plugin.so"));
     const std::string version = folder.Run("--version"); // "limn 0.1.0\nexit 0\n"
     EXPECT_EQ(Refusal("old_plugin.so: error: this plug-in cannot be used: it was built for limn "
-                      "0.0.9, this is " +
+                      "0.0.9, but this is " +
                       version.substr(0, version.find('\n')) + "; build it again with this one"),
               run("old_plugin.so"));
     std::ostringstream layout;

@@ -65,11 +65,11 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
                   "18:33: Screem Space Outline.m_Settings.m_ScreenSpaceOutlineShader: "
                   "ScreenSpaceOutline.shader is not in the project, so Hidden/ScreenSpaceOutline "
                   "that comes with limn is used",
-                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: left out, "
+                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: left out, "
+                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: left out, "
+                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting"}),
               Texts(result.notes));
 }
