@@ -220,7 +220,7 @@ TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
               "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
               "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is "
               "false: its contents are undefined\n"
-              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "pass 'Blur' sets the global '_Width', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);\n"
               "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, for "
               "which Unity throws; add builder.UseTexture(<handle of '_Mask'>);\n"
@@ -380,7 +380,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         };
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), set)),
-              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "pass 'Blur' sets the global '_Width', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
     EXPECT_THAT(NotesOf(Blur(declare(true), set)), IsEmpty());
     const auto setView = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
