@@ -241,8 +241,8 @@ std::string VariantText(const ExplainedVariant& variant)
 std::string OneObject(const ExplainedObject& object, const std::string& indent)
 {
     std::string text = indent + OneLine(object.name) +
-                       (object.absence.empty() ? "" : ": it is not drawn; ") + OneLine(object.absence) +
-                       "\n";
+                       (object.absence.empty() ? "" : ": it is not drawn; ") +
+                       OneLine(object.absence) + "\n";
     for (const ExplainedDraw& draw : object.draws)
     {
         const bool isTaken = draw.verdict == FilterVerdict::Drawn;
