@@ -88,7 +88,8 @@ TEST_F(BlitterForms, HaveNoMipLevelThatTheSourceHasNot)
 {
     Blitter::BlitCameraTexture(m_Cmd, m_Source, m_Dest, 1.0f);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Execute(); }),
-              "BlitTexture: there is no mip level 1.000000 of '" + m_Source.rt()->name() + "'; it has 1");
+              "BlitTexture: there is no mip level 1.000000 of '" + m_Source.rt()->name() +
+                  "'; it has 1");
     m_Cmd.Clear();
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] {

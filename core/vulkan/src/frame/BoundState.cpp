@@ -69,7 +69,7 @@ void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& stat
         m_Pipeline = draw.pipeline;
         m_State = nullptr;
         vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_GRAPHICS, draw.pipeline);
-        // State that a pipeline contains is not set any more.
+        // What a pipeline has baked in is not set any more.
         m_Blend = state.blend.isDynamic ? m_Blend : std::nullopt;
         if (draw.program->fetches.empty())
         {
