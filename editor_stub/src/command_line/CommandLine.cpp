@@ -413,8 +413,8 @@ Verb NewVerb(NewOptions& options)
                   "classes, such as DepthFog",
                   Into(options.name)),
          Argument("CONTENT",
-                  "For a profile its volume components, StrokeOutline unless named; for a material "
-                  "its shader, unless named \"Universal Render Pipeline/Lit\"",
+                  "For a profile its volume components, by default StrokeOutline; for a material "
+                  "its shader, by default \"Universal Render Pipeline/Lit\"",
                   Into(options.contents), Any),
          std::move(folder),
          {"style", "urp14|unity6",

@@ -218,11 +218,11 @@ std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem
         m_TexelBytes[path] = own;
         if (bytes > k_Most)
         {
-            throw AssetError(
-                path.generic_string(), {},
-                "its texels take " + std::to_string(own >> 20) + " MiB, which makes " +
-                    std::to_string(bytes >> 20) + " MiB of all pictures together; at most " +
-                    std::to_string(k_Most >> 20) + " MiB are loaded; use smaller ones");
+            throw AssetError(path.generic_string(), {},
+                             "its texels take " + std::to_string(own >> 20) +
+                                 " MiB, and all pictures together take " +
+                                 std::to_string(bytes >> 20) + " MiB; limn loads at most " +
+                                 std::to_string(k_Most >> 20) + " MiB; use smaller ones");
         }
     };
     count(PngTexelBytes(path));

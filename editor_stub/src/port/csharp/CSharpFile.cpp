@@ -63,8 +63,8 @@ void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& toke
         if (nesting.Take(token) > k_MaxNesting)
         {
             throw AssetError(file.path, token.location,
-                             "more than " + std::to_string(k_MaxNesting) +
-                                 " brackets or types lie in each other here; limn reads no deeper");
+                             "brackets or types are nested more than " +
+                                 std::to_string(k_MaxNesting) + " deep here; limn reads no deeper");
         }
         RequireShallow(file, token.hole);
     }
