@@ -52,7 +52,7 @@ std::shared_ptr<const ShaderLabDocument> Parsed(const EmbeddedFile& file, const 
     return std::make_shared<const ShaderLabDocument>(std::move(result.document));
 }
 
-/// What a plug-in brings along, which nobody else may have.
+/// Returns the shaders that a plug-in contains. No other plug-in may have them.
 ShaderDatabase ShadersOf(const Plugin& plugin, const Plugin* older)
 {
     ShaderDatabase shaders;

@@ -23,13 +23,13 @@ std::string PluginProblem(const Plugin& plugin)
     if (version != LIMN_VERSION_TEXT)
     {
         return "it was built for limn " + std::string(version) +
-               ", this is limn " LIMN_VERSION_TEXT "; build it again with this one";
+               ", but this is limn " LIMN_VERSION_TEXT "; build it again with this one";
     }
     const std::string_view library = plugin.standardLibrary;
     if (library != LIMN_STANDARD_LIBRARY)
     {
         return "it was built with " + std::string(library) +
-               ", limn with " LIMN_STANDARD_LIBRARY "; build it as limn was built";
+               ", but limn with " LIMN_STANDARD_LIBRARY "; build it as limn was built";
     }
     return plugin.layout == PluginLayout()
                ? ""

@@ -248,8 +248,8 @@ TEST_F(AdditionalLightsGpu, SaysThatTheyAreTooMany)
     lights().assign(33, light);
     m_Run.Render(nullptr);
     EXPECT_THAT(m_Run.result().report.notes,
-                testing::Contains("33 lights reach into the picture, of which the first 32 are "
-                                  "drawn: shaders have no room for more"));
+                testing::Contains("33 lights reach into the picture, but only the first 32 light "
+                                  "it: shaders have room for no more"));
     lights().pop_back();
     ExpectLitByFormula();
 }

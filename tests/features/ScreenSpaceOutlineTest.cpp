@@ -254,8 +254,9 @@ TEST(ScreenSpaceOutlineRenderFeature, EnqueuesNothingAndAllocatesNothingWhenTheV
     EXPECT_THAT(PassNames(result),
                 ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"));
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
-    EXPECT_THAT(result.report.notes, ElementsAre("Screen Space Outline: not drawn, a volume sets "
-                                                 "ScreenSpaceOutline.m_Enable to false"));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre("Screen Space Outline: it is not drawn; a volume sets "
+                            "ScreenSpaceOutline.m_Enable to false"));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
@@ -265,7 +266,7 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
     const RenderResult result = r.Render(&r.volumes.WithoutVolumes());
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes,
-                ElementsAre("Screen Space Outline: not drawn, no volume at the camera sets "
+                ElementsAre("Screen Space Outline: it is not drawn; no volume at the camera sets "
                             "ScreenSpaceOutline.m_Enable, which is false by default"));
 }
 
@@ -274,7 +275,7 @@ TEST(ScreenSpaceOutlineRenderFeature, TakesNoVolumeStackForOneWithoutVolumes)
     Rendered r;
     AddOutline(r.renderer);
     EXPECT_THAT(r.Render(nullptr).report.notes,
-                ElementsAre("Screen Space Outline: not drawn, no volume at the camera sets "
+                ElementsAre("Screen Space Outline: it is not drawn; no volume at the camera sets "
                             "ScreenSpaceOutline.m_Enable, which is false by default"));
 }
 
@@ -286,7 +287,7 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItsComponentWasNotRegistered)
     const VolumeStack stack = VolumeManager(registry).CreateStack();
     EXPECT_THAT(
         r.Render(&stack).report.notes,
-        ElementsAre("Screen Space Outline: not drawn, ScreenSpaceOutline was not registered "
+        ElementsAre("Screen Space Outline: it is not drawn; ScreenSpaceOutline was not registered "
                     "when the camera's volume stack was made"));
 }
 
@@ -297,7 +298,7 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItIsInactive)
     const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes,
-                ElementsAre("Screen Space Outline: not drawn, the feature is inactive"));
+                ElementsAre("Screen Space Outline: it is not drawn; the feature is inactive"));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysWhyWhenNothingPassesTheFilter)
@@ -318,8 +319,8 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)
     settings.m_ScreenSpaceOutlineShader = nullptr;
     AddOutline(r.renderer, settings);
     EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
-                ElementsAre("Screen Space Outline: not drawn, m_ScreenSpaceOutlineShader is not "
-                            "assigned; Hidden/ScreenSpaceOutline is the one that comes with it"));
+                ElementsAre("Screen Space Outline: it is not drawn; m_ScreenSpaceOutlineShader is "
+                            "not assigned; assign Hidden/ScreenSpaceOutline"));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, RefusesRenderingLayer32)

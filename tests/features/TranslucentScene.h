@@ -152,7 +152,7 @@ private:
     UniversalRenderPipeline m_Pipeline{SharedDevice()};
 };
 
-/// A material of Unity's unlit shader, drawn over what is behind it with this opacity.
+/// A Unity material unlit shader, drawn over what is behind it with this opacity.
 inline std::shared_ptr<Material> TranslucentUnlit(const Color& color)
 {
     auto material = std::make_shared<Material>(

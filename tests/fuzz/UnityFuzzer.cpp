@@ -29,7 +29,7 @@ std::size_t CountNodes(const UnityNode& node)
 
 } // namespace
 
-/// Any bytes are a text asset of Unity's, or there is a complaint: all objects are read.
+/// Any bytes are a text Unity asset, or there is a complaint: all objects are read.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
     const std::string text(test::FuzzText(data, size));

@@ -29,26 +29,28 @@ void Expect(const GraphicsBuffer& buffer)
     if (!buffer.Has(k_Bound))
     {
         Fail("target " + std::to_string(static_cast<int>(buffer.target())) +
-             " is bound to no shader; limn has Structured, Raw, Append, Counter, IndirectArguments "
+             " cannot be bound to a shader; limn supports Structured, Raw, Append, Counter, "
+             "IndirectArguments "
              "and "
              "Constant");
     }
     if (buffer.count() < 1 || buffer.stride() < 1)
     {
-        Fail("count " + std::to_string(buffer.count()) + " and stride " +
+        Fail("the count is " + std::to_string(buffer.count()) + " and the stride is " +
              std::to_string(buffer.stride()) + "; both must be greater than 0");
     }
     const bool hasElements = buffer.Has(Target::Structured | Target::Append | Target::Counter |
                                         Target::IndirectArguments);
     if (hasElements && (buffer.stride() % 4 != 0 || buffer.stride() > k_MostStride))
     {
-        Fail("a stride of " + std::to_string(buffer.stride()) +
-             " bytes; that of structured elements is a multiple of 4 up to " +
+        Fail("the stride is " + std::to_string(buffer.stride()) +
+             " bytes; for structured elements it must be a multiple of 4 up to " +
              std::to_string(k_MostStride));
     }
     if (buffer.Has(Target::Raw) && buffer.stride() != 4)
     {
-        Fail("a raw buffer has a stride of 4 bytes, not " + std::to_string(buffer.stride()));
+        Fail("the stride of a raw buffer must be 4 bytes, but it is " +
+             std::to_string(buffer.stride()));
     }
 }
 
@@ -94,15 +96,16 @@ std::size_t GraphicsBuffer::counterOffset() const
 
 void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t available)
 {
-    const std::string text = "SetData of " + std::to_string(count) + " elements from " +
-                             std::to_string(from) + " to " + std::to_string(to);
+    const std::string text = "SetData: the count is " + std::to_string(count) +
+                             ", the first element of the data is " + std::to_string(from) +
+                             ", that of the buffer is " + std::to_string(to);
     if (from < 0 || to < 0 || count < 0)
     {
         Fail(text + "; none of these may be negative");
     }
     if (static_cast<std::size_t>(from) + static_cast<std::size_t>(count) > available)
     {
-        Fail(text + "; the data have " + std::to_string(available));
+        Fail(text + "; there are only " + std::to_string(available) + " elements");
     }
 }
 
@@ -111,8 +114,9 @@ void GraphicsBuffer::Set(const Part& part)
     const auto& [bytes, offset] = part;
     if (offset > size() || bytes.size() > size() - offset)
     {
-        Fail("'" + m_Name + "': SetData of " + std::to_string(bytes.size()) + " bytes at " +
-             std::to_string(offset) + "; it has " + std::to_string(size()));
+        Fail("'" + m_Name + "': SetData writes " + std::to_string(bytes.size()) +
+             " bytes from byte " + std::to_string(offset) + "; the buffer has " +
+             std::to_string(size()));
     }
     Put(bytes, offset);
 }
@@ -121,7 +125,8 @@ void GraphicsBuffer::SetCounterValue(std::uint32_t counterValue)
 {
     if (!hasCounter())
     {
-        Fail("'" + m_Name + "': SetCounterValue; only targets Append and Counter have one");
+        Fail("'" + m_Name +
+             "': SetCounterValue: the buffer has no counter; give it the target Append or Counter");
     }
     Put(std::as_bytes(std::span(&counterValue, 1)), counterOffset());
 }
@@ -147,8 +152,8 @@ void GraphicsBuffer::GetBytes(GraphicsDevice& device, std::span<std::byte> bytes
 {
     if (bytes.size() > size())
     {
-        Fail("'" + m_Name + "': GetData of " + std::to_string(bytes.size()) + " bytes; it has " +
-             std::to_string(size()));
+        Fail("'" + m_Name + "': GetData reads " + std::to_string(bytes.size()) +
+             " bytes; the buffer has " + std::to_string(size()));
     }
     const std::vector<std::byte> all = device.ReadBackBuffer(*this);
     std::copy_n(all.begin(), bytes.size(), bytes.begin());
@@ -158,7 +163,8 @@ std::uint32_t GraphicsBuffer::GetCounterValue(GraphicsDevice& device) const
 {
     if (!hasCounter())
     {
-        Fail("'" + m_Name + "': GetCounterValue; only targets Append and Counter have one");
+        Fail("'" + m_Name +
+             "': GetCounterValue: the buffer has no counter; give it the target Append or Counter");
     }
     std::uint32_t value = 0;
     std::memcpy(&value, device.ReadBackBuffer(*this).data() + counterOffset(), sizeof(value));

@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// What was there already.
+/// A read-back whose data was there already.
 class FinishedReadback final : public PendingReadback
 {
 public:

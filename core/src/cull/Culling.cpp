@@ -16,7 +16,7 @@ namespace limn
 namespace
 {
 
-// What the camera has to do with a class of rows.
+// The relation of a class of rows to the camera.
 constexpr std::uint8_t k_InCullingMask = 1;
 constexpr std::uint8_t k_Draws = 2;  ///< something, and it is in the mask
 constexpr std::uint8_t k_Counts = 4; ///< an active renderer has one row of these
@@ -35,7 +35,7 @@ std::array<glm::vec4, 6> FrustumPlanes(const glm::mat4& viewProjection, const gl
     return {x + row(0), x - row(0), y + row(1), y - row(1), row(2), row(3) - row(2)};
 }
 
-/// What a run of rows comes to.
+/// The result of culling a run of rows.
 struct PartOfCulling
 {
     std::size_t visible = 0; ///< how many
@@ -46,8 +46,9 @@ struct PartOfCulling
 
 constexpr std::size_t k_BlockRows = 512; ///< few enough for the caches
 
-/// How far inside the plane that they are least inside of the boxes reach; below 0 they are wholly
-/// outside. Not-a-number counts as inside, so that nothing disappears silently.
+/// Computes the depth of each box inside the plane that it is least inside of. A depth below 0
+/// means that the box is wholly outside. Not-a-number counts as inside, so that nothing disappears
+/// silently.
 void Depths(const RendererTable& table, const std::array<glm::vec4, 6>& planes, std::size_t begin,
             std::size_t count, float* depths)
 {

@@ -16,7 +16,7 @@ namespace
 const ShaderPropertyId limn_LightCount{"limn_LightCount"};
 const ShaderPropertyId unity_LightIndices{"unity_LightIndices"};
 
-/// Which lights there are, and then the same as shaders take it.
+/// A list of lights, and the same list in the form that shaders take.
 struct LightList
 {
     glm::vec4 number{0.0f};
@@ -37,7 +37,7 @@ struct LightList
     }
 };
 
-/// What shaders take for the least distance, squared.
+/// The square of the least distance, as shaders have it.
 constexpr double k_NearestSquared = 6.103515625e-5; // HALF_MIN
 
 } // namespace

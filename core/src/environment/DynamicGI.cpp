@@ -67,10 +67,10 @@ CubeLight DrawSky(GraphicsDevice& device, const std::shared_ptr<ShaderCompiler>&
     CubeLight light = ReadCubeLight(faces, notNumbers);
     if (notNumbers > 0)
     {
-        Debug::LogWarning("the sky of material '" + scene.skybox->name() + "' is no number in " +
+        Debug::LogWarning("the sky of material '" + scene.skybox->name() + "' gives no number in " +
                           std::to_string(notNumbers) + " of " +
                           std::to_string(light.texels.size()) +
-                          " directions, which light the scene as if they were black");
+                          " directions; these light the scene as black does");
     }
     return light;
 }

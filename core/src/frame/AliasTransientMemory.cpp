@@ -93,7 +93,7 @@ std::uint64_t FreeOffset(const Lifetime& lifetime, const Lifetimes& placed)
     return offset;
 }
 
-/// Whether some of them lie in one place.
+/// Returns whether some of them lie in one place.
 bool Shares(const Lifetimes& placed)
 {
     return std::any_of(placed.begin(), placed.end(),

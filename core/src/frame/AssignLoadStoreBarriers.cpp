@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// How what is in a texture is used next.
+/// The next use of a texture's contents.
 enum class NextUse
 {
     None,
@@ -76,7 +76,7 @@ void AddReaders(const ShaderProgram& program, const DrawBindings& bindings, Read
     }
 }
 
-/// Which functions read a texture anywhere in the frame, by Texture::id.
+/// Returns the shader stages that read a texture anywhere in the frame, by Texture::id.
 Readers FindReaders(const FrameNodes& nodes, const FrameTables& tables)
 {
     Readers readers(nodes.get_allocator());
@@ -281,7 +281,8 @@ private:
                                                                   : StoreOp::DontCare;
     }
 
-    /// Of the whole frame, so that a texture needs no other barrier for the next reader.
+    /// Returns the readers in the whole frame, so that a texture needs no other barrier for the
+    /// next reader.
     ShaderStage ReadersOf(const Texture& texture, TextureUsage usage) const
     {
         const auto found = m_Readers.find(texture.id());

@@ -8,7 +8,8 @@ namespace limn
 namespace
 {
 
-/// What a colour's component is multiplied by; nothing where that takes what the target holds.
+/// Returns the factor of a colour's component, or nothing if the factor depends on the contents of
+/// the target.
 std::optional<float> Factor(BlendMode mode, float component, float alpha)
 {
     switch (mode)

@@ -116,9 +116,10 @@ private:
         if (!draws && !clearsParts)
         {
             RememberClear(node);
-            node.whyLeftOut = m_Why.empty() ? "nothing is drawn; what it clears is cleared where "
-                                              "something reads it"
-                                            : m_Why;
+            node.whyLeftOut =
+                m_Why.empty()
+                    ? "it draws nothing; its clear is done where a later pass reads the texture"
+                    : m_Why;
         }
         else
         {
@@ -234,7 +235,7 @@ private:
         }
         const std::optional<Color> color =
             ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
-        return color ? ConstantDraw{Text({"'", from.name(), "' is the same all over"}),
+        return color ? ConstantDraw{Text({"'", from.name(), "' has one value everywhere"}),
                                     {color->r, color->g, color->b, 1.0f}}
                      : ConstantDraw{};
     }
@@ -253,7 +254,7 @@ private:
                 (found->second.constant.flags & ClearFlag::Color) &&
                 IsZero(found->second.constant.color, texture->graphicsFormat()))
             {
-                return Text({"'", texture->name(), "' is 0 all over"});
+                return Text({"'", texture->name(), "' is 0 everywhere"});
             }
         }
         return {};

@@ -11,7 +11,7 @@ namespace
 
 using TexturePtr = std::shared_ptr<const RenderTexture>;
 
-/// Whether what is drawn into `from` can be in `to`: straight away, or resolved.
+/// Returns whether draws into `from` can go to `to`, directly or resolved.
 bool SameShape(const RenderTexture& from, const RenderTexture& to)
 {
     return from.width() == to.width() && from.height() == to.height() && !HasSamples(to) &&
@@ -19,8 +19,8 @@ bool SameShape(const RenderTexture& from, const RenderTexture& to)
            (!HasSamples(from) || from.graphicsFormat() == to.graphicsFormat());
 }
 
-/// Whether all that the node draws is what it would be in another format, but for rounding; or, if
-/// the format is the same, where alpha is 1.
+/// Returns whether the node would draw the same in another format, except for rounding, or in the
+/// same format with an alpha of 1.
 bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameFormat)
 {
     return node.targets.colors.size() == 1 &&
@@ -38,7 +38,7 @@ bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameF
                });
 }
 
-/// What goes through `from` alone to the copy, node `copy`.
+/// Returns whether the contents of `from` are used by the copy alone, which is node `copy`.
 bool CanForward(const FrameNodes& nodes, const FrameTables& tables, std::size_t copy,
                 const RenderTexture& from)
 {

@@ -9,7 +9,7 @@ namespace limn
 namespace
 {
 
-/// Whether nothing of the colour from before the draw is left.
+/// Returns whether the draw replaces the whole colour.
 bool Covers(const FrameNode& node, const DrawSetup& draw)
 {
     if (!draw.fullScreen)
@@ -25,7 +25,7 @@ bool Covers(const FrameNode& node, const DrawSetup& draw)
            ReplacesTarget(draw.state.targets.at(0));
 }
 
-/// Of what comes before a draw that covers the colour, only depth and stencil are of use.
+/// Drops the commands before a draw that covers the colour, unless depth or stencil need them.
 void DropWhatIsCovered(FrameNode& node, const FrameTables& tables, std::size_t& covering)
 {
     auto end = node.commands.begin(); // of those that are kept

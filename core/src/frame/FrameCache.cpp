@@ -43,7 +43,7 @@ bool AreSame(const DispatchSetup& a, const DispatchSetup& b)
            AreSame(a.bindings, b.bindings);
 }
 
-/// Whether each has the same elements and nothing that has died since.
+/// Returns whether both have the same elements, and all of them still exist.
 bool AreSame(const TextureStates& now, const TextureStates& then)
 {
     const auto isSame = [&](const auto& entry)
@@ -80,7 +80,7 @@ bool Covers(const std::optional<TargetRegion>& kept, const std::optional<TargetR
     {
         return kept == now;
     }
-    // What lies beyond the target's borders is not drawn, however far it reaches.
+    // Nothing is drawn beyond the target's borders, however far it reaches.
     const auto coversSide = [](double outer, double inner)
     {
         return outer <= std::max(inner, 0.0) && (inner <= 0.0 || outer >= inner - 2.0 * k_Margin);

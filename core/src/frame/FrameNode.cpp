@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// What comes from the CPU is there: nothing to wait for.
+/// Adds a texture that the node reads. A texture from the CPU needs no wait, so it is not added.
 void AddRead(FrameNode& node, const std::shared_ptr<const Texture>& texture)
 {
     const Texture& read = *texture;

@@ -19,7 +19,7 @@ bool ReadsTargetOf(const FrameNode& reader, const FrameNode& node)
     return AnyTarget(node, [&](const auto& target) { return Reads(reader, *target); });
 }
 
-/// Whether one writes a buffer that the other uses.
+/// Returns whether one writes a buffer that the other uses.
 bool DisputesBuffer(const FrameNode& a, const FrameNode& b)
 {
     return std::ranges::any_of(
@@ -48,7 +48,8 @@ bool SameSize(const RenderTexture& a, const RenderTexture& b)
            a.descriptor().msaaSamples == b.descriptor().msaaSamples;
 }
 
-/// Whether the node's commands mean the same beside further colours, which they leave alone.
+/// Returns whether the node's commands mean the same beside further colours, which they leave
+/// alone.
 bool CanHaveMoreColors(const FrameNode& node, const FrameTables& tables)
 {
     return std::none_of(node.commands.begin(), node.commands.end(),
@@ -66,7 +67,8 @@ bool CanHaveMoreColors(const FrameNode& node, const FrameTables& tables)
                         });
 }
 
-/// Whether one's colours are the first ones of the other's, and can be joined by those behind.
+/// Returns whether the colours of one are the first colours of the other, so that the other's
+/// further colours can be added.
 bool ColorsFit(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
     const auto& colors = node.targets.colors;
@@ -95,7 +97,7 @@ bool DepthFits(const FrameNode& node, const FrameNode& next)
            (node.targets.depth == next.targets.depth && !clears);
 }
 
-/// Whether `next` can go on where `node` ends.
+/// Returns whether `next` can continue the pass of `node`.
 bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables& tables)
 {
     if (node.targets.generatesMips != next.targets.generatesMips)
@@ -110,7 +112,7 @@ bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables
            DepthFits(node, next) && !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
 }
 
-/// As it was where no depth was attached.
+/// Makes the node's draws ignore the depth, as they did while no depth was attached.
 void IgnoreDepth(FrameNode& node, FrameTables& tables)
 {
     ChangeSetups(node, tables,
@@ -121,7 +123,8 @@ void IgnoreDepth(FrameNode& node, FrameTables& tables)
                  });
 }
 
-/// As it was where only the first colours were attached.
+/// Makes the node's draws ignore further colours, as they did while only the first ones were
+/// attached.
 void IgnoreColors(FrameNode& node, FrameTables& tables, std::size_t first)
 {
     ChangeSetups(node, tables,

@@ -35,9 +35,9 @@ void NoteMissingAlpha(const FrameNodes& nodes, CompiledFrame& frame)
             {
                 frame.notes.push_back("pass '" + std::string(node.name) +
                                       "' blends with the alpha of '" + colors[i]->name() +
-                                      "', whose format " + ToString(format) +
-                                      " has none: it counts as 1; where that is the camera's "
-                                      "colour, a hdrColorBufferPrecision of 64 bits has one");
+                                      "', but its format " + ToString(format) +
+                                      " has no alpha: it counts as 1; if this is the camera's "
+                                      "colour, set hdrColorBufferPrecision to 64 bits");
             }
         }
     }

@@ -88,8 +88,9 @@ void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
                 ReadInstead(node, frame, *copy, original);
             }
         }
-        Append(nodes[i].whyLeftOut, {"what reads '", copy->name(), "' reads '", original->name(),
-                                     "', which nothing is drawn with any more"});
+        Append(nodes[i].whyLeftOut,
+               {"passes that read '", copy->name(), "' can read '", original->name(),
+                "', because nothing draws into that any more"});
     }
 }
 

@@ -8,7 +8,7 @@ namespace limn
 namespace
 {
 
-/// Whether something reads what the texture holds before the next node draws into it.
+/// Returns whether something reads the texture before the next node draws into it.
 bool IsRead(std::span<const FrameNode> following,
             const std::shared_ptr<const RenderTexture>& target, OutputSpan outputs,
             const TextureStates& states)

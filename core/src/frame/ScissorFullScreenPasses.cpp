@@ -136,7 +136,7 @@ private:
         return IsZero(output, target.graphicsFormat()) ? seen : std::nullopt;
     }
 
-    /// Where the pass gives something else than its output for zeros.
+    /// Returns the region in which the pass gives another output than the one for zeros.
     std::optional<TargetRegion> SeenBy(const FullScreenPromise& promise) const
     {
         for (const auto& texture : promise.zeroTextures)

@@ -48,8 +48,8 @@ void ExpectOtherTextures(const DrawBindings& bindings)
             if (slot.texture == written.texture)
             {
                 throw DrawError("a dispatch samples '" + slot.texture->name() +
-                                "' while it may write to it; read it as the writable texture that "
-                                "it is, or write to another one");
+                                "' while it may write to it; read it through the writable texture, "
+                                "or write to another texture");
             }
         }
     }
@@ -151,7 +151,7 @@ private:
     {
         if (m_Samples.empty())
         {
-            throw ContractError("EndSample without a BeginSample before it");
+            throw ContractError("EndSample is called without a BeginSample before it");
         }
         m_Samples.pop_back();
         m_Pending.emplace_back(command);
@@ -211,7 +211,7 @@ private:
         return node;
     }
 
-    /// Whether the last node draws into what is bound.
+    /// Returns whether the last node draws into what is bound.
     bool IsOnTarget() const
     {
         return m_Target && !m_Nodes.empty() && !m_Nodes.back().isCompute &&

@@ -11,7 +11,7 @@ namespace limn
 namespace
 {
 
-/// Where the elements of an accessor lie; every one is inside its buffer.
+/// The place of an accessor's elements, each of which is inside its buffer.
 struct Elements
 {
     const unsigned char* first = nullptr;
@@ -114,7 +114,7 @@ float LoadFloat(const Elements& elements, const unsigned char* bytes, int access
         return LoadInteger<std::uint16_t>(bytes, elements.normalized);
     default:
         Fail(accessor, "component type " + std::to_string(elements.componentType) +
-                           " is none of vertex data; 5120 to 5123 or 5126 (float) is right");
+                           " cannot be vertex data; 5120 to 5123 or 5126 (float) is expected");
     }
 }
 
@@ -126,9 +126,11 @@ GltfFloats ReadGltfFloats(const tinygltf::Model& model, int accessor, int minCom
     const Elements elements = Locate(model, accessor);
     if (elements.components < minComponents || elements.components > maxComponents)
     {
-        Fail(accessor, std::to_string(elements.components) + " numbers an element; " +
-                           std::to_string(minComponents) + " to " + std::to_string(maxComponents) +
-                           " are right here");
+        Fail(accessor,
+             "each element has " + std::to_string(elements.components) + " numbers; " +
+                 std::to_string(minComponents) +
+                 (maxComponents > minComponents ? " to " + std::to_string(maxComponents) : "") +
+                 " are expected here");
     }
     GltfFloats floats;
     floats.components = elements.components;
@@ -166,7 +168,7 @@ std::vector<std::uint32_t> ReadGltfIndices(const tinygltf::Model& model, int acc
             break;
         default:
             Fail(accessor, "component type " + std::to_string(elements.componentType) +
-                               " is none of indices; 5121, 5123 or 5125 (unsigned) is right");
+                               " cannot be indices; 5121, 5123 or 5125 (unsigned) is expected");
         }
     }
     return indices;

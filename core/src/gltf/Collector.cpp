@@ -68,7 +68,8 @@ void GltfCollector::CollectAll()
     }
 }
 
-/// Of the scene the file shows first; without scenes, the nodes that are nobody's child.
+/// Returns the roots of the scene that the file shows first. Without scenes they are the nodes that
+/// have no parent.
 std::vector<int> GltfCollector::Roots() const
 {
     if (!m_Model.scenes.empty())
@@ -132,7 +133,7 @@ void GltfCollector::CollectNodes(const glm::dmat4& root)
     }
 }
 
-/// Null, with a problem, for a node that is not there or was entered before.
+/// Returns a node. Returns null and adds a problem if it does not exist or was entered before.
 const tinygltf::Node* GltfCollector::Enter(int index)
 {
     const auto i = static_cast<std::size_t>(index);

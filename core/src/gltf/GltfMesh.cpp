@@ -16,8 +16,8 @@ namespace limn
 namespace
 {
 
-/// What the parser complained of, on one line; from a JSON parser's "[...] parse error at line 3,
-/// column 7: what" the place is taken out, from its "[...] what" the name of its exception.
+/// Returns the parser's complaint on one line. The place is taken out of a JSON parser's "[...]
+/// parse error at line 3, column 7: what", and the name of the exception out of "[...] what".
 AssetError ParseFailure(const std::filesystem::path& path, std::string error)
 {
     while (!error.empty() && error.back() == '\n')
@@ -48,7 +48,8 @@ bool SkipImage(tinygltf::Image*, int, std::string*, std::string*, int, int, cons
     return true;
 }
 
-/// What the JSON parser and tinygltf go down by recursion. Real files have less than ten levels.
+/// The greatest depth into which the JSON parser and tinygltf may recurse. Real files have less
+/// than ten levels.
 constexpr int k_MaxLevels = 64;
 
 /// The first bracket that is nested too deep; `text.size()` if none is.
@@ -197,7 +198,7 @@ std::vector<std::string> FileProblems(const tinygltf::Model& model)
     std::vector<std::string> problems;
     if (!model.asset.version.starts_with("2."))
     {
-        problems.push_back("asset: version " + model.asset.version + "; 2.0 is read");
+        problems.push_back("asset: the version is " + model.asset.version + "; limn reads 2.0");
     }
     for (const std::string& extension : model.extensionsRequired)
     {
@@ -236,7 +237,7 @@ std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path, cons
     if (data.triangles.empty())
     {
         throw AssetError(path.string(), {},
-                         "holds no triangles; a mesh that the scene shows is needed");
+                         "holds no triangles; at least one node of its scene must have a mesh");
     }
     ThrowIfAny(path, MeshProblems(data));
     return std::make_shared<const Mesh>(path.stem().string(), std::move(data));

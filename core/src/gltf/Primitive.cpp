@@ -95,15 +95,15 @@ std::vector<std::uint32_t> ReadTriangles(const tinygltf::Model& model,
     {
         if (index >= vertexCount)
         {
-            throw GltfProblem("index " + std::to_string(index) + " of " +
+            throw GltfProblem("index " + std::to_string(index) + " is too large for " +
                               std::to_string(vertexCount) + " vertices");
         }
     }
     std::vector<std::uint32_t> triangles = ToTriangleList(indices, primitive.mode);
     if (triangles.size() % 3 != 0)
     {
-        throw GltfProblem(std::to_string(triangles.size()) +
-                          " indices; a multiple of three is right");
+        throw GltfProblem("it has " + std::to_string(triangles.size()) +
+                          " indices; their number must be a multiple of three");
     }
     return triangles;
 }

@@ -35,8 +35,9 @@ ContextItem& ContextContainer::Existing(std::type_index type)
     Entry* entry = Find(type);
     if (entry == nullptr || !entry->isThere)
     {
-        throw ContractError("ContextContainer: there is no " + TypeName(type) +
-                            " in this frame; Contains asks, GetOrCreate makes one");
+        throw ContractError(
+            "ContextContainer: there is no " + TypeName(type) +
+            " in this frame; call Contains to ask for it, or GetOrCreate to make it");
     }
     return *entry->item;
 }
@@ -45,8 +46,8 @@ void ContextContainer::Begin(Entry& entry)
 {
     if (entry.isThere)
     {
-        throw ContractError("ContextContainer: Create of " + TypeName(entry.type) +
-                            ", which is there already; Get or GetOrCreate gives it");
+        throw ContractError("ContextContainer: Create: this frame has a " + TypeName(entry.type) +
+                            " already; call Get or GetOrCreate");
     }
     entry.isThere = true;
 }

@@ -36,10 +36,10 @@ std::string Describe(const RenderTexture& texture)
 {
     return "'" + texture.name() + "' is " + texture.DescribeSize() + " " +
            ToString(texture.graphicsFormat()) + " of " +
-           std::to_string(texture.descriptor().msaaSamples) + " samples a texel";
+           std::to_string(texture.descriptor().msaaSamples) + " samples per texel";
 }
 
-/// What a blit's render function draws with.
+/// The data of a blit's render function.
 struct BlitData
 {
     TextureHandle source;
@@ -132,12 +132,13 @@ void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const RenderGraphC
 {
     if (!texture.IsValid())
     {
-        throw ContractError(subject.text() + " of an empty handle");
+        throw ContractError(subject.text() + ": the handle is empty");
     }
     if (texture.m_Frame != m_State->frame || m_State->Find(*texture.rt()) == nullptr)
     {
-        throw ContractError(subject.text() + " of '" + texture.rt()->name() +
-                            "', a handle of an earlier frame; handles are for one camera's frame");
+        throw ContractError(
+            subject.text() + ": '" + texture.rt()->name() +
+            "' is a handle of an earlier frame; a handle is valid in one camera's frame only");
     }
 }
 
@@ -145,12 +146,13 @@ void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const RenderGraphCal
 {
     if (!buffer.IsValid())
     {
-        throw ContractError(subject.text() + " of an empty handle");
+        throw ContractError(subject.text() + ": the handle is empty");
     }
     if (buffer.m_Frame != m_State->frame || m_State->Find(*buffer.buffer()) == nullptr)
     {
-        throw ContractError(subject.text() + " of '" + buffer.buffer()->name() +
-                            "', a handle of an earlier frame; handles are for one camera's frame");
+        throw ContractError(
+            subject.text() + ": '" + buffer.buffer()->name() +
+            "' is a handle of an earlier frame; a handle is valid in one camera's frame only");
     }
 }
 
@@ -189,8 +191,9 @@ std::size_t RenderGraph::IndexOf(const RendererListHandle& list,
 {
     if (!list.IsValid() || list.m_Frame != m_State->frame)
     {
-        throw ContractError(subject.text() + (list.IsValid() ? " of a list of an earlier frame"
-                                                             : " of an empty handle"));
+        throw ContractError(subject.text() + (list.IsValid()
+                                                  ? ": the list is one of an earlier frame"
+                                                  : ": the handle is empty"));
     }
     return list.m_Index;
 }
@@ -370,7 +373,7 @@ void RenderGraph::AddCopyPass(const TextureHandle& source, const TextureHandle& 
     if (source.rt()->descriptor() != destination.rt()->descriptor() ||
         IsDepthFormat(source.rt()->graphicsFormat()))
     {
-        throw ContractError(subject.text() + ": " + Describe(*source.rt()) + ", " +
+        throw ContractError(subject.text() + ": " + Describe(*source.rt()) + " and " +
                             Describe(*destination.rt()) +
                             "; both must be colours of one size, format and number of samples");
     }

@@ -33,12 +33,12 @@ void AddUse(RenderGraphPass& pass, std::string_view call, RenderGraphPass::Use u
                              !(other->flags & AccessFlags::Write);
     if (!isReadTwice)
     {
-        throw ContractError(Subject(pass, call).text() + " of " + Quoted(use.texture) +
-                            ", which the pass " +
-                            (other->isAttachment                 ? "draws into already"
-                             : other->flags & AccessFlags::Write ? "writes already"
-                                                                 : "reads already") +
-                            "; one pass uses a texture in one way");
+        throw ContractError(Subject(pass, call).text() + ": the pass " +
+                            (other->isAttachment                 ? "draws into "
+                             : other->flags & AccessFlags::Write ? "writes "
+                                                                 : "reads ") +
+                            Quoted(use.texture) +
+                            " already; declare one use of a texture in a pass");
     }
 }
 
@@ -70,8 +70,8 @@ void BaseRenderGraphBuilder::ExpectUsable(const TextureHandle& texture,
     const RenderGraphPass* owner = m_Graph.m_State->Find(*texture.rt())->owner;
     if (owner != nullptr && owner != &m_Pass)
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) +
-                            ", which is transient in pass '" + owner->name.name() + "'");
+        throw ContractError(subject.text() + ": " + Quoted(texture) +
+                            " is a transient texture of pass '" + owner->name.name() + "'");
     }
 }
 
@@ -87,8 +87,8 @@ BufferHandle BaseRenderGraphBuilder::UseBuffer(const BufferHandle& input, Access
     m_Graph.ExpectOfFrame(input, subject);
     if (m_Pass.FindUse(*input.buffer()) != nullptr)
     {
-        throw ContractError(subject.text() + " of '" + input.buffer()->name() +
-                            "', which the pass uses already; say Read and Write at once");
+        throw ContractError(subject.text() + ": the pass uses '" + input.buffer()->name() +
+                            "' already; declare Read and Write in one call");
     }
     m_Pass.buffers.push_back({input.buffer(), flags});
     return input;
@@ -155,20 +155,20 @@ void BaseRenderGraphBuilder::SetAttachment(const TextureHandle& texture, int ind
     ExpectUsable(texture, subject);
     if (IsDepthFormat(texture.rt()->graphicsFormat()))
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) +
-                            ", a depth texture; SetRenderAttachmentDepth takes those");
+        throw ContractError(subject.text() + ": " + Quoted(texture) +
+                            " is a depth texture; call SetRenderAttachmentDepth");
     }
     if (index < 0 || index >= static_cast<int>(k_MostColors))
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) + " at index " +
-                            std::to_string(index) + "; there are 0 to " +
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ": the index is " +
+                            std::to_string(index) + "; it must be 0 to " +
                             std::to_string(k_MostColors - 1));
     }
     RTHandle& slot = m_Pass.colors[static_cast<std::size_t>(index)];
     if (slot)
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) + " at index " +
-                            std::to_string(index) + ", where " + Quoted(slot) + " is already");
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ": index " +
+                            std::to_string(index) + " has " + Quoted(slot) + " already");
     }
     AddUse(m_Pass, "': SetRenderAttachment", {texture, flags, true});
     slot = texture;
@@ -180,13 +180,13 @@ void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, Ac
     ExpectUsable(texture, subject);
     if (!IsDepthFormat(texture.rt()->graphicsFormat()))
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) +
-                            ", which is no depth texture; SetRenderAttachment takes colours");
+        throw ContractError(subject.text() + ": " + Quoted(texture) +
+                            " is no depth texture; call SetRenderAttachment");
     }
     if (m_Pass.depth)
     {
-        throw ContractError(subject.text() + " of " + Quoted(texture) + ", where " +
-                            Quoted(m_Pass.depth) + " is already");
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ": the pass has " +
+                            Quoted(m_Pass.depth) + " already");
     }
     AddUse(m_Pass, "': SetRenderAttachmentDepth", {texture, flags, true});
     m_Pass.depth = texture;

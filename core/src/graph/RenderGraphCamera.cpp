@@ -21,7 +21,7 @@ bool HaveOneSize(const RenderTexture& a, const RenderTexture& b)
 std::string SizeOf(const RTHandle& texture)
 {
     return texture.rt()->DescribeSize() + " of " +
-           std::to_string(texture.rt()->descriptor().msaaSamples) + " samples a texel";
+           std::to_string(texture.rt()->descriptor().msaaSamples) + " samples per texel";
 }
 
 } // namespace

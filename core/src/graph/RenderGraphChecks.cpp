@@ -80,7 +80,7 @@ bool RenderGraphRun::isAlive(const RenderGraphBuffer& buffer) const
                                             { return pass.FindUse(*buffer.buffer) != nullptr; }));
 }
 
-/// What is global now under the names that the pass uses.
+/// Adds the textures that are global now under the names that the pass uses.
 void RenderGraphRun::ResolveGlobals()
 {
     for (const RenderGraphPass::GlobalUse& global : m_Pass->globalUses)
@@ -88,9 +88,9 @@ void RenderGraphRun::ResolveGlobals()
         const RTHandle texture = GlobalTexture(m_Context, global.id);
         if (!texture)
         {
-            Fail(Subject() + ": UseGlobalTexture of '" + global.id.name() +
-                 "', but no pass before it made a texture global under that name; "
-                 "SetGlobalTextureAfterPass does");
+            Fail(Subject() + ": UseGlobalTexture names '" + global.id.name() +
+                 "', but no pass before it made a texture global under that name; call "
+                 "SetGlobalTextureAfterPass in such a pass");
         }
         else if (m_Pass->FindUse(texture) == nullptr)
         {
@@ -114,11 +114,11 @@ void RenderGraphRun::ExpectWritten()
             Subject() + " reads '" + use.texture.rt()->name() + "', which no pass before it writes";
         if (texture->clears)
         {
-            m_Report.notes.push_back(what + ": it finds the clearColor");
+            m_Report.notes.push_back(what + ": the texture holds the clearColor");
         }
         else
         {
-            Fail(what + ", and clearBuffer is false: it holds nothing in particular");
+            Fail(what + ", and clearBuffer is false: its contents are undefined");
         }
     }
     for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
@@ -141,7 +141,7 @@ void RenderGraphRun::ExpectGlobalsAllowed(std::string_view what, std::string_vie
         const std::string quoted = name.empty() ? "" : " '" + std::string(name) + "'";
         m_RefusedGlobals.emplace_back(name);
         Fail(Subject() + " " + std::string(what) + quoted +
-             ", which Unity throws for; add builder.AllowGlobalStateModification(true);");
+             ", for which Unity throws; add builder.AllowGlobalStateModification(true);");
     }
 }
 
@@ -151,7 +151,7 @@ void RenderGraphRun::ExpectDeclared(const RTHandle& texture, ShaderPropertyId id
     if (known != nullptr && known->owner != m_Pass && m_Pass->FindUse(known->texture) == nullptr)
     {
         Fail(Subject() + " sets '" + texture.rt()->name() + "' as the global '" + id.name() +
-             "' and declares no use of it, which Unity throws for; add " +
+             "' and declares no use of it, for which Unity throws; add " +
              LineFor(*known, AccessFlags::Read));
     }
 }
@@ -289,7 +289,7 @@ void RenderGraphRun::ExpectWrites(const DrawBindings& bindings)
         }
         else
         {
-            Fail(what + ", which Unity throws for; add " + m_LineToBeRun);
+            Fail(what + ", for which Unity throws; add " + m_LineToBeRun);
         }
         known->isWritten = true;
     }
@@ -350,8 +350,8 @@ void RenderGraphRun::ExpectReads(const DrawBindings& bindings, bool isDispatch)
             LineFor(*known, use != nullptr ? AccessFlags::ReadWrite : AccessFlags::Read);
         const std::string what =
             Subject() + " declares no read of '" + texture->name() + "', yet samples it";
-        // What is global stays bound; what is not, a handle gave. Kernels are given it by a call
-        // that throws.
+        // A global texture stays bound; the pass got any other from a handle. A kernel gets its
+        // textures by a call that throws.
         const bool isGlobal = wasGlobal(*texture);
         if (use != nullptr || isGlobal || (!isDispatch && isAlive(*known)))
         {
@@ -360,7 +360,7 @@ void RenderGraphRun::ExpectReads(const DrawBindings& bindings, bool isDispatch)
         else
         {
             Fail(what +
-                 (isDispatch ? ", which Unity throws for"
+                 (isDispatch ? ", for which Unity throws"
                              : ", where its handle stands for no texture in Unity") +
                  "; add " + line);
         }
@@ -384,7 +384,7 @@ void RenderGraphRun::ExpectRunByUnity()
     }
 }
 
-/// What is declared for nothing.
+/// Adds a note for each use that is declared and not needed.
 void RenderGraphRun::NoteUnused(bool draws)
 {
     std::vector<std::string>& notes = m_Report.notes;
@@ -406,7 +406,7 @@ void RenderGraphRun::NoteUnused(bool draws)
             notes.push_back(Subject() + " declares a read of '" + texture->name() +
                             "', yet samples it nowhere");
         }
-        // Of a list there may be nothing to draw.
+        // A renderer list may have nothing to draw.
         if ((use.flags & AccessFlags::Write) && !isWritten && !isRead && m_DrawnLists.empty())
         {
             notes.push_back(Subject() + " declares a write of '" + texture->name() +

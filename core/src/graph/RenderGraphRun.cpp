@@ -107,7 +107,7 @@ void RenderGraphRun::ExpectRunnable() const
     }
 }
 
-/// What is written for the first time, or read without having been written.
+/// Clears the textures that the pass writes first, or reads although nothing has written them.
 void RenderGraphRun::Clear()
 {
     m_Cmd->BeginSample(m_Pass->name);
@@ -202,9 +202,8 @@ void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
         m_Graph.IndexOf(list, {"pass '", m_Pass->name.name(), "': DrawRendererList"});
     if (!Has(m_Pass->rendererLists, index))
     {
-        Fail(Subject() +
-             " declares no UseRendererList of a renderer list, yet draws it, of which Unity draws "
-             "nothing; add builder.UseRendererList(<its handle>);");
+        Fail(Subject() + " draws a renderer list without declaring it by UseRendererList, so that "
+                         "Unity would draw nothing; add builder.UseRendererList(<its handle>);");
     }
     m_DrawnLists.push_back(index);
     Flush();

@@ -57,7 +57,7 @@ std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDime
     return std::make_shared<const Texture2D>(color.name, 1, 1, format, texel);
 }
 
-/// By dimension, of each the colours in order.
+/// Returns the textures of one colour, ordered by dimension and then by colour.
 std::vector<std::shared_ptr<const Texture>> SolidTextures()
 {
     std::vector<std::shared_ptr<const Texture>> textures;

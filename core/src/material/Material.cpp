@@ -71,7 +71,8 @@ ShaderPropertyId ScaleOffsetId(ShaderPropertyId texture)
     return ShaderPropertyId(texture.name() + "_ST");
 }
 
-/// Of numbers and what is made of a fixed count of them; -0 is not 0.
+/// Returns whether two values have the same bytes, for numbers and fixed counts of them; -0 differs
+/// from 0.
 bool HasSameBytes(const ShaderPropertyValue& a, const ShaderPropertyValue& b)
 {
     return a.index() == b.index() &&
@@ -204,7 +205,7 @@ void Material::SetTexture(ShaderPropertyId id, const RTHandle& value)
 void Material::FailGet(ShaderPropertyId id, const char* kind) const
 {
     throw ContractError("material '" + m_Name + "': property '" + id.name() + "' is " +
-                        (Find(id) != nullptr ? "not " : "not set, asked for as ") + kind);
+                        (Find(id) != nullptr ? "not " : "not set, but it was read as ") + kind);
 }
 
 float Material::GetFloat(ShaderPropertyId id) const

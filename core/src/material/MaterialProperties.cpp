@@ -1,4 +1,4 @@
-// What a Material has by its shader's Properties block as a whole.
+// The functions of a Material that concern the Properties block of its shader as a whole.
 #include <algorithm>
 #include <limn/base/Case.h>
 #include <limn/core/Material.h>
@@ -28,7 +28,8 @@ MaterialPropertyType TypeOf(const ShaderProperty& property)
     return MaterialPropertyType::Texture;
 }
 
-/// Of two values of one kind; nothing where there is nothing between such.
+/// Returns a value between two values of one kind, or nothing for a kind that has nothing in
+/// between.
 std::optional<ShaderPropertyValue> Between(const ShaderPropertyValue& start,
                                            const ShaderPropertyValue& end, float t)
 {

@@ -104,10 +104,11 @@ BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offs
         (offset < 0 || size < 0 || offset % k_Alignment != 0 ||
          static_cast<std::size_t>(offset) + static_cast<std::size_t>(size) > buffer->size()))
     {
-        throw ContractError("SetConstantBuffer: " + std::to_string(size) + " bytes at " +
-                            std::to_string(offset) + " of '" + buffer->name() + "', which has " +
-                            std::to_string(buffer->size()) +
-                            "; a part begins at a multiple of 256 and ends in the buffer");
+        throw ContractError(
+            "SetConstantBuffer: the part is " + std::to_string(size) + " bytes from byte " +
+            std::to_string(offset) + " of '" + buffer->name() + "', which has " +
+            std::to_string(buffer->size()) +
+            " bytes; a part must begin at a multiple of 256 and end within the buffer");
     }
     return {std::move(buffer), static_cast<std::uint32_t>(offset),
             static_cast<std::uint32_t>(size)};

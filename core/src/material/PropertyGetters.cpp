@@ -11,7 +11,7 @@ namespace limn
 namespace
 {
 
-// What both a block's and the process's getters give.
+// The getters that property blocks and the globals of the process have in common.
 
 float FloatIn(const ShaderPropertyValue* value)
 {

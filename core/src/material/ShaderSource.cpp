@@ -67,8 +67,8 @@ std::shared_ptr<const Shader> Shader::Find(std::string_view name)
     if (!source)
     {
         Debug::LogWarning("Shader.Find('" + std::string(name) +
-                          "'): no shaders are known here; it finds those of limn and of plug-ins "
-                          "in a feature's Create and while a camera is rendered");
+                          "'): no shaders are known here; call it in a feature's Create or while a "
+                          "camera is rendered");
         return nullptr;
     }
     std::shared_ptr<const Shader> shader = source->Find(name);

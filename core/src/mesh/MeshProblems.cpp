@@ -18,16 +18,17 @@ void CheckArray(std::vector<std::string>& problems, const VertexAttribute& attri
     const std::size_t size = values.size() / attribute.components;
     if (size != 0 && size != data.vertices.size())
     {
-        problems.push_back(name + ": " + std::to_string(size) + " elements for " +
+        problems.push_back(name + ": the list has " + std::to_string(size) + " elements for " +
                            std::to_string(data.vertices.size()) +
-                           " vertices; one a vertex or none is right");
+                           " vertices; it must have one per vertex, or none");
     }
     const auto bad =
         std::ranges::find_if_not(values, [](float value) { return std::isfinite(value); });
     if (bad != values.end())
     {
         const auto index = static_cast<std::size_t>(bad - values.begin()) / attribute.components;
-        problems.push_back(name + "[" + std::to_string(index) + "]: not a finite number");
+        problems.push_back(name + "[" + std::to_string(index) +
+                           "]: the value is not a finite number");
     }
 }
 
@@ -36,8 +37,8 @@ void CheckTriangles(std::vector<std::string>& problems, const MeshData& data)
     const std::vector<std::uint32_t>& indices = data.triangles;
     if (indices.size() % 3 != 0)
     {
-        problems.push_back("triangles: " + std::to_string(indices.size()) +
-                           " indices; a multiple of three is right");
+        problems.push_back("triangles: the list has " + std::to_string(indices.size()) +
+                           " indices; their number must be a multiple of three");
     }
     const std::size_t limit = data.vertices.size();
     const auto isOutside = [limit](std::uint32_t index)
@@ -49,8 +50,8 @@ void CheckTriangles(std::vector<std::string>& problems, const MeshData& data)
     {
         const auto count = std::count_if(indices.begin(), indices.end(), isOutside);
         problems.push_back("triangles[" + std::to_string(first - indices.begin()) + "]: index " +
-                           std::to_string(*first) + " of " + std::to_string(limit) + " vertices (" +
-                           std::to_string(count) + " such indices in all)");
+                           std::to_string(*first) + " is too large for " + std::to_string(limit) +
+                           " vertices; the number of such indices is " + std::to_string(count));
     }
 }
 
@@ -62,15 +63,15 @@ void CheckSubMeshes(std::vector<std::string>& problems, const MeshData& data)
         const std::string subject = "subMeshes[" + std::to_string(i) + "]: ";
         if (subMesh.indexCount % 3 != 0)
         {
-            problems.push_back(subject + std::to_string(subMesh.indexCount) +
-                               " indices; a multiple of three is right");
+            problems.push_back(subject + "it has " + std::to_string(subMesh.indexCount) +
+                               " indices; their number must be a multiple of three");
         }
         const std::uint64_t end = std::uint64_t{subMesh.indexStart} + subMesh.indexCount;
         if (end > data.triangles.size())
         {
-            problems.push_back(subject + "indices " + std::to_string(subMesh.indexStart) + " to " +
-                               std::to_string(end) + " of " +
-                               std::to_string(data.triangles.size()));
+            problems.push_back(subject + "it ranges over the indices " +
+                               std::to_string(subMesh.indexStart) + " to " + std::to_string(end) +
+                               ", but the mesh has only " + std::to_string(data.triangles.size()));
         }
     }
 }
@@ -82,7 +83,7 @@ std::vector<std::string> MeshProblems(const MeshData& data)
     std::vector<std::string> problems;
     if (data.vertices.empty())
     {
-        problems.emplace_back("vertices: none; at least one is needed");
+        problems.emplace_back("vertices: the list is empty; at least one vertex is needed");
     }
     for (const VertexAttribute& attribute : VertexAttributes())
     {

@@ -74,7 +74,7 @@ double Reciprocal(double x)
     return x == 0.0 ? 0.0 : 1.0 / x;
 }
 
-/// For Linear01Depth and LinearEyeDepth (urp.md §5.4).
+/// Returns the constants of Linear01Depth and LinearEyeDepth (urp.md §5.4).
 glm::vec4 ZBufferParams(double n, double f, bool usesReversedZBuffer)
 {
     if (!usesReversedZBuffer)

@@ -18,8 +18,8 @@ RendererListDesc::RendererListDesc(std::span<const ShaderTagId> passNames,
 {
     if (passNames.empty() || passNames.size() > DrawingSettings::maxShaderPasses)
     {
-        throw ContractError("RendererListDesc: " + std::to_string(passNames.size()) +
-                            " pass names; give 1 to 16");
+        throw ContractError("RendererListDesc: it has " + std::to_string(passNames.size()) +
+                            " pass names; it must have 1 to 16");
     }
     m_PassNames.assign(passNames.begin(), passNames.end());
 }

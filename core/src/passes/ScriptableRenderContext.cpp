@@ -25,7 +25,7 @@ FrameCommands Emptied(FrameCommands frame)
     return frame;
 }
 
-/// Whether each sample that begins in the buffer ends in it, and the other way round.
+/// Returns whether each sample that begins in the buffer ends in it, and the other way round.
 bool HasWholeSamples(const CommandBuffer& commandBuffer)
 {
     int open = 0;

@@ -48,8 +48,8 @@ void ScriptableRenderPass::ConfigureTarget(std::span<const RTHandle> colors, con
     }
     if (colors.size() > k_MostColors)
     {
-        throw ContractError("ConfigureTarget: " + std::to_string(colors.size()) +
-                            " colour targets; at most " + std::to_string(k_MostColors));
+        throw ContractError("ConfigureTarget: it was given " + std::to_string(colors.size()) +
+                            " colour targets; a pass has at most " + std::to_string(k_MostColors));
     }
     m_OverrideCameraTarget = true;
     m_Colors.assign(colors.begin(), colors.end());
@@ -164,8 +164,8 @@ DrawingSettings MakeDrawingSettings(std::span<const ShaderTagId> tags, const Cam
 {
     if (tags.empty() || tags.size() > DrawingSettings::maxShaderPasses)
     {
-        throw ContractError("CreateDrawingSettings: " + std::to_string(tags.size()) +
-                            " LightMode tags; give 1 to 16");
+        throw ContractError("CreateDrawingSettings: it was given " + std::to_string(tags.size()) +
+                            " LightMode tags; 1 to 16 are expected");
     }
     DrawingSettings settings;
     settings.shaderTagIds.assign(tags.begin(), tags.end());

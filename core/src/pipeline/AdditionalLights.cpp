@@ -23,7 +23,7 @@ const ShaderPropertyId _AdditionalLightsAttenuation{"_AdditionalLightsAttenuatio
 const ShaderPropertyId _AdditionalLightsSpotDir{"_AdditionalLightsSpotDir"};
 const GlobalKeyword _ADDITIONAL_LIGHTS{"_ADDITIONAL_LIGHTS"};
 
-/// Whether a ball is not outside of one of the four sides of what the camera sees.
+/// Returns whether a ball is within the four sides of the camera's view, or touches one.
 bool IsSeen(const glm::dvec3& center, double radius, const glm::dmat4& viewProjection)
 {
     const glm::dmat4 rows = glm::transpose(viewProjection);
@@ -130,9 +130,9 @@ void FindAdditionalLights(const Scene& scene, const CameraData& camera,
     if (lights.size() > k_MaxVisibleAdditionalLights)
     {
         notes.push_back(std::to_string(lights.size()) +
-                        " lights reach into the picture, of which the first " +
+                        " lights reach into the picture, but only the first " +
                         std::to_string(k_MaxVisibleAdditionalLights) +
-                        " are drawn: shaders have no room for more");
+                        " light it: shaders have room for no more");
         lights.resize(k_MaxVisibleAdditionalLights);
     }
 }

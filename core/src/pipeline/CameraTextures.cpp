@@ -76,7 +76,7 @@ void CameraTextures::Setup(std::span<ScriptableRenderPass* const> queue, LayerMa
         if (pass->input() & Input::Motion)
         {
             notes.push_back(pass->profilingSampler.name() +
-                            ": motion vectors are asked for, which limn does not make; "
+                            ": it asks for motion vectors, but limn does not make them; "
                             "_MotionVectorTexture is gray");
         }
     }
@@ -124,7 +124,8 @@ void CameraTextures::BeforePass(ScriptableRenderContext& context, RenderPassEven
         Set(context, _CameraNormalsTexture, m_Normals);
         Set(context, _CameraDepthNormalsTexture, m_DepthNormals);
     }
-    // What reads the depth up to here reads that of the prepass; all that follows does so then.
+    // Passes up to here read the depth of the prepass; later ones read it, too, if it is chosen
+    // here.
     if (!m_IsDepthChosen && next > BeforeRenderingOpaques)
     {
         m_IsDepthChosen = true;

@@ -40,7 +40,7 @@ void WriteToStderr(const LogMessage& message)
 
 std::atomic<LogSink> s_LogSink{&WriteToStderr};
 
-/// With so many digits behind the point.
+/// Returns the number with this many digits after the decimal point.
 std::string Fixed(double value, int digits)
 {
     if (!std::isfinite(value))
@@ -198,7 +198,7 @@ std::string FormatLog(std::string_view format, const std::vector<LogArgument>& a
             if (end == std::string_view::npos)
             {
                 throw ContractError("LogFormat '" + std::string(format) +
-                                    "': a brace is not closed; a brace as it is is written twice");
+                                    "': a brace is not closed; write a literal brace twice");
             }
             text += Placed(format, format.substr(i + 1, end - i - 1), arguments);
             i = end;

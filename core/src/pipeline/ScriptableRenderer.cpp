@@ -131,7 +131,7 @@ decltype(auto) RunFeature(const ScriptableRendererFeature& feature, const char* 
     return RunPluginCode(typeid(feature), feature.name, member, std::forward<Work>(work));
 }
 
-/// In the order of their events, otherwise as they are.
+/// Sorts the passes by their events. Passes of one event keep their order.
 void Sort(std::vector<ScriptableRenderPass*>& passes)
 {
     // Few: std::stable_sort would ask for memory in each frame.
@@ -144,7 +144,7 @@ void Sort(std::vector<ScriptableRenderPass*>& passes)
     }
 }
 
-/// Whether a pass's target is the camera's, by itself or by an identifier.
+/// Returns whether a pass's target is the camera's, by itself or by an identifier.
 bool Is(const RTHandle& target, const RTHandle& camera)
 {
     if (target.rt() || !target)
@@ -328,7 +328,7 @@ void ScriptableRenderer::AddRenderPasses(RenderingData& renderingData)
         }
         else if (renderingData.cameraData.renderType == CameraRenderType::Base)
         {
-            report.notes.push_back(feature->name + ": not drawn, the feature is inactive");
+            report.notes.push_back(feature->name + ": it is not drawn; the feature is inactive");
         }
         m_FeaturePassEnds.push_back(m_Queue.size());
         const SampleName name(feature->name);

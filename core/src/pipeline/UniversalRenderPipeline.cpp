@@ -90,7 +90,8 @@ void ExpectPipelineVersion(int version)
     }
 }
 
-/// Of this camera's target. Unity: UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
+/// Returns the scale of this camera's target. Unity:
+/// UniversalRenderPipeline.InitializeStackedCameraData (URP 14).
 float RenderScaleOf(const Camera& camera, float renderScale)
 {
     constexpr float k_Threshold = 0.05f;
@@ -113,7 +114,7 @@ glm::ivec2 PictureSize(const RenderRequest& request)
                              : glm::ivec2(request.width, request.height);
 }
 
-/// How many samples the device does of both colour and depth.
+/// Returns the number of samples that the device supports for both colour and depth.
 int SupportedSampleCount(const GraphicsDevice& device, RenderTextureDescriptor camera)
 {
     RenderTextureDescriptor color = camera;
@@ -173,8 +174,8 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, flo
     {
         report.notes.push_back("the camera is drawn with " +
                                std::to_string(descriptor.msaaSamples) +
-                               " samples a texel in place of " + std::to_string(msaaSampleCount) +
-                               " (msaaSampleCount): the device does no more of its format");
+                               " samples per texel in place of " + std::to_string(msaaSampleCount) +
+                               " (msaaSampleCount): the device supports no more for its format");
     }
     return descriptor;
 }
@@ -242,7 +243,7 @@ void NoteBeyondFloat(const CullingResults& results, RenderReport& report)
             "object '" + results.beyondFloat.front()->name + "'" +
             (count > 1 ? " and " + std::to_string(count - 1) + " more: nothing of them"
                        : ": nothing of it") +
-            " is drawn: position or size in the world is beyond a float, 3.4e38");
+            " is drawn: a position or size in the world exceeds the range of a float, 3.4e38");
     }
 }
 
@@ -265,8 +266,8 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
     }
 }
 
-/// What does not change within a camera, and what an overlay must not take over from the camera
-/// before it.
+/// Sets the uniforms that do not change within a camera, and those that an overlay must not take
+/// over from the camera before it.
 void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
                  const RenderingData& renderingData)
 {

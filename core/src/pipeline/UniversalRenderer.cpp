@@ -16,7 +16,7 @@ namespace limn
 namespace
 {
 
-// Of CoreBlit.shader, for a picture of its target's size, and for another one.
+// The passes of CoreBlit.shader: for a picture of its target's size, and for another one.
 struct BlitPasses
 {
     int ofSize;

@@ -57,10 +57,10 @@ BufferRange ArgumentsRange(const char* call, std::shared_ptr<const GraphicsBuffe
     const std::uint32_t size = count * static_cast<std::uint32_t>(sizeof(std::uint32_t));
     if (offset < 0 || offset % 4 != 0 || static_cast<std::uint64_t>(offset) + size > buffer->size())
     {
-        throw ContractError(subject + ": arguments of " + std::to_string(size) + " bytes at " +
-                            std::to_string(offset) + " of buffer '" + buffer->name() +
-                            "', which has " + std::to_string(buffer->size()) +
-                            "; they begin at a multiple of 4 and end in the buffer");
+        throw ContractError(subject + ": the arguments are " + std::to_string(size) +
+                            " bytes from byte " + std::to_string(offset) + " of buffer '" +
+                            buffer->name() + "', which has " + std::to_string(buffer->size()) +
+                            " bytes; they must begin at a multiple of 4 and end within the buffer");
     }
     return {std::move(buffer), static_cast<std::uint32_t>(offset), size};
 }

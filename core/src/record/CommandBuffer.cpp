@@ -74,8 +74,8 @@ void ExpectNoClear(RenderBufferLoadAction action)
 {
     if (action == RenderBufferLoadAction::Clear)
     {
-        throw ContractError("SetRenderTarget: RenderBufferLoadAction::Clear says not to what; use "
-                            "ClearRenderTarget");
+        throw ContractError("SetRenderTarget: RenderBufferLoadAction::Clear names no colour to "
+                            "clear to; call ClearRenderTarget");
     }
 }
 
@@ -113,8 +113,8 @@ void CommandBuffer::SetRenderTarget(std::span<const RTHandle> colors, const RTHa
 {
     if (colors.size() > k_MostColors)
     {
-        throw ContractError("SetRenderTarget: " + std::to_string(colors.size()) +
-                            " colour targets; at most " + std::to_string(k_MostColors));
+        throw ContractError("SetRenderTarget: it was given " + std::to_string(colors.size()) +
+                            " colour targets; a pass has at most " + std::to_string(k_MostColors));
     }
     if (Wraps(depth) || std::any_of(colors.begin(), colors.end(), Wraps))
     {
@@ -347,8 +347,9 @@ void CommandBuffer::EndSample(std::string_view sample)
         {
             if (begin->name != sample)
             {
-                throw ContractError("EndSample: '" + std::string(sample) + "' is not what ends, '" +
-                                    begin->name.name() + "' is");
+                throw ContractError("EndSample: '" + std::string(sample) +
+                                    "' is not the innermost open sample; end '" +
+                                    begin->name.name() + "' first");
             }
             break;
         }

@@ -57,18 +57,21 @@ void CommandBuffer::CopyBuffer(const std::shared_ptr<const GraphicsBuffer>& sour
         std::string(k_Call) + " from '" + source->name() + "' to '" + dest->name() + "': ";
     if (source == dest)
     {
-        throw ContractError(subject + "they are one buffer");
+        throw ContractError(subject +
+                            "source and destination are the same buffer; copy between two");
     }
     if (source->size() != dest->size())
     {
-        throw ContractError(subject + std::to_string(source->size()) + " bytes and " +
-                            std::to_string(dest->size()) + "; both must have the same");
+        throw ContractError(subject + "they have " + std::to_string(source->size()) +
+                            " bytes and " + std::to_string(dest->size()) +
+                            "; both must have the same number");
     }
     if (!source->Has(GraphicsBuffer::Target::CopySource) ||
         !dest->Has(GraphicsBuffer::Target::CopyDestination))
     {
-        throw ContractError(subject + "the first is made with GraphicsBuffer::Target::CopySource, "
-                                      "the second with CopyDestination");
+        throw ContractError(subject +
+                            "the first must be made with GraphicsBuffer::Target::CopySource, the "
+                            "second with CopyDestination");
     }
     m_Commands.emplace_back(CopyBufferCommand{
         source, dest, 0, 0, static_cast<std::uint32_t>((source->size() + 3) / 4)});
@@ -84,13 +87,13 @@ void CommandBuffer::CopyCounterValue(const std::shared_ptr<const GraphicsBuffer>
     if (!src->hasCounter())
     {
         throw ContractError(std::string(k_Call) + ": '" + src->name() +
-                            "' has none; only targets Append and Counter have one");
+                            "' has no counter; only the targets Append and Counter have one");
     }
     if (dstOffsetBytes % 4 != 0 || dst->size() < 4 || dstOffsetBytes > dst->size() - 4)
     {
         throw ContractError(std::string(k_Call) + " to byte " + std::to_string(dstOffsetBytes) +
                             " of '" + dst->name() + "', which has " + std::to_string(dst->size()) +
-                            "; it is four bytes at a multiple of 4");
+                            " bytes; the counter takes four bytes at a multiple of 4");
     }
     m_Commands.emplace_back(CopyBufferCommand{
         src, dst, static_cast<std::uint32_t>(src->counterOffset() / 4), dstOffsetBytes / 4, 1});
@@ -109,9 +112,10 @@ void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> compute
         if (counts[i] < 1 || counts[i] > k_MostGroups)
         {
             throw ContractError("DispatchCompute of '" + computeShader->name() + "', kernel '" +
-                                kernel + "': " + std::to_string(counts[0]) + "x" +
+                                kernel + "': it was given " + std::to_string(counts[0]) + "x" +
                                 std::to_string(counts[1]) + "x" + std::to_string(counts[2]) +
-                                " groups; each count is from 1 to " + std::to_string(k_MostGroups));
+                                " groups; each count must be from 1 to " +
+                                std::to_string(k_MostGroups));
         }
         dispatch.groups[i] = static_cast<std::uint32_t>(counts[i]);
     }

@@ -46,8 +46,9 @@ void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTextur
     }
 }
 
-/// How a blit's vertex function sees the world: Unity's GL.LoadOrtho, whatever the camera is.
-/// @param properties  gets it: what a draw brings along wins over what is global
+/// Sets the matrices of a blit's vertex function: those of Unity's GL.LoadOrtho, whatever the
+/// camera is.
+/// @param properties  receives them, since a draw's own properties win over global ones
 void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& dest)
 {
     static const ShaderPropertyId limn_Origin{"limn_Origin"};
@@ -107,8 +108,8 @@ void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, i
 {
     if (count < 0 || static_cast<std::size_t>(count) > matrices.size())
     {
-        throw ContractError("DrawMeshInstanced: " + std::to_string(count) + " of " +
-                            std::to_string(matrices.size()) + " matrices");
+        throw ContractError("DrawMeshInstanced: the count is " + std::to_string(count) +
+                            ", but there are " + std::to_string(matrices.size()) + " matrices");
     }
     DrawMeshInstanced(mesh, submeshIndex, material, shaderPass,
                       matrices.first(static_cast<std::size_t>(count)), properties);
@@ -122,8 +123,8 @@ void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, i
     constexpr std::size_t k_Most = 1023; // Unity's
     if (matrices.size() > k_Most)
     {
-        throw ContractError("DrawMeshInstanced: " + std::to_string(matrices.size()) +
-                            " matrices; at most " + std::to_string(k_Most));
+        throw ContractError("DrawMeshInstanced: it was given " + std::to_string(matrices.size()) +
+                            " matrices; a call takes at most " + std::to_string(k_Most));
     }
     ExpectMaterial(material);
     const bool isEach = shaderPass == k_AllPasses;
@@ -207,7 +208,7 @@ void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source,
     properties.Clear();
 }
 
-/// Of the draw's material, the pass that it names or each.
+/// Draws with the pass of the material that the draw names, or with each of them.
 void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
 {
     ExpectMaterial(draw.material);

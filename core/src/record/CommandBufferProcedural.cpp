@@ -79,8 +79,8 @@ void CommandBuffer::DrawProceduralIndirect(
     if (topology == MeshTopology::Quads)
     {
         throw ContractError(std::string(k_Call) +
-                            ": Quads are drawn by indices, and the buffer's counts are those of a "
-                            "draw without; draw Triangles, six vertices a quad");
+                            ": limn draws Quads by indices, but the buffer's counts are those of a "
+                            "draw without indices; draw Triangles, six vertices per quad");
     }
     RecordedDraw draw;
     draw.matrix = glm::dmat4(matrix);

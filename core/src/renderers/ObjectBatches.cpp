@@ -1,4 +1,4 @@
-// What may be drawn at once.
+// Finds the draws that may be drawn at once.
 #include "renderers/ObjectDraws.h"
 #include "scene/RendererTable.h"
 #include "support/ThreadScratch.h"
@@ -85,8 +85,8 @@ private:
         std::uint32_t stretch = 0;
         std::uint32_t batch = 0;
     };
-    /// Of all calls: each begins a stretch of its own, so that nothing has to be cleared for few
-    /// draws out of many kinds.
+    /// The memory of all calls. Each call begins a stretch of its own, so that a few draws of many
+    /// kinds need no clearing.
     struct Memory
     {
         std::vector<Seen> seen; ///< by kind
@@ -97,7 +97,7 @@ private:
         static thread_local Memory memory;
         return memory;
     }
-    /// With more, only neighbours are put together.
+    /// The greatest number of kinds; with more, only neighbours are put together.
     static constexpr std::size_t k_MostKinds = 1 << 22;
 
     std::uint32_t BatchOf(std::size_t kind, std::uint32_t pass,

@@ -144,7 +144,7 @@ private:
                    static_cast<std::size_t>(key.shaderPass);
         }
     };
-    /// Of all calls: an earlier one's entries are there for their memory only.
+    /// An index of all calls; the entries of an earlier call only keep their memory.
     struct Index
     {
         std::uint64_t call = 0;
@@ -225,8 +225,8 @@ std::optional<TargetRegion> RegionOf(const RendererTable& table,
                             std::numeric_limits<float>::infinity(), atOrigin);
 }
 
-/// Where a batch draws, if its pass promises to stay within the mesh. Few objects are looked at one
-/// by one; many are seldom apart.
+/// Returns the region in which a batch draws, if its pass promises to stay within the mesh. A few
+/// objects are examined one by one; many are seldom far apart.
 std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
                                      const RendererTable& table,
                                      std::span<const std::uint32_t> rows,
@@ -337,7 +337,8 @@ private:
         std::uint64_t call = 0; ///< the last that had it
         std::uint32_t passes = 0;
     };
-    /// By class and set, of all calls: an earlier one's are there for their memory only.
+    /// The memory of all calls by class and set; the entries of an earlier call only keep their
+    /// memory.
     struct Memory
     {
         std::uint64_t call = 0;

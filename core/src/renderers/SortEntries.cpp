@@ -52,7 +52,7 @@ void SortBy(std::vector<Entry>& entries, std::vector<Entry>& spare, Value value)
     }
 }
 
-/// By insertion: no passes over tables that are longer than the entries.
+/// Sorts by insertion, without passes over tables that are longer than the entries.
 template <typename Entry, typename Before>
 void SortFew(std::vector<Entry>& entries, Before isBefore)
 {

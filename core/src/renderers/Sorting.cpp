@@ -14,7 +14,7 @@ namespace limn
 namespace
 {
 
-/// What a call sorts, and what it finds. Lists are kept from call to call: new memory would cost as
+/// Sorts the rows of a call. Its lists are kept from call to call, because new memory would cost as
 /// much as the work on it.
 class RowSorter
 {
@@ -175,7 +175,7 @@ private:
     const bool m_IsByState;
     std::vector<std::uint32_t>& m_Rows;
     std::vector<ClassRun>& m_Runs;
-    // Of a word: the lowest bits of its parts; the row has those from 0 on.
+    // The lowest bits of a word's parts; the row has the bits from 0 on.
     int m_FirstShift = 0;
     int m_RankShift = 0;
     int m_DistanceShift = 0;

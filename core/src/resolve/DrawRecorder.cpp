@@ -26,7 +26,7 @@ std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
     return texture ? *texture : nullptr;
 }
 
-/// Of a number, vector or colour.
+/// Returns whether a number, vector or colour is 0.
 bool isZero(const ShaderPropertyValue& value)
 {
     return std::visit(
@@ -374,7 +374,7 @@ std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float ra
     {
         return std::nullopt;
     }
-    // As shaders do it: relative to the origin where that is not the world's.
+    // This computes as shaders do: relative to the origin, if that is not the world's.
     glm::mat4 relative = glm::make_mat4(perDraw.objectToWorld);
     glm::mat4 toClip = *viewProjection;
     const ShaderPropertyValue* originCS = m_Globals.Find(limn_OriginCS);
@@ -442,8 +442,8 @@ void DrawRecorder::ExpectStencil(const PipelineState& state, const Material& mat
     }
 }
 
-/// Says once a frame that a blit tests what is not there. ZTest LEqual is what passes have that say
-/// nothing, and a blit lies at the near plane, where it always passes.
+/// Adds a note, once a frame, that a blit tests depth or stencil which its target does not have.
+/// Passes without a ZTest have LEqual; a blit lies at the near plane, where that always passes.
 void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& material,
                                     int shaderPass)
 {
@@ -472,7 +472,7 @@ void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& 
     }
 }
 
-/// Whether it can be a draw over the whole of the target.
+/// Returns whether it can be a draw over the whole of the target.
 bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& state) const
 {
     return (!recorded.mesh || recorded.isBlit) && !recorded.arguments.buffer && !m_State.scissor &&
@@ -480,7 +480,7 @@ bool DrawRecorder::MayCover(const RecordedDraw& recorded, const PipelineState& s
            (!m_State.invertsCulling || state.cull == CullMode::Off);
 }
 
-/// What the pass's LimnFullScreen tag comes to with the values of this draw.
+/// Returns the promise of the pass's LimnFullScreen tag for the values of this draw.
 std::shared_ptr<const FullScreenPromise>
 DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock* properties,
                       const PipelineState& state)

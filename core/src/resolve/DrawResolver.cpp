@@ -46,7 +46,8 @@ std::optional<SamplerState> SamplerByName(const std::string& lower)
     return state;
 }
 
-/// What a renderer makes for shaders, and what they see before that.
+/// A texture that a renderer makes for shaders, and the texture that shaders read before it is
+/// made.
 struct CameraTexture
 {
     const char* name;
@@ -142,7 +143,7 @@ void DrawResolver::Begin(std::vector<std::string>& notes)
         return;
     }
     m_Built.resize(std::exchange(m_BuiltCount, 0));
-    // What the frame before did not use may be used by nobody any more.
+    // An entry that the frame before did not use may have no user any more.
     EraseUnused(m_Ids);
     EraseUnused(m_States);
     EraseUnused(m_Shared);
@@ -223,7 +224,8 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
     return Build(IdsOf(kernel, sources.compute->name()), sources, uniformData);
 }
 
-/// What is so of many shaders is said once: "shader 'A' (and 'B', 'C'): message".
+/// Adds a note. A message about several shaders becomes one note: "shader 'A' (and 'B', 'C'):
+/// message".
 void DrawResolver::Note(const std::string& message, const std::string& shader)
 {
     SharedNote& note =
@@ -409,7 +411,7 @@ void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sou
     }
 }
 
-/// What somebody else made and the shader names.
+/// Adds the buffers and writable textures that the shader names; others have made them.
 void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sources)
 {
     const PropertyLayout& layout = ids.pass->layout;
@@ -437,7 +439,7 @@ void DrawResolver::AddStorage(const ProgramIds& ids, const PropertySources& sour
     }
 }
 
-/// With their samplers.
+/// Adds the textures with their samplers.
 void DrawResolver::AddTextures(ProgramIds& ids, const PropertySources& sources)
 {
     const PropertyLayout& layout = ids.pass->layout;
@@ -455,7 +457,7 @@ void DrawResolver::AddTextures(ProgramIds& ids, const PropertySources& sources)
     for (std::size_t i = 0; i < layout.samplers.size(); ++i)
     {
         const SamplerSource& source = ids.samplers[i];
-        // Where no texture is set: default textures have the default sampler.
+        // If no texture is set, the default texture has the default sampler.
         const auto texture = source.state ? nullptr : FindTexture(source.texture, sources);
         SamplerState state = texture ? texture->sampler() : source.state.value_or(SamplerState());
         state.comparison = layout.samplers[i].comparison;
@@ -465,7 +467,7 @@ void DrawResolver::AddTextures(ProgramIds& ids, const PropertySources& sources)
     }
 }
 
-/// What is bound to a texture of a shader.
+/// Returns the texture that is bound to a texture of a shader.
 std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::size_t index,
                                                        const PropertySources& sources)
 {
@@ -473,8 +475,8 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::siz
     const TextureBinding& binding = ids.pass->layout.textures[index];
     if (binding.multisampled)
     {
-        throw DrawError(Subject(id, sources) + " is a texture of several samples a texel in "
-                                               "the shader; those cannot be bound yet");
+        throw DrawError(Subject(id, sources) + " is a texture of several samples per texel in the "
+                                               "shader; limn cannot bind such textures yet");
     }
     std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
@@ -522,8 +524,8 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
             ": texture '" + id.name() + "' is ";
         m_Notes->push_back(
             subject + (isMade ? std::string(made->look) +
-                                    " everywhere: nothing has written it yet; "
-                                    "UniversalRenderer has it made for passes behind event " +
+                                    " everywhere: nothing has written it yet; UniversalRenderer "
+                                    "makes it for passes after event " +
                                     made->event
                               : "gray: it is no property of the shader, and neither material "
                                 "'" +

@@ -33,9 +33,9 @@ void DrawRecorder::ExpectUnused(const GraphicsBuffer& buffer, const char* call) 
     if (std::ranges::any_of(m_Frame.setups, uses) ||
         std::ranges::any_of(m_Frame.dispatchSetups, uses))
     {
-        throw ContractError(std::string(call) + " of '" + buffer.name() +
-                            "', which this frame uses already: what is set goes to the device "
-                            "before the frame. Set it before its first use, or take two buffers");
+        throw ContractError(std::string(call) + ": this frame uses '" + buffer.name() +
+                            "' already, and the data go to the device before the frame; set them "
+                            "before the first use, or use two buffers");
     }
 }
 

@@ -25,7 +25,7 @@ void ExpectValid(const GraphicsBuffer& buffer, const std::string& name,
     }
 }
 
-/// What a buffer has to be made for.
+/// Returns the targets for which a buffer must be made.
 Target TargetsFor(const StorageBufferBinding& declared)
 {
     constexpr Target k_Elements =

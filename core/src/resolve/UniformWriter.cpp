@@ -91,7 +91,8 @@ void Write(const UniformPlace& member, const PropertyArray<Element>& values, Byt
     }
 }
 
-/// As ComputeShader::SetFloats says; behind the uniform's end nothing is written.
+/// Writes consecutive numbers as ComputeShader::SetFloats does. Nothing is written behind the end
+/// of the uniform.
 template <typename Number>
 void WriteConsecutive(const UniformPlace& member, const std::vector<Number>& values, Bytes bytes)
 {

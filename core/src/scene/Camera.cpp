@@ -31,7 +31,7 @@ glm::dmat4 TurnDepth(const glm::dmat4& projection, double scale)
     return glm::row(projection, 2, scale > 1.0 ? w - scale * z : scale * (w - z));
 }
 
-/// Of the camera's own matrix.
+/// Returns the camera's own projection matrix after checking it.
 glm::dmat4 CheckedProjection(const Camera& camera)
 {
     const glm::dmat4 projection = TurnDepth(*camera.projectionMatrix, 0.5);
@@ -184,8 +184,8 @@ glm::dmat4 Camera::CalculateObliqueMatrix(const glm::dvec4& clipPlane, float asp
     const bool isBehind = orthographic || !(clipPlane.w > 0.0);
     if (!isBehind || !(unit > 0.0) || !std::isfinite(unit))
     {
-        throw ContractError("camera: the oblique near plane keeps the camera itself, or nothing "
-                            "that it sees");
+        throw ContractError("camera: the oblique near plane has the camera on its visible side, or "
+                            "cuts everything away");
     }
     projection = glm::row(projection, 2, unit * clipPlane - last);
     return projection;

@@ -16,13 +16,13 @@ float AspectOf(const glm::ivec2& size)
 {
     if (size.x <= 0 || size.y <= 0)
     {
-        throw ContractError("camera: a screen of " + std::to_string(size.x) + " x " +
+        throw ContractError("camera: the screen has " + std::to_string(size.x) + " x " +
                             std::to_string(size.y) + " pixels; both must be positive");
     }
     return static_cast<float>(size.x) / static_cast<float>(size.y);
 }
 
-/// In view space, at that distance in front of the camera.
+/// Returns the point in view space at that distance in front of the camera.
 glm::dvec3 ViewPoint(const Camera& camera, const glm::dvec2& viewport, double distance,
                      float aspect)
 {

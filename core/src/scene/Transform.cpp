@@ -23,8 +23,8 @@ public:
     {
         if (t == m_Slow)
         {
-            throw ContractError("transform: it is among its own parents, or they go round in a "
-                                "circle; a parent must lead to one without a parent");
+            throw ContractError("transform: its parents form a circle; the chain of parents must "
+                                "end at a transform without a parent");
         }
         m_Slow = m_Odd ? m_Slow->parent : m_Slow;
         m_Odd = !m_Odd;

@@ -36,7 +36,7 @@ const ShaderPropertyId k_ShadowBias{"_ShadowBias"};
 const ShaderPropertyId _LightPosition{"_LightPosition"};
 const ShaderPropertyId limn_LightPosition{"limn_LightPosition"};
 
-/// How many squares shaders have room for.
+/// The number of squares for which shaders have room.
 constexpr std::size_t k_MostSlices = 64;
 constexpr std::size_t k_CubeSides = 6;
 // Squares smaller than these, texels along a side, do not look like shadows (URP's).
@@ -62,7 +62,8 @@ const std::vector<std::uint8_t>& Receivers(const RendererTable& table)
     return receives;
 }
 
-/// Whether something that is seen, and near enough to camera and light, can show a shadow of it.
+/// Returns whether a visible object that is near enough to camera and light can show the light's
+/// shadow.
 bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec3& camera,
                  double shadowDistance)
 {
@@ -233,7 +234,7 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
     {
         renderingData.report->notes.push_back(
             std::to_string(leftOut) + " lights throw no shadows: shaders have room for " +
-            std::to_string(k_MostSlices) + " squares, of which a spot takes 1 and a point 6");
+            std::to_string(k_MostSlices) + " squares; a spot takes 1 and a point 6");
     }
 }
 
@@ -279,9 +280,10 @@ void AdditionalLightsShadowCasterPass::PlaceSlices(const RenderingData& renderin
     if (kept < m_Slices.size())
     {
         renderingData.report->notes.push_back(
-            "some lights throw no shadows: of " + std::to_string(m_Slices.size()) +
-            " squares the map of " + std::to_string(settings.additionalLightsShadowmapResolution) +
-            " texels has room for " + std::to_string(kept) + " that are large enough");
+            "some lights throw no shadows: the shadow map of " +
+            std::to_string(settings.additionalLightsShadowmapResolution) +
+            " texels has room for only " + std::to_string(kept) + " of " +
+            std::to_string(m_Slices.size()) + " squares of the least size");
         m_Slices.resize(kept);
     }
 }

@@ -45,7 +45,8 @@ const std::array<ShaderPropertyId, k_MostCascades>& SplitSpheres()
     return ids;
 }
 
-/// What lies farther before the ball than this is thrown from there: depth would get coarse.
+/// The greatest distance before the ball from which shadows are thrown. Casters that lie farther
+/// away are moved there, because the depth would become coarse.
 constexpr double k_MostBallsAhead = 64.0;
 
 bool ReceivesShadows(const Shader& shader)
@@ -54,7 +55,7 @@ bool ReceivesShadows(const Shader& shader)
            shader.HasKeyword(_MAIN_LIGHT_SHADOWS_CASCADE.name());
 }
 
-/// Whether something that is seen, and near enough, can show a shadow.
+/// Returns whether a visible object that is near enough can show a shadow.
 bool HasReceiver(const RendererItems& items, const glm::dvec3& camera, double distance)
 {
     if (items.empty())

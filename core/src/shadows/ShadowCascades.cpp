@@ -23,7 +23,7 @@ struct Ball
     double radius = 0.0;
 };
 
-/// Where the camera's picture begins and ends, corner by corner, in view space.
+/// The corners at which the camera's picture begins and ends, in view space.
 struct Frustum
 {
     std::array<glm::dvec3, 4> near;

@@ -64,7 +64,7 @@ private:
     std::array<std::size_t, k_ClassCount> m_Count{};
 };
 
-// What static objects own is given back when the thread's pool is gone.
+// Static objects give their memory back after the thread's pool is gone.
 thread_local bool isGone = false;
 
 Pool::~Pool()

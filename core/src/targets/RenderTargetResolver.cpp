@@ -16,7 +16,7 @@ const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
 const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
-// Of CameraTargets::copy.
+// The passes of CameraTargets::copy.
 constexpr int k_NearestPass = 0;
 constexpr int k_BilinearPass = 1;
 constexpr int k_NearestQuadPass = 6;
@@ -41,15 +41,15 @@ void ExpectCopyable(const Texture& source, const RenderTexture& dest)
     if (source.width() != dest.width() || source.height() != dest.height() ||
         source.graphicsFormat() != dest.graphicsFormat())
     {
-        throw ContractError("CopyTexture: " + Describe(source) + " and " + Describe(dest) +
-                            "; size and format must be the same");
+        throw ContractError("CopyTexture: the textures are " + Describe(source) + " and " +
+                            Describe(dest) + "; size and format must be the same");
     }
     const auto* target = dynamic_cast<const RenderTexture*>(&source);
     const bool hasSamples = target != nullptr && target->descriptor().msaaSamples > 1;
     if (IsDepthFormat(dest.graphicsFormat()) || dest.descriptor().msaaSamples > 1 || hasSamples)
     {
-        throw ContractError("CopyTexture: " + Describe(source) +
-                            "; limn copies colours of one sample a texel");
+        throw ContractError("CopyTexture: the source is " + Describe(source) +
+                            "; limn copies only colours with one sample per texel");
     }
 }
 
@@ -80,7 +80,7 @@ const CameraTargets& RenderTargetResolver::Camera(std::string_view call) const
     return m_Camera;
 }
 
-/// What later draws of the frame go into.
+/// Returns the target of the frame's later draws.
 const SetRenderTargetCommand& RenderTargetResolver::Bound(std::string_view call) const
 {
     const auto isTarget = [](const FrameCommand& command)
@@ -91,7 +91,8 @@ const SetRenderTargetCommand& RenderTargetResolver::Bound(std::string_view call)
     const auto bound = std::find_if(commands.rbegin(), commands.rend(), isTarget);
     if (bound == commands.rend())
     {
-        throw ContractError(std::string(call) + ": CurrentActive, but no target is bound yet");
+        throw ContractError(std::string(call) +
+                            ": CurrentActive is given, but no target is bound yet");
     }
     return std::get<SetRenderTargetCommand>(*bound);
 }
@@ -107,9 +108,9 @@ RenderTargetResolver::TexturePointer RenderTargetResolver::FindNamed(ShaderPrope
     const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
     if (texture == nullptr || !*texture)
     {
-        throw ContractError(std::string(call) + ": '" + name.name() +
-                            "' stands for no texture; GetTemporaryRT or SetGlobalTexture comes "
-                            "first");
+        throw ContractError(
+            std::string(call) + ": '" + name.name() +
+            "' stands for no texture; call GetTemporaryRT or SetGlobalTexture first");
     }
     return *texture;
 }
@@ -316,8 +317,9 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyDrawCommand& comman
     }
     if (!(command.mipLevel >= 0.0f && command.mipLevel < static_cast<float>(source->mipmapCount())))
     {
-        throw ContractError("BlitTexture: mip level " + std::to_string(command.mipLevel) + " of '" +
-                            source->name() + "'; it has " + std::to_string(source->mipmapCount()));
+        throw ContractError("BlitTexture: there is no mip level " +
+                            std::to_string(command.mipLevel) + " of '" + source->name() +
+                            "'; it has " + std::to_string(source->mipmapCount()));
     }
     MaterialPropertyBlock properties;
     properties.SetVector(_BlitScaleBias, command.scaleBias);

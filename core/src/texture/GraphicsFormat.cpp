@@ -124,7 +124,7 @@ struct RefusedFormat
 constexpr const char* k_Compressed = "is compressed";
 constexpr const char* k_ExtendedRange =
     "is of an extended range, for displays that limn does not draw to";
-constexpr const char* k_Video = "is for video, of which there is none";
+constexpr const char* k_Video = "is for video, which limn does not have";
 constexpr const char* k_Auto = "leaves the choice to Unity";
 
 constexpr RefusedFormat k_Refused[] = {

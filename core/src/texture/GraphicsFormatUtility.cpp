@@ -56,7 +56,7 @@ constexpr BlockFacts k_Blocks[] = {
     {"ASTC10X10", 10, 10, 16}, {"ASTC12X12", 12, 12, 16},
 };
 
-/// Null for what is not compressed.
+/// Returns the facts about a compressed format, or null for other formats.
 const BlockFacts* BlockOf(GraphicsFormat format)
 {
     const auto found = std::ranges::find_if(k_Blocks,
@@ -124,9 +124,10 @@ GraphicsFormat GraphicsFormatUtility::GetDepthStencilFormat(int minimumDepthBits
     if (minimumDepthBits < 0 || minimumDepthBits > 32 || minimumStencilBits < 0 ||
         minimumStencilBits > 8)
     {
-        throw ContractError("GetDepthStencilFormat: " + std::to_string(minimumDepthBits) +
-                            " bits of depth and " + std::to_string(minimumStencilBits) +
-                            " of stencil; there are 0 to 32 and 0 to 8");
+        throw ContractError("GetDepthStencilFormat: it was asked for " +
+                            std::to_string(minimumDepthBits) + " bits of depth and " +
+                            std::to_string(minimumStencilBits) +
+                            " of stencil; they must be 0 to 32 and 0 to 8");
     }
     return minimumStencilBits > 0 ? GraphicsFormat::D32_SFloat_S8_UInt
            : minimumDepthBits > 0 ? GraphicsFormat::D32_SFloat

@@ -41,8 +41,8 @@ png_uint_32 PngFormatOf(GraphicsFormat format)
     case GraphicsFormat::R8_UNorm:
         return PNG_FORMAT_GRAY;
     default:
-        throw ContractError(std::string("WritePng: format ") + ToString(format) +
-                            "; R8G8B8A8_SRGB, R8G8B8A8_UNorm and R8_UNorm can be written");
+        throw ContractError(std::string("WritePng: the format is ") + ToString(format) +
+                            "; it must be R8G8B8A8_SRGB, R8G8B8A8_UNorm or R8_UNorm");
     }
 }
 
@@ -51,14 +51,14 @@ void RequireWholeImage(const Image& image)
     const std::string size = std::to_string(image.width) + "x" + std::to_string(image.height);
     if (image.width < 1 || image.height < 1)
     {
-        throw ContractError("WritePng: size " + size + "; both must be at least 1");
+        throw ContractError("WritePng: the size is " + size + "; both must be at least 1");
     }
     const std::size_t expected = static_cast<std::size_t>(image.width) *
                                  static_cast<std::size_t>(image.height) *
                                  static_cast<std::size_t>(BytesPerTexel(image.format));
     if (image.texels.size() != expected)
     {
-        throw ContractError("WritePng: " + std::to_string(image.texels.size()) +
+        throw ContractError("WritePng: there are " + std::to_string(image.texels.size()) +
                             " bytes of texels; " + size + " of " + ToString(image.format) +
                             " takes " + std::to_string(expected));
     }
@@ -73,7 +73,8 @@ std::string SizeProblem(const png_image& header, std::string_view file)
     const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
     if (header.width > k_MaxSide || header.height > k_MaxSide)
     {
-        return "is " + size + "; at most " + std::to_string(k_MaxSide) + " either way is read";
+        return "is " + size + "; limn reads at most " + std::to_string(k_MaxSide) +
+               " texels either way";
     }
     constexpr std::uint64_t maxRatio = 1032;
     constexpr std::uint64_t channels[] = {1, 0, 3, 1, 2, 0, 4}; // by the header's colour type

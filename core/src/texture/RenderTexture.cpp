@@ -21,7 +21,7 @@ GraphicsFormat DepthFormatOf(const std::string& name, const RenderTextureDescrip
     case 32:
         return GraphicsFormat::D32_SFloat_S8_UInt;
     default:
-        throw ContractError("texture '" + name + "': depthBufferBits " +
+        throw ContractError("texture '" + name + "': depthBufferBits is " +
                             std::to_string(descriptor.depthBufferBits) +
                             "; it must be 0, 16, 24 or 32");
     }
@@ -64,20 +64,23 @@ SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState 
     return sampler;
 }
 
-/// What has no meaning here and is not to be passed over in silence; "" = there is nothing such.
+/// Returns why limn refuses the descriptor, "" if it accepts it. A setting that has no meaning here
+/// must not be ignored silently.
 std::string ReasonRefused(const RenderTextureDescriptor& descriptor)
 {
     if (descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1)
     {
-        return std::string("dimension ") + ToString(descriptor.dimension) + " and volumeDepth " +
-               std::to_string(descriptor.volumeDepth) +
-               "; what passes draw into is 2D, of a volumeDepth of 1";
+        return std::string("dimension is ") + ToString(descriptor.dimension) +
+               " and volumeDepth is " + std::to_string(descriptor.volumeDepth) +
+               "; passes draw only into 2D textures with a volumeDepth of 1";
     }
     if (descriptor.vrUsage != VRTextureUsage::None)
     {
-        return "vrUsage is not VRTextureUsage::None; there is no XR";
+        return "vrUsage is not VRTextureUsage::None; limn has no XR";
     }
-    return descriptor.bindMS ? "bindMS; shaders see one sample a texel, resolved" : "";
+    return descriptor.bindMS
+               ? "bindMS is true; shaders read only the resolved texture, with one sample per texel"
+               : "";
 }
 
 TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
@@ -122,28 +125,29 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
     const int samples = descriptor.msaaSamples;
     if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
     {
-        throw ContractError("texture '" + name + "': msaaSamples " + std::to_string(samples) +
+        throw ContractError("texture '" + name + "': msaaSamples is " + std::to_string(samples) +
                             "; it must be 1, 2, 4 or 8");
     }
     if (descriptor.useMipMap && IsDepthFormat(graphicsFormat()))
     {
-        throw ContractError("texture '" + name +
-                            "': useMipMap of a depth texture; only a colour has "
-                            "mip levels");
+        throw ContractError(
+            "texture '" + name +
+            "': useMipMap is true for a depth texture; only colours have mip levels");
     }
     const GraphicsFormat format = graphicsFormat();
     if (ComponentType(format) != UniformType::Float && (samples != 1 || descriptor.useMipMap))
     {
-        throw ContractError("texture '" + this->name() + "': " + ToString(format) + " with " +
-                            (samples != 1 ? "several samples a texel" : "useMipMap") +
-                            "; of integers there is no average");
+        throw ContractError("texture '" + this->name() + "': " + "its integer format " +
+                            ToString(format) + " cannot have " +
+                            (samples != 1 ? "several samples per texel" : "useMipMap") +
+                            "; integers have no average");
     }
     if (descriptor.enableRandomWrite &&
         (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format)))
     {
-        throw ContractError("texture '" + this->name() + "': enableRandomWrite with " +
+        throw ContractError("texture '" + this->name() + "': enableRandomWrite is true, with " +
                             std::to_string(samples) + " samples of " + ToString(format) +
-                            "; kernels write to colours of one sample that are not sRGB");
+                            "; kernels can write only to colours of one sample that are not sRGB");
     }
 }
 
@@ -158,8 +162,8 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
     if (!fits || m_DepthBuffer || !HasColor(descriptor))
     {
         throw ContractError("texture '" + this->name() +
-                            "': a depth buffer that is given must be a depth texture of the "
-                            "colour's size and samples, and the colour's depthBufferBits 0");
+                            "': a given depth buffer must be a depth texture with the colour's "
+                            "size and samples, and the colour's depthBufferBits must be 0");
     }
     m_DepthBuffer = std::move(depthBuffer);
 }

@@ -73,7 +73,7 @@ void RTHandles::SetReferenceSize(int width, int height)
 {
     if (width <= 0 || height <= 0)
     {
-        throw ContractError("SetReferenceSize: " + std::to_string(width) + "x" +
+        throw ContractError("SetReferenceSize: the size is " + std::to_string(width) + "x" +
                             std::to_string(height) + "; both must be greater than 0");
     }
     Reference& reference = OfThread();

@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// Those of the process, oldest first.
+/// The devices of the process, the oldest first.
 struct Devices
 {
     std::mutex mutex;
@@ -25,8 +25,8 @@ Devices& AllDevices()
     return devices;
 }
 
-/// What every Vulkan device does with images of a format, by Vulkan 1.3, "Required Format Support".
-/// Formats that are not here are left to the device.
+/// The uses of a format that every Vulkan device supports (Vulkan 1.3, "Required Format Support").
+/// For formats that are not listed, the device decides.
 struct Promise
 {
     GraphicsFormat format;

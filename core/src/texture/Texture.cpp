@@ -75,30 +75,32 @@ Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat for
 {
     if (shape.width < 1 || shape.height < 1 || shape.slices < 1)
     {
-        throw ContractError("texture '" + m_Name + "': size " + SizeText(shape) + "; " +
+        throw ContractError("texture '" + m_Name + "': the size is " + SizeText(shape) + "; " +
                             (CountsSlices(shape.dimension) ? "all" : "both") +
                             " must be at least 1");
     }
     if (format == GraphicsFormat::None)
     {
-        throw ContractError("texture '" + m_Name + "': format None; it needs a format");
+        throw ContractError("texture '" + m_Name +
+                            "': the format is None; give the texture a format");
     }
     if (const std::string problem = GraphicsFormatProblem(format); !problem.empty())
     {
-        throw ContractError("texture '" + m_Name + "': format " + ToString(format) + " " + problem);
+        throw ContractError("texture '" + m_Name + "': the format " + ToString(format) + " " +
+                            problem);
     }
     if (shape.mipCount < 1 || shape.mipCount > FullMipCount(shape))
     {
-        throw ContractError("texture '" + m_Name + "': " + std::to_string(shape.mipCount) +
-                            " mip levels; " + SizeText(shape) + " has 1 to " +
-                            std::to_string(FullMipCount(shape)));
+        throw ContractError("texture '" + m_Name + "': it was given " +
+                            std::to_string(shape.mipCount) + " mip levels; " + SizeText(shape) +
+                            " can have 1 to " + std::to_string(FullMipCount(shape)));
     }
     if (sampler.anisoLevel < 1 || sampler.anisoLevel > 16 || !std::isfinite(sampler.mipMapBias))
     {
-        throw ContractError("texture '" + m_Name + "': anisoLevel " +
-                            std::to_string(sampler.anisoLevel) + ", mipMapBias " +
+        throw ContractError("texture '" + m_Name + "': anisoLevel is " +
+                            std::to_string(sampler.anisoLevel) + " and mipMapBias is " +
                             std::to_string(sampler.mipMapBias) +
-                            "; the first must be from 1 to 16, the second finite");
+                            "; the first must be from 1 to 16, the second must be finite");
     }
 }
 
@@ -114,7 +116,7 @@ TexelTexture::TexelTexture(std::string name, const TextureShape& shape, Graphics
 {
     if (IsDepthFormat(format))
     {
-        throw ContractError("texture '" + this->name() + "': format " + ToString(format) +
+        throw ContractError("texture '" + this->name() + "': the format is " + ToString(format) +
                             "; only a RenderTexture can hold depth");
     }
 }
@@ -129,8 +131,8 @@ void TexelTexture::Append(std::vector<std::byte> texels, int slices, const std::
     if (texels.size() != expected)
     {
         const TextureShape whole{dimension(), w, h, slices};
-        throw ContractError("texture '" + name() + "': " + part + std::to_string(texels.size()) +
-                            " bytes of texels; " +
+        throw ContractError("texture '" + name() + "': " + part + "there are " +
+                            std::to_string(texels.size()) + " bytes of texels; " +
                             (part.empty() ? SizeText(whole) : FaceSizeText(whole)) + " of " +
                             ToString(graphicsFormat()) + " takes " + std::to_string(expected));
     }

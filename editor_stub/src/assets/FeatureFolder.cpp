@@ -19,8 +19,9 @@ bool MakeFeatureFolder(const std::filesystem::path& folder)
     }
     if (!std::filesystem::is_empty(folder))
     {
-        throw AssetError(folder.string(), {},
-                         "holds files already, none of which is written over; name a new folder");
+        throw AssetError(
+            folder.string(), {},
+            "holds files already, and limn does not overwrite them; name a new folder");
     }
     return isNew;
 }

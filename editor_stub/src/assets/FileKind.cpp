@@ -21,10 +21,10 @@ constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
                                       {".profile.yaml", FileKind::Profile, "volume profile"},
                                       {".material.yaml", FileKind::Material, "material"},
                                       {".shader", FileKind::Shader, "shader"},
-                                      {".asset", FileKind::UnityAsset, "asset of Unity's"},
-                                      {".unity", FileKind::UnityScene, "scene of Unity's"},
-                                      {".prefab", FileKind::UnityPrefab, "prefab of Unity's"},
-                                      {".mat", FileKind::UnityMaterial, "material of Unity's"},
+                                      {".asset", FileKind::UnityAsset, "Unity asset"},
+                                      {".unity", FileKind::UnityScene, "Unity scene"},
+                                      {".prefab", FileKind::UnityPrefab, "Unity prefab"},
+                                      {".mat", FileKind::UnityMaterial, "Unity material"},
                                       {".gltf", FileKind::Mesh, "mesh"},
                                       {".glb", FileKind::Mesh, "mesh"},
                                       {".png", FileKind::Picture, "picture"},
@@ -66,7 +66,7 @@ FileKind KindOfContent(const std::filesystem::path& file)
     return FileKind::Unknown;
 }
 
-/// What a kind is called, and what can be done with such a file.
+/// Returns the name of a kind of file, and the use of such a file.
 std::string UseOf(FileKind kind, const std::string& file)
 {
     switch (kind)
@@ -81,16 +81,15 @@ std::string UseOf(FileKind kind, const std::string& file)
     case FileKind::Shader:
         return "a shader; 'limn shader " + file + "' describes it";
     case FileKind::UnityAsset:
-        return "an asset of Unity's; 'limn inspect " + file + "' shows it";
+        return "an Unity asset; 'limn inspect " + file + "' shows it";
     case FileKind::UnityScene:
-        return "a scene of Unity's; 'limn render " + file +
-               " -o out.png' draws it, 'limn inspect " + file +
-               "' shows its profiles and features, whose own files 'limn set' changes";
+        return "a Unity scene; 'limn render " + file + " -o out.png' draws it, 'limn inspect " +
+               file + "' shows its profiles and features, whose own files 'limn set' changes";
     case FileKind::UnityPrefab:
-        return "a prefab of Unity's, which is drawn where a .unity scene holds it";
+        return "a Unity prefab, which is drawn where a .unity scene holds it";
     case FileKind::UnityMaterial:
-        return "a material of Unity's, which limn draws with in a Unity scene; 'limn inspect " +
-               file + "' shows it";
+        return "a Unity material, which limn uses in a Unity scene; 'limn inspect " + file +
+               "' shows it";
     case FileKind::Mesh:
         return "a mesh; a scene's objects name it: 'mesh: " + file + "'";
     case FileKind::Picture:

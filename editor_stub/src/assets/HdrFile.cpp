@@ -79,8 +79,8 @@ std::array<std::uint32_t, 2> ReadHdrSize(HdrBytes& bytes)
         const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), number);
         if (!isThere || error != std::errc())
         {
-            bytes.Fail("the Radiance HDR file has no size such as '-Y 512 +X 1024', by which limn "
-                       "reads one");
+            bytes.Fail(
+                "the Radiance HDR file has no size such as '-Y 512 +X 1024', which limn needs");
         }
         line.remove_prefix(static_cast<std::size_t>(end - line.data()));
         line.remove_prefix(line.starts_with(' ') ? 1 : 0);

@@ -58,7 +58,7 @@ void RequireSize(const std::filesystem::path& path, std::uint32_t width, std::ui
     if (width == 0 || height == 0 || width > k_MostTexels || height > k_MostTexels)
     {
         Fail(path, "the picture has " + std::to_string(width) + "x" + std::to_string(height) +
-                       " texels; 1 to " + std::to_string(k_MostTexels) + " either way are read");
+                       " texels; limn reads 1 to " + std::to_string(k_MostTexels) + " either way");
     }
     if (std::uint64_t{width} * height > std::max(k_AnyFile, k_TexelsOfAByte * fileBytes))
     {
@@ -142,8 +142,8 @@ Image ReadTiff(const std::filesystem::path& path, std::string_view bytes)
     const auto rowBytes = static_cast<std::size_t>(TIFFScanlineSize(tiff.get()));
     if (!isRead || rowBytes < std::size_t{width} * channels * bits / 8)
     {
-        Fail(path, "this kind of TIFF file is not read: 8 or 16 bits a channel, grey or RGB with "
-                   "or without alpha, in rows, are; save it so");
+        Fail(path, "limn does not read this kind of TIFF file; save it in rows, with 8 or 16 bits "
+                   "per channel, as grey or RGB, with or without alpha");
     }
     Image image{static_cast<int>(width), static_cast<int>(height), GraphicsFormat::R8G8B8A8_SRGB,
                 std::vector<std::byte>(std::size_t{width} * height * 4, std::byte{255})};

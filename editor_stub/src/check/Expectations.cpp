@@ -434,7 +434,8 @@ std::vector<Expectation> CompareExpectations(const std::string& text, const std:
     AssetDiagnostics diagnostics(file);
     if (documents.size() > 1)
     {
-        diagnostics.Error(documents[1].location(), "a second document; one is expected");
+        diagnostics.Error(documents[1].location(),
+                          "a second document begins here; one is expected");
     }
     std::vector<Expectation> results =
         Comparer(facts, unknown, diagnostics).Compare(documents.front());

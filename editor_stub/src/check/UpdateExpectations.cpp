@@ -334,8 +334,10 @@ std::string UpdateExpectations(const std::string& text, const std::string& file,
             std::pair(value.line, value.column) < std::pair(one.location.line, one.location.column);
         if (!extent || extent->begin < done || isBefore)
         {
-            diagnostics.Error(one.location, one.name + ": cannot be written anew, since an alias "
-                                                       "stands for it; write it out");
+            diagnostics.Error(
+                one.location,
+                one.name +
+                    ": limn cannot update it, because it is an alias (*); write the list out");
             continue;
         }
         const std::size_t column = finder.ColumnOf(extent->begin);

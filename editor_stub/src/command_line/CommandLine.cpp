@@ -74,7 +74,8 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         SceneFlag(options),
         {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
         SizeFlag(options),
-        {"time", "SECONDS", "What _Time shows in the first frame, seconds", IntoTime(options.time)},
+        {"time", "SECONDS", "The value of _Time in the first frame, in seconds",
+         IntoTime(options.time)},
         ProfileFlag(options.profile),
         SetFlag(options),
         SelectFlag(options),
@@ -88,7 +89,7 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
         DeviceFlag(options.device),
         {"cache-dir", "DIR",
          "Keep compiled shaders, models and pictures here, not in the user's cache folder; "
-         "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) says how many",
+         "LIMN_CACHE_LIMIT=SIZE (512M, 0 = no limit) limits their size",
          Into(options.cacheFolder)},
         Switch("no-cache", "Keep no compiled shaders, models and pictures", options.noCache),
         PluginFlag(options.plugins),
@@ -102,7 +103,7 @@ Verb RenderVerb(RenderOptions& options)
         DrawingFlags(options, "The PNG file to write; - is stdout", CheckPicture);
     flags.insert(
         flags.end(),
-        {{"frames", "N", "Draw so many frames, 1/60 s apart, and write the last",
+        {{"frames", "N", "Draw this number of frames, 1/60 s apart, and write the last",
           IntoNumber(options.frames, 100000)},
          {"stats", "FILE", "Write times and counts as JSON", Into(options.statsFile)},
          {"trace", "FILE", "Write a trace for chrome://tracing or Perfetto",
@@ -148,7 +149,7 @@ Verb InspectVerb(InspectOptions& options)
 Verb ExplainVerb(ExplainOptions& options)
 {
     return {"explain",
-            "Say what a scene draws and why: counts and what is odd; -v says all",
+            "Explain what a scene draws and why: counts and everything odd; -v prints all",
             [&options](Console& console)
             {
                 InProject(options.rendering);
@@ -171,7 +172,7 @@ Verb ExplainVerb(ExplainOptions& options)
               "Show what is drawn at this pixel, counted from the top left, and which test rejects "
               "the rest; this draws the scene, so it needs a device",
               Into(options.pixel, CheckPixel)},
-             Switch("json", "As JSON", options.json),
+             Switch("json", "Print JSON", options.json),
              {"graph", "FILE",
               "Write the frame as a picture: its passes, the textures between them, what is left "
               "out; FILE is .svg, .png or .pdf, drawn by Graphviz, or .dot",
@@ -251,14 +252,15 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
               return TechniqueCandidates(render.plugins);
           }},
          {"budget", "MS",
-          "Recommend a technique that adds at most so many milliseconds of GPU time",
+          "Recommend a technique that adds at most this number of milliseconds of GPU time",
           IntoBudget(options.budget)},
          {"shard", "I/N", "Measure the I-th of N parts, which --merge puts together",
           IntoPart(options.shard, options.shards)},
          Switch("merge", "Make one report of the folders of all parts; nothing is drawn",
                 options.isMerge),
          Switch("compare",
-                "Say in which cells two folders differ, times apart; exit code 1 if they do",
+                "Print the cells in which two folders differ, except for times; exit code 1 if "
+                "they do",
                 options.isCompare),
          Switch("json",
                 "Print what a report comes to as JSON: its files, the recommendation, what to know",
@@ -288,7 +290,7 @@ Verb SetVerb(SetOptions& options)
     edits.unless = "undo";
     return {"set",
             "Change values of a volume profile, or of the features of a scene or a Unity renderer, "
-            "in place, and not a character besides",
+            "in place; no other character changes",
             [&options](Console& console) { return RunSet(options, console); },
             {Argument("FILE",
                       "A *.profile.yaml, a *.scene.yaml, or a Unity VolumeProfile or renderer "
@@ -330,7 +332,7 @@ Verb ShaderVerb(ShaderOptions& options)
          Switch("variants", "Count variants; compile nothing", options.variants),
          {"keywords", "A,B", "Compile with these keywords, not with those of a new material",
           IntoWords(options.keywords), Any},
-         {"jobs", "N", "Files to check at a time; one a core by itself",
+         {"jobs", "N", "The number of files to check at a time; without it one per core",
           IntoNumber(options.jobs, 256), AtMostOnce, 'j'},
          Switch("json", "Print {files: [...], summary: {...}}: what was parsed, compiled, refused",
                 options.json),
@@ -349,14 +351,14 @@ Verb NewVerb(NewOptions& options)
 {
     Flag folder = NewFolderFlag(options.folder);
     folder.times = AtMostOnce;
-    folder.help = "Of a feature: a new or empty folder";
+    folder.help = "For a feature: a new or empty folder";
     return {
         "new",
         "Write a scene, a volume profile or a material to start from, or the folder of a "
         "render feature that builds and draws at once",
         [&options](Console& console) { return RunNew(options, console); },
         {Argument("scene|profile|material|feature",
-                  "What to write: scene, profile, material or feature", Into(options.kind)),
+                  "The kind of file: scene, profile, material or feature", Into(options.kind)),
          Argument("NAME",
                   "The name of the file, hero for hero.scene.yaml; for a feature the name of its "
                   "classes, such as DepthFog",
@@ -369,7 +371,8 @@ Verb NewVerb(NewOptions& options)
                   { return options.kind == "profile" ? ComponentCandidates() : Candidates(); }),
          std::move(folder),
          {"style", "urp14|unity6",
-          "Of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render graph",
+          "The style of a feature's code: urp14, as in Unity 2022 (default), or unity6: a render "
+          "graph",
           Into(options.style)}}};
 }
 
@@ -438,7 +441,7 @@ Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
         return Print(HelpText(table, verb, console.outWidth()), console);
     };
     return {"help",
-            "Print this, or what a verb takes",
+            "Print this help, or the arguments of a verb",
             print,
             {Argument("VERB", "What to explain", store, AtMostOnce,
                       [&table](const std::string&) { return SplitText(table.VerbNames(), ' '); }),
@@ -463,7 +466,7 @@ std::vector<Flag> CommonFlags(CommandLine& line)
         return std::string();
     };
     return {Switch("version", "Print the version", line.wantsVersion, 'V'),
-            Switch("help", "Print this", line.wantsHelp, 'h'),
+            Switch("help", "Print this help", line.wantsHelp, 'h'),
             Switch("quiet", "Print errors only, besides results", line.console.isQuiet, 'q'),
             Switch("verbose", "Print more: the device that draws, all that `explain` knows",
                    line.console.isVerbose, 'v'),

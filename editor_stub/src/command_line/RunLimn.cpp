@@ -51,7 +51,7 @@ ExitCode NoMemory(Console& console)
     return ExitCode::MachineLacksIt;
 }
 
-/// Says what the exception that is being handled means.
+/// Prints the message of the exception that is being handled, and returns its exit code.
 ExitCode ExitCodeOf(Console& console)
 {
     try

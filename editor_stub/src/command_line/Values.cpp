@@ -142,9 +142,9 @@ std::string CheckFolder(const std::string& text)
 std::string CheckPicture(const std::string& text)
 {
     const std::string ending = ToLower(std::filesystem::path(text).extension().string());
-    const std::string problem = Unless(ending.empty() || ending == ".png", text,
-                                       "would not be a PNG by its name; PNG is what limn writes: "
-                                       "a.png, or - for stdout");
+    const std::string problem =
+        Unless(ending.empty() || ending == ".png", text,
+               "is no name of a PNG, and limn writes PNG only: a.png, or - for stdout");
     return problem.empty() ? CheckOutput(text) : problem;
 }
 

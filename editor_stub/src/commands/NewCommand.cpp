@@ -37,7 +37,7 @@ bool isClassName(const std::string& name)
                [&](char c) { return isIn(c, 'A', 'Z') || isIn(c, 'a', 'z') || isIn(c, '0', '9'); });
 }
 
-/// What is wrong with the name; "" if nothing is.
+/// Returns the fault of the name, "" if it has none.
 std::string NameProblem(const std::string& name)
 {
     if (!isClassName(name))

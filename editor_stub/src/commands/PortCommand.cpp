@@ -152,10 +152,9 @@ int RunPort(const PortOptions& options, Console& console)
         }
     }
     NoteConditions(read, console);
-    console.Note("of what the C# uses: " + Counts(port.uses) +
-                 "; of its settings, passes and "
-                 "events " +
-                 std::to_string(port.done) + " are C++, and " + std::to_string(port.left) +
+    console.Note("the C# uses " + std::to_string(port.uses.size()) +
+                 " names of Unity: " + Counts(port.uses) + "; " + std::to_string(port.done) +
+                 " of its settings, passes and events are C++, and " + std::to_string(port.left) +
                  (port.left == 1 ? " TODO is" : " TODOs are") + " left; see PORTING.md");
     return static_cast<int>(ExitCode::Done);
 }

@@ -66,7 +66,7 @@ double LoadAverage()
     return getloadavg(&load, 1) == 1 ? load : 0.0;
 }
 
-/// Of all files that the scene was read from.
+/// Returns the hash of all files from which the scene was read.
 std::string HashOf(const AssetContext& assets)
 {
     std::string contents;
@@ -260,7 +260,7 @@ int Merge(const ReportCommandOptions& options, Console& console)
         }
         for (const std::string& name : part.doubled)
         {
-            pages.remarks.push_back("there twice, the first stands: " + name);
+            pages.remarks.push_back("a cell is there twice, and the first one counts: " + name);
             console.Warning(folder.string() + ": " + pages.remarks.back());
         }
         isWhole = isWhole && part.missing.empty();

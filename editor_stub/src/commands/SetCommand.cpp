@@ -17,7 +17,7 @@ namespace limn
 namespace
 {
 
-/// Whether the file has features, and not a profile's components.
+/// Returns whether the file has features, and not a profile's components.
 bool HasFeatures(const std::string& file)
 {
     const FileKind kind = FileKindOf(file);

@@ -68,7 +68,8 @@ void PrintUnknownKeywords(const std::vector<ShaderCheck>& checks,
     }
 }
 
-/// False for what cannot be looked at as well: who reads it says why.
+/// Returns whether the path is a folder. It is false for a path that cannot be examined, too; the
+/// reader of that file reports why.
 bool isFolder(const std::filesystem::path& path)
 {
     std::error_code ignored;
@@ -299,7 +300,7 @@ std::string CanonicalText(const std::filesystem::path& file, Console& console)
         const ShaderLabParseResult again = ParseShaderLab(text, file.string());
         if (again.hasErrors() || !SameContent(result.document, again.document))
         {
-            throw ContractError(file.string() + ": its canonical text does not say the same");
+            throw ContractError(file.string() + ": its canonical text has another meaning");
         }
         return text;
     }
@@ -378,7 +379,7 @@ int CheckComputeFiles(const ShaderOptions& options, Console& console)
     return static_cast<int>(isGood ? ExitCode::Done : ExitCode::BadInput);
 }
 
-/// What the checks come to; says so where no single error does.
+/// Returns the exit code for the checks, and prints a sentence if no error explains it.
 ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
 {
     const ShaderSummary summary = Summarize(checks);

@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// How far a number is shifted by "", "K", "M" or "G"; nothing for other text.
+/// Returns the shift that the unit "", "K", "M" or "G" stands for, or nothing for other text.
 std::optional<int> UnitShift(std::string_view unit)
 {
     static constexpr std::string_view k_Units = "KMG";

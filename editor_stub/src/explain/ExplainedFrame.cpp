@@ -27,7 +27,8 @@ const char* NameOf(TextureUsage usage)
     return k_Names.at(static_cast<std::size_t>(usage));
 }
 
-/// Of a color or depth attachment; a stencil that is used counts with the depth.
+/// Returns the store operation of a colour or depth attachment. A stencil that is used counts with
+/// the depth.
 template <typename Attachment>
 std::string StoreText(const Attachment& attachment, bool isStored)
 {
@@ -85,7 +86,7 @@ private:
         }
     }
 
-    /// What dispatches may write: before it they may read it.
+    /// Explains the textures and buffers that dispatches may write.
     void ExplainWritten(const CompiledRenderPass& pass, ExplainedPass& result)
     {
         for (const TextureBarrier& barrier : pass.barriers)

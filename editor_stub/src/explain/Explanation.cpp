@@ -64,7 +64,7 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
     }
     if (object.renderer->shadowCastingMode == ShadowCastingMode::ShadowsOnly)
     {
-        return "it throws shadows only";
+        return "it only throws shadows";
     }
     return camera.cullingMask.Intersects(LayerMask::FromIndex(object.layer))
                ? "outside the camera's frustum"

@@ -85,8 +85,9 @@ ReportLines OddObjects(const Explanation& explanation)
     for (const auto& [reason, objects] : names)
     {
         lines.push_back(Count(objects.size(), "object") + " of " +
-                        std::to_string(explanation.objects.size()) + " not drawn, " + reason +
-                        ": " + NameSome(objects));
+                        std::to_string(explanation.objects.size()) +
+                        (objects.size() == 1 ? " is" : " are") + " not drawn, " + reason + ": " +
+                        NameSome(objects));
     }
     return lines;
 }
@@ -236,12 +237,12 @@ std::string VariantText(const ExplainedVariant& variant)
     return text + (variant.keywords.empty() ? " no keywords" : "");
 }
 
-/// "Cube: not drawn, inactive", or its name with a line for each pass and material.
+/// "Cube: it is not drawn; inactive", or its name with a line for each pass and material.
 std::string OneObject(const ExplainedObject& object, const std::string& indent)
 {
     std::string text = indent + OneLine(object.name) +
-                       (object.absence.empty() ? "" : ": not drawn, ") + OneLine(object.absence) +
-                       "\n";
+                       (object.absence.empty() ? "" : ": it is not drawn; ") +
+                       OneLine(object.absence) + "\n";
     for (const ExplainedDraw& draw : object.draws)
     {
         const bool isTaken = draw.verdict == FilterVerdict::Drawn;

@@ -33,7 +33,7 @@ std::string Escape(const std::string& text)
     return result;
 }
 
-/// In lines, broken at spaces.
+/// Returns the text in lines, which end at blanks.
 std::string Wrap(const std::string& text)
 {
     std::string result;
@@ -127,7 +127,7 @@ private:
         }
     }
 
-    /// What a pass leaves in a texture.
+    /// Adds the contents that a pass leaves in a texture.
     void AddVersion(const ExplainedAttachment& target, const std::string& pass, std::size_t index)
     {
         const bool isStored = target.store != "-";

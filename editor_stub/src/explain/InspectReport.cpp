@@ -182,7 +182,7 @@ private:
     mutable Names m_SceneLayers;
 };
 
-/// One of the names that stands somewhere in the value; "" if none does.
+/// Returns one of the names if it stands somewhere in the value, "" otherwise.
 std::string NameIn(const YamlNode& node, const Names& names)
 {
     std::string found = node.isScalar() && names.count(node.scalar()) > 0 ? node.scalar() : "";
@@ -343,11 +343,12 @@ std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path
             if (!layer.empty())
             {
                 value.value = OnOneLine(*node);
-                console.Print(Diagnostic{Severity::Note, path.generic_string(), node->location(),
-                                         group.type + "." + value.name +
-                                             ": shown as written; only a scene can know the layer "
-                                             "'" +
-                                             layer + "'"});
+                console.Print(Diagnostic{
+                    Severity::Note, path.generic_string(), node->location(),
+                    group.type + "." + value.name +
+                        ": the value is shown as it is written; only a scene knows the layer "
+                        "'" +
+                        layer + "'"});
             }
         }
     }

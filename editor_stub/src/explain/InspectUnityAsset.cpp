@@ -39,7 +39,7 @@ bool IsUnread(std::string_view key)
            key.starts_with("m_Prefilter") || std::ranges::find(k_Unread, key) != std::end(k_Unread);
 }
 
-/// Whether LoadUnityRenderPipeline reads the setting.
+/// Returns whether LoadUnityRenderPipeline reads the setting.
 bool IsDrawnWith(std::string_view key)
 {
     bool isFound = key == "m_MSAA" || key == "m_SupportsHDR" ||
@@ -63,7 +63,7 @@ std::string FileOf(const YamlNode& reference, const UnityProject& project)
     const std::string guid = ReadGuid(reference);
     const std::filesystem::path* path = project.Find(guid);
     return path ? path->lexically_relative(project.root()).generic_string()
-                : "guid " + guid + ", of which the project has no .meta file";
+                : "guid " + guid + " (the project has no .meta file with it)";
 }
 
 InspectedValue Value(std::string header, std::string name, std::string text, std::string tooltip)
@@ -144,7 +144,7 @@ MaterialShader FindShaderOf(const UnityObject& material, const UnityProject& pro
     }
     catch (const AssetError&)
     {
-        return {file, "'limn shader' says what is wrong with it", nullptr};
+        return {file, "'limn shader' shows its errors", nullptr};
     }
 }
 
@@ -252,8 +252,8 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
                                          tooltip));
         }
     };
-    add("m_OpaqueLayerMask", "Bits of the layers whose opaque objects are drawn");
-    add("m_TransparentLayerMask", "Bits of the layers whose transparent objects are drawn");
+    add("m_OpaqueLayerMask", "The bits of the layers whose opaque objects are drawn");
+    add("m_TransparentLayerMask", "The bits of the layers whose transparent objects are drawn");
     add("m_RenderingMode", "0 forward, 1 deferred, 2 forward+; limn draws all of them forward");
     add("m_DefaultStencilState",
         "1 replaces the Stencil block of all objects, which limn leaves out");

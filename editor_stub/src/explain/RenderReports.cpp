@@ -34,8 +34,8 @@ Json CpuTimes(const Timeline& timeline)
     return times;
 }
 
-/// By phase: of all frames together, or of the last one alone, which has the phases of a frame
-/// only.
+/// Returns the allocations of each phase, of all frames together or of the last one alone; the last
+/// one has only the phases of a frame.
 Json AllocationCounts(const Timeline& timeline, bool ofLastFrame)
 {
     if (!Allocations::areCounted)
@@ -62,7 +62,7 @@ Json AllocationCounts(const Timeline& timeline, bool ofLastFrame)
     return counts;
 }
 
-/// What the last frame draws, and what it takes.
+/// Returns the counts of draws and the memory of the last frame.
 Json FrameCounts(const RenderMeasurements& measurements)
 {
     const CompiledFrame& frame = *measurements.lastFrame.frame;
@@ -93,8 +93,8 @@ Json FrameCounts(const RenderMeasurements& measurements)
               {"deviceAllocated", measurements.memory.allocatedBytes}}}};
 }
 
-/// What the device took for a pass of a feature, which may be several of its own; and the passes
-/// that it is a part of, whose times are of all their parts.
+/// Adds the device's time for a pass of a feature. It may consist of several compiled passes; if a
+/// compiled pass has other parts, too, its time is that of all of them.
 void AddGpuTime(const std::string& pass, const RenderMeasurements& measurements, Json& result)
 {
     const std::vector<CompiledRenderPass>& compiled = measurements.lastFrame.frame->passes;

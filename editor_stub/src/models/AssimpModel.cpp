@@ -306,7 +306,7 @@ private:
     {
         if (index >= mesh.mNumVertices)
         {
-            throw std::runtime_error("a triangle has a vertex that the mesh has not");
+            throw std::runtime_error("a triangle has a vertex that the mesh does not have");
         }
     }
 

@@ -17,7 +17,7 @@ namespace limn
 namespace
 {
 
-/// Of the process, by where they are loaded.
+/// The names of the process's plug-ins, by the address at which they are loaded.
 struct PluginNames
 {
     std::mutex mutex;
@@ -56,7 +56,7 @@ std::string SubjectOf(const PluginCallSite& code)
     {
         throw;
     }
-    all.push_back({Severity::Note, plugin, {}, subject + " what is said above"});
+    all.push_back({Severity::Note, plugin, {}, subject + " the error above"});
     throw AssetError(std::move(all));
 }
 
@@ -107,7 +107,7 @@ void NamePlugin(const void* symbol, const std::string& name)
     SetPluginCodeListener(&NamePluginOf);
 }
 
-/// Of the process.
+/// The plug-ins of the process.
 struct LoadedPlugins
 {
     std::mutex mutex;
@@ -171,8 +171,8 @@ const Plugin& Open(const std::filesystem::path& file, const std::string& name,
     if (!symbol)
     {
         throw AssetError(name, {},
-                         "no plug-in of limn: it has no 'limn_plugin', which LIMN_PLUGIN of "
-                         "<limn/features/Plugin.h> defines");
+                         "is no plug-in of limn: it does not define 'limn_plugin'; write "
+                         "LIMN_PLUGIN of <limn/features/Plugin.h> in one of its files");
     }
     const Plugin& plugin = *static_cast<const Plugin*>(symbol);
     const std::string problem = PluginProblem(plugin);

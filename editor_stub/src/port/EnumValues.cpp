@@ -12,7 +12,7 @@ namespace
 using Number = std::optional<std::int64_t>;
 using Members = std::map<std::string_view, std::int64_t>;
 
-/// How tightly an operator of C# binds; 0 = it is none of whole numbers.
+/// Returns how tightly an operator of C# binds; 0 if it is no operator of whole numbers.
 int EnumStrength(std::string_view word)
 {
     return word == "|"   ? 1
@@ -153,7 +153,7 @@ private:
     const Members& m_Members;
 };
 
-/// As an enum that derives from this holds it.
+/// Returns the value as an enum with this base type holds it.
 std::int64_t Wrapped(std::int64_t value, const std::vector<std::string>& bases)
 {
     const std::string type = bases.empty() ? "int" : bases.front();

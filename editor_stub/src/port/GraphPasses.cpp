@@ -100,7 +100,7 @@ void ReadUsing(CSharpGraphPass& pass, Word at, Word end)
     pass.end = hasBlock ? last->offset + 1 : last->offset;
 }
 
-/// Where a call's name and location are, whatever becomes of it.
+/// Returns the name and the location of a call, whether or not the rest can be read.
 CSharpGraphPass PassAt(Word word, Word end)
 {
     CSharpGraphPass pass;

@@ -19,7 +19,7 @@ bool IsNumber(const std::string& type)
     return type == "int" || type == "float" || type == "uint";
 }
 
-/// How tightly an operator binds; 0 = it is none that is known.
+/// Returns how tightly an operator binds; 0 if it is not known.
 int Strength(std::string_view word)
 {
     static const std::map<std::string_view, int> strengths = {
@@ -426,7 +426,7 @@ private:
         return value;
     }
 
-    /// What a volume parameter of this type holds.
+    /// Returns the value type of a volume parameter of this type.
     std::string ParameterValue(const std::string& type) const
     {
         const std::string plain(PlainTypeName(type));

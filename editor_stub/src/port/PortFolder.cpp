@@ -23,7 +23,7 @@ struct FilterLine
     std::string value;
 };
 
-/// What the C# hands over, in the order of the constructor of Unity's FilteringSettings.
+/// The arguments of the C# code, in the order of the constructor of Unity's FilteringSettings.
 struct FoundFilter
 {
     const CSharpClass* owner = nullptr;
@@ -61,7 +61,7 @@ FoundFilter FindFilter(const PortModel& model)
     return found;
 }
 
-/// On one line of a comment.
+/// Returns the text on one line, for a comment.
 std::string Flat(std::string_view text)
 {
     std::string flat;
@@ -111,7 +111,7 @@ std::span<const EmbeddedFile> PortTemplate();
 namespace
 {
 
-/// How many things the porter has left to do.
+/// Returns the number of things that the porter has left to do.
 int CountTodos(const std::string& text)
 {
     int count = 0;

@@ -17,7 +17,8 @@ bool IsShippedParameter(const PortModel& model, std::string_view type)
            !type.starts_with("Material");
 }
 
-/// What the arguments of a parameter's constructor are, in order; nothing for others.
+/// Returns the types of the arguments of a parameter's constructor, in order, or nothing for other
+/// types.
 std::vector<std::string> ArgumentTypes(const std::string& type)
 {
     std::string value = "float";
@@ -51,7 +52,7 @@ std::vector<std::string> ArgumentTypes(const std::string& type)
     return types;
 }
 
-/// What C# calls the arguments, in their order.
+/// Returns the names of the arguments in C#, in their order.
 std::vector<std::string> ArgumentNames(std::size_t count)
 {
     return count == 5   ? std::vector<std::string>{"value", "hdr", "showAlpha", "showEyeDropper",
@@ -142,7 +143,7 @@ std::string EnumParameterText(const PortModel& model, const PortScope& scope,
            TooltipText(field) + "};";
 }
 
-/// Of VolumeParameter<X>, or a class that derives from it, X; "" of others.
+/// Returns X of VolumeParameter<X>, or of a class that derives from it; "" for other types.
 std::string HeldType(const PortModel& model, const std::string& type)
 {
     const CSharpClass* own = model.Find(type);

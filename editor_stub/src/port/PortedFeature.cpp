@@ -19,7 +19,7 @@ const CSharpClass* PassOf(const PortModel& model, const CSharpField& field)
     return isOne && !model.isLeftOut(*own) ? own : nullptr;
 }
 
-/// Whether the pass has a constructor of these parameters in C++.
+/// Returns the constructor that the pass has in C++ for this number of arguments, or null.
 const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pass,
                                   std::size_t arguments)
 {
@@ -42,7 +42,7 @@ std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpP
     return Replaced(own && isPlain ? model.QualifiedName(*own) : parameter.type, "::", ".");
 }
 
-/// Whether what is handed over has to be a variable.
+/// Returns whether the argument must be a variable.
 bool isMutableReference(const PortModel& model, const CSharpClass& one,
                         const CSharpParameter& parameter)
 {

@@ -131,7 +131,7 @@ private:
         return isBase ? ", profilingSampler" : value ? ", " + value->cpp : "";
     }
 
-    /// Of the data, as the pass's class calls it.
+    /// Returns the type of the data, as the pass's class calls it.
     std::string TypeOf(const CSharpGraphPass& pass) const
     {
         const std::string type = *m_Model.CppType(pass.data);

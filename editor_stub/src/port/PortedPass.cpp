@@ -10,14 +10,15 @@ namespace limn
 namespace
 {
 
-/// Of methods that limn calls: what Unity 2022.3 and 6 hand over, in C++.
+/// A method that limn calls, with the parameters of Unity 2022.3 and 6 in C++.
 struct KnownMethod
 {
     std::string_view name;
     std::vector<std::string> parameters;
 };
 
-/// None of classes that are neither features nor passes.
+/// Returns the methods that limn calls; there are none for classes that are neither features nor
+/// passes.
 const std::vector<KnownMethod>& MethodsOf(PortRole role)
 {
     static const std::vector<KnownMethod> none;
@@ -37,7 +38,8 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
     return role == PortRole::Feature ? feature : role == PortRole::Pass ? pass : none;
 }
 
-/// Whether it is the older half of a pass that has both: limn would run that one alone.
+/// Returns whether it is the older half of a pass that has both halves; limn would run that half
+/// alone.
 bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
 {
     const bool isOld =
@@ -199,7 +201,7 @@ bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
     return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
 }
 
-/// Whether C++ has one of the methods that limn runs.
+/// Returns whether C++ has one of the methods that limn runs.
 bool HasWork(const PortModel& model, const CSharpClass& one)
 {
     return std::ranges::any_of(one.methods,

@@ -29,7 +29,7 @@ std::string InComment(std::string text)
     return text;
 }
 
-/// Whether C++ takes the value as C# has it, without a warning of brackets.
+/// Returns whether C++ takes the value as C# has it, without a warning of brackets.
 bool IsPlainEnumValue(CSharpWords words)
 {
     std::string_view only;
@@ -69,7 +69,7 @@ void WriteEntriesOf(PortedCode& code, const CSharpClass& one)
     code.Line("};");
 }
 
-/// What the class's settings of enums can be.
+/// Writes the possible values of the class's settings of enum types.
 void WriteEntries(PortedCode& code, const CSharpClass& one)
 {
     const PortModel& model = code.model();
@@ -144,7 +144,7 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     code.Line("inspector.Field" + start + entries + RangeText(model, field) + tooltip);
 }
 
-/// Which of some classes others of them need to be there first.
+/// Finds the classes that others of the same list need before them.
 class ClassNeeds
 {
 public:
@@ -493,7 +493,7 @@ void WriteData(PortedCode& code, const CSharpClass& one)
     {
         code.Line("void Reset() override {} // TODO: the C# has none");
     }
-    // What a pass hands to its function is no setting.
+    // The data that a pass gives to its function are no settings.
     const CSharpClass* outer = model.OuterOf(one);
     if (!isContext && !one.isStatic && (!outer || model.RoleOf(*outer) != PortRole::Pass))
     {

@@ -13,7 +13,7 @@ namespace
 
 constexpr std::size_t k_MostPlaces = 8;
 
-/// In a cell of a Markdown table.
+/// Returns the text for a cell of a Markdown table.
 std::string Cell(std::string_view text)
 {
     std::string cell = Replaced(std::string(text), "|", "\\|");
@@ -27,7 +27,7 @@ std::string Code(std::string_view text)
     return text.empty() ? "" : "`" + Cell(text) + "`";
 }
 
-/// How much a use asks of the porter.
+/// Returns how much work a use asks of the porter.
 int Weight(const UsedMember& use)
 {
     return use.entry ? 3 - static_cast<int>(use.entry->verdict) : -1;

@@ -142,7 +142,7 @@ void PortingTable::Add(const std::string& key, const PortEntry& entry, int numbe
     PortEntry& added = m_Entries[key.substr(0, arrow)];
     if (!added.words.empty() || added.verdict != PortVerdict::Same || !added.result.empty())
     {
-        Fail(number, "'" + key + "' is said twice");
+        Fail(number, "'" + key + "' stands in two rows; keep one of them");
     }
     added = entry;
     added.result = arrow == std::string::npos ? "" : key.substr(arrow + 1);

@@ -10,7 +10,7 @@ namespace
 
 constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
 
-/// Whether Unity's method takes a property's number first.
+/// Returns whether Unity's method takes a property's number first.
 bool TakesProperty(std::string_view method)
 {
     return StartsWithAny(method,
@@ -114,7 +114,8 @@ private:
         return found == one.fieldNames.end() ? nullptr : &one.fields[found->second].type;
     }
 
-    /// Whether a property's number begins there: Shader.PropertyToID(...), or a name of such.
+    /// Returns whether a property's number begins there: Shader.PropertyToID(...), or a name of
+    /// such.
     bool isProperty(CSharpWords words, CSharpClass& one, CSharpMethod* method)
     {
         words = words.size() > 2 && words[0].Is("this") ? words.subspan(2) : words;
@@ -180,7 +181,8 @@ private:
         }
     }
 
-    /// Of every method and constructor of this name: who calls whom is not followed.
+    /// Marks a parameter of every method and constructor of this name. It does not follow which one
+    /// is called.
     void MarkParameters(std::string_view name, std::size_t index, std::size_t arguments)
     {
         const auto [begin, end] = m_Methods.equal_range(name);

@@ -263,7 +263,7 @@ bool UseScanner::isOwnMember(const CSharpClass& one, const std::string& name, st
                                });
 }
 
-/// What a class derives from in the end, by way of others of the files.
+/// Returns the types from which a class derives in the end, through other classes of the files.
 std::vector<std::string> UseScanner::BasesOf(const CSharpClass& one, int depth) const
 {
     constexpr int k_MaxBases = 20; // of classes that derive from each other
@@ -384,7 +384,7 @@ std::string UseScanner::FollowChain(std::string type, Word& at, Word end)
     return type;
 }
 
-/// Of the value that begins there, where it can be told.
+/// Returns the type of the value that begins there, if it can be known.
 std::string UseScanner::TypeOfValue(Word at, Word end)
 {
     const bool wasSilent = m_IsSilent;
@@ -411,7 +411,7 @@ std::string UseScanner::TypeOfValue(Word at, Word end)
     return type;
 }
 
-/// Of a name that stands at the beginning of a chain.
+/// Returns the type of a name at the beginning of a chain.
 std::string UseScanner::TypeOfHead(Word word)
 {
     const std::string name(word->text);

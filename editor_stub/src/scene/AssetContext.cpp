@@ -32,7 +32,7 @@ typename Map::mapped_type& Cached(Map& map, const Key& key, Load&& load)
                               : map.emplace(typename Map::key_type(key), load()).first->second;
 }
 
-/// Whether a shader has all its passes without other shaders.
+/// Returns whether a shader has all its passes without other shaders.
 bool isSelfContained(const ShaderLabDocument& document)
 {
     try
@@ -53,7 +53,7 @@ bool isSelfContained(const ShaderLabDocument& document)
     }
 }
 
-/// Whether a pass of the shader stands in this file.
+/// Returns whether a pass of the shader stands in this file.
 bool isFrom(const Shader& shader, const std::filesystem::path& file)
 {
     const std::vector<ShaderLabPass>& passes = shader.subShader().passes;
@@ -218,11 +218,11 @@ std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem
         m_TexelBytes[path] = own;
         if (bytes > k_Most)
         {
-            throw AssetError(
-                path.generic_string(), {},
-                "its texels take " + std::to_string(own >> 20) + " MiB, which makes " +
-                    std::to_string(bytes >> 20) + " MiB of all pictures together; at most " +
-                    std::to_string(k_Most >> 20) + " MiB are loaded; use smaller ones");
+            throw AssetError(path.generic_string(), {},
+                             "its texels take " + std::to_string(own >> 20) +
+                                 " MiB, and all pictures together take " +
+                                 std::to_string(bytes >> 20) + " MiB; limn loads at most " +
+                                 std::to_string(k_Most >> 20) + " MiB; use smaller ones");
         }
     };
     count(PngTexelBytes(path));
@@ -300,7 +300,7 @@ void AssetContext::Forget(const std::filesystem::path& path)
         m_Textures.erase(normal.parent_path() / normal.stem());
     }
     m_Profiles.erase(normal);
-    // What refers to the file in turn is quickly read again.
+    // Assets that refer to the file are quickly read again.
     m_Materials.clear();
     std::erase_if(m_Profiles, [](const auto& entry) { return entry.second.hasReferences; });
     for (const std::filesystem::path& mesh : m_MeshesOfBuffers[normal])

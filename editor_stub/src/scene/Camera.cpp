@@ -77,7 +77,7 @@ void ReadLightShadows(SceneMapReader& map, AnyLight& light)
     map.Read("shadowNormalBias", light.shadowNormalBias);
 }
 
-/// What base cameras and overlays have in common.
+/// Reads the keys that base cameras and overlays have in common.
 void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
 {
     AssetDiagnostics& diagnostics = loader.diagnostics;

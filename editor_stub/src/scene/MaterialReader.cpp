@@ -15,7 +15,7 @@ namespace limn
 namespace
 {
 
-/// What a material is read with.
+/// The sources that the reading of a material needs.
 struct MaterialSources
 {
     References& references;
@@ -119,7 +119,7 @@ std::shared_ptr<const Texture2D> ReadPicture(const YamlNode& node, const std::st
                            });
 }
 
-/// Whether there can be that many; an error says it otherwise.
+/// Returns whether this number is possible. If not, an error is added.
 bool CheckCount(const YamlNode& list, const std::string& subject, TextureDimension dimension,
                 AssetDiagnostics& diagnostics)
 {
@@ -158,8 +158,8 @@ bool CheckBytes(const YamlNode& list, const std::string& subject, const Referenc
     return bytes <= k_Most;
 }
 
-/// Whether the pictures are of one size and encoding, and square where they are faces; errors say
-/// it otherwise.
+/// Returns whether the pictures have one size and encoding, and are square if they are faces. If
+/// not, errors are added.
 bool CheckSlices(const Slices& slices, const YamlNode& list, const std::string& subject,
                  bool square, AssetDiagnostics& diagnostics)
 {

@@ -11,7 +11,7 @@ namespace
 
 using Materials = std::vector<std::shared_ptr<const Material>>;
 
-/// What an object has unless it says otherwise.
+/// The values that an object has unless it sets its own.
 struct Inherited
 {
     const Transform* parent = nullptr;

@@ -39,11 +39,12 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
             location.guid.empty()
                 ? "the reference has no guid"
                 : "no .meta file of the project has the guid '" + location.guid + "'";
-        return {nullptr, std::string("stays without a ") + noun + ", " + reason};
+        return {nullptr, std::string("it stays without a ") + noun + ": " + reason};
     }
     if (file.extension() == ".mat")
     {
-        return {nullptr, std::string("stays without a ") + noun + ", '" + file.filename().string() +
+        return {nullptr, std::string("it stays without a ") + noun + ": '" +
+                             file.filename().string() +
                              "' is Unity's and is not read; a .material.yaml file can be"};
     }
     if (!file.filename().string().ends_with(extension))
@@ -52,7 +53,7 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
                          std::string("is no ") + noun + "; a " + std::string(extension) +
                              " file is expected");
     }
-    // What a person typed, in no file, leads anywhere.
+    // A path that a person typed, and that is in no file, may lead anywhere.
     FileRoots own;
     own.Add(m_Profile.parent_path());
     if (!m_Profile.empty() && !own.Contains(file) && !m_Assets.roots().Contains(file))

@@ -369,8 +369,9 @@ SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
     SceneLoader loader{diagnostics, references, asset, inactive};
     if (documents.size() > 1)
     {
-        diagnostics.Error(documents[1].location(),
-                          "a second document; a scene is one, so take out the line '---'");
+        diagnostics.Error(
+            documents[1].location(),
+            "a second document begins here, but a scene is a single one; remove the line '---'");
     }
     ReadScene(documents.front(), loader);
     references.ThrowIfErrors();

@@ -19,7 +19,7 @@ namespace limn
 namespace
 {
 
-/// What a file has about one feature.
+/// The part of a file that is about one feature.
 struct FeatureBlock
 {
     std::string name;
@@ -161,7 +161,7 @@ std::string PathText(const Path& path)
     return ValuePath{"", path}.KeysText();
 }
 
-/// What a file of Unity's or of limn's has for a setting.
+/// The text of a setting in a file of Unity's or of limn's.
 class SettingText final : public Inspector
 {
 public:
@@ -234,7 +234,7 @@ private:
     Path m_Groups;
 };
 
-/// What stands for a setting in a feature's block; nothing if it is not there.
+/// Returns the value of a setting in a feature's block, or nothing if it is not there.
 std::optional<YamlNode> FindSetting(const FeatureBlock& block, const SettingName& root,
                                     const Path& path, AssetDiagnostics& diagnostics)
 {

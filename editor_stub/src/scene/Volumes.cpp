@@ -137,13 +137,14 @@ void ReadPlace(SceneMapReader& map, Volume& volume, const std::string& subject, 
     if (volume.isGlobal && !volume.colliders.empty())
     {
         diagnostics.Note(map.node().location(),
-                         subject + ": is global, so its colliders count for nothing; "
+                         subject + ": it is global, so its colliders count for nothing; "
                                    "'isGlobal: false' limits it to them");
     }
     if (!volume.isGlobal && volume.colliders.empty())
     {
         diagnostics.Note(map.node().location(),
-                         subject + ": does nothing, it is not global and has no colliders");
+                         subject +
+                             ": it does nothing, because it is not global and has no colliders");
     }
 }
 

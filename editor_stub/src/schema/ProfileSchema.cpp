@@ -74,7 +74,7 @@ Json ComponentSchema(const VolumeComponent& component)
     schema["type"] = {"object", "null"};
     schema["properties"]["active"] = BoolSchema();
     schema["properties"]["active"]["default"] = true;
-    schema["properties"]["active"]["description"] = "false: the component is ignored altogether";
+    schema["properties"]["active"]["description"] = "Lets the component count; on unless it is set";
     for (const VolumeParameter* parameter : component.parameters())
     {
         AddProperty(schema, parameter->name(), ParameterSchema(*parameter));

@@ -260,7 +260,8 @@ Json SceneSchema(const FeatureRegistry& features)
 
 Json MaterialSchema()
 {
-    // Which properties there are is up to the shader, a file of its own; what one can be is not.
+    // The shader, a file of its own, decides which properties there are, but their types are known
+    // here.
     const Json texture{{"type", "string"},
                        {"pattern", "^(" + Joined(DefaultTextureNames(), "|") + ")$|\\.png$"}};
     Json property{{"anyOf",

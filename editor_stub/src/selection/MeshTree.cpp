@@ -29,7 +29,7 @@ void ThrowIfFailed(RTCDevice device, const Mesh& mesh)
     }
 }
 
-/// What Embree hands to the filter.
+/// The data that Embree passes to the filter.
 struct Query
 {
     RTCIntersectContext context; ///< first, since that is what Embree knows of it
@@ -73,8 +73,8 @@ RTCGeometry MakeGeometry(RTCDevice device, const std::vector<glm::vec3>& vertice
     return geometry;
 }
 
-/// In the plane of the triangle, but no nearer and no farther than its corners, which counts where
-/// the ray grazes it.
+/// Returns the distance at which the ray meets the plane of the triangle. It is no nearer and no
+/// farther than the corners, which matters where the ray grazes the triangle.
 double ExactT(const Triangle& triangle, const MeshRay& ray)
 {
     const auto along = [&ray](const glm::dvec3& corner)

@@ -12,16 +12,17 @@ Ray ScreenPointToRay(const Camera& camera, int width, int height, const glm::dve
 {
     if (width < 1 || height < 1 || !std::isfinite(point.x) || !std::isfinite(point.y))
     {
-        throw ContractError("a ray through (" + std::to_string(point.x) + ", " +
-                            std::to_string(point.y) + ") of a picture of " + std::to_string(width) +
-                            "x" + std::to_string(height) + " pixels");
+        throw ContractError("ScreenPointToRay: there is no ray through (" +
+                            std::to_string(point.x) + ", " + std::to_string(point.y) +
+                            ") of a picture of " + std::to_string(width) + "x" +
+                            std::to_string(height) + " pixels");
     }
     // The very matrix that the device draws with.
     const glm::dmat4 toView = glm::inverse(glm::dmat4(
         camera.gpuProjectionMatrix(static_cast<float>(width) / static_cast<float>(height))));
     const glm::dvec4 start =
         toView * glm::dvec4(2.0 * point / glm::dvec2(width, height) - 1.0, 1.0, 1.0);
-    // Which way the point in view space goes when the depth falls.
+    // The direction in which the point in view space moves while the depth falls.
     const glm::dvec4 fall = -toView[2];
     const glm::dvec3 along = glm::dvec3(fall) * start.w - glm::dvec3(start) * fall.w;
     // Not the rotation itself, whose quaternion is of unit length as far as floats are.

@@ -75,7 +75,7 @@ bool CanBeHit(const GameObject& object, const RaycastSettings& settings)
            LayerMask::FromIndex(object.layer).Intersects(settings.layerMask);
 }
 
-/// Whether the ray meets the sphere around the object's mesh, or nearly so.
+/// Returns whether the ray meets the sphere around the object's mesh, or nearly so.
 bool IsNear(const Mesh& mesh, const glm::dmat3& axes, const glm::dvec3& position, const Ray& ray,
             double maxDistance)
 {

@@ -14,8 +14,9 @@ namespace limn
 namespace
 {
 
-/// Which objects features outline, as far as their settings say it: those of a rendering layer,
-/// in layers and in render queues. The layer Default marks nothing, since everything is in it.
+/// Finds the objects that features outline, as far as their settings tell: those of a rendering
+/// layer, in layers and in render queues. The layer Default marks nothing, since everything is in
+/// it.
 class SelectionLayers final : public Inspector
 {
 public:
@@ -185,8 +186,8 @@ private:
         }
     }
 
-    /// What an unknown name may have meant: all names if one is near; else those it is a part of;
-    /// else those of objects that hang below none.
+    /// Returns the names that an unknown name may stand for: all names if one is near; otherwise
+    /// those that contain it; otherwise those of objects without a parent.
     std::vector<std::string_view> NamesLike(const std::string& name) const
     {
         std::vector<std::string_view> all;

@@ -156,7 +156,7 @@ inline constexpr SceneKey k_Scene[] = {
      "The size in which cameras draw, as a share of the picture's size; 1 unless it is set",
      k_RenderScales},
     {"maxAdditionalLightsCount", Integer,
-     "How many of `lights` light an object; limn takes the brightest; 4 unless it is set",
+     "The number of `lights` that light an object; limn takes the brightest; 4 unless it is set",
      k_LightLimits},
     {"renderPipelineAsset", Text,
      "The path of Unity's pipeline asset, whose m_MSAA, m_SupportsHDR, "
@@ -207,7 +207,7 @@ inline constexpr SceneKey k_RenderSettings[] = {
      Integer,
      "The texels along an edge of the mirrored sky's cube, a power of two",
      {1.0, 2048.0}},
-    {"reflectionIntensity", Number, "A factor for what is mirrored", k_Intensities}};
+    {"reflectionIntensity", Number, "A factor for the mirrored light", k_Intensities}};
 
 inline constexpr SceneKey k_CameraPosition{
     "position", Vector, "The position in metres; x right, y up, z forward", k_Places};
@@ -239,9 +239,9 @@ inline constexpr SceneKey k_VolumeLayerMask{
 inline constexpr SceneKey k_VolumeTrigger{
     "volumeTrigger", Vector,
     "The point from which volumes are measured; the camera's position unless it is set"};
-inline constexpr SceneKey k_TransparencySortMode{
-    "transparencySortMode", TransparencySortMode,
-    "The distance by which transparent objects are sorted; Default is as the lens has it"};
+inline constexpr SceneKey k_TransparencySortMode{"transparencySortMode", TransparencySortMode,
+                                                 "The distance by which transparent objects are "
+                                                 "sorted; Default follows the camera's projection"};
 inline constexpr SceneKey k_TransparencySortAxis{
     "transparencySortAxis", Vector,
     "The axis of CustomAxis, in the world, pointing away from the viewer", k_Places};
@@ -256,7 +256,7 @@ inline constexpr SceneKey k_Camera[] = {
     k_NearClipPlane,
     k_FarClipPlane,
     {"clearFlags", ClearFlags,
-     "What is behind all objects: the sky, the backgroundColor, or what was there before; "
+     "The background behind all objects: the sky, the backgroundColor, or the picture so far; "
      "SolidColor unless it is set"},
     {"backgroundColor", Color, "The colour behind all objects"},
     {"renderPostProcessing", Bool, "Lets features add effects to the picture; on unless it is set"},
@@ -297,7 +297,7 @@ inline constexpr SceneKey k_ShadowStrength{
     "shadowStrength", Number, "The share of the light that its shadows take", {0.0, 1.0}};
 inline constexpr SceneKey k_SoftShadowQuality{
     "softShadowQuality", LightShadowQuality,
-    "How wide the rims of the light's soft shadows are; UsePipelineSettings takes the scene's"};
+    "The width of the rims of the light's soft shadows; UsePipelineSettings takes the scene's"};
 inline constexpr SceneKey k_UsePipelineSettings{
     "usePipelineSettings", Bool,
     "Takes the biases of the scene's shadows in place of those that follow; on unless it is set"};
@@ -320,7 +320,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
     k_Rotation,
     k_LightColor,
     k_LightIntensity,
-    {"range", Number, "The distance in metres from which on the light lights nothing", k_Lengths},
+    {"range", Number, "The distance in metres at which the light ends", k_Lengths},
     {"spotAngle", Number, "The angle of a spot's whole cone in degrees", {1.0, 179.0}},
     {"innerSpotAngle",
      Number,
@@ -334,7 +334,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
      "The distance in metres from which on things throw shadows",
      {0.01, 10.0}},
     {"additionalLightsShadowResolutionTier", ShadowResolutionTier,
-     "Which of the scene's shadow resolutions the light has; High unless it is set"},
+     "The tier of the scene's shadow resolutions that the light has; High unless it is set"},
     {"shadowResolution",
      Integer,
      "The texels along a side of the shadow map of tier Custom",
@@ -346,7 +346,7 @@ inline constexpr SceneKey k_AdditionalLight[] = {
 /// The keys of a renderer, of which it has one.
 inline constexpr SceneKey k_Renderer[] = {
     {"rendererData", Text,
-     "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` says the same"},
+     "The path of Unity's UniversalRendererData .asset; `renderer: X.asset` has the same effect"},
     {"features", Features, "The features, in the order in which they add their passes"}};
 
 inline constexpr SceneKey k_Volume[] = {
@@ -403,7 +403,7 @@ inline constexpr SceneKey k_Object[] = {
     {"material", Text, "The name of the material; children take it over"},
     {"materials", Texts, "A material's name for each sub-mesh, in place of `material`"},
     {"shadowCastingMode", ShadowCastingMode,
-     "Whether the object throws shadows and is seen itself; On unless it is set"},
+     "The choice of throwing shadows and of being seen; On unless it is set"},
     {"bakeOutlineNormals", Bool,
      "Bakes smooth normals into the mesh, which hardened hulls such as TranslucentOutlineHull "
      "need"},

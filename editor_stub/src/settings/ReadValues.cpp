@@ -26,7 +26,7 @@ std::optional<int> LayerNumber(std::string_view text)
     return number >= 0 && number <= 31 ? number : std::nullopt;
 }
 
-/// What is wrong with giving layer `index` this name; "" if nothing.
+/// Returns why layer `index` cannot have this name, "" if it can.
 std::string NameProblem(int index, const std::string& name, const LayerNames& names)
 {
     if (name.empty() || name == "Everything" || name == "Nothing")

@@ -139,7 +139,7 @@ bool IsBookkeeping(std::string_view type, std::string_view key)
            std::ranges::count(k_PackageResources, std::pair(type, key)) > 0;
 }
 
-/// Whether the value is a reference, a vector or a colour: a map that is one value.
+/// Returns whether the value is a reference, a vector or a colour: a map that is one value.
 bool IsOneValue(const YamlNode& node)
 {
     const auto isLetter = [](const YamlEntry& entry)
@@ -149,7 +149,7 @@ bool IsOneValue(const YamlNode& node)
     return node.Find("fileID") || std::ranges::all_of(node.entries(), isLetter);
 }
 
-/// Whether an entry that is no member of the group is a settings class whose members are.
+/// Returns whether an entry that is no member of the group is a settings class whose members are.
 bool IsSettingsClass(const YamlEntry& entry, const SettingName& group)
 {
     if (!entry.value.isMap() || IsOneValue(entry.value) || FindMember(group, entry.key))
@@ -295,7 +295,7 @@ void SettingsLevel::ReportTwice(std::string_view name, const YamlMapReader& firs
                                        "; keep one of them");
         return;
     }
-    m_Diagnostics.Note(place, subject + ": left out, " + m_UnityType +
+    m_Diagnostics.Note(place, subject + ": it is left out; " + m_UnityType +
                                   " has one setting of this name, which is " + same +
                                   "; a group in its Describe would tell them apart");
 }
@@ -308,7 +308,7 @@ void SettingsLevel::NoteUnknown(const YamlMapReader& map)
                              FindMember(m_Group, entry.key) || IsSettingsClass(entry, m_Group);
         if (!isKnown)
         {
-            m_Diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": left out, " +
+            m_Diagnostics.Note(entry.keyLocation, map.SubjectOf(entry.key) + ": it is left out; " +
                                                       m_UnityType + " has no such setting");
         }
     }

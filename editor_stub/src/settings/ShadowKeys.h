@@ -31,9 +31,10 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
     visit("m_AdditionalLightsShadowResolutionTierLow", s.additionalLightsShadowResolutionTierLow,
           k_Tier, "The texels along a side of the square of a light of tier Low on that map");
     visit("m_AdditionalLightsShadowResolutionTierMedium",
-          s.additionalLightsShadowResolutionTierMedium, k_Tier, "The same for tier Medium");
+          s.additionalLightsShadowResolutionTierMedium, k_Tier,
+          "The texels along a side of the square of a light of tier Medium");
     visit("m_AdditionalLightsShadowResolutionTierHigh", s.additionalLightsShadowResolutionTierHigh,
-          k_Tier, "The same for tier High");
+          k_Tier, "The texels along a side of the square of a light of tier High");
     visit("m_ShadowDistance", s.shadowDistance, ValueRange{0.0, 1e9},
           "The distance in metres from the camera at which shadows end");
     visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0},
@@ -51,7 +52,7 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
     visit("m_SoftShadowsSupported", s.softShadowsSupported, ValueRange{},
           "Lets shadows of lights with soft shadows be soft");
     visit("m_SoftShadowQuality", s.softShadowQuality, ValueRange{},
-          "How wide the rims of soft shadows are");
+          "The width of the rims of soft shadows");
 }
 
 /// Sets the settings that the map has. The others stay. The caller calls map.Finish() if it owns

@@ -47,7 +47,7 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
     return {};
 }
 
-/// Whether resolving the shader takes other shaders.
+/// Returns whether resolving the shader takes other shaders.
 bool needsOthers(const ShaderLabDocument& document)
 {
     const auto isUse = [](const ShaderLabPass& pass)
@@ -131,8 +131,8 @@ private:
         }
     }
 
-    /// Null after a diagnostic. What is wrong with the pass that is used, the file that has it
-    /// tells as an error: here it is a warning.
+    /// Returns the pass that is used, or null after a diagnostic. A fault of that pass is an error
+    /// of its own file; here it is a warning.
     std::shared_ptr<const CheckedUse> CheckUse(const ShaderLabSubShader& subShader,
                                                const ShaderLabPass& usePass)
     {
@@ -175,8 +175,7 @@ private:
         {
             Refuse(checked,
                    {Severity::Note, m_Check.document->file, pass.location,
-                    "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what "
-                    "it copies"},
+                    "GrabPass: it is not supported, as in URP; read _CameraOpaqueTexture instead"},
                    diagnostics);
         }
         if (!pass.program)

@@ -80,7 +80,7 @@ std::string KindText(const ShaderLabPass& pass)
         break;
     }
     return pass.legacyCommands.empty() ? "no program"
-                                       : "no program: fixed-function commands, not synthesised";
+                                       : "no program: limn makes none of fixed-function commands";
 }
 
 /// ": 'Hull' at library.shader:12, compiled"

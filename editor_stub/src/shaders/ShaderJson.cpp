@@ -61,7 +61,7 @@ Json LayoutJson(const PropertyLayout& layout)
         {"colorOutputs", layout.colorOutputs}};
 }
 
-/// Where a UsePass leads.
+/// Returns the pass to which a UsePass leads.
 Json UseJson(const CheckedUse& use)
 {
     Json json{{"name", use.pass.name},

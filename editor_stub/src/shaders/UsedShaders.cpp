@@ -73,7 +73,7 @@ private:
     ShaderPasses& m_Passes;
 };
 
-/// Of objects and of the sky.
+/// Adds the shaders of the objects and of the sky.
 void AddSceneShaders(const Scene& scene, ShaderPasses& passes)
 {
     AddAllPasses(scene.skybox ? scene.skybox->shader() : nullptr, passes);
@@ -116,7 +116,7 @@ std::vector<Diagnostic> Compile(const Shader& shader, const std::set<int>& passe
 
 using ShaderProblems = std::map<std::shared_ptr<const Shader>, std::vector<Diagnostic>>;
 
-/// What is wrong with those that do not compile.
+/// Returns the errors of the shaders that do not compile.
 ShaderProblems CompileAll(const ShaderPasses& passes)
 {
     std::vector<std::future<std::vector<Diagnostic>>> running;

@@ -36,7 +36,7 @@ void ReadLightMode(const YamlNode& node, UnityRenderPipeline& pipeline,
 
 constexpr const char* k_Package = "com.unity.render-pipelines.universal";
 
-/// Null unless `json` is an object with such a member.
+/// Returns the member, or null if `json` is no object with such a member.
 Json Member(const Json& json, const char* name)
 {
     return json.is_object() && json.contains(name) ? json[name] : Json();

@@ -75,7 +75,7 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
              : "no .meta file of the project has the shader's guid '" + guid + "'";
     if (!shipped)
     {
-        loading.diagnostics.Note(node.location(), subject + ": left out, " + missing);
+        loading.diagnostics.Note(node.location(), subject + ": it is left out; " + missing);
         return nullptr;
     }
     loading.diagnostics.Note(node.location(), subject + ": " + missing + ", so " + shipped->name +
@@ -95,9 +95,10 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     {
         if (ReadFileID(node) != 0)
         {
-            loading.diagnostics.Note(node.location(),
-                                     name + ": left out, Unity's .mat files are not read; name a "
-                                            "material of the scene in a scene file instead");
+            loading.diagnostics.Note(
+                node.location(),
+                name + ": it is left out; limn reads no .mat files of Unity's here; name a "
+                       "material of the scene in a scene file instead");
         }
         return std::shared_ptr<const Material>();
     };
@@ -116,7 +117,7 @@ std::string FeatureType(const UnityObject& object, Loading& loading)
     {
         loading.diagnostics.Note(object.location,
                                  object.name +
-                                     ": left out, no .cs.meta file of the project has the "
+                                     ": it is left out; no .cs.meta file of the project has the "
                                      "script's guid '" +
                                      guid + "'");
     }
@@ -132,7 +133,7 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
         if (!type.empty())
         {
             loading.diagnostics.Note(object.location,
-                                     object.name + ": left out, limn has no feature " + type);
+                                     object.name + ": it is left out; limn has no feature " + type);
         }
         return;
     }
@@ -159,7 +160,7 @@ void ReadFeatures(const UnityAsset& asset, const YamlNode& references, RendererA
             // Unity leaves such a reference behind where a feature's script was deleted.
             loading.diagnostics.Note(
                 reference.location(),
-                "m_RendererFeatures: left out, the feature is not in this file");
+                "m_RendererFeatures: a feature is left out; it is not in this file");
             continue;
         }
         try

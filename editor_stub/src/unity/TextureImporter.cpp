@@ -111,7 +111,7 @@ void ReadPictureSettings(YamlMapReader& map, AssetDiagnostics& diagnostics,
     ReadMaxSize(map, diagnostics, settings.maxTextureSize);
 }
 
-/// Of other keys there are dozens, about what limn does without.
+/// Reads the settings that limn uses. There are dozens of other keys.
 TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
 {
     TextureImport import;

@@ -212,7 +212,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
     return known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
 }
 
-/// Null, with a note, where it is broken.
+/// Returns the mesh. Returns null and adds a note if it is broken.
 std::shared_ptr<const Mesh> UnityMaterials::ReadMesh(const std::function<UnityNode()>& fields,
                                                      const std::string& file)
 {
@@ -331,7 +331,8 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     {
         if (file)
         {
-            m_Notes.Add(file->name(), 0, "it holds no material, so what it is on is magenta");
+            m_Notes.Add(file->name(), 0,
+                        "it holds no material, so the objects that have it are magenta");
         }
         return Magenta();
     }
@@ -393,7 +394,8 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {m_Assets.FindShader(shipped->name)};
     }
     m_Notes.Add(material, 0,
-                AbsenceOf(reference, "its shader's guid") + ", so what it is on is magenta");
+                AbsenceOf(reference, "its shader's guid") +
+                    ", so the objects that have it are magenta");
     return {nullptr};
 }
 

@@ -159,7 +159,7 @@ private:
                 }};
     }
 
-    /// Whether there is a feature of that name or, if there is none, of that type.
+    /// Returns whether there is a feature of that name or, if there is none, of that type.
     bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
     {
         RendererAsset& renderer = m_Asset.renderer;

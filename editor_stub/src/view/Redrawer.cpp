@@ -102,8 +102,8 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
     }
 }
 
-/// Says so of a shader that a plug-in holds: the file itself is not read.
-/// @return whether it is one, and of no use to the scene besides
+/// Adds a note about a shader that a plug-in contains, because the file itself is not read.
+/// @return whether it is one that the scene does not use in another way
 bool Redrawer::NoteEmbedded(const std::filesystem::path& path)
 {
     const auto embedded = EmbeddedShaderFiles();
@@ -117,7 +117,7 @@ bool Redrawer::NoteEmbedded(const std::filesystem::path& path)
     return m_Drawing->assets->reachedFiles().count(path) == 0;
 }
 
-/// Whether the work was done; an error is printed. The driver's failures go on.
+/// Returns whether the work was done. It prints an error, but lets failures of the driver pass.
 template <typename Work>
 bool Redrawer::Guard(Work&& work)
 {
@@ -198,7 +198,7 @@ void Redrawer::Draw(Clock::time_point start)
     m_Console.out().flush();
 }
 
-// What was said before is not said at every save.
+// A note is not printed again at every save.
 
 void Redrawer::PrintNew(const RenderReport& report)
 {

@@ -55,10 +55,9 @@ void AutoOutlineSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
     inspector.Header("Technique");
-    inspector.Field(
-        "m_Technique", m_Technique, k_Techniques,
-        "How it is drawn; Auto chooses by the objects and the width, and `limn explain` "
-        "says why");
+    inspector.Field("m_Technique", m_Technique, k_Techniques,
+                    "The technique that draws it; Auto chooses by the objects and the width, and "
+                    "`limn explain` prints why");
     DescribeGrouping(inspector, m_Grouping);
 }
 
@@ -97,7 +96,7 @@ void AutoOutlineRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
     }
     if (!why.empty())
     {
-        renderingData.report->notes.push_back(name + ": not drawn, " + why);
+        renderingData.report->notes.push_back(name + ": it is not drawn; " + why);
     }
 }
 
@@ -129,7 +128,7 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
     work.width = component.m_OutlineWidth.value();
     work.regionArea = RegionArea(m_Found.objects, renderingData.cameraData, component.reach());
     const OutlineChoice choice =
-        isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique says"};
+        isAuto ? ChooseOutlineTechnique(work) : OutlineChoice{wanted, "as m_Technique requires"};
     std::string why;
     if (choice.technique == OutlineTechnique::Strokes)
     {

@@ -9,8 +9,8 @@ namespace limn
 namespace
 {
 
-// What a pixel costs, in reads of a texture (1.2 ns): outline_benchmark's times on lavapipe with
-// two cores come to this.
+// The cost of a pixel in reads of a texture (1.2 ns), from the times of outline_benchmark on
+// lavapipe with two cores.
 constexpr double k_ReadsOfStroke = 15.0;
 constexpr double k_ReadsOfOwnDepth = 7.0; ///< and the composite
 constexpr double k_ReadsOfFloodStep = 8.5;
@@ -67,7 +67,8 @@ OutlineChoice ChooseOutlineTechnique(const OutlineWork& work)
         separable <= flood ? OutlineTechnique::Separable : OutlineTechnique::JumpFlood;
     if (work.isAlphaTested)
     {
-        return {best, "a material is alpha-tested, so the mesh's silhouette is not what is seen"};
+        return {best,
+                "a material is alpha-tested, so the mesh's silhouette is not the one that is seen"};
     }
     const double strokes = CostOfStrokes(work);
     const std::string costs = std::to_string(work.edgeCount) + " silhouette edges cost about " +

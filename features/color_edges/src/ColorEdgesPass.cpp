@@ -41,8 +41,9 @@ glm::vec2 ColorEdgesTaps(float width)
     return {-half - (isEven ? 0.0f : part), half + (isEven ? part : 1.0f)};
 }
 
-/// Of columns (xz) and rows (yw), no farther apart than half the picture: beyond that both taps of
-/// a pixel can lie beside what is in the picture's middle, and its lines are lost.
+/// Returns the offsets of the columns (xz) and rows (yw). They are at most half the picture apart:
+/// with a greater distance both taps of a pixel can lie beside an object in the middle of the
+/// picture, whose lines are then lost.
 glm::vec4 ColorEdgesTaps(float width, const glm::ivec2& picture)
 {
     const auto within = [&](int side)
@@ -59,9 +60,9 @@ glm::vec4 ColorEdgesTaps(float width, const glm::ivec2& picture)
 void ColorEdgesSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
-    inspector.Field("m_OnlyFilteredObjects", m_OnlyFilteredObjects,
-                    "Whether lines are drawn only where a filtered object is seen, or else all "
-                    "over the picture");
+    inspector.Field(
+        "m_OnlyFilteredObjects", m_OnlyFilteredObjects,
+        "On: lines are drawn only where a filtered object is seen; off: all over the picture");
 }
 
 ColorEdgesPass::ColorEdgesPass(const std::string& featureName, const ColorEdgesSettings& settings,

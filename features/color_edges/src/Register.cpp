@@ -11,7 +11,7 @@ void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
     features.Register<ColorEdgesRendererFeature>(
         "ColorEdgesRendererFeature", {{.name = "Color edges",
                                        .summary = "steps of the picture's brightness",
-                                       .noWidth = "its lines lie on both sides of what it finds",
+                                       .noWidth = "its lines lie on both sides of an edge",
                                        .place = 110,
                                        .component = "ColorEdges"}});
     components.Register<ColorEdges>("ColorEdges");

@@ -28,16 +28,17 @@ FullScreenPassRendererFeature::~FullScreenPassRendererFeature() = default;
 void FullScreenPassRendererFeature::Describe(Inspector& inspector)
 {
     inspector.Field("injectionPoint", injectionPoint, k_InjectionPoints,
-                    "When in the frame the pass is drawn");
+                    "The event of the frame at which the pass is drawn");
     inspector.Field("fetchColorBuffer", fetchColorBuffer,
-                    "Whether the shader reads the picture so far, as _BlitTexture");
+                    "Lets the shader read the picture so far as _BlitTexture");
     inspector.Field("requirements", requirements, k_Requirements,
-                    "What else the shader reads of the camera");
-    inspector.Field("passMaterial", passMaterial, "Drawn over the whole picture");
+                    "The other textures of the camera that the shader reads");
+    inspector.Field("passMaterial", passMaterial,
+                    "The material that is drawn over the whole picture");
     inspector.Field("passIndex", passIndex, ValueRange{0, 255},
-                    "Which pass of the material, counted from 0");
+                    "The index of the material's pass, from 0");
     inspector.Field("bindDepthStencilAttachment", bindDepthStencilAttachment,
-                    "Whether the pass can test the camera's depth and stencil");
+                    "Lets the pass test the camera's depth and stencil");
 }
 
 void FullScreenPassRendererFeature::Create()
@@ -51,12 +52,12 @@ void FullScreenPassRendererFeature::AddRenderPasses(ScriptableRenderer& renderer
     std::vector<std::string>& notes = renderingData.report->notes;
     if (!passMaterial)
     {
-        notes.push_back(name + ": not drawn, passMaterial is not assigned");
+        notes.push_back(name + ": it is not drawn; passMaterial is not assigned");
         return;
     }
     if (passIndex < 0 || passIndex >= passMaterial->passCount())
     {
-        notes.push_back(name + ": not drawn, passIndex is " + std::to_string(passIndex) +
+        notes.push_back(name + ": it is not drawn; passIndex is " + std::to_string(passIndex) +
                         ", but the material '" + passMaterial->name() + "' has the passes 0..." +
                         std::to_string(passMaterial->passCount() - 1));
         return;

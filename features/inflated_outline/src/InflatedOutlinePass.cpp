@@ -28,7 +28,7 @@ double DepthOf(std::span<const OutlinedObject> objects, const glm::dmat4& view)
     return nearest;
 }
 
-/// With its own material, as DrawRenderers draws it.
+/// Draws the item with its own material, as DrawRenderers does.
 void DrawForward(CommandBuffer& cmd, const RendererItem& item)
 {
     for (const ShaderTagId tag : ForwardShaderTags())

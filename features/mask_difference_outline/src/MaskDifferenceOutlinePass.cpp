@@ -14,7 +14,7 @@ namespace limn
 namespace
 {
 
-/// What the shader calls its inputs, the article's names first, and its passes.
+/// The names of the shader's inputs, the article's first, and of its passes.
 struct MaskDifferenceNames
 {
     ShaderPropertyId t_tex0{"t_tex0"};
@@ -62,9 +62,9 @@ void MaskDifferenceOutlineSettings::Describe(Inspector& inspector)
     inspector.Header("Mask Settings");
     DescribeGrouping(inspector, m_Grouping);
     inspector.Field("m_ColorByGroup", m_ColorByGroup,
-                    "Whether each group has a colour of its own, in place of the volume's");
+                    "Gives each group a colour of its own in place of the volume's");
     inspector.Field("m_FramebufferFetch", m_FramebufferFetch,
-                    "Whether the line is added in place, without a copy of the picture");
+                    "Adds the line in place, without a copy of the picture");
 }
 
 MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureName,

@@ -32,12 +32,12 @@ void OutlineSettings::Describe(Inspector& inspector)
 {
     inspector.Header("Basic Settings");
     inspector.Field("m_RenderPassEvent", m_RenderPassEvent,
-                    "When in the frame the outline is drawn");
+                    "The event of the frame at which the outline is drawn");
 
     inspector.Header("Filtering Settings");
     inspector.Field("m_RenderQueueRange", m_RenderQueueRange, k_OutlineQueueRanges,
-                    "Which render queues are outlined");
-    inspector.Field("m_LayerMask", m_LayerMask, "Layers whose objects are outlined");
+                    "The render queues of the objects that are outlined");
+    inspector.Field("m_LayerMask", m_LayerMask, "The layers of the objects that are outlined");
     inspector.RenderingLayerIndex("m_RenderingLayerMask", m_RenderingLayerMask,
                                   "The rendering layer that marks an object as selected");
 }
@@ -49,9 +49,9 @@ FilteringSettings OutlineSettings::filtering() const
 
 void DescribeGrouping(Inspector& inspector, OutlineGrouping& grouping)
 {
-    inspector.Field("m_Grouping", grouping, k_Groupings,
-                    "Which objects get one silhouette together: all, those of a hierarchy, or "
-                    "each its own");
+    inspector.Field(
+        "m_Grouping", grouping, k_Groupings,
+        "The objects that share one silhouette: all, those of a hierarchy, or each alone");
 }
 
 } // namespace limn

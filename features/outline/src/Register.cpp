@@ -4,7 +4,7 @@
 namespace limn::outline
 {
 
-/// What techniques share has no feature of its own.
+/// Registers nothing: the code that techniques share has no feature of its own.
 void Register(FeatureRegistry&, VolumeComponentRegistry&) {}
 
 } // namespace limn::outline

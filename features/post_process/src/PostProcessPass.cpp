@@ -52,7 +52,7 @@ glm::vec3 Channels(const Color& color)
     return glm::vec3(color.vector());
 }
 
-/// Of one brightness, whatever the colour.
+/// Returns the tint with the brightness that every colour gets.
 glm::vec3 Tint(const Bloom& bloom)
 {
     const glm::vec3 tint = Channels(bloom.tint.value().linear());
@@ -128,7 +128,7 @@ void PostProcessPass::SetupDirt(const Bloom& bloom, const glm::ivec2& picture)
     {
         return;
     }
-    // As large as the picture, what is too long for it cut off on both sides.
+    // The dirt is as large as the picture; the part that is too long is cut off on both sides.
     const glm::vec2 texture(dirt->width(), dirt->height());
     const float ratio = texture.x / texture.y * static_cast<float>(picture.y) /
                         static_cast<float>(picture.x); // of the dirt's shape to the picture's

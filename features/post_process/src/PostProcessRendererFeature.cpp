@@ -34,7 +34,7 @@ void PostProcessRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
     if (!effects.any() || !isEnabled)
     {
         renderingData.report->notes.push_back(
-            name + ": not drawn, " +
+            name + ": it is not drawn; " +
             (isEnabled ? "no volume switches Bloom, Vignette, ColorAdjustments or Tonemapping on"
                        : "the camera's renderPostProcessing is off"));
         return;
@@ -52,7 +52,7 @@ void PostProcessRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
 void PostProcessRendererFeature::Describe(Inspector& inspector)
 {
     inspector.Field("m_ColorGradingMode", m_ColorGradingMode, k_ColorGradingModes,
-                    "Whether colours are graded before or behind tonemapping");
+                    "The place of colour grading: before or after tonemapping");
 }
 
 } // namespace limn

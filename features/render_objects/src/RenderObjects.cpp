@@ -20,19 +20,20 @@ constexpr float k_MaxOffset = 1e9f;        ///< metres; as far as scenes go
 void DescribeOverrides(RenderObjectsSettings& settings, Inspector& inspector)
 {
     inspector.Header("Overrides");
-    inspector.Field(
-        "overrideMode", settings.overrideMode, k_OverrideModes,
-        "Whether objects keep their materials, or are drawn with one material or shader");
+    inspector.Field("overrideMode", settings.overrideMode, k_OverrideModes,
+                    "The choice between the objects' own materials, one material, and one shader");
     inspector.Field("overrideMaterial", settings.overrideMaterial,
-                    "In mode Material: drawn instead of each object's own; none = no override");
+                    "Mode Material: the material that replaces each object's own; without one "
+                    "nothing is replaced");
     inspector.Field("overrideMaterialPassIndex", settings.overrideMaterialPassIndex, k_PassIndices,
-                    "Which pass of the material, counted from 0");
-    inspector.Field("overrideShader", settings.overrideShader,
-                    "In mode Shader: drawn with the properties of each object's own material");
+                    "The index of the material's pass, from 0");
+    inspector.Field(
+        "overrideShader", settings.overrideShader,
+        "Mode Shader: the shader, which gets the properties of each object's own material");
     inspector.Field("overrideShaderPassIndex", settings.overrideShaderPassIndex, k_PassIndices,
-                    "Which pass of the shader, counted from 0");
+                    "The index of the shader's pass, from 0");
     inspector.Field("overrideDepthState", settings.overrideDepthState,
-                    "Whether the next two settings replace the passes' ZTest and ZWrite");
+                    "Replaces the passes' ZTest and ZWrite with the next two settings");
     inspector.Field("depthCompareFunction", settings.depthCompareFunction, CompareFunctionEntries(),
                     "ZTest");
     inspector.Field("enableWrite", settings.enableWrite, "ZWrite");
@@ -42,16 +43,17 @@ void DescribeStencil(StencilStateData& stencil, Inspector& inspector)
 {
     inspector.BeginGroup("stencilSettings");
     inspector.Field("overrideStencilState", stencil.overrideStencilState,
-                    "Whether the settings here replace the passes' whole Stencil block");
+                    "Replaces the passes' whole Stencil block with these settings");
     inspector.Field("stencilReference", stencil.stencilReference, {0, 255}, "Ref");
     inspector.Field("stencilCompareFunction", stencil.stencilCompareFunction,
-                    CompareFunctionEntries(), "Comp: reference against stored value");
+                    CompareFunctionEntries(),
+                    "Comp: the comparison of the reference with the stored value");
     inspector.Field("passOperation", stencil.passOperation, StencilOpEntries(),
-                    "What becomes of the value where stencil and depth test pass");
+                    "The operation where stencil and depth test pass");
     inspector.Field("failOperation", stencil.failOperation, StencilOpEntries(),
-                    "What becomes of the value where the stencil test fails");
+                    "The operation where the stencil test fails");
     inspector.Field("zFailOperation", stencil.zFailOperation, StencilOpEntries(),
-                    "What becomes of the value where only the depth test fails");
+                    "The operation where only the depth test fails");
     inspector.EndGroup();
 }
 
@@ -59,13 +61,13 @@ void DescribeCamera(RenderObjectsSettings::CustomCameraSettings& camera, Inspect
 {
     inspector.BeginGroup("cameraSettings");
     inspector.Field("overrideCamera", camera.overrideCamera,
-                    "Whether the objects are seen through a camera of their own");
+                    "Draws the objects through a camera of their own");
     inspector.Field("restoreCamera", camera.restoreCamera,
-                    "Whether later passes see through the scene's camera again");
+                    "Gives later passes the scene's camera again");
     inspector.Field("offset", camera.offset,
-                    "Added in view space, in metres: +z brings the objects nearer");
+                    "The shift in view space, in metres; +z brings the objects nearer");
     inspector.Field("cameraFieldOfView", camera.cameraFieldOfView, {4, 179},
-                    "Vertical field of view in degrees");
+                    "The vertical field of view in degrees");
     inspector.EndGroup();
 }
 
@@ -80,8 +82,9 @@ void ExpectFilterAndCamera(const std::string& feature, const RenderObjectsSettin
     if (glm::any(
             glm::greaterThan(glm::abs(settings.cameraSettings.offset), glm::vec4(k_MaxOffset))))
     {
-        throw ContractError(feature + ": cameraSettings.offset is more than 1e9 m; what is so far "
-                                      "away is in no picture");
+        throw ContractError(
+            feature +
+            ": cameraSettings.offset is more than 1e9 m; no picture shows objects so far away");
     }
 }
 
@@ -99,16 +102,18 @@ void ExpectPass(const std::string& feature, const char* setting, int index, cons
 
 void RenderObjectsSettings::Describe(Inspector& inspector)
 {
-    inspector.Field("passTag", passTag, "What captures and timings call the pass");
-    inspector.Field("Event", Event, "When in the frame the objects are drawn");
+    inspector.Field("passTag", passTag, "The name of the pass in captures and timings");
+    inspector.Field("Event", Event, "The event of the frame at which the objects are drawn");
 
     inspector.Header("Filters");
     inspector.BeginGroup("filterSettings");
     inspector.Field("RenderQueueType", filterSettings.RenderQueueType, k_RenderQueueTypes,
                     "Opaque: queues up to 2500; Transparent: the ones above");
-    inspector.Field("LayerMask", filterSettings.LayerMask, "Layers whose objects are drawn");
-    inspector.Field("PassNames", filterSettings.PassNames,
-                    "LightMode tags of the passes to draw; none = URP's forward tags");
+    inspector.Field("LayerMask", filterSettings.LayerMask,
+                    "The layers of the objects that are drawn");
+    inspector.Field(
+        "PassNames", filterSettings.PassNames,
+        "The LightMode tags of the passes to draw; an empty list takes URP's forward tags");
     inspector.EndGroup();
 
     DescribeOverrides(*this, inspector);

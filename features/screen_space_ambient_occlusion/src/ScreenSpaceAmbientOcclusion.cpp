@@ -36,30 +36,36 @@ std::string WhyIdle(const ScreenSpaceAmbientOcclusionSettings& settings)
 
 void ScreenSpaceAmbientOcclusionSettings::Describe(Inspector& inspector)
 {
-    inspector.Field("AOMethod", AOMethod, k_Methods,
-                    "How samples differ from pixel to pixel: blue noise looks the smoothest");
+    inspector.Field(
+        "AOMethod", AOMethod, k_Methods,
+        "The variation of the samples from pixel to pixel; blue noise gives the smoothest picture");
     inspector.Field("Downsample", Downsample,
-                    "Occlusion is worked out for one pixel of four, and spread by the blur");
+                    "Computes the occlusion for one pixel of four; the blur spreads it");
     inspector.Field("AfterOpaque", AfterOpaque,
-                    "The picture of opaque objects is darkened as a whole; else their shaders "
-                    "darken the ambient light that they add");
+                    "On: the whole picture of opaque objects is darkened; off: their shaders "
+                    "darken the ambient light only");
     inspector.Field("Source", Source, k_Sources,
-                    "Depth needs no more than the depth texture; DepthNormals draws objects with "
-                    "their normals before, and sees bumps");
+                    "Depth needs only the depth texture; DepthNormals draws the normals of objects "
+                    "first and sees their bumps");
     inspector.Field("NormalSamples", NormalSamples, k_NormalQualities,
-                    "With Source Depth: how many neighbours a normal is worked out from");
-    inspector.Field("Intensity", Intensity, k_NotNegative, "How dark it gets; 0 draws nothing");
+                    "Source Depth: the number of neighbours from which a normal is computed");
+    inspector.Field("Intensity", Intensity, k_NotNegative,
+                    "The strength of the darkening; 0 draws nothing");
     inspector.Field("DirectLightingStrength", DirectLightingStrength, ValueRange{0.0, 1.0},
-                    "How much of it light of lamps and sun loses, too");
-    inspector.Field("Radius", Radius, k_NotNegative,
-                    "Metres within which one surface hides another; 0 draws nothing");
-    inspector.Field("Samples", Samples, k_Qualities, "Of each pixel: 12, 8 or 4");
-    inspector.Field("BlurQuality", BlurQuality, k_Qualities,
-                    "High keeps to surfaces of one normal, Medium and Low cost less");
-    inspector.Field("Falloff", Falloff, k_NotNegative,
-                    "Metres from the camera at which it has faded to nothing; 0 draws nothing");
+                    "The share of the darkening that lamps and the sun get, too");
+    inspector.Field(
+        "Radius", Radius, k_NotNegative,
+        "The distance in metres within which one surface darkens another; 0 draws nothing");
+    inspector.Field("Samples", Samples, k_Qualities,
+                    "The number of samples of each pixel: 12, 8 or 4");
+    inspector.Field(
+        "BlurQuality", BlurQuality, k_Qualities,
+        "The kind of blur: High does not blur across normals, Medium and Low cost less");
+    inspector.Field(
+        "Falloff", Falloff, k_NotNegative,
+        "The distance in metres from the camera at which the occlusion ends; 0 draws nothing");
     inspector.Field("SampleCount", SampleCount, ValueRange{-1.0, 64.0},
-                    "What files of URP 12 have in place of Samples; -1 in others");
+                    "The setting that files of URP 12 have in place of Samples; others have -1");
 }
 
 ScreenSpaceAmbientOcclusion::ScreenSpaceAmbientOcclusion()
@@ -96,7 +102,7 @@ void ScreenSpaceAmbientOcclusion::AddRenderPasses(ScriptableRenderer& renderer,
     const std::string why = WhyIdle(m_Settings);
     if (!why.empty())
     {
-        renderingData.report->notes.push_back(name + ": not drawn, " + why);
+        renderingData.report->notes.push_back(name + ": it is not drawn; " + why);
         return;
     }
     if (!m_SSAOPass)

@@ -31,14 +31,15 @@ void ScreenSpaceOutlineSettings::Describe(Inspector& inspector)
 {
     inspector.Header("Basic Settings");
     inspector.Field("m_RenderPassEvent", m_RenderPassEvent,
-                    "When in the frame the outline is drawn");
-    inspector.Field("m_ScreenSpaceOutlineShader", m_ScreenSpaceOutlineShader,
-                    "Shader with the mask, edge and composite passes: Hidden/ScreenSpaceOutline");
+                    "The event of the frame at which the outline is drawn");
+    inspector.Field(
+        "m_ScreenSpaceOutlineShader", m_ScreenSpaceOutlineShader,
+        "The shader with the mask, edge and composite passes: Hidden/ScreenSpaceOutline");
 
     inspector.Header("Filtering Settings");
     inspector.Field("m_RenderQueueRange", m_RenderQueueRange, k_RenderQueueRanges,
-                    "Which render queues are outlined");
-    inspector.Field("m_LayerMask", m_LayerMask, "Layers whose objects are outlined");
+                    "The render queues of the objects that are outlined");
+    inspector.Field("m_LayerMask", m_LayerMask, "The layers of the objects that are outlined");
     inspector.RenderingLayerIndex("m_RenderingLayerMask", m_RenderingLayerMask,
                                   "The rendering layer that marks an object as selected");
 }
@@ -74,15 +75,15 @@ void ScreenSpaceOutlineRenderFeature::AddRenderPasses(ScriptableRenderer& render
         renderingData.volumeStack->GetComponent<ScreenSpaceOutline>();
     if (volumeComponent == nullptr || !volumeComponent->IsActive())
     {
-        renderingData.report->notes.push_back(name + ": not drawn, " +
+        renderingData.report->notes.push_back(name + ": it is not drawn; " +
                                               WhyInactive(volumeComponent));
         return;
     }
     if (!mPass)
     {
-        renderingData.report->notes.push_back(
-            name + ": not drawn, m_ScreenSpaceOutlineShader is not assigned; "
-                   "Hidden/ScreenSpaceOutline is the one that comes with it");
+        renderingData.report->notes.push_back(name +
+                                              ": it is not drawn; m_ScreenSpaceOutlineShader is "
+                                              "not assigned; assign Hidden/ScreenSpaceOutline");
         return;
     }
     mPass->Setup(*volumeComponent);

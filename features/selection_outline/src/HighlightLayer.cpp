@@ -61,7 +61,7 @@ HighlightLayer::HighlightLayer(const RenderingData& renderingData,
         const InAnotherLayer moved(*renderingData.scene, m_Moved, layer);
         m_Seen = Cull(*renderingData.scene, camera, aspect);
     }
-    // What the first camera culled goes by the layers as they are now.
+    // The first camera culls by the layers as they are now.
     Cull(*renderingData.scene, *renderingData.cameraData.camera, aspect);
 }
 

@@ -125,7 +125,7 @@ void OutlineEffect::Execute(ScriptableRenderContext& context, RenderingData& ren
     {
         RenderStencil(context, *group, renderingData);
         RenderBlur(*cmd, *renderingData.temporaryTextures);
-        // What is nearer than this group is not drawn over: it is inside, too.
+        // Nearer groups are not drawn over: they count as inside, too.
         for (auto nearer = group + 1; nearer != m_Groups.end(); ++nearer)
         {
             cmd->SetRenderTarget(m_StencilTex);
@@ -180,8 +180,8 @@ void OutlineEffect::DrawStencils(CommandBuffer& cmd, std::span<const OutlinedObj
     }
 }
 
-/// In the object's colour of the moment: float is too coarse for large times, so that both the time
-/// and the object's start come as less than a turn of what the shader makes of them.
+/// Draws the item in the colour that it has at that time. A float is too coarse for large times, so
+/// both the time and the object's start are passed as less than one turn of the shader's function.
 void OutlineEffect::DrawStencil(CommandBuffer& cmd, const RendererItem& item, double time)
 {
     const double t = selection_outline::WrapTime(time);
@@ -230,7 +230,7 @@ void OutlineEffect::RenderBlur(CommandBuffer& cmd, RenderTexturePool& pool)
     RenderTexturePool::ReleaseTemporary(temp);
 }
 
-/// In place where the shader blends; one that reads the picture gets a copy of it.
+/// Draws in place if the shader blends. A shader that reads the picture gets a copy of it.
 void OutlineEffect::RenderComposite(CommandBuffer& cmd, const RTHandle& destination,
                                     RenderingData& renderingData)
 {

@@ -35,23 +35,25 @@ void SelectionOutlineSettings::Describe(Inspector& inspector)
     OutlineSettings::Describe(inspector);
     DescribeGrouping(inspector, m_Grouping);
     inspector.Field("m_PhaseStep", m_PhaseStep,
-                    "Seconds between the colours of one object and the next, where nobody says "
-                    "since when they are selected");
+                    "The seconds between the colours of one object and the next, for objects "
+                    "without a start time");
 
     inspector.Header("Stencil");
     inspector.Field("m_Stencil", m_Stencil, k_Stencils,
-                    "Who draws the selected objects: the pass itself, or a second camera that "
-                    "sees one layer");
+                    "The way to draw the selected objects: by the pass itself, or by a second "
+                    "camera that sees one layer");
     inspector.Field("m_HighlightingLayer", m_HighlightingLayer, ValueRange{0, 31},
                     "The layer of that camera, into which the objects are moved meanwhile");
     inspector.Field("m_OnlySelected", m_OnlySelected,
-                    "Leaves out what is in that layer anyway; off, it gets an edge too");
+                    "On: other objects of that layer are left out; off: they get an edge, too");
 
     inspector.Header("Shaders");
-    inspector.Field("m_StencilShader", m_StencilShader, "In place of limn's own");
-    inspector.Field("m_BlurShader", m_BlurShader, "In place of limn's own");
-    inspector.Field("m_CompositeShader", m_CompositeShader,
-                    "In place of limn's own, which needs no copy of the picture");
+    inspector.Field("m_StencilShader", m_StencilShader,
+                    "A shader for the mask in place of limn's own");
+    inspector.Field("m_BlurShader", m_BlurShader, "A shader for the blur in place of limn's own");
+    inspector.Field(
+        "m_CompositeShader", m_CompositeShader,
+        "A shader for the composite in place of limn's own, which needs no copy of the picture");
 }
 
 void SelectionOutlineRendererFeature::SetStartTime(const GameObject& object, double seconds)

@@ -13,7 +13,7 @@ namespace
 
 constexpr std::uint32_t k_NoPoint = ~std::uint32_t{0};
 
-/// How far a point is on the inner side of the near and the far plane.
+/// Returns the distance of a point on the inner side of the near plane.
 double InsideNear(const glm::dvec4& clip)
 {
     return clip.w - clip.z;
@@ -27,7 +27,7 @@ using Plane = double (*)(const glm::dvec4&);
 /// Cuts off what is not inside. @return false if nothing is left
 bool Cut(glm::dvec4& a, glm::dvec4& b, Plane plane)
 {
-    // What was cut by the plane before lies on it but for rounding.
+    // A point that the plane has cut before lies on it, except for rounding.
     const double slack = -1e-12 * (std::abs(a.w) + std::abs(b.w));
     const double insideA = plane(a);
     const double insideB = plane(b);
@@ -155,7 +155,7 @@ private:
 namespace
 {
 
-/// Where a plane cuts through a face.
+/// Adds the segment in which a plane cuts a face.
 void AddCut(const WeldedMesh::Face& face, const std::vector<glm::dvec4>& clip, Plane plane,
             SilhouetteFinder::StrokeMaker& maker)
 {

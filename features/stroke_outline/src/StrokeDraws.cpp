@@ -89,8 +89,8 @@ void LeaveOutDoubles(std::vector<Stroke>& strokes)
     std::erase_if(strokes, [&](const Stroke&) { return isDouble[index++]; });
 }
 
-/// How far a stroke has to go on so that together with the next one it covers all points around
-/// their joint up to `radius`: that is where their borders meet.
+/// Returns how far a stroke must go on so that it and the next one cover all points within `radius`
+/// of their joint. Their borders meet there.
 double Extension(double turn, double radius)
 {
     const double meeting = std::sqrt(std::max(1.0 - turn, 0.0) / std::max(1.0 + turn, 1e-9));
@@ -104,7 +104,7 @@ glm::dvec2 Direction(const Stroke& stroke)
     return length > 0.0 ? along / length : glm::dvec2(1.0, 0.0);
 }
 
-/// Which squares of a region strokes touch.
+/// Finds the squares of a region that strokes touch.
 class Tiles
 {
 public:

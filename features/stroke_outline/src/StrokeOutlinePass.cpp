@@ -34,7 +34,7 @@ const ShaderPropertyId _StrokeDepth = Shader::PropertyToID("_StrokeDepth");
 const ShaderPropertyId _StrokeCoverage = Shader::PropertyToID("_StrokeCoverage");
 const ShaderPropertyId _StrokeEdges = Shader::PropertyToID("_StrokeEdges");
 
-/// How opaque strokes are where the silhouette is visible, and where it is hidden.
+/// Sets the opacity of strokes where the silhouette is visible, and where it is hidden.
 void SetColors(Material& material, const StrokeOutline& component, OutlineOcclusion occlusion)
 {
     Color visible = component.m_OutlineColor.value();
@@ -68,7 +68,7 @@ void StrokeOutlineSettings::Describe(Inspector& inspector)
     inspector.Header("Strokes");
     DescribeGrouping(inspector, m_Grouping);
     inspector.Field("m_Occlusion", m_Occlusion, k_Occlusions,
-                    "Whether it is drawn where something stands in front of the object");
+                    "The treatment of the parts that something hides");
 }
 
 StrokeOutlinePass::StrokeOutlinePass(const std::string& featureName,
@@ -95,7 +95,7 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
     if (volumeComponent.m_OutlineWidth.value() < k_LeastWidth)
     {
         return "StrokeOutline.m_OutlineWidth is less than " + std::to_string(k_LeastWidth) +
-               " pixels, which nobody sees";
+               " pixels, which is too little to be seen";
     }
     FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
     if (m_Found.objects.empty())

@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// What is no farther from a line than this part of its length lies on it.
+/// The share of a line's length up to which a point counts as lying on the line.
 constexpr double k_Apart = 1e-5;
 
 /// Returns whether no corner of a face lies on the side opposite to it.
@@ -33,7 +33,7 @@ std::tuple<float, float, float> PositionOrder(const glm::vec3& p)
     return {p.x, p.y, p.z};
 }
 
-/// For each vertex the number of its point.
+/// Returns the number of the point of each vertex.
 std::vector<std::uint32_t> WeldPoints(const std::vector<glm::vec3>& vertices,
                                       std::vector<glm::vec3>& points)
 {

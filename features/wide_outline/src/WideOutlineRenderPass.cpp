@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-/// In the order of the shader file.
+/// The passes in the order of the shader file.
 struct WideOutlineShaderPass
 {
     enum
@@ -61,7 +61,7 @@ bool IsCutout(const OutlinedObject& object)
     return IsAlphaTested(*object.item.material);
 }
 
-/// What a material cuts holes with.
+/// Returns the properties with which a material cuts holes.
 MaterialPropertyBlock CutoutOf(const Material& material)
 {
     static const ShaderPropertyId names[] = {
@@ -85,9 +85,9 @@ void WideOutlineSettings::Describe(Inspector& inspector)
     OutlineSettings::Describe(inspector);
     inspector.Header("Wide Outline");
     inspector.Field("m_Method", m_Method, k_WideMethods,
-                    "How distances are found: the error is alike, the time is not");
+                    "The method that finds distances; the errors are alike, the times are not");
     inspector.Field("m_Occlusion", m_Occlusion, k_WideOcclusions,
-                    "Whether what stands in front of an object cuts its outline");
+                    "The treatment of objects that stand in front of an outlined one");
     DescribeGrouping(inspector, m_Grouping);
 }
 

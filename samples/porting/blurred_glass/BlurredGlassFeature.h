@@ -107,10 +107,13 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is blurred");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is blurred");
         inspector.Field("blurShader", settings.blurShader, "Blurs the picture");
-        inspector.Field("iterations", settings.iterations, {1, 8}, "How often: each goes farther");
-        inspector.Field("downsample", settings.downsample, {1, 4}, "Of the picture's size");
+        inspector.Field("iterations", settings.iterations, {1, 8},
+                        "The number of blurs; each reaches farther");
+        inspector.Field("downsample", settings.downsample, {1, 4},
+                        "The share of the picture's size");
         inspector.EndGroup();
     }
 };

@@ -13,7 +13,7 @@ namespace porting
 
 using namespace limn;
 
-/// What Unity has as an asset of its own: the plug-in's .compute file.
+/// Returns the plug-in's .compute file, which is an asset of its own in Unity.
 inline std::shared_ptr<ComputeShader> LoadDistanceOutline(const Shader& shader)
 {
     return FindShippedComputeShader("DistanceOutline.compute", shader.compiler());
@@ -151,10 +151,12 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
-        inspector.Field("layerMask", settings.layerMask, "What is outlined");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is drawn");
+        inspector.Field("layerMask", settings.layerMask,
+                        "The layers of the objects that are outlined");
         inspector.Field("shader", settings.shader, "Draws the outline from the distances");
-        inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
+        inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("width", settings.width, {1, 32}, "Texels");
         inspector.EndGroup();
     }

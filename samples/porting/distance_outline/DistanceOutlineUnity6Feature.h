@@ -155,10 +155,12 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
-        inspector.Field("layerMask", settings.layerMask, "What is outlined");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is drawn");
+        inspector.Field("layerMask", settings.layerMask,
+                        "The layers of the objects that are outlined");
         inspector.Field("shader", settings.shader, "Draws the outline from the distances");
-        inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
+        inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("width", settings.width, {1, 32}, "Texels");
         inspector.EndGroup();
     }

@@ -134,12 +134,14 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
-        inspector.Field("layerMask", settings.layerMask, "What has lines");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is drawn");
+        inspector.Field("layerMask", settings.layerMask,
+                        "The layers of the objects that have lines");
         inspector.Field("material", settings.material, "Draws surfaces, then lines");
-        inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
+        inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("angle", settings.angle, {1.0f, 90.0f},
-                        "Degrees between two normals from which on there is a line");
+                        "The angle between two normals, in degrees, from which on there is a line");
         inspector.EndGroup();
     }
 };

@@ -135,9 +135,10 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
-        inspector.Field("layerMask", settings.layerMask, "What glows");
-        inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is drawn");
+        inspector.Field("layerMask", settings.layerMask, "The layers of the objects that glow");
+        inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("radius", settings.radius, {1.0f, 24.0f}, "Texels");
         inspector.Field("stencilReference", settings.stencilReference, {1, 255},
                         "Marks the objects, over which no glow is drawn");

@@ -106,12 +106,14 @@ public:
     void Describe(Inspector& inspector) override
     {
         inspector.BeginGroup("settings");
-        inspector.Field("renderPassEvent", settings.renderPassEvent, "When it is drawn");
-        inspector.Field("layerMask", settings.layerMask, "Whose hidden parts are shown");
-        inspector.Field("shader", settings.shader, "Draws what is hidden");
-        inspector.Field("color", settings.color, "sRGB; alpha is how opaque it is");
+        inspector.Field("renderPassEvent", settings.renderPassEvent,
+                        "The event at which it is drawn");
+        inspector.Field("layerMask", settings.layerMask,
+                        "The layers of the objects whose hidden parts are shown");
+        inspector.Field("shader", settings.shader, "Draws the hidden parts");
+        inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("stencilReference", settings.stencilReference, {1, 255},
-                        "What pixels are marked with that need no colour");
+                        "The stencil value of pixels that need no colour");
         inspector.EndGroup();
     }
 };

@@ -47,8 +47,8 @@ private:
         HlslPlace place;
     };
 
-    /// Of what linking says, which knows no places but may begin with the name of a function, the
-    /// function's.
+    /// Returns the token of a message. A message of the linker has no place, but it may begin with
+    /// the name of a function.
     std::optional<std::size_t> TokenOf(const Diagnostic& message) const
     {
         const auto line = static_cast<std::size_t>(message.location.line);
@@ -64,7 +64,7 @@ private:
         return function ? std::optional(function->token) : std::nullopt;
     }
 
-    /// False for what is said only because of an error before.
+    /// Returns false for a message that only follows from an error before it.
     bool PlaceAt(std::size_t token, Diagnostic& message)
     {
         const bool isGrammar = message.message.ends_with(" expected");
@@ -95,8 +95,8 @@ private:
         return true;
     }
 
-    /// Whether an error before is in an operand of the node; where no expression is known, in the
-    /// line.
+    /// Returns whether an earlier error is in an operand of the node or, if no expression is known,
+    /// in the line.
     bool isConsequence(const HlslNode* node, const HlslPlace& place) const
     {
         return std::any_of(m_Errors.begin(), m_Errors.end(),
@@ -122,7 +122,7 @@ private:
         return innermost;
     }
 
-    /// That has operands; null where there is none.
+    /// Returns the node at the token if it has operands, or null.
     const HlslNode* NodeOf(std::size_t token) const
     {
         const auto node = std::find_if(m_Hlsl.nodes.begin(), m_Hlsl.nodes.end(),

@@ -39,8 +39,8 @@ std::string_view StageName(ShaderStage stage)
                                             : "fragment";
 }
 
-/// Of the files that pragmas were to come from, those that are not there: they may hold whatever
-/// else seems to be missing.
+/// Returns errors for the missing ones of the files that pragmas include. Such a file may hold
+/// whatever else seems to be missing.
 std::vector<Diagnostic> MissingPragmaFiles(const PassProgram& program, IncludeResolver& resolver)
 {
     std::vector<Diagnostic> missing;
@@ -137,7 +137,7 @@ StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& functio
     }
 }
 
-/// What a program is compiled from.
+/// The sources from which a program is compiled.
 struct Sources
 {
     const PassProgram& program;
@@ -253,7 +253,7 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diag
     }
 }
 
-/// What the HLSL compiler made of a rewritten stage, at the places of the rewritten text.
+/// The HLSL compiler's result for a rewritten stage, with places in the rewritten text.
 struct BuiltStage
 {
     std::vector<std::uint32_t> spirv; ///< empty if there are errors
@@ -438,7 +438,7 @@ ShaderProgram BuildKernel(const Sources& sources)
     return kernel;
 }
 
-/// What several stages say is said once.
+/// Removes messages that several stages repeat.
 void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 {
     std::vector<Diagnostic> once;

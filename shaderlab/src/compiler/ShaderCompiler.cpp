@@ -83,7 +83,7 @@ std::string PlacedKey(const std::string& key, const PassProgram& program)
     return HashName(placed);
 }
 
-/// What the library is to know of the platform and the pass, as macros.
+/// Returns the macros that tell the library the platform and the pass.
 std::vector<std::string> WithPlatform(const PassProgram& program,
                                       std::span<const std::string> keywords,
                                       const ShaderCompilerOptions& options)

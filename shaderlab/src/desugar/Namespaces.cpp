@@ -95,7 +95,7 @@ private:
                 m_Members.insert(Text(index));
             }
             isStruct = Text(index) == "struct" || (isStruct && m_Code.isWord(index));
-            // What a method names is no member.
+            // A name within a method is no member.
             index = isStruct && Text(index + 1) == "{" ? index + 2 : m_Code.AfterBracket(index);
         }
     }
@@ -167,7 +167,7 @@ private:
         throw AssetError({m_Code.tokens().Error(index + 2, "there is no such namespace")});
     }
 
-    /// Whether the namespace has the name.
+    /// Returns whether the namespace has the name.
     bool SpellIn(std::string path, std::size_t index)
     {
         std::size_t name = index;

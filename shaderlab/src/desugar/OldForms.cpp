@@ -156,7 +156,7 @@ private:
         return Text(index - 1) == "struct" || Text(index - 2) == "struct";
     }
 
-    /// Whether the brackets at hand are of a function.
+    /// Returns whether the brackets at hand are of a function.
     bool isInFunction() const
     {
         return m_Code.FindOutside(m_Declaration, "(") < m_Code.FindOutside(m_Declaration, "{");

@@ -27,7 +27,7 @@ const WordList k_TypeNames("sampler texture matrix vector string layout");
 
 const WordList k_ObjectModifiers("static uniform extern in");
 
-// What brackets follow that hold no parameters.
+// The words before brackets that hold no parameters.
 const WordList k_Statements("for if while switch return");
 
 class Speller
@@ -95,7 +95,7 @@ private:
         }
         else if (Text(index + 1) == "::" && Text(index + 3) == "(" && isFirst(index))
         {
-            // What begins with a type is a declaration to glslang: `Type::Method();`
+            // To glslang a statement that begins with a type is a declaration: `Type::Method();`
             m_Code.Spelling(index).insert(0, "(");
             m_Code.Spelling(m_Code.AfterBracket(index + 3) - 1) += ")";
         }
@@ -133,7 +133,7 @@ private:
         }
     }
 
-    /// Says whether the word stands among the modifiers of a function's parameter.
+    /// Returns whether the word stands among the modifiers of a function's parameter.
     bool isParameter(std::size_t index)
     {
         m_Answers.resize(m_Code.size(), Answer::None);
@@ -157,14 +157,15 @@ private:
         return isOne;
     }
 
-    /// Whether a statement begins with the word.
+    /// Returns whether a statement begins with the word.
     bool isFirst(std::size_t index) const
     {
         const std::string_view before = Text(index - 1);
         return before == ";" || before == "{" || before == "}" || before == ")" || before == "else";
     }
 
-    /// Whether the word is a variable or a member, not a type: `v.matrix`, but not `matrix m` or
+    /// Returns whether the word is a variable or a member, not a type: `v.matrix`, but not `matrix
+    /// m` or
     /// `(matrix)v`.
     bool isNameHere(std::size_t index) const
     {
@@ -184,7 +185,7 @@ private:
                (next == ";" || next == "," || next == ")" || next == "{");
     }
 
-    /// Whether a texture, sampler or buffer is declared here, modifiers first.
+    /// Returns whether a texture, sampler or buffer is declared here, modifiers first.
     bool isObject(std::size_t index) const
     {
         while (k_ObjectModifiers.Has(Text(index)))

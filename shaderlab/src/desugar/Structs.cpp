@@ -112,7 +112,7 @@ private:
         return isStatic ? begin : 0;
     }
 
-    /// Of `static const float a = 1, b[2] = { 1, 2 };`
+    /// Adds the names of `static const float a = 1, b[2] = { 1, 2 };`.
     void AddNames(std::size_t begin, std::size_t end, const std::string& type, Names& names) const
     {
         while (begin < end)

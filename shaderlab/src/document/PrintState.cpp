@@ -48,7 +48,7 @@ std::string WriteMaskText(const PassBlendState& target)
     return ColorMaskText(target.writeMask);
 }
 
-/// What one command says of each of the eight targets.
+/// The text of one command for each of the eight targets.
 using TargetTexts = std::array<std::string, 8>;
 
 TargetTexts TextsOf(const RenderState& state, std::string (*text)(const PassBlendState&))
@@ -103,7 +103,7 @@ void AddBlend(Lines& lines, const RenderState& state, const RenderState& base)
     };
     AddTargets(lines, TextsOf(state, BlendText), TextsOf(base, BlendText), lineOf("Blend"));
     AddTargets(lines, TextsOf(state, BlendOpText), TextsOf(base, BlendOpText), lineOf("BlendOp"));
-    // Of these three only ColorMask names its target last.
+    // Only ColorMask names its target last.
     AddTargets(lines, TextsOf(state, WriteMaskText), TextsOf(base, WriteMaskText),
                [](const std::string& text, const std::string& target)
                { return "ColorMask " + text + (target.empty() ? "" : " ") + target; });

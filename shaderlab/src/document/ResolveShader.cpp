@@ -240,7 +240,7 @@ std::optional<ShaderLabPass> Resolver::FindUsedPass(const ShaderLabDocument& use
     {
         return std::nullopt;
     }
-    // What the source's other SubShaders lack is its own affair.
+    // Faults of the source's other SubShaders do not matter here.
     const std::optional<Choice> choice = Resolver(m_Database, m_Criteria).Choose(*source);
     std::vector<std::string_view> names;
     const ShaderLabPass* found = nullptr;
@@ -316,7 +316,7 @@ void Resolver::AddFallbackPass(const Choice& choice, std::string_view lightMode,
             return;
         }
         seen.push_back(fallback);
-        // What the fallback itself lacks is its own affair.
+        // Faults of the fallback itself do not matter here.
         Resolver other(m_Database, m_Criteria);
         const std::optional<Choice> next = other.Choose(*fallback);
         if (!next)

@@ -19,8 +19,8 @@ bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
            a.dimensions == b.dimensions;
 }
 
-/// Which of two equal ones stays: a member of a buffer, and of limn's before an author's, as the
-/// others count on its layout; else the first.
+/// Returns whether the first of two equal variables stays. A member of a buffer stays, and one of
+/// limn's before an author's, because others depend on its layout; otherwise the first stays.
 bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
 {
     if (first.isInBuffer != second.isInBuffer)

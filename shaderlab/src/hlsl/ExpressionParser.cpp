@@ -237,7 +237,7 @@ HlslNode* HlslTreeParser::ReadPrimary()
 bool HlslTreeParser::isOperand(std::size_t index) const
 {
     const std::string_view text = m_Tokens.Text(index);
-    // Of a name in brackets and a sign: `(matrix) - x`.
+    // A sign behind a name in brackets is no cast: `(matrix) - x`.
     const bool isSign = isPrefix(text) && text != "++" && text != "--";
     return m_Tokens.isWord(index) || text == "(" || isNumber(text) ||
            (isSign && !isNameToo(m_Tokens.Text(index - 2)));

@@ -9,7 +9,8 @@ namespace limn
 namespace
 {
 
-/// How far a type is from the one wanted, the least first; nothing where it cannot be converted.
+/// Returns the distance of a type from the wanted one, the least for the best, or nothing if it
+/// cannot be converted.
 std::optional<int> Distance(const HlslType& from, const HlslType& to)
 {
     constexpr int k_Truncation = 1000;
@@ -51,7 +52,8 @@ bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
                       b.parameters.end(), isSame);
 }
 
-/// Those that a call leaves out have values of their own.
+/// Returns whether a call may have this number of arguments. Omitted parameters have default
+/// values.
 bool takes(const HlslFunction& function, std::size_t arguments)
 {
     return arguments <= function.parameters.size() &&
@@ -60,8 +62,8 @@ bool takes(const HlslFunction& function, std::size_t arguments)
                        [](const HlslVariable& parameter) { return parameter.valueToken > 0; });
 }
 
-/// Of all arguments; nothing where one cannot be converted. Types that are not known are no
-/// hindrance.
+/// Returns the distance of all arguments, or nothing if one cannot be converted. Unknown types do
+/// not count.
 std::optional<int> DistanceOf(const HlslDeclarations& declarations, const HlslFunction& function,
                               std::span<const HlslType> arguments)
 {

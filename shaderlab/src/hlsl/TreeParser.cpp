@@ -262,7 +262,7 @@ HlslNode* HlslTreeParser::ReadSimple(std::size_t first)
     return Close(node);
 }
 
-/// Whether a declaration begins at the index: modifiers, or a type and a name.
+/// Returns whether a declaration begins at the index: modifiers, or a type and a name.
 bool HlslTreeParser::isDeclaration() const
 {
     std::size_t index = m_Index;

@@ -16,7 +16,7 @@ namespace limn
 namespace
 {
 
-/// Of the process, by folder.
+/// The files of the process, by folder.
 struct AllFilesBeside
 {
     std::mutex mutex;

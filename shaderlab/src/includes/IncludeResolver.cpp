@@ -34,7 +34,7 @@ const EmbeddedFile* FindEmbedded(std::string_view path)
     return found == s_Files.end() ? nullptr : found->second;
 }
 
-/// Whether the built-in library has files below the folder.
+/// Returns whether the built-in library has files below the folder.
 bool isInLibrary(std::string_view folder)
 {
     const auto files = embedded::ShaderLibrary();
@@ -139,8 +139,8 @@ std::uint64_t HashLibrary()
 std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
 {
     const std::string quoted = "\"" + std::string(name) + "\"";
-    return refusal.empty() ? "no such file " + quoted +
-                                 "; it was looked for beside this file, in the project, its "
+    return refusal.empty() ? "there is no file " + quoted +
+                                 "; limn looks for it beside this file, in the project, its "
                                  "packages and the built-in ShaderLibrary"
                            : quoted + " is " + std::string(refusal);
 }
@@ -188,7 +188,7 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     }
     if (isAbsolute(path))
     {
-        m_Refusal = "an absolute path; write it from this file or from the project's folder";
+        m_Refusal = "an absolute path; write the path from this file or from the project's folder";
         return std::nullopt;
     }
     if (const FileBeside* file = FindBeside(path, includer))
@@ -283,7 +283,8 @@ bool IncludeResolver::isInOwnPackage(const std::filesystem::path& path)
     return m_Roots.Contains(path);
 }
 
-/// What the packages are called decides on what is included.
+/// Adds the manifests of packages to the dependencies, because their names decide which files are
+/// included.
 void IncludeResolver::TakeManifests()
 {
     for (; m_ManifestsTaken < m_Packages.manifests().size(); ++m_ManifestsTaken)

@@ -17,7 +17,7 @@ namespace
 
 constexpr std::string_view k_Pipelines = "com.unity.render-pipelines.";
 
-/// In the order of their names.
+/// Returns the folders in the order of their names.
 std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& parent)
 {
     std::error_code error;

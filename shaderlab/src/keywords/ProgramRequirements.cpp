@@ -187,7 +187,7 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
     if (program.language == ProgramLanguage::Glsl)
     {
         return Diagnostic{Severity::Error, program.file, program.location,
-                          "GLSLPROGRAM: not supported; write the pass in HLSL"};
+                          "GLSLPROGRAM: it is not supported; write the pass in HLSL"};
     }
     for (const ProgramPragma& pragma : program.pragmas)
     {

@@ -6,8 +6,9 @@ namespace limn
 namespace
 {
 
-/// Whether it matters where an expression stands that its whole numbers are integers: floats of the
-/// same values are divided, joined bit by bit or counted otherwise, or not taken.
+/// Returns whether the place of an expression requires that its whole numbers are integers. With
+/// floats of the same values, a division, a bit operation or a count would give another result, or
+/// none.
 bool MattersAsInteger(const HlslNode& node)
 {
     const HlslNode* const parent = node.parent;
@@ -129,7 +130,7 @@ void HlslLowering::LowerGather(const HlslNode& node)
     }
 }
 
-/// Of numbers, and of one value only, `any` and `all` ask whether they are not 0.
+/// Makes `any` and `all` of numbers, and of a single value, ask whether they are not 0.
 void HlslLowering::LowerTruth(HlslNode& node)
 {
     const HlslType& given = node.child->type;
@@ -194,8 +195,8 @@ void HlslLowering::LowerExponent(HlslNode& node)
     m_Code.Spelling(node.token) = "limn_ldexp";
 }
 
-/// Of integers glslang makes invalid SPIR-V of `mad`, and takes the `abs` and the `dot` of uints
-/// for an int's.
+/// Lowers functions of integers: glslang makes invalid SPIR-V of `mad`, and treats the `abs` and
+/// the `dot` of uints as those of ints.
 void HlslLowering::LowerInteger(HlslNode& node)
 {
     const std::string_view name = Text(node.token);

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-// What glslang computes while it compiles, it computes in its own way; what it leaves to the device
-// is put right in its SPIR-V (see spirv/Arithmetic.h).
+// glslang computes some operations in its own way while it compiles; those that it leaves to the
+// device are corrected in its SPIR-V (see spirv/Arithmetic.h).
 
 namespace limn
 {
@@ -13,8 +13,8 @@ namespace limn
 namespace
 {
 
-/// Whether the compiler may know its value: it names nothing that changes and calls nobody's
-/// function.
+/// Returns whether the compiler may know the value: it names nothing that changes and calls no
+/// function of the author.
 bool MayBeConstant(const HlslNode& node, const TokenEdits& code)
 {
     switch (node.kind)
@@ -110,7 +110,7 @@ void HlslLowering::Hide(const HlslNode& node)
     Wrap(node, "limn_runtime(", ")");
 }
 
-/// Whether glslang gets the operation wrong where all it works on is constant.
+/// Returns whether glslang gets the operation wrong if all its operands are constant.
 bool HlslLowering::FoldsWrong(const HlslNode& node) const
 {
     const std::string_view name = Text(node.token);
@@ -165,8 +165,8 @@ void HlslLowering::SpellDot(const HlslNode& node)
     m_Code.Spelling(node.first) = "(" + sum + ")";
 }
 
-/// Whether a static variable's value is only right where a function works it out: elements of
-/// matrices, and vectors that are compared.
+/// Returns whether a static variable gets the right value only if a function computes it: elements
+/// of matrices, and comparisons of vectors.
 bool HlslLowering::NeedsFunction(const HlslNode& value) const
 {
     const auto isOne = [&](const HlslNode& part)
@@ -183,8 +183,8 @@ bool HlslLowering::NeedsFunction(const HlslNode& value) const
     return FindNode(value, isOne) != nullptr;
 }
 
-/// What glslang computes otherwise than HLSL says while it compiles: remainders, `round`, vectors
-/// that are compared, and what is asked of NaN.
+/// Keeps glslang from computing operations that it gets wrong while it compiles: remainders,
+/// `round`, comparisons of vectors, and tests of NaN.
 void HlslLowering::LowerFolding(HlslNode& node)
 {
     if ((node.type.isMatrix() && m_IsInitial) || !FoldsWrong(node) || !MayBeConstant(node, m_Code))
@@ -210,7 +210,7 @@ void HlslLowering::LowerFolding(HlslNode& node)
     const std::string x = "(1.0 * (" + m_Code.Spelled(node.child->first, node.child->end) + "))";
     const std::string y = "(" + m_Code.Spelled(node.last->first, node.last->end) + ")";
     m_Code.Erase(node.first, node.end);
-    // Of two whole numbers that are as near, the one above is taken where it is even.
+    // If two whole numbers are equally near, the upper one is taken if it is even.
     m_Code.Spelling(node.first) = isRemainder
                                       ? "(" + x + " - " + y + " * trunc(" + x + " / " + y + "))"
                                       : "(floor(" + x + " + 0.5) - (1.0 - ceil(frac(" + x +

@@ -19,7 +19,7 @@ char ClosingOf(std::string_view open)
     return open == "(" ? ')' : open == "[" ? ']' : '}';
 }
 
-/// Whether `) . method (` stands at the index.
+/// Returns whether `) . method (` stands at the index.
 bool isMethodOfResult(const HlslSource& source, std::size_t index)
 {
     const HlslTokens& tokens = source.tokens;
@@ -28,7 +28,7 @@ bool isMethodOfResult(const HlslSource& source, std::size_t index)
            !source.globals.FindMethods(tokens.Text(index + 2)).empty();
 }
 
-/// Whether the node's value is known when the program runs only.
+/// Returns whether the node's value is known only when the program runs.
 bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     const bool isConstant =
@@ -58,7 +58,7 @@ void CheckLabel(const HlslNode& label, const HlslTokens& tokens, const HlslGloba
     }
     else if (variable)
     {
-        problems.push_back({variable->token, "no constant, which the value of a case has to be"});
+        problems.push_back({variable->token, "the value of a case must be a constant"});
     }
 }
 
@@ -73,13 +73,14 @@ void CheckGather(const HlslNode& method, const HlslTokens& tokens,
     }
     if (texture.name.starts_with("TextureCube"))
     {
-        problems.push_back({method.token, "of cubes limn compares no four texels at once; use "
+        problems.push_back({method.token, "limn cannot compare four texels of a cube at once; use "
                                           "'SampleCmpLevelZero' for each"});
     }
     else if (name != "GatherCmp" && name != "GatherCmpRed")
     {
-        problems.push_back({method.token, "a device compares the first number of a texel only; use "
-                                          "'GatherCmpRed'"});
+        problems.push_back({method.token,
+                            "a device compares only the first component of a texel; use "
+                            "'GatherCmpRed'"});
     }
 }
 
@@ -174,7 +175,8 @@ private:
                             : !isDigit(first) && k_NoOperators.find(first) == k_NoOperators.npos;
     }
 
-    /// Of arguments, parameters or initial values, in brackets that open behind m_Previous.
+    /// Returns whether a bracket behind m_Previous opens a list of arguments, parameters or initial
+    /// values.
     bool isList(char bracket) const
     {
         return bracket == '(' ? m_Previous.isWord && m_Previous.text != "return" &&
@@ -192,7 +194,7 @@ private:
 class StructCounter
 {
 public:
-    /// How deep the type does that whose declaration is at hand.
+    /// Returns how deeply the type is nested whose declaration is at the token.
     std::size_t Take(const HlslTokens& tokens, std::size_t index)
     {
         const auto text = [&](std::size_t ahead)
@@ -301,9 +303,9 @@ void CheckOperands(const HlslNode& node, const HlslTokens& tokens,
                   inner->kind == HlslNodeKind::Construct || inner->kind == HlslNodeKind::Cast ||
                   inner->kind == HlslNodeKind::Postfix || inner->kind == HlslNodeKind::Binary))
         {
-            problems.push_back({inner->first, "this is a value, which '" +
-                                                  std::string(tokens.Text(node.token)) +
-                                                  "' cannot change; put it into a variable"});
+            problems.push_back(
+                {inner->first, "this is no variable, so '" + std::string(tokens.Text(node.token)) +
+                                   "' cannot change it; put the value into a variable"});
         }
     }
 }
@@ -329,7 +331,7 @@ void RequirePairs(const HlslTokens& tokens)
         }
         else if (step < 0 && open == i)
         {
-            throw AssetError({tokens.Error(i, "no bracket is open here that it closes")});
+            throw AssetError({tokens.Error(i, "this bracket closes nothing")});
         }
         else if (step < 0 && tokens.Text(i)[0] != ClosingOf(tokens.Text(open)))
         {
@@ -411,7 +413,7 @@ std::string DescribeDeepMacros()
 void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const HlslGlobals& globals)
 {
     std::vector<HlslProblem> problems;
-    // What is not understood may declare names.
+    // Code that is not understood may declare names.
     const bool knowsNames = std::ranges::none_of(nodes, [](const HlslNode& node)
                                                  { return node.kind == HlslNodeKind::Unknown; });
     for (const HlslNode& node : nodes)
@@ -432,7 +434,7 @@ void RequireSoundNodes(const HlslNodes& nodes, const HlslTokens& tokens, const H
         else if (node.kind == HlslNodeKind::List && !node.child && node.parent &&
                  node.parent->kind == HlslNodeKind::List)
         {
-            problems.push_back({node.first, "nothing is in this list of a list; write its values"});
+            problems.push_back({node.first, "this inner list is empty; write its values"});
         }
     }
     tokens.Refuse(problems);
@@ -444,7 +446,8 @@ void RequireSound(const HlslSource& source)
     std::vector<HlslProblem> problems;
     for (const HlslVariable* variable : FindDuplicates(source.declarations).redefinitions)
     {
-        problems.push_back({variable->token, "redefinition; something else has this name already"});
+        problems.push_back(
+            {variable->token, "this is a redefinition; something else has this name already"});
     }
     for (std::size_t i = 0; i + 3 < source.tokens.size(); ++i)
     {

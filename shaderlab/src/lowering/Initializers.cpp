@@ -31,7 +31,7 @@ void Flatten(const HlslNode& list, std::vector<const HlslNode*>& items)
     }
 }
 
-/// What a list gives its values to.
+/// A variable, or a part of one, to which a list gives a value.
 struct Slot
 {
     HlslType type; ///< of an array's elements
@@ -188,7 +188,8 @@ private:
         return text;
     }
 
-    /// What is taken whole stays in its place, so that messages about it tell that.
+    /// Writes the text in the place of the list. Values that are taken whole stay in their place,
+    /// so that messages about them name it.
     void Spell(const HlslNode& list, std::string_view text)
     {
         std::size_t token = list.first;

@@ -73,7 +73,7 @@ std::string HlslLowering::CastFunction(const HlslType& type)
     return function;
 }
 
-/// Of an integer cast to a matrix glslang takes the bits for floats.
+/// Lowers a cast of an integer to a matrix, whose bits glslang takes for floats.
 void HlslLowering::LowerCast(HlslNode& node)
 {
     if (node.type.dimensions > 0)
@@ -119,7 +119,7 @@ void HlslLowering::LowerConstruct(HlslNode& node)
     }
 }
 
-/// What glslang makes of several elements of a matrix is not valid SPIR-V.
+/// Lowers the access to several elements of a matrix, of which glslang makes invalid SPIR-V.
 void HlslLowering::LowerSwizzle(HlslNode& node)
 {
     const HlslType& matrix = node.child->type;
@@ -152,8 +152,8 @@ std::string HlslLowering::SwizzleFunction(const HlslNode& node)
     return function;
 }
 
-/// Of matrices of two sizes both count as far as the smaller goes, and `*` is of their elements: to
-/// glslang it is their product.
+/// Lowers an operator of two matrices. If their sizes differ, each counts as far as the smaller one
+/// goes. `*` multiplies element by element; for glslang it is the product of matrices.
 void HlslLowering::LowerMatrixOperator(HlslNode& node)
 {
     HlslNode* const left = node.child;
@@ -201,7 +201,8 @@ std::string HlslLowering::MultiplyFunction(const HlslType& type, bool isAssignme
     return function;
 }
 
-/// What works on each element of a matrix has no SPIR-V: it is called for each row.
+/// Calls a function of each element once for each row of a matrix, because SPIR-V has none for
+/// matrices.
 void HlslLowering::LowerMatrixFunction(HlslNode& node)
 {
     const std::string_view name = Text(node.token);

@@ -24,7 +24,7 @@ namespace
 
 constexpr std::string_view k_DrawIndex = "limn_DrawIndex";
 
-/// What stands in quotes.
+/// Returns the text between the quotes.
 std::string Unquoted(std::string_view text)
 {
     return std::string(text.size() > 1 ? text.substr(1, text.size() - 2) : text);
@@ -67,7 +67,7 @@ public:
 
     const ReachableFunctions& reach() const { return m_Reach; }
 
-    /// What only compute shaders do in limn.
+    /// Refuses objects that can be written to, which limn allows in compute shaders only.
     void RefuseWritable() const
     {
         for (const HlslVariable& object : m_Source.declarations.objects)
@@ -76,8 +76,8 @@ public:
             {
                 throw UnsupportedProgramError(m_Tokens.Error(
                     object.token, "a " + std::string(object.type) +
-                                      " can be written to, which limn does in compute shaders "
-                                      "only; its passes read textures and buffers"));
+                                      " can be written to, but limn allows that in compute shaders "
+                                      "only; in a pass, read a texture or buffer"));
             }
         }
     }
@@ -161,7 +161,7 @@ public:
         }
     }
 
-    /// What the code assigns to is a writable copy; a uniform cannot be.
+    /// Gives each uniform that the code assigns to a writable copy.
     void CopyAssignedUniforms()
     {
         std::set<const HlslVariable*> written;
@@ -175,8 +175,9 @@ public:
         }
     }
 
-    /// What is static and begins with what a function gives is set by the entry function: to
-    /// glslang such a function calls itself. What limn needs a function for is as well.
+    /// Finds static variables that begin with the result of a function. The entry function sets
+    /// them, because to glslang such a function calls itself. The same holds for values for which
+    /// limn needs a function.
     void FindDelayedStatics()
     {
         for (const Tree& tree : m_Trees)
@@ -234,7 +235,7 @@ public:
         }
     }
 
-    /// As macros leave them that end in a `;` or are empty.
+    /// Removes the empty members that macros leave if they end in a `;` or are empty.
     void RemoveEmptyMembers()
     {
         for (const std::size_t token : m_Source.declarations.emptyMembers)
@@ -314,7 +315,7 @@ public:
         }
     }
 
-    /// Those of an entry function stand before the generated one.
+    /// Moves the attributes of an entry function to the generated one.
     void TakeAttributes(const HlslFunction& function)
     {
         for (std::size_t i = function.begin, end = i; m_Tokens.Text(i) == "["; i = end)
@@ -398,7 +399,7 @@ private:
         return text;
     }
 
-    /// Whether the value calls a function of the author or names one of the variables.
+    /// Returns whether the value calls a function of the author or names one of the variables.
     bool CallsOrNames(const HlslNode& value, const std::set<const HlslVariable*>& variables) const
     {
         const auto isOne = [&](const HlslNode& node)
@@ -475,7 +476,8 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
     };
     if (ThreadsOf(kernel).empty())
     {
-        fail("a kernel says how many threads a group has; write '[numthreads(8, 8, 1)]' before it");
+        fail("a kernel must set the number of threads of a group; write '[numthreads(8, 8, 1)]' "
+             "before it");
     }
     if (!HasValidThreads(ThreadsOf(kernel), source.declarations.constants))
     {
@@ -486,8 +488,8 @@ RewrittenHlsl RewriteKernel(const HlslSource& source, const HlslFunction& kernel
     StageLowering lowering(source, kernel.name);
     if (lowering.reach().Names(k_DrawIndex))
     {
-        fail("it reads what each draw has of its own, such as unity_ObjectToWorld; a kernel draws "
-             "nothing, so give it the value as a parameter");
+        fail("it reads a value that belongs to a draw, such as unity_ObjectToWorld; a kernel draws "
+             "nothing, so pass the value as a parameter");
     }
     lowering.Rewrite();
     lowering.TakeAttributes(kernel);

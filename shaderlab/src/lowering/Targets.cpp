@@ -1,6 +1,7 @@
 #include "lowering/Lowering.h"
 
-// What is written to: changed in place, or handed to a function that gives it back.
+// The targets of writes: values that are changed in place, or passed to a function that gives them
+// back.
 
 namespace limn
 {
@@ -46,7 +47,7 @@ std::string WriteElements(const std::string& matrix, std::string_view word,
     return text;
 }
 
-/// Whether an index is computed, of which what is written may be a part.
+/// Returns whether an index around the written value is computed.
 bool HasIndex(const HlslNode& node)
 {
     const auto isComputed = [](const HlslNode& part)
@@ -122,7 +123,7 @@ private:
 
 } // namespace
 
-/// Whether working the expression out may change something, so that it must be done once.
+/// Returns whether computing the expression may change something, so that it must be computed once.
 bool HlslLowering::HasEffects(const HlslNode& node) const
 {
     const HlslNode* const found =
@@ -138,7 +139,7 @@ bool HlslLowering::HasEffects(const HlslNode& node) const
     return found != nullptr;
 }
 
-/// Whether the node is written to, itself or in part.
+/// Returns whether the code writes to the node or to a part of it.
 bool HlslLowering::isTarget(const HlslNode& node) const
 {
     const HlslNode* child = &node;
@@ -292,7 +293,7 @@ void HlslLowering::LowerSwizzleStep(const HlslNode& node)
     Wrap(*target.child, function + "(", ")");
 }
 
-/// Whether glslang makes invalid SPIR-V of what is handed to a parameter that gives it back.
+/// Returns whether glslang makes invalid SPIR-V of this argument of an out or inout parameter.
 bool HlslLowering::IsHandedWrong(const HlslNode& argument, const HlslVariable& parameter) const
 {
     const HlslType wanted = TypeOf(m_Globals.declarations(), parameter);

@@ -20,7 +20,7 @@ const HlslNode& RootOf(const HlslNode& target)
     return *node;
 }
 
-/// Whether a function of the name gives something back by the parameter at the index.
+/// Returns whether a function of this name has an out or inout parameter at the index.
 bool isGivenBack(std::span<const HlslFunction* const> functions, std::size_t index)
 {
     return std::any_of(functions.begin(), functions.end(),

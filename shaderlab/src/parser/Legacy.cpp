@@ -342,7 +342,7 @@ bool Parser::AppendName(std::span<const EnumName<T>> names)
     return true;
 }
 
-/// Says once for a list of commands that nothing is drawn with them.
+/// Adds a note, once for a list of commands, that nothing is drawn with them.
 void Parser::NoteLegacyCommands(const ShaderLabPass& pass)
 {
     if (pass.legacyCommands.empty() || pass.legacyCommands[0].location == m_NotedLegacy)
@@ -366,9 +366,9 @@ void Parser::NoteLegacyCommands(const ShaderLabPass& pass)
     }
     list += names.size() > k_MaxNamed ? ", ..." : "";
     Report(Severity::Note, m_NotedLegacy,
-           pass.program ? list + ": ignored, since the pass has a program"
-                        : list + ": not synthesised, fixed-function passes draw nothing; write an "
-                                 "HLSLPROGRAM");
+           pass.program ? list + ": it is ignored, since the pass has a program"
+                        : list + ": limn makes no program of fixed-function commands, so the pass "
+                                 "draws nothing; write an HLSLPROGRAM");
 }
 
 } // namespace limn

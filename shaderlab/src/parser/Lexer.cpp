@@ -46,7 +46,8 @@ std::size_t NestedCommentEnd(std::string_view text, std::size_t begin)
     return std::string_view::npos;
 }
 
-/// What stands for a number that no float can hold: 0 if it is too small, else the largest float.
+/// Returns the value of a number that no float can hold: 0 if it is too small, otherwise the
+/// largest float.
 float Saturated(std::string_view text)
 {
     const bool isSmall =

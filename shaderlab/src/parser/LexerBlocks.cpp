@@ -22,7 +22,7 @@ bool isAnyOf(std::string_view word, std::span<const std::string_view> words)
                        { return EqualsIgnoringCase(word, candidate); });
 }
 
-/// What a word outside comments means for the search for the end of a block.
+/// The meaning of a word outside comments in the search for the end of a block.
 enum class BlockWord
 {
     None,

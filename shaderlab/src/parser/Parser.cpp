@@ -72,7 +72,8 @@ void Parser::TakeDirective()
     const std::string_view text = Trim(m_Lexer.ReadLine());
     if (isLine)
     {
-        Report(Severity::Note, location, "#line: ignored; places are those of this file");
+        Report(Severity::Note, location,
+               "#line: it is ignored; messages give the lines of this file");
     }
     else
     {

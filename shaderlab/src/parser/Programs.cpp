@@ -10,7 +10,7 @@ namespace limn
 namespace
 {
 
-/// Of the block that `word` opens.
+/// Returns the language of the block that `word` opens.
 ProgramLanguage LanguageOf(std::string_view word)
 {
     return word.starts_with("CG")     ? ProgramLanguage::Cg

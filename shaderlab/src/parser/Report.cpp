@@ -84,7 +84,8 @@ void Parser::Error(std::string message)
     {
         return;
     }
-    // What is wrong at one place is said once: the first message knows most of what was meant.
+    // Only the first error at a place is reported, because it knows most about the author's
+    // intention.
     const std::vector<Diagnostic>& said = m_Result.diagnostics;
     if (!said.empty() && said.back().severity == Severity::Error &&
         said.back().location == m_Token.location)
@@ -112,7 +113,8 @@ void Parser::Stop()
     m_Token.text = {};
 }
 
-/// Whether the document may have this many parts more; otherwise the file is given up.
+/// Returns whether the document may have this many more parts. If not, the rest of the file is not
+/// read.
 bool Parser::Count(std::size_t items)
 {
     m_Items += items;
@@ -126,8 +128,8 @@ bool Parser::Count(std::size_t items)
     return m_Items <= k_MaxItems;
 }
 
-/// Whether inner scopes may be handed so many bytes of what stands around them, again and again.
-/// It is the one way in which a document can become much larger than its file.
+/// Returns whether inner scopes may get this number of bytes from the scopes around them. These
+/// copies are the only way in which a document can become much larger than its file.
 bool Parser::CountRepeated(std::size_t bytes)
 {
     m_RepeatedBytes += bytes;

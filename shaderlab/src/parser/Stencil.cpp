@@ -69,7 +69,7 @@ void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
     {
         Report(Severity::Warning, token.location,
                std::string(subject) + ": " + std::string(token.text) +
-                   " does not fit into 8 bits, of which the lowest count; write 0...255");
+                   " does not fit into 8 bits, so only its lowest 8 count; write 0...255");
     }
     target = static_cast<int>(std::clamp(*number, -65536.0f, 65536.0f)) & 0xFF;
 }

@@ -71,8 +71,8 @@ void Parser::ParseCategory()
     if (m_CategoryDepth == k_MaxCategoryDepth)
     {
         Report(Severity::Error, m_Command,
-               "Category: more than " + std::to_string(k_MaxCategoryDepth) +
-                   " inside one another; take some of the braces away");
+               "Category: they are nested more than " + std::to_string(k_MaxCategoryDepth) +
+                   " deep; remove some of the braces");
         SkipBraces();
         return;
     }

@@ -128,7 +128,8 @@ void Parser::AppendCommonCommands(CommandTable& table)
     table.insert(table.end(), common.begin(), common.end());
 }
 
-/// Where a command belongs that the current scope does not know; "" if it is none at all.
+/// Returns the place of a command that the current scope does not know, "" if there is no such
+/// command.
 std::string_view Parser::PlaceOf(std::string_view word) const
 {
     if (Knows(PassCommands(), word))

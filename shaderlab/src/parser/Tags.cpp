@@ -100,13 +100,14 @@ void Parser::ParseTag(ShaderTags& tags)
     if (key.kind != value.kind)
     {
         Report(Severity::Error, key.location,
-               "Tags: of a key and its value, one is in quotes; put both in quotes");
+               "Tags: only one of key and value is in quotes; put both in quotes");
     }
     CheckTag(key, value);
     if (tags.items.size() == k_MaxTags)
     {
         Report(Severity::Error, key.location,
-               "Tags: more than " + std::to_string(k_MaxTags) + "; no tag beyond them is kept");
+               "Tags: there are more than " + std::to_string(k_MaxTags) +
+                   "; the tags after these are not kept");
     }
     else if (Count())
     {

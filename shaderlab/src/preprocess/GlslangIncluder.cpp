@@ -17,7 +17,8 @@ constexpr std::size_t k_MaximumIncludeDepth = 64;
 constexpr std::size_t k_MaximumCount = 10'000;
 constexpr std::size_t k_MaximumTotal = std::size_t{256} << 20;
 
-/// What follows the name if the line is the directive `name`; blanks may stand around the `#`.
+/// Returns the text behind the name if the line is the directive `name`. Blanks may stand around
+/// the `#`.
 std::optional<std::string_view> BehindDirective(std::string_view line, std::string_view name)
 {
     line = Trim(line);
@@ -306,15 +307,16 @@ std::string GlslangIncluder::ReasonToStop(std::size_t depth)
     {
         m_HasStopped = true;
         const std::string circle = Circle();
-        return circle.empty()
-                   ? "nested more than " + std::to_string(k_MaximumIncludeDepth) +
-                         " files deep; include less"
-                   : "a circle, " + circle + "; write '#pragma once' at the top of these files";
+        return circle.empty() ? "nested more than " + std::to_string(k_MaximumIncludeDepth) +
+                                    " files deep; include less"
+                              : "part of a circle of includes, " + circle +
+                                    "; write '#pragma once' at the top of these files";
     }
     m_HasStopped = m_Loaded.size() >= k_MaximumCount || m_TotalSize > k_MaximumTotal;
-    return m_HasStopped ? "more included than " + std::to_string(k_MaximumCount) + " files or " +
+    return m_HasStopped ? "one of more than " + std::to_string(k_MaximumCount) + " files or " +
                               std::to_string(k_MaximumTotal >> 20) +
-                              " MB; write '#pragma once' at the top of included files"
+                              " MB that the shader includes; write '#pragma once' at the top of "
+                              "included files"
                         : "";
 }
 

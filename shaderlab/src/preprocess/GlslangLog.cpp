@@ -113,7 +113,7 @@ bool isSummary(std::string_view line)
            line.find("HLSL parsing failed") != line.npos;
 }
 
-/// What glslang says after a mistake although nothing else is wrong.
+/// Returns whether glslang reports the error only because of a mistake before it.
 bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& earlier)
 {
     const bool isAboutReturn =
@@ -127,7 +127,8 @@ bool isConsequence(const Diagnostic& diagnostic, const std::vector<Diagnostic>& 
                        });
 }
 
-/// Of the line behind "Recursion detected:", "    f(f1; calling g(f1;".
+/// Returns a description of the line behind "Recursion detected:", which is "    f(f1; calling
+/// g(f1;".
 std::string DescribeRecursion(std::string_view line)
 {
     constexpr std::string_view k_Calling = " calling ";

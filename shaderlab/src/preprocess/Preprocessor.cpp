@@ -117,8 +117,8 @@ void ExplainIncludes(std::vector<Diagnostic>& diagnostics)
     }
 }
 
-/// What is no error to Unity's compilers: a macro defined anew, which has its new meaning from
-/// there on, and numbers of more than 32 bits, which are cut; see RespellForGlslang.
+/// Removes errors that Unity's compilers do not report: a macro that is defined anew has its new
+/// meaning from there on, and a number of more than 32 bits is cut; see RespellForGlslang.
 bool AllowWhatUnityAllows(std::vector<Diagnostic>& diagnostics)
 {
     // Authors write what kind of pass theirs is too.

@@ -117,7 +117,7 @@ private:
         }
     }
 
-    /// Of constants that are vectors of known numbers: all numbers.
+    /// Learns the numbers of a constant vector, if all of them are known.
     void LearnComposite(const SpirvInstruction& i)
     {
         SpirvWords numbers;
@@ -239,14 +239,14 @@ private:
         }
     }
 
-    /// Of uints, as ~x + 1: spirv-opt takes -(x / c) for x / -c.
+    /// Puts the negation of uints as ~x + 1, because spirv-opt takes -(x / c) for x / -c.
     void PutNegation(const SpirvInstruction& i)
     {
         const Id inverted = Put(spv::OpNot, i.type, {i.words[3]});
         PutAs(i.result, spv::OpIAdd, i.type, {inverted, Constant(i.type, 1)});
     }
 
-    /// Of uints. To SPIR-V what is divided by 0 is undefined.
+    /// Puts the division of uints. In SPIR-V a division by 0 is undefined.
     void PutDivision(const SpirvInstruction& i)
     {
         const Id divisor = i.words[4];
@@ -369,7 +369,7 @@ private:
         return null;
     }
 
-    /// Of 32 bits, in every component.
+    /// Returns a constant with these 32 bits in every component.
     Id Constant(Id type, std::uint32_t bits)
     {
         Id& constant = m_Made[{type, bits}];

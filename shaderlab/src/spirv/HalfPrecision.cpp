@@ -18,7 +18,7 @@ namespace limn
 namespace
 {
 
-/// Of those that give floats: whether they are done on 16-bit floats.
+/// Returns whether an instruction that gives floats is done on 16-bit floats.
 bool HasHalfForm(const SpirvInstruction& instruction)
 {
     constexpr std::array k_Operations = {spv::OpFNegate, spv::OpFAdd, spv::OpFSub,
@@ -34,7 +34,7 @@ bool HasHalfForm(const SpirvInstruction& instruction)
                      k_Operations.end();
 }
 
-/// Of those that give floats: whether they only move components.
+/// Returns whether an operation that gives floats only moves components.
 bool IsMove(std::uint32_t op)
 {
     return op == spv::OpCompositeConstruct || op == spv::OpCompositeExtract ||
@@ -158,8 +158,8 @@ private:
         return found != m_Components.end() ? found->second : 0;
     }
 
-    /// Whether the way from a type through these words, literals or constants, leads through a
-    /// marked member.
+    /// Returns whether the way from a type through these words, literals or constants, leads
+    /// through a marked member.
     bool LeadsThroughMarked(Id type, const SpirvInstruction& i, std::size_t from,
                             bool isLiteral) const
     {
@@ -292,7 +292,8 @@ private:
         return m_HalfPlaces.contains(pointer) || m_Relaxed.contains(pointer);
     }
 
-    /// Whether all floats among the operands are halves or constants, and not all constants.
+    /// Returns whether all floats among the operands are halves or constants, and not all
+    /// constants.
     bool AreHalves(const SpirvInstruction& i) const
     {
         bool hasHalf = false;

@@ -50,10 +50,11 @@ constexpr std::string_view k_FewPasses =
     "--eliminate-local-single-block --eliminate-local-single-store --copy-propagate-arrays "
     "--redundancy-elimination --simplify-instructions --merge-blocks";
 
-/// In front of which arrays are split once more: the indices are known by now.
+/// The optimizer's pass before which arrays are split once more, because their indices are known by
+/// then.
 constexpr std::string_view k_PassBehindKnownIndices = "--convert-local-access-chains";
 
-/// Those that make textures which travel in structs and through parameters legal for Vulkan.
+/// The passes that make textures in structs and parameters legal for Vulkan.
 constexpr std::string_view k_AllPasses = "--legalize-hlsl -O";
 
 /// Calls a function with each instruction's number, opcode and operands until it returns false.
@@ -219,7 +220,7 @@ std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv,
     return isValid ? std::nullopt : Validate(spirv, isOptimised, true);
 }
 
-/// Where the HLSL of an instruction is, by the OpLine before it.
+/// Returns the place of an instruction in the HLSL, by the OpLine before it.
 HlslPlace PlaceOfInstruction(const std::vector<std::uint32_t>& spirv, std::size_t instruction)
 {
     std::map<std::uint32_t, std::string> strings;
@@ -284,8 +285,9 @@ std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStag
 std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
                                             const std::string& file)
 {
-    // What is wrong before may be gone after, and with it what the code was to do. Constant
-    // matrices of integers are fine once they are gone.
+    // The code is checked before it is optimised, because the optimiser may remove a fault together
+    // with the effect that the code was to have. Constant matrices of integers are valid once they
+    // are removed.
     auto problem = hasIntegerMatrices(spirv) ? std::nullopt : FindProblem(spirv, false);
     if (problem && MergeComparedTextures(spirv))
     {

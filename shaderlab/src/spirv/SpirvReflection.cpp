@@ -115,7 +115,7 @@ public:
                   { return a.location < b.location; });
     }
 
-    /// Of the fragment function.
+    /// Reads the types of the fragment function's outputs.
     void ReadOutputTypes(int count)
     {
         m_Layout.outputTypes.assign(static_cast<std::size_t>(count), UniformType::Float);

@@ -89,7 +89,7 @@ private:
         }
     }
 
-    /// Of a type that lies in a buffer; notes where its parts go.
+    /// Returns the extent of a type that lies in a buffer, and notes the places of its parts.
     Extent Measure(Id id)
     {
         const Type& type = m_Types[id];
@@ -209,7 +209,7 @@ void RemoveDuplicates(SpirvWords& spirv)
     spirv = std::move(result);
 }
 
-/// Whether it reads a writable texture.
+/// Returns whether it reads a writable texture.
 bool Reads(const SpirvWords& spirv)
 {
     return std::ranges::any_of(ParseSpirv(spirv), [](const SpirvInstruction& instruction)
@@ -269,7 +269,7 @@ void LeaveImageFormatsOpen(SpirvWords& spirv)
                                words[k_Format] = spv::ImageFormatUnknown;
                                isAny = true;
                            }
-                           // None of the formats that it is for is left.
+                           // No format is left that needs this capability.
                            const bool isExtended =
                                op == spv::OpCapability &&
                                words[1] == spv::CapabilityStorageImageExtendedFormats;

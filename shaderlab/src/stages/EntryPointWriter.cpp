@@ -53,7 +53,8 @@ private:
         m_Parameters += (m_Parameters.empty() ? "" : ", ") + text;
     }
 
-    /// On the device. One parameter per semantic: two members may ask for the same system value.
+    /// Returns the index of the instance on the device. There is one parameter per semantic,
+    /// because two members may ask for the same system value.
     const std::string& InstanceIndex()
     {
         if (m_InstanceIndex.empty())

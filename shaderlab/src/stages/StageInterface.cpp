@@ -84,7 +84,7 @@ std::string ModernName(const std::string& name, int index, ShaderStage stage, bo
     return name == "VFACE" || name == "FACE" ? "SV_ISFRONTFACE" : name;
 }
 
-/// Whether the pipeline makes or takes this value at this border.
+/// Returns whether the pipeline makes or takes this value at this border.
 bool isPipelineValue(std::string_view name, ShaderStage stage, bool isOutput)
 {
     static const WordList s_VertexInputs("SV_VERTEXID SV_INSTANCEID");

@@ -53,8 +53,8 @@ std::string WithoutComments(std::string_view line)
 
 constexpr std::size_t k_None = std::string_view::npos;
 
-/// For each token of the one line the token of the other that it is, else k_None: a longest common
-/// subsequence. What macros make is in one of them only.
+/// Returns for each token of one line the matching token of the other, or k_None: a longest common
+/// subsequence. Tokens from macros are in one line only.
 std::vector<std::size_t> Match(std::span<const HlslToken> made, std::span<const HlslToken> written)
 {
     const std::size_t width = written.size() + 1;

@@ -145,8 +145,8 @@ TEST(ComputeShader, IsDispatchedInAtLeastOneGroup)
     CommandBuffer cmd;
     const auto shader = Two();
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(shader, 0, 1, 0, 1); }),
-              "DispatchCompute of 'Filter', kernel 'Blur': 1x0x1 groups; each count is from 1 to "
-              "65535");
+              "DispatchCompute of 'Filter', kernel 'Blur': it was given 1x0x1 groups; each count "
+              "must be from 1 to 65535");
     EXPECT_THROW(cmd.DispatchCompute(shader, 0, 65536, 1, 1), ContractError);
     EXPECT_THROW(cmd.DispatchCompute(shader, 2, 1, 1, 1), ContractError);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(nullptr, 0, 1, 1, 1); }),
@@ -218,14 +218,15 @@ TEST(ComputeShader, CountsOnlyWhereABufferHasACounter)
 TEST(GraphicsBuffer, IsRefusedWithItsNumbers)
 {
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 0, 4); }),
-              "GraphicsBuffer: count 0 and stride 4; both must be greater than 0");
+              "GraphicsBuffer: the count is 0 and the stride is 4; both must be greater than 0");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 1, 6); }),
-              "GraphicsBuffer: a stride of 6 bytes; that of structured elements is a multiple of 4 "
-              "up to 2048");
+              "GraphicsBuffer: the stride is 6 bytes; for structured elements it must be a "
+              "multiple of 4 up to 2048");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Raw, 1, 16); }),
-              "GraphicsBuffer: a raw buffer has a stride of 4 bytes, not 16");
+              "GraphicsBuffer: the stride of a raw buffer must be 4 bytes, but it is 16");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Vertex, 1, 16); }),
-              "GraphicsBuffer: target 1 is bound to no shader; limn has Structured, Raw, Append, "
+              "GraphicsBuffer: target 1 cannot be bound to a shader; limn supports Structured, "
+              "Raw, Append, "
               "Counter, IndirectArguments and Constant");
 }
 
@@ -245,8 +246,9 @@ TEST(GraphicsBuffer, RemembersWhatWasSetLast)
         buffer.SetData(std::vector<int>{i, i}, 0, 2, 2); // over the last one
     }
     EXPECT_EQ(buffer.changes().size(), 2u) << "those that are covered are gone";
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
-              "GraphicsBuffer: 'GraphicsBuffer': SetData of 20 bytes at 0; it has 16");
+    EXPECT_EQ(
+        test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
+        "GraphicsBuffer: 'GraphicsBuffer': SetData writes 20 bytes from byte 0; the buffer has 16");
     EXPECT_THROW(buffer.SetData(std::vector<int>(2), 1, 0, 2), ContractError);
     EXPECT_THROW(buffer.SetCounterValue(1), ContractError);
     buffer.Release();
@@ -269,8 +271,8 @@ TEST(GraphicsBuffer, IsBoundInPartsFromMultiplesOf256On)
     MaterialPropertyBlock block;
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { block.SetConstantBuffer("Params", buffer, 128, 16); }),
-              "SetConstantBuffer: 16 bytes at 128 of 'constants', which has 1024; a part begins at "
-              "a multiple of 256 and ends in the buffer");
+              "SetConstantBuffer: the part is 16 bytes from byte 128 of 'constants', which has "
+              "1024 bytes; a part must begin at a multiple of 256 and end within the buffer");
     EXPECT_THROW(block.SetConstantBuffer("Params", buffer, 768, 512), ContractError);
     EXPECT_FALSE(block.hasBuffers());
     block.SetConstantBuffer("Params", buffer, 768, 256);
@@ -288,8 +290,8 @@ TEST(EnableRandomWrite, IsForColoursOfOneSample)
     };
     make(GraphicsFormat::R16G16B16A16_SFloat, 1);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { make(GraphicsFormat::R8G8B8A8_SRGB, 1); }),
-              "texture 'texture': enableRandomWrite with 1 samples of R8G8B8A8_SRGB; kernels write "
-              "to colours of one sample that are not sRGB");
+              "texture 'texture': enableRandomWrite is true, with 1 samples of R8G8B8A8_SRGB; "
+              "kernels can write only to colours of one sample that are not sRGB");
     EXPECT_THROW(make(GraphicsFormat::R8G8B8A8_UNorm, 4), ContractError);
     EXPECT_THROW(make(GraphicsFormat::D32_SFloat, 1), ContractError);
 }

@@ -164,8 +164,8 @@ TEST_F(Dispatches, AreRefusedWhereTheySampleWhatTheyWrite)
 {
     m_Frame.Dispatch(1, {m_A}, {m_A});
     EXPECT_EQ(test::ThrownMessage<DrawError>([&] { Compile(); }),
-              "a dispatch samples 'A' while it may write to it; read it as the writable texture "
-              "that it is, or write to another one");
+              "a dispatch samples 'A' while it may write to it; read it through the writable "
+              "texture, or write to another texture");
 }
 
 TEST_F(Dispatches, AreABarrierApartOnOneBuffer)

@@ -258,7 +258,7 @@ TEST_F(FrameCompilerPasses, EndTheSamplesThatTheFrameLeavesOpen)
 TEST_F(FrameCompilerPasses, CannotEndASampleThatNeverBegan)
 {
     m_Frame.Bind(m_A).Draw(1).End();
-    EXPECT_EQ(ErrorOf(m_Frame), "EndSample without a BeginSample before it");
+    EXPECT_EQ(ErrorOf(m_Frame), "EndSample is called without a BeginSample before it");
 }
 
 TEST_F(FrameCompilerPasses, NeedATargetForADraw)

@@ -74,11 +74,12 @@ TEST_F(LeftOutOfAFrame, IsTheWholeOutlineWhereNothingIsSelected)
     RecordOutline(false);
     EXPECT_THAT(Compile({m_Camera}), ElementsAre("Scene: begin Scene draw 1 end begin Transparents "
                                                  "draw 5 end"));
-    EXPECT_THAT(Reasons(),
-                ElementsAre("Outline: nothing is drawn; what it clears is cleared where something "
-                            "reads it",
-                            "Outline: it makes every texel the same: 'Mask' is 0 all over",
-                            "Outline: it changes nothing: 'Edges' is 0 all over"));
+    EXPECT_THAT(
+        Reasons(),
+        ElementsAre(
+            "Outline: it draws nothing; its clear is done where a later pass reads the texture",
+            "Outline: it makes every texel the same: 'Mask' is 0 everywhere",
+            "Outline: it changes nothing: 'Edges' is 0 everywhere"));
 }
 
 TEST_F(LeftOutOfAFrame, IsNothingOfTheOutlineWhereSomethingIsSelected)
@@ -336,8 +337,8 @@ TEST_F(LeftOutOfAFrame, IsACopyOfDepthThatNothingIsDrawnWithAnyMore)
     m_Frame.Begin("CopyDepth").Bind(copied).Blit(2, {m_Depth}, "copy").End();
     m_Frame.Bind(m_Mask).Draw(3, {m_Edges, copied}).Bind(m_Camera).Draw(4, {m_Mask, copied});
     EXPECT_THAT(Compile({m_Camera}), ElementsAre(": draw 1", ": draw 3", ": draw 4"));
-    EXPECT_THAT(Reasons(), ElementsAre("CopyDepth: what reads 'Copied' reads 'Depth', which "
-                                       "nothing is drawn with any more"));
+    EXPECT_THAT(Reasons(), ElementsAre("CopyDepth: passes that read 'Copied' can read 'Depth', "
+                                       "because nothing draws into that any more"));
     const CompiledRenderPass& scene = m_Last.passes[0];
     EXPECT_EQ(scene.depth->store, StoreOp::Store);
     for (const std::size_t reader : {1u, 2u})
@@ -561,7 +562,7 @@ TEST_F(CopyOfOneColour, IsAClearAlsoWhereSamplesOrSizesDiffer)
         EXPECT_EQ(m_Last.passes[0].colors[0].clearColor, (Color{1, 0, 1, 1}));
         EXPECT_FALSE(m_Last.passes[0].depth);
         EXPECT_THAT(Reasons(), testing::Contains("Final Blit: it makes every texel the same: "
-                                                 "'Scene' is the same all over"));
+                                                 "'Scene' has one value everywhere"));
     }
 }
 
@@ -610,9 +611,9 @@ TEST_F(LeftOutOfAFrame, BlendsWithAlphaThatATextureLacksOnlyWithANote)
     };
     using enum GraphicsFormat;
     EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::DstAlpha),
-                ElementsAre("pass 'Glow' blends with the alpha of 'Scene', whose format "
-                            "B10G11R11_UFloatPack32 has none: it counts as 1; where that is the "
-                            "camera's colour, a hdrColorBufferPrecision of 64 bits has one"));
+                ElementsAre("pass 'Glow' blends with the alpha of 'Scene', but its format "
+                            "B10G11R11_UFloatPack32 has no alpha: it counts as 1; if this is the "
+                            "camera's colour, set hdrColorBufferPrecision to 64 bits"));
     EXPECT_THAT(compile(B10G11R11_UFloatPack32, BlendMode::OneMinusSrcAlpha), IsEmpty());
     EXPECT_THAT(compile(R16G16B16A16_SFloat, BlendMode::DstAlpha), IsEmpty());
 }

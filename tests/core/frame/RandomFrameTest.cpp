@@ -391,7 +391,7 @@ void RunSequence(unsigned seed, Tally& tally)
         tally.leftOut += frame.leftOut.size();
         tally.originals += static_cast<int>(
             std::ranges::count_if(frame.leftOut, [](const LeftOut& item)
-                                  { return item.reason.starts_with("what reads"); }));
+                                  { return item.reason.starts_with("passes that read"); }));
         ASSERT_TRUE(frame.notes.empty()) << frame.notes.front() << frames;
         // One by one takes its time: every fifth frame.
         for (int steps = HasPending(states) ? 2 : 0; steps <= 6 && tally.frames % 5 == 0; ++steps)

@@ -93,7 +93,8 @@ TEST(GltfMesh, ReadsABufferFromAnotherRoot)
     FileRoots roots;
     roots.Add(outer / "");
     EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadGltfMesh(path, roots); }),
-              path.string() + ": error: holds no triangles; a mesh that the scene shows is needed");
+              path.string() +
+                  ": error: holds no triangles; at least one node of its scene must have a mesh");
 }
 
 TEST(GltfMeshError, SaysThatAFileIsEmpty)
@@ -126,13 +127,13 @@ TEST(GltfMeshError, NamesTheVersionOfAnOlderFile)
 {
     const std::string text = Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0})"));
     EXPECT_EQ(ErrorOf(Replaced(text, R"("version": "2.0")", R"("version": "1.0")")),
-              "a.gltf: error: asset: version 1.0; 2.0 is read");
+              "a.gltf: error: asset: the version is 1.0; limn reads 2.0");
 }
 
 TEST(GltfMeshError, SaysThatAFileHoldsNoTriangles)
 {
     const std::string expected =
-        "a.gltf: error: holds no triangles; a mesh that the scene shows is needed";
+        "a.gltf: error: holds no triangles; at least one node of its scene must have a mesh";
     EXPECT_EQ(ErrorOf(R"({"asset": {"version": "2.0"}})"), expected);
     EXPECT_EQ(ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0}, "mode": 1)"))),
               expected);
@@ -213,16 +214,16 @@ TEST(GltfMeshError, RejectsElementsOfAnotherShape)
     GltfFile file = Triangle();
     file.AddFloats("VEC2", {0, 0, 0, 0, 0, 0});
     EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 1})"))),
-              "a.gltf: error: mesh 'shape' primitive 0: accessor 1: 2 numbers an element; 3 to 3 "
-              "are right here");
+              "a.gltf: error: mesh 'shape' primitive 0: accessor 1: each element has 2 numbers; 3 "
+              "are expected here");
 }
 
 TEST(GltfMeshError, RejectsIndicesThatAreNoIntegers)
 {
     EXPECT_EQ(
         ErrorOf(Triangle().Text(OnePrimitive(R"("attributes": {"POSITION": 0}, "indices": 0)"))),
-        "a.gltf: error: mesh 'shape' primitive 0: accessor 0: component type 5126 is none of "
-        "indices; 5121, 5123 or 5125 (unsigned) is right");
+        "a.gltf: error: mesh 'shape' primitive 0: accessor 0: component type 5126 cannot be "
+        "indices; 5121, 5123 or 5125 (unsigned) is expected");
 }
 
 TEST(GltfMeshError, RejectsSparseAccessors)
@@ -263,7 +264,7 @@ TEST(GltfMeshError, RejectsPositionsThatAreNoNumbers)
     file.AddFloats("VEC3", {1, 0, 0, 3, 0, 0, 1, std::numeric_limits<float>::infinity(), 0});
     file.AddFloats("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
     EXPECT_EQ(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0, "NORMAL": 1})"))),
-              "a.gltf: error: vertices[2]: not a finite number");
+              "a.gltf: error: vertices[2]: the value is not a finite number");
 }
 
 TEST(GltfMeshError, ListsEveryPrimitiveThatCannotBeRead)
@@ -275,9 +276,10 @@ TEST(GltfMeshError, ListsEveryPrimitiveThatCannotBeRead)
                                        R"({"attributes": {"POSITION": 0}, "indices": 1}, )"
                                        R"({"attributes": {"POSITION": 0}, "indices": 2}]}], )"
                                        R"("nodes": [{"mesh": 0}], "scenes": [{"nodes": [0]}])");
-    EXPECT_EQ(ErrorOf(text), "a.gltf: error: mesh 'm' primitive 0: index 3 of 3 vertices\n"
-                             "a.gltf: error: mesh 'm' primitive 1: 4 indices; a multiple of three "
-                             "is right");
+    EXPECT_EQ(ErrorOf(text),
+              "a.gltf: error: mesh 'm' primitive 0: index 3 is too large for 3 vertices\n"
+              "a.gltf: error: "
+              "mesh 'm' primitive 1: it has 4 indices; their number must be a multiple of three");
 }
 
 } // namespace

@@ -158,43 +158,41 @@ TEST_F(ComputePass, IsKeptWhereItMayNotBeCulled)
 
 TEST_F(ComputePass, IsRefusedWhereItWritesWhatItDoesNotDeclare)
 {
-    EXPECT_EQ(
-        ErrorOf(
-            [](RenderGraph& graph, ContextContainer&)
-            {
-                const TextureHandle filled = graph.CreateTexture(WritableDesc("_Filled"));
-                AddCompute(
-                    graph, "Fill", [](auto&) {},
-                    [=](ComputeCommandBuffer& cmd)
-                    {
-                        cmd.SetComputeTextureParam(Fill(), 0, "_Result", filled);
-                        cmd.DispatchCompute(Fill(), 0, 1, 1, 1);
-                    });
-            }),
-        "pass 'Fill' declares no write of '_Filled', yet a kernel may write to it, which Unity "
-        "throws for; add builder.UseTexture(<handle of '_Filled'>, AccessFlags::Write);");
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      const TextureHandle filled = graph.CreateTexture(WritableDesc("_Filled"));
+                      AddCompute(
+                          graph, "Fill", [](auto&) {},
+                          [=](ComputeCommandBuffer& cmd)
+                          {
+                              cmd.SetComputeTextureParam(Fill(), 0, "_Result", filled);
+                              cmd.DispatchCompute(Fill(), 0, 1, 1, 1);
+                          });
+                  }),
+              "pass 'Fill' declares no write of '_Filled', yet a kernel may write to it, for which "
+              "Unity throws; add builder.UseTexture(<handle of '_Filled'>, AccessFlags::Write);");
 }
 
 TEST_F(ComputePass, IsRefusedWhereItSamplesWhatItDoesNotDeclare)
 {
-    EXPECT_EQ(
-        ErrorOf(
-            [](RenderGraph& graph, ContextContainer&)
-            {
-                const TextureHandle filled = Filled(graph);
-                const TextureHandle result = graph.CreateTexture(WritableDesc("_Out"));
-                AddCompute(
-                    graph, "Filter",
-                    [&](auto& builder) { builder.UseTexture(result, AccessFlags::Write); },
-                    [=](ComputeCommandBuffer& cmd)
-                    {
-                        cmd.SetComputeTextureParam(Filter(), 0, "_Source", filled);
-                        cmd.SetComputeTextureParam(Filter(), 0, "_Result", result);
-                        cmd.DispatchCompute(Filter(), 0, 1, 1, 1);
-                    });
-            }),
-        "pass 'Filter' declares no read of '_Filled', yet samples it, which Unity throws for; "
-        "add builder.UseTexture(<handle of '_Filled'>);");
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer&)
+                  {
+                      const TextureHandle filled = Filled(graph);
+                      const TextureHandle result = graph.CreateTexture(WritableDesc("_Out"));
+                      AddCompute(
+                          graph, "Filter",
+                          [&](auto& builder) { builder.UseTexture(result, AccessFlags::Write); },
+                          [=](ComputeCommandBuffer& cmd)
+                          {
+                              cmd.SetComputeTextureParam(Filter(), 0, "_Source", filled);
+                              cmd.SetComputeTextureParam(Filter(), 0, "_Result", result);
+                              cmd.DispatchCompute(Filter(), 0, 1, 1, 1);
+                          });
+                  }),
+              "pass 'Filter' declares no read of '_Filled', yet samples it, for which Unity "
+              "throws; add builder.UseTexture(<handle of '_Filled'>);");
 }
 
 TEST_F(ComputePass, DeclaresItsBuffers)
@@ -260,8 +258,8 @@ TEST_F(ComputePass, RefusesBuffersOfEarlierFrames)
                           graph, "Late", [&](auto& builder) { builder.UseBuffer(kept); },
                           [](ComputeCommandBuffer&) {});
                   }),
-              "pass 'Late': UseBuffer of '', a handle of an earlier frame; handles are for one "
-              "camera's frame");
+              "pass 'Late': UseBuffer: '' is a handle of an earlier frame; a handle is valid in "
+              "one camera's frame only");
 }
 
 TEST_F(ComputePass, SwitchesKeywordsAsUnsafePassesDo)
@@ -295,7 +293,7 @@ TEST_F(ComputePass, MaySetGlobalsWhereItSaysSo)
                           graph, "Global", [](auto&) {},
                           [](ComputeCommandBuffer& cmd) { cmd.SetGlobalFloat("_X", 1.0f); });
                   }),
-              "pass 'Global' sets the global '_X', which Unity throws for; add "
+              "pass 'Global' sets the global '_X', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 

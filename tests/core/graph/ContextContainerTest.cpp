@@ -45,12 +45,12 @@ TEST(ContextContainer, RefusesTwoOfOneTypeAndNone)
 {
     ContextContainer container;
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Get<Masked>(); }),
-              "ContextContainer: there is no (anonymous namespace)::Masked in this frame; Contains "
-              "asks, GetOrCreate makes one");
+              "ContextContainer: there is no (anonymous namespace)::Masked in this frame; call "
+              "Contains to ask for it, or GetOrCreate to make it");
     container.Create<Masked>();
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { container.Create<Masked>(); }),
-              "ContextContainer: Create of (anonymous namespace)::Masked, which is there already; "
-              "Get or GetOrCreate gives it");
+              "ContextContainer: Create: this frame has a (anonymous namespace)::Masked already; "
+              "call Get or GetOrCreate");
 }
 
 // Unity pools items: what Reset leaves alone is found again.

@@ -192,43 +192,42 @@ TEST_F(RenderGraphMismatch, NotesOneOfTheCamerasTexturesByItsHandle)
 
 TEST_F(RenderGraphMismatch, NamesAllThatIsWrongWithAPassAtOnce)
 {
-    EXPECT_EQ(
-        ErrorOf(
-            [](RenderGraph& graph, ContextContainer& frameData)
-            {
-                const TextureHandle mask = WrittenMask(graph);
-                TextureDesc other = Desc("_Other");
-                other.clearBuffer = false;
-                const TextureHandle unwritten = graph.CreateTexture(other);
-                AddRaster(
-                    graph, "Blur",
-                    [&](auto& builder)
-                    {
-                        builder.SetRenderAttachment(
-                            frameData.Get<UniversalResourceData>().activeColorTexture(), 0);
-                        builder.UseTexture(unwritten);
-                        builder.UseGlobalTexture("_Nobody");
-                    },
-                    [=](RasterCommandBuffer& cmd)
-                    {
-                        Sample(cmd, mask);
-                        Sample(cmd, unwritten);
-                        cmd.SetGlobalFloat("_Width", 2.0f);
-                        cmd.SetGlobalTexture("_Shown", mask);
-                    });
-            }),
-        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
-        "global under that name; SetGlobalTextureAfterPass does\n"
-        "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is false: "
-        "it holds nothing in particular\n"
-        "pass 'Blur' sets the global '_Width', which Unity throws for; add "
-        "builder.AllowGlobalStateModification(true);\n"
-        "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, which "
-        "Unity throws for; add builder.UseTexture(<handle of '_Mask'>);\n"
-        "pass 'Blur' sets the global '_Shown', which Unity throws for; add "
-        "builder.AllowGlobalStateModification(true);\n"
-        "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
-        "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
+    EXPECT_EQ(ErrorOf(
+                  [](RenderGraph& graph, ContextContainer& frameData)
+                  {
+                      const TextureHandle mask = WrittenMask(graph);
+                      TextureDesc other = Desc("_Other");
+                      other.clearBuffer = false;
+                      const TextureHandle unwritten = graph.CreateTexture(other);
+                      AddRaster(
+                          graph, "Blur",
+                          [&](auto& builder)
+                          {
+                              builder.SetRenderAttachment(
+                                  frameData.Get<UniversalResourceData>().activeColorTexture(), 0);
+                              builder.UseTexture(unwritten);
+                              builder.UseGlobalTexture("_Nobody");
+                          },
+                          [=](RasterCommandBuffer& cmd)
+                          {
+                              Sample(cmd, mask);
+                              Sample(cmd, unwritten);
+                              cmd.SetGlobalFloat("_Width", 2.0f);
+                              cmd.SetGlobalTexture("_Shown", mask);
+                          });
+                  }),
+              "pass 'Blur': UseGlobalTexture names '_Nobody', but no pass before it made a texture "
+              "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
+              "pass 'Blur' reads '_Other', which no pass before it writes, and clearBuffer is "
+              "false: its contents are undefined\n"
+              "pass 'Blur' sets the global '_Width', for which Unity throws; add "
+              "builder.AllowGlobalStateModification(true);\n"
+              "pass 'Blur' sets '_Mask' as the global '_Shown' and declares no use of it, for "
+              "which Unity throws; add builder.UseTexture(<handle of '_Mask'>);\n"
+              "pass 'Blur' sets the global '_Shown', for which Unity throws; add "
+              "builder.AllowGlobalStateModification(true);\n"
+              "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands "
+              "for no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
 
 TEST_F(RenderGraphMismatch, IsNoneWhereABlitSamplesWhatIsGlobal)
@@ -381,7 +380,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         };
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), set)),
-              "pass 'Blur' sets the global '_Width', which Unity throws for; add "
+              "pass 'Blur' sets the global '_Width', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
     EXPECT_THAT(NotesOf(Blur(declare(true), set)), IsEmpty());
     const auto setView = [](RasterCommandBuffer& cmd, const TextureHandle& mask)
@@ -390,7 +389,7 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::mat4(1.0f), false);
     };
     EXPECT_EQ(ErrorOf(Blur(declare(false), setView)),
-              "pass 'Blur' sets the view and projection matrices, which Unity throws for; add "
+              "pass 'Blur' sets the view and projection matrices, for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -422,7 +421,7 @@ TEST_F(RenderGraphMismatch, NamesAKeywordThatIsSwitchedWithoutLeave)
     };
     EXPECT_EQ(ErrorOf(Blur(
                   [](auto& builder, const TextureHandle& mask) { builder.UseTexture(mask); }, wet)),
-              "pass 'Blur' switches the keyword 'WET', which Unity throws for; add "
+              "pass 'Blur' switches the keyword 'WET', for which Unity throws; add "
               "builder.AllowGlobalStateModification(true);");
 }
 
@@ -432,8 +431,8 @@ TEST_F(RenderGraphMismatch, NamesAGlobalTextureThatNobodySet)
         ErrorOf(Blur([](auto& builder, const TextureHandle&)
                      { builder.UseGlobalTexture("_Nobody"); },
                      k_SampleMask)),
-        "pass 'Blur': UseGlobalTexture of '_Nobody', but no pass before it made a texture "
-        "global under that name; SetGlobalTextureAfterPass does\n"
+        "pass 'Blur': UseGlobalTexture names '_Nobody', but no pass before it made a texture "
+        "global under that name; call SetGlobalTextureAfterPass in such a pass\n"
         "pass 'Blur' declares no read of '_Mask', yet samples it, where its handle stands for "
         "no texture in Unity; add builder.UseTexture(<handle of '_Mask'>);");
 }
@@ -452,12 +451,10 @@ TEST_F(RenderGraphMismatch, NotesATextureThatIsReadBeforeAnythingWroteIt)
                 [](UnsafeCommandBuffer&) {});
         };
     };
-    EXPECT_THAT(NotesOf(read(true)),
-                ElementsAre("pass 'Blur' reads '_Mask', which no pass before it writes: it finds "
-                            "the clearColor"));
-    EXPECT_EQ(ErrorOf(read(false)),
-              "pass 'Blur' reads '_Mask', which no pass before it writes, and clearBuffer is "
-              "false: it holds nothing in particular");
+    EXPECT_THAT(NotesOf(read(true)), ElementsAre("pass 'Blur' reads '_Mask', which no pass before "
+                                                 "it writes: the texture holds the clearColor"));
+    EXPECT_EQ(ErrorOf(read(false)), "pass 'Blur' reads '_Mask', which no pass before it writes, "
+                                    "and clearBuffer is false: its contents are undefined");
 }
 
 TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
@@ -490,8 +487,8 @@ TEST_F(RenderGraphMismatch, NamesARendererListThatIsDrawnUndeclared)
         };
     };
     EXPECT_EQ(ErrorOf(record(false, true)),
-              "pass 'List' declares no UseRendererList of a renderer list, yet draws it, of which "
-              "Unity draws nothing; add builder.UseRendererList(<its handle>);");
+              "pass 'List' draws a renderer list without declaring it by UseRendererList, so that "
+              "Unity would draw nothing; add builder.UseRendererList(<its handle>);");
     EXPECT_THAT(NotesOf(record(true, false)),
                 ElementsAre("pass 'List' declares UseRendererList of a list that it does not "
                             "draw"));
@@ -529,8 +526,8 @@ TEST_F(RenderGraphMismatch, NamesTwoUsesOfATextureInOnePass)
                       builder.SetRenderAttachment(mask, 0);
                       builder.UseTexture(mask);
                   }),
-              "pass 'Blur': UseTexture of '_Mask', which the pass draws into already; one pass "
-              "uses a texture in one way");
+              "pass 'Blur': UseTexture: the pass draws into '_Mask' already; declare one use of a "
+              "texture in a pass");
     EXPECT_EQ(ErrorOfDeclaring(
                   [](auto& builder, RenderGraph& graph)
                   {
@@ -538,8 +535,8 @@ TEST_F(RenderGraphMismatch, NamesTwoUsesOfATextureInOnePass)
                       builder.UseTexture(mask);
                       builder.SetRenderAttachment(mask, 0);
                   }),
-              "pass 'Blur': SetRenderAttachment of '_Mask', which the pass reads already; one pass "
-              "uses a texture in one way");
+              "pass 'Blur': SetRenderAttachment: the pass reads '_Mask' already; declare one use "
+              "of a texture in a pass");
     EXPECT_EQ(ErrorOfDeclaring(
                   [](auto& builder, RenderGraph& graph)
                   {
@@ -547,8 +544,8 @@ TEST_F(RenderGraphMismatch, NamesTwoUsesOfATextureInOnePass)
                       builder.UseTexture(mask, AccessFlags::Write);
                       builder.UseTexture(mask, AccessFlags::Write);
                   }),
-              "pass 'Blur': UseTexture of '_Mask', which the pass writes already; one pass uses a "
-              "texture in one way");
+              "pass 'Blur': UseTexture: the pass writes '_Mask' already; declare one use of a "
+              "texture in a pass");
     EXPECT_THAT(NotesOf(Blur(
                     [](auto& builder, const TextureHandle& mask)
                     {
@@ -567,11 +564,11 @@ TEST_F(RenderGraphMismatch, NamesAttachmentsThatDoNotFit)
                       builder.SetRenderAttachment(graph.CreateTexture(Desc("_A")), 0);
                       builder.SetRenderAttachment(graph.CreateTexture(Desc("_B")), 0);
                   }),
-              "pass 'Blur': SetRenderAttachment of '_B' at index 0, where '_A' is already");
+              "pass 'Blur': SetRenderAttachment of '_B': index 0 has '_A' already");
     EXPECT_EQ(
         ErrorOfDeclaring([](auto& builder, RenderGraph& graph)
                          { builder.SetRenderAttachment(graph.CreateTexture(Desc("_A")), 8); }),
-        "pass 'Blur': SetRenderAttachment of '_A' at index 8; there are 0 to 7");
+        "pass 'Blur': SetRenderAttachment of '_A': the index is 8; it must be 0 to 7");
     EXPECT_EQ(ErrorOfDeclaring(
                   [](auto& builder, RenderGraph& graph)
                   {
@@ -583,33 +580,33 @@ TEST_F(RenderGraphMismatch, NamesAttachmentsThatDoNotFit)
     depth.depthBufferBits = DepthBits::Depth32;
     EXPECT_EQ(ErrorOfDeclaring([&](auto& builder, RenderGraph& graph)
                                { builder.SetRenderAttachment(graph.CreateTexture(depth), 0); }),
-              "pass 'Blur': SetRenderAttachment of '_Depth', a depth texture; "
-              "SetRenderAttachmentDepth takes those");
+              "pass 'Blur': SetRenderAttachment: '_Depth' is a depth texture; call "
+              "SetRenderAttachmentDepth");
     EXPECT_EQ(
         ErrorOfDeclaring([](auto& builder, RenderGraph& graph)
                          { builder.SetRenderAttachmentDepth(graph.CreateTexture(Desc("_A"))); }),
-        "pass 'Blur': SetRenderAttachmentDepth of '_A', which is no depth texture; "
-        "SetRenderAttachment takes colours");
+        "pass 'Blur': SetRenderAttachmentDepth: '_A' is no depth texture; call "
+        "SetRenderAttachment");
     EXPECT_EQ(ErrorOfDeclaring(
                   [&](auto& builder, RenderGraph& graph)
                   {
                       builder.SetRenderAttachmentDepth(graph.CreateTexture(depth));
                       builder.SetRenderAttachmentDepth(graph.CreateTexture(depth));
                   }),
-              "pass 'Blur': SetRenderAttachmentDepth of '_Depth', where '_Depth' is already");
+              "pass 'Blur': SetRenderAttachmentDepth of '_Depth': the pass has '_Depth' already");
 }
 
 TEST_F(RenderGraphMismatch, NamesHandlesThatStandForNothing)
 {
     EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseTexture({}); }),
-              "pass 'Blur': UseTexture of an empty handle");
+              "pass 'Blur': UseTexture: the handle is empty");
     EXPECT_EQ(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseRendererList({}); }),
-              "pass 'Blur': UseRendererList of an empty handle");
+              "pass 'Blur': UseRendererList: the handle is empty");
     TextureHandle old;
     Render([&](RenderGraph& graph, ContextContainer&) { old = graph.CreateTexture(Desc("_Old")); });
     EXPECT_EQ(ErrorOfDeclaring([&](auto& builder, RenderGraph&) { builder.UseTexture(old); }),
-              "pass 'Blur': UseTexture of '_Old', a handle of an earlier frame; handles are for "
-              "one camera's frame");
+              "pass 'Blur': UseTexture: '_Old' is a handle of an earlier frame; a handle is valid "
+              "in one camera's frame only");
     EXPECT_EQ(ErrorOf([](RenderGraph& graph, ContextContainer&) { graph.ImportTexture({}); }),
               "ImportTexture: the handle has no texture");
 }
@@ -632,7 +629,7 @@ TEST_F(RenderGraphMismatch, NamesATransientTextureOfAnotherPass)
                           graph, "Other", [&](auto& builder) { builder.UseTexture(transient); },
                           [](RasterCommandBuffer&) {});
                   }),
-              "pass 'Other': UseTexture of '_Transient', which is transient in pass 'Own'");
+              "pass 'Other': UseTexture: '_Transient' is a transient texture of pass 'Own'");
 }
 
 TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
@@ -645,8 +642,8 @@ TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
                       frameData.Get<UniversalResourceData>().cameraColor =
                           graph.CreateTexture(desc);
                   }),
-              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples a texel; the "
-              "camera's colour is 8x4 of 1 samples a texel");
+              "pass 'Feature': cameraColor is set to '_Small', 4x2 of 1 samples per texel; the "
+              "camera's colour is 8x4 of 1 samples per texel");
 }
 
 TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)
@@ -659,9 +656,9 @@ TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)
                       graph.AddCopyPass(graph.CreateTexture(Desc("_A")), graph.CreateTexture(half),
                                         "Copy");
                   }),
-              "AddCopyPass 'Copy': '_A' is 8x4 R8G8B8A8_UNorm of 1 samples a texel, '_Half' is 4x2 "
-              "R8G8B8A8_UNorm of 1 samples a texel; both must be colours of one size, format and "
-              "number of samples");
+              "AddCopyPass 'Copy': '_A' is 8x4 R8G8B8A8_UNorm of 1 samples per texel and '_Half' "
+              "is 4x2 R8G8B8A8_UNorm of 1 samples per texel; both must be colours of one size, "
+              "format and number of samples");
 }
 
 TEST_F(RenderGraphMismatch, LeavesTheNextFrameAsItWouldBe)

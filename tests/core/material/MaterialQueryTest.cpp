@@ -102,7 +102,7 @@ TEST_F(MaterialQueries, GiveTexturesWithScaleAndOffset)
 TEST_F(MaterialQueries, SayWhatIsMissing)
 {
     EXPECT_EQ(ErrorOf([&] { m_Material.GetFloat("_Nothing"); }),
-              "material 'Paint': property '_Nothing' is not set, asked for as a number");
+              "material 'Paint': property '_Nothing' is not set, but it was read as a number");
     EXPECT_EQ(ErrorOf([&] { m_Material.GetInt("_Tint"); }),
               "material 'Paint': property '_Tint' is not a number");
     EXPECT_EQ(ErrorOf([&] { m_Material.GetVector("_Width"); }),

@@ -78,9 +78,10 @@ TEST(Mesh, RejectsAnArrayOfAnotherLength)
     MeshData data = Square();
     data.uv.resize(3);
     data.uv8.resize(5);
-    EXPECT_EQ(ErrorOf(data),
-              "mesh 'square': uv: 3 elements for 4 vertices; one a vertex or none is right\n"
-              "mesh 'square': uv8: 5 elements for 4 vertices; one a vertex or none is right");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': uv: the list has 3 elements for 4 vertices; it must "
+                             "have one per vertex, or none\n"
+                             "mesh 'square': uv8: the list has 5 "
+                             "elements for 4 vertices; it must have one per vertex, or none");
 }
 
 TEST(Mesh, RejectsAnIndexOutOfRange)
@@ -88,43 +89,49 @@ TEST(Mesh, RejectsAnIndexOutOfRange)
     MeshData data = Square();
     data.triangles[2] = 4;
     data.triangles[4] = 9;
-    EXPECT_EQ(ErrorOf(data),
-              "mesh 'square': triangles[2]: index 4 of 4 vertices (2 such indices in all)");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': triangles[2]: index 4 is too large for 4 vertices; "
+                             "the number of such indices is 2");
 }
 
 TEST(Mesh, RejectsIndicesThatAreNoWholeTriangles)
 {
     MeshData data = Square();
     data.triangles.pop_back();
-    EXPECT_EQ(ErrorOf(data), "mesh 'square': triangles: 5 indices; a multiple of three is right");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': triangles: the list has 5 indices; their number must "
+                             "be a multiple of three");
 }
 
 TEST(Mesh, RejectsASubMeshThatLeavesTheIndexList)
 {
     MeshData data = Square();
     data.subMeshes = {{0, 3}, {3, 6}};
-    EXPECT_EQ(ErrorOf(data), "mesh 'square': subMeshes[1]: indices 3 to 9 of 6");
+    EXPECT_EQ(
+        ErrorOf(data),
+        "mesh 'square': subMeshes[1]: it ranges over the indices 3 to 9, but the mesh has only 6");
     data.subMeshes = {{0, 2}};
-    EXPECT_EQ(ErrorOf(data),
-              "mesh 'square': subMeshes[0]: 2 indices; a multiple of three is right");
+    EXPECT_EQ(
+        ErrorOf(data),
+        "mesh 'square': subMeshes[0]: it has 2 indices; their number must be a multiple of three");
     data.subMeshes = {{4294967295u, 3}};
-    EXPECT_EQ(ErrorOf(data), "mesh 'square': subMeshes[0]: indices 4294967295 to 4294967298 of 6");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': subMeshes[0]: it ranges over the indices 4294967295 "
+                             "to 4294967298, but the mesh has only 6");
 }
 
 TEST(Mesh, RejectsNumbersThatAreNotFinite)
 {
     MeshData data = Square();
     data.vertices[2].y = std::numeric_limits<float>::quiet_NaN();
-    EXPECT_EQ(ErrorOf(data), "mesh 'square': vertices[2]: not a finite number");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': vertices[2]: the value is not a finite number");
     data = Square();
     data.tangents.resize(4);
     data.tangents[1].w = std::numeric_limits<float>::infinity();
-    EXPECT_EQ(ErrorOf(data), "mesh 'square': tangents[1]: not a finite number");
+    EXPECT_EQ(ErrorOf(data), "mesh 'square': tangents[1]: the value is not a finite number");
 }
 
 TEST(Mesh, RejectsNoVerticesAtAll)
 {
-    EXPECT_EQ(ErrorOf({}), "mesh 'square': vertices: none; at least one is needed");
+    EXPECT_EQ(ErrorOf({}),
+              "mesh 'square': vertices: the list is empty; at least one vertex is needed");
 }
 
 TEST(Mesh, ListsEveryProblemAtOnce)
@@ -133,9 +140,12 @@ TEST(Mesh, ListsEveryProblemAtOnce)
     data.normals.resize(2);
     data.triangles.push_back(7);
     EXPECT_EQ(ErrorOf(data),
-              "mesh 'square': normals: 2 elements for 4 vertices; one a vertex or none is right\n"
-              "mesh 'square': triangles: 7 indices; a multiple of three is right\n"
-              "mesh 'square': triangles[6]: index 7 of 4 vertices (1 such indices in all)");
+              "mesh 'square': normals: the list has 2 elements for 4 vertices; it must have one "
+              "per vertex, or none\n"
+              "mesh 'square': triangles: the list has 7 indices; their number "
+              "must be a multiple of three\n"
+              "mesh 'square': triangles[6]: index 7 is too large for "
+              "4 vertices; the number of such indices is 1");
 }
 
 TEST(MeshColors, MayHaveFourBytes)

@@ -130,7 +130,7 @@ TEST_F(RendererLists, AreRefusedWhereTheyAreEmpty)
               "DrawRendererList: the list is empty; CreateRendererList makes one");
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { RendererListDesc(std::span<const ShaderTagId>(), m_Culled, m_Camera); }),
-              "RendererListDesc: 0 pass names; give 1 to 16");
+              "RendererListDesc: it has 0 pass names; it must have 1 to 16");
 }
 
 TEST_F(RendererLists, LeaveOutPassesThatAMaterialHasSwitchedOff)

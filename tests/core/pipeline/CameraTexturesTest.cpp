@@ -238,8 +238,8 @@ TEST_F(CameraTextures, AreFarWithANoteInPassesBeforeTheyAreMade)
                             "450 Draw Transparent Objects", "600 late", "1001 Final Blit"));
     EXPECT_THAT(result.report.notes,
                 ElementsAre("shader 'Test/Program' in pass 'early': texture '_CameraDepthTexture' "
-                            "is far everywhere: nothing has written it yet; UniversalRenderer has "
-                            "it made for passes behind event 150"));
+                            "is far everywhere: nothing has written it yet; UniversalRenderer "
+                            "makes it for passes after event 150"));
     const CompiledRenderPass early = PassInto(result, "Early");
     for (const PassCommand& command : early.commands)
     {
@@ -353,7 +353,7 @@ TEST_F(CameraTextures, AreGrayWithANoteWhereOpaqueObjectsReadTheOpaqueColor)
     EXPECT_THAT(result.report.notes,
                 ElementsAre("shader 'Test/Program' in pass 'Draw Opaque Objects': texture "
                             "'_CameraOpaqueTexture' is gray everywhere: nothing has written it "
-                            "yet; UniversalRenderer has it made for passes behind event 400"));
+                            "yet; UniversalRenderer makes it for passes after event 400"));
 }
 
 TEST_F(CameraTextures, AreAllMadeAtTheirPlacesWhereAllAreRead)
@@ -369,7 +369,7 @@ TEST_F(CameraTextures, DoNotIncludeMotionVectors)
 {
     AddPass("blur", 550, Needs::Motion);
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("blur: motion vectors are asked for, which limn does not make; "
+                ElementsAre("blur: it asks for motion vectors, but limn does not make them; "
                             "_MotionVectorTexture is gray"));
 }
 

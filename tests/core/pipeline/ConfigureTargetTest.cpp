@@ -214,7 +214,7 @@ TEST_F(ConfiguredTargets, AreAtMostEightColorsWithEmptyOnesBehindThem)
     EXPECT_THAT(m_Pass.colorAttachmentHandles(), ElementsAre(m_Mask));
     colors[8] = m_Normals;
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Pass.ConfigureTarget(colors); }),
-              "ConfigureTarget: 9 colour targets; at most 8");
+              "ConfigureTarget: it was given 9 colour targets; a pass has at most 8");
     colors.resize(3);
     colors[2] = m_Normals;
     m_Pass.ConfigureTarget(colors);

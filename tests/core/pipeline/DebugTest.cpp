@@ -68,7 +68,7 @@ TEST(Debug, PutsValuesIntoAFormat)
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { Debug::LogFormat("{1}", 0); }),
               "LogFormat '{1}': {1} stands for none of its 1 values");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { Debug::LogFormat("{0", 0); }),
-              "LogFormat '{0': a brace is not closed; a brace as it is is written twice");
+              "LogFormat '{0': a brace is not closed; write a literal brace twice");
 }
 
 TEST(Debug, TellsKindsApart)

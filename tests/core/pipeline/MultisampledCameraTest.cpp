@@ -46,7 +46,7 @@ public:
     RenderTextureDescriptor seen;
 };
 
-/// A cube before a camera that is drawn with four samples a texel.
+/// A cube before a camera that is drawn with four samples per texel.
 class MultisampledCamera : public test::PipelineTest<LimitedDevice>
 {
 protected:
@@ -114,8 +114,8 @@ TEST_F(MultisampledCamera, HasTheSamplesThatTheDeviceDoesOfColorAndDepth)
     m_Device.most = 2;
     EXPECT_EQ(Samples(), 2);
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("the camera is drawn with 2 samples a texel in place of 4 "
-                            "(msaaSampleCount): the device does no more of its format"));
+                ElementsAre("the camera is drawn with 2 samples per texel in place of 4 "
+                            "(msaaSampleCount): the device supports no more for its format"));
     m_Device.most = 8;
     m_Pipeline.msaaSampleCount = 8;
     EXPECT_EQ(Samples(), 4);

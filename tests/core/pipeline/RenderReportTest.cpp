@@ -118,7 +118,7 @@ public:
         {
             data.report->filters.push_back({{}, layers, {}, {0, 3, 0, 0, 0}});
         }
-        data.report->notes.push_back(name + ": not drawn, it has no shader");
+        data.report->notes.push_back(name + ": it is not drawn; it has no shader");
     }
 };
 
@@ -137,7 +137,8 @@ TEST_F(Reports, TellForEachFeatureItsPassesItsNotesAndItsFilters)
     EXPECT_EQ(report.features[1].name, "Silent");
     EXPECT_EQ(report.features[1].passes, 0u);
     ASSERT_EQ(report.features[1].noteCount, 1u);
-    EXPECT_EQ(report.notes.at(report.features[1].firstNote), "Silent: not drawn, it has no shader");
+    EXPECT_EQ(report.notes.at(report.features[1].firstNote),
+              "Silent: it is not drawn; it has no shader");
     EXPECT_EQ(report.features[2].passes, 1u);
     ASSERT_EQ(report.draws.size(), 1u);
     EXPECT_EQ(report.draws[0].feature, 2u);

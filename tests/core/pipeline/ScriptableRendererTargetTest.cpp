@@ -266,8 +266,10 @@ TEST(ScriptableRenderPass, DrawsWithOneToSixteenTags)
                     pass.CreateDrawingSettings(tags, data, SortingCriteria::CommonOpaque));
             });
     };
-    EXPECT_EQ(errorOf(0), "CreateDrawingSettings: 0 LightMode tags; give 1 to 16");
-    EXPECT_EQ(errorOf(17), "CreateDrawingSettings: 17 LightMode tags; give 1 to 16");
+    EXPECT_EQ(errorOf(0),
+              "CreateDrawingSettings: it was given 0 LightMode tags; 1 to 16 are expected");
+    EXPECT_EQ(errorOf(17),
+              "CreateDrawingSettings: it was given 17 LightMode tags; 1 to 16 are expected");
 }
 
 } // namespace

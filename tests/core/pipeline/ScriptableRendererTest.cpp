@@ -210,7 +210,8 @@ TEST_F(ScriptableRendererOrder, CallsNothingOfAnInactiveFeatureAndSaysSo)
     m_Harness.Render();
     EXPECT_THAT(m_Log, IsEmpty());
     EXPECT_THAT(ExecutedPasses(), IsEmpty());
-    EXPECT_THAT(m_Harness.report.notes, ElementsAre("Outline: not drawn, the feature is inactive"));
+    EXPECT_THAT(m_Harness.report.notes,
+                ElementsAre("Outline: it is not drawn; the feature is inactive"));
 }
 
 TEST_F(ScriptableRendererOrder, CreatesAFeatureOnceWhenItIsAdded)

@@ -347,7 +347,8 @@ TEST_F(Pipeline, SaysWhatIsBeyondAFloat)
     Transform huge;
     huge.localScale = glm::vec3(1e30f);
     test::AddCube(m_Scene, "Moon", {0, 0, 1e10f}, {}).transform.parent = &huge;
-    const std::string reason = " is drawn: position or size in the world is beyond a float, 3.4e38";
+    const std::string reason =
+        " is drawn: a position or size in the world exceeds the range of a float, 3.4e38";
     EXPECT_THAT(Render().report.notes, ElementsAre("object 'Moon': nothing of it" + reason));
     test::AddCube(m_Scene, "Mars", {0, 1e10f, 0}, {}).transform.parent = &huge;
     EXPECT_THAT(Render().report.notes,

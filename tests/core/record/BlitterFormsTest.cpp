@@ -88,7 +88,8 @@ TEST_F(BlitterForms, HaveNoMipLevelThatTheSourceHasNot)
 {
     Blitter::BlitCameraTexture(m_Cmd, m_Source, m_Dest, 1.0f);
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Execute(); }),
-              "BlitTexture: mip level 1.000000 of '" + m_Source.rt()->name() + "'; it has 1");
+              "BlitTexture: there is no mip level 1.000000 of '" + m_Source.rt()->name() +
+                  "'; it has 1");
     m_Cmd.Clear();
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] {
@@ -131,7 +132,7 @@ TEST_F(BlitterForms, TakeLoadAndStoreActions)
     EXPECT_EQ(Target(1).depth, m_Depth.rt());
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { m_Cmd.SetRenderTarget(m_Dest, Load::Clear, Store::Store); }),
-              "SetRenderTarget: RenderBufferLoadAction::Clear says not to what; use "
+              "SetRenderTarget: RenderBufferLoadAction::Clear names no colour to clear to; call "
               "ClearRenderTarget");
 }
 

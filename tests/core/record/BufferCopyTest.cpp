@@ -69,21 +69,25 @@ TEST_F(BufferCopies, AreRefusedAsUnitysDocumentationHasIt)
 {
     EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(nullptr, m_To); }), "CopyBuffer: the buffer is null");
     EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(m_From, m_From); }),
-              "CopyBuffer from 'from' to 'from': they are one buffer");
+              "CopyBuffer from 'from' to 'from': source and destination are the same buffer; copy "
+              "between two");
     const auto shorter = BufferOf(Target::Structured | Target::CopyDestination, 7, "shorter");
     EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(m_From, shorter); }),
-              "CopyBuffer from 'from' to 'shorter': 32 bytes and 28; both must have the same");
+              "CopyBuffer from 'from' to 'shorter': they have 32 bytes and 28; both must have the "
+              "same number");
     EXPECT_THAT(Error([&] { m_Cmd.CopyBuffer(m_To, m_From); }),
-                HasSubstr("the first is made with GraphicsBuffer::Target::CopySource, the second "
-                          "with CopyDestination"));
-    EXPECT_EQ(Error([&] { m_Cmd.CopyCounterValue(m_From, m_To, 0); }),
-              "CopyCounterValue: 'from' has none; only targets Append and Counter have one");
+                HasSubstr("the first must be made with GraphicsBuffer::Target::CopySource, the "
+                          "second with CopyDestination"));
+    EXPECT_EQ(
+        Error([&] { m_Cmd.CopyCounterValue(m_From, m_To, 0); }),
+        "CopyCounterValue: 'from' has no counter; only the targets Append and Counter have one");
     const auto counted = BufferOf(Target::Append, 4, "counted");
     for (const std::uint32_t place : {2u, 32u, 0xfffffffcu})
     {
-        EXPECT_EQ(Error([&] { m_Cmd.CopyCounterValue(counted, m_To, place); }),
-                  "CopyCounterValue to byte " + std::to_string(place) +
-                      " of 'to', which has 32; it is four bytes at a multiple of 4");
+        EXPECT_EQ(
+            Error([&] { m_Cmd.CopyCounterValue(counted, m_To, place); }),
+            "CopyCounterValue to byte " + std::to_string(place) +
+                " of 'to', which has 32 bytes; the counter takes four bytes at a multiple of 4");
     }
     m_Cmd.CopyCounterValue(counted, m_To, 28);
     EXPECT_EQ(m_Cmd.commands().size(), 1u);

@@ -60,7 +60,7 @@ TEST_F(CommandBuffers, EndTheSampleOfAName)
     m_Cmd.BeginSample("inner");
     m_Cmd.EndSample("inner");
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Cmd.EndSample("inner"); }),
-              "EndSample: 'inner' is not what ends, 'outer' is");
+              "EndSample: 'inner' is not the innermost open sample; end 'outer' first");
     m_Cmd.EndSample("outer");
     m_Cmd.EndSample("of another buffer");
     ASSERT_EQ(m_Cmd.commands().size(), 5u);
@@ -113,7 +113,7 @@ TEST_F(CommandBuffers, RefuseMoreColorsThanAPassWrites)
 {
     const std::vector<RTHandle> colors(9, m_Color);
     EXPECT_EQ(ErrorOf([&] { m_Cmd.SetRenderTarget(colors, m_Depth); }),
-              "SetRenderTarget: 9 colour targets; at most 8");
+              "SetRenderTarget: it was given 9 colour targets; a pass has at most 8");
 }
 
 TEST_F(CommandBuffers, RefuseAColorAsDepthAndADepthAmongColors)

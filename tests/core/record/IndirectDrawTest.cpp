@@ -56,9 +56,9 @@ TEST_F(IndirectDraws, SayWhatIsWrongWithTheirBuffer)
               "GraphicsBuffer::Target::IndirectArguments");
     const auto part = [](const std::string& offset)
     {
-        return "DrawMeshInstancedIndirect: arguments of 20 bytes at " + offset +
-               " of buffer 'Args', which has 20; they begin at a multiple of 4 and end in the "
-               "buffer";
+        return "DrawMeshInstancedIndirect: the arguments are 20 bytes from byte " + offset +
+               " of buffer 'Args', which has 20 bytes; they must begin at a multiple of 4 and end "
+               "within the buffer";
     };
     EXPECT_EQ(Message(m_Args, 4), part("4"));
     EXPECT_EQ(Message(m_Args, -4), part("-4"));
@@ -66,8 +66,8 @@ TEST_F(IndirectDraws, SayWhatIsWrongWithTheirBuffer)
     CommandBuffer cmd;
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { cmd.DispatchCompute(MakeKernel(""), 0, m_Args, 12); }),
-              "DispatchCompute: arguments of 12 bytes at 12 of buffer 'Args', which has 20; they "
-              "begin at a multiple of 4 and end in the buffer");
+              "DispatchCompute: the arguments are 12 bytes from byte 12 of buffer 'Args', which "
+              "has 20 bytes; they must begin at a multiple of 4 and end within the buffer");
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { cmd.DrawMeshInstancedProcedural(m_Mesh, 0, m_Material, 0, -1); }),
               "DrawMeshInstancedProcedural: the instance count -1 is negative");

@@ -119,8 +119,8 @@ TEST_F(ProceduralDraws, AreRefusedWhereNoDeviceDrawsThem)
                       m_Cmd.DrawProceduralIndirect(glm::mat4(1.0f), m_Material, 0,
                                                    MeshTopology::Quads, arguments);
                   }),
-              "DrawProceduralIndirect: Quads are drawn by indices, and the buffer's counts are "
-              "those of a draw without; draw Triangles, six vertices a quad");
+              "DrawProceduralIndirect: limn draws Quads by indices, but the buffer's counts are "
+              "those of a draw without indices; draw Triangles, six vertices per quad");
     EXPECT_EQ(message(MeshTopology::Lines, -1, 1),
               "DrawProcedural: the vertex count -1 is negative");
     EXPECT_EQ(message(MeshTopology::Lines, 2, -1),

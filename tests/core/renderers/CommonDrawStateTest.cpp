@@ -290,10 +290,10 @@ TEST_F(MeshInstances, AreAsManyAsInUnityAtMost)
     const std::vector<glm::mat4> more(1024, At(0));
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, more); }),
-              "DrawMeshInstanced: 1024 matrices; at most 1023");
+              "DrawMeshInstanced: it was given 1024 matrices; a call takes at most 1023");
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [&] { m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, most, 1024); }),
-              "DrawMeshInstanced: 1024 of 1023 matrices");
+              "DrawMeshInstanced: the count is 1024, but there are 1023 matrices");
     m_Cmd.Clear();
     m_Cmd.DrawMeshInstanced(test::Cube(), 0, m_Material, 0, more, 3);
     m_Context.Begin(m_Report, glm::dvec3(0.0));

@@ -257,7 +257,8 @@ TEST(ProjectionMatrix, IsRefusedWhereItIsNone)
                   [] {
                       static_cast<void>(Camera().CalculateObliqueMatrix({0, 0, -1, 2}, 1.0f));
                   }),
-              "camera: the oblique near plane keeps the camera itself, or nothing that it sees");
+              "camera: the oblique near plane has the camera on its visible side, or cuts "
+              "everything away");
 }
 
 void ExpectView(const Camera& camera, const glm::vec3& world, const glm::vec3& expected)

@@ -241,8 +241,8 @@ std::string CircleError(const Transform& transform)
 
 TEST(Transform, RefusesParentsThatGoRoundInACircle)
 {
-    const std::string expected = "transform: it is among its own parents, or they go round in a "
-                                 "circle; a parent must lead to one without a parent";
+    const std::string expected = "transform: its parents form a circle; the chain of parents must "
+                                 "end at a transform without a parent";
     for (const std::size_t tail : {0u, 1u, 2u, 3u})
     {
         for (const std::size_t circle : {1u, 2u, 3u, 4u})

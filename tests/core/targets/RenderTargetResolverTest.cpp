@@ -208,11 +208,12 @@ TEST_F(IdentifiedTextures, AreNotCopiedIntoOthersOfSizeOrFormat)
 {
     m_Cmd.CopyTexture(m_Color, RTHandle(test::Target("Small", 8, 4)));
     EXPECT_EQ(ErrorOfExecution(),
-              "CopyTexture: 'CameraColor' is 40x20 R8G8B8A8_UNorm and 'Small' is 8x4 "
-              "R8G8B8A8_UNorm; size and format must be the same");
+              "CopyTexture: the textures are 'CameraColor' is 40x20 R8G8B8A8_UNorm and 'Small' is "
+              "8x4 R8G8B8A8_UNorm; size and format must be the same");
     m_Cmd.CopyTexture(m_Depth, RTHandle(test::DepthTarget("Depth", 40, 20)));
-    EXPECT_EQ(ErrorOfExecution(), "CopyTexture: 'CameraDepth' is 40x20 D32_SFloat_S8_UInt; limn "
-                                  "copies colours of one sample a texel");
+    EXPECT_EQ(ErrorOfExecution(),
+              "CopyTexture: the source is 'CameraDepth' is 40x20 D32_SFloat_S8_UInt; limn copies "
+              "only colours with one sample per texel");
     m_Cmd.CopyTexture(m_Color, BuiltinRenderTextureType::CameraTarget);
     EXPECT_EQ(ErrorOfExecution(), "CopyTexture: 'CameraColor' is both source and destination");
 }
@@ -220,10 +221,11 @@ TEST_F(IdentifiedTextures, AreNotCopiedIntoOthersOfSizeOrFormat)
 TEST_F(IdentifiedTextures, ThatWereNeverMadeAreASentence)
 {
     m_Cmd.Blit("_Lost", m_Color, m_Sampling);
-    EXPECT_EQ(ErrorOfExecution(), "Blit: '_Lost' stands for no texture; GetTemporaryRT or "
-                                  "SetGlobalTexture comes first");
+    EXPECT_EQ(ErrorOfExecution(),
+              "Blit: '_Lost' stands for no texture; call GetTemporaryRT or SetGlobalTexture first");
     m_Cmd.SetRenderTarget(BuiltinRenderTextureType::CurrentActive);
-    EXPECT_EQ(ErrorOfExecution(), "SetRenderTarget: CurrentActive, but no target is bound yet");
+    EXPECT_EQ(ErrorOfExecution(),
+              "SetRenderTarget: CurrentActive is given, but no target is bound yet");
     m_Cmd.Blit(BuiltinRenderTextureType::None, m_Color);
     EXPECT_EQ(ErrorOfExecution(), "Blit: the source is None, and no material is given");
     m_Cmd.Blit(m_Color, BuiltinRenderTextureType::None);

@@ -247,14 +247,15 @@ TEST(GraphicsFormat, IsMadeOrRefusedWithAnotherThatWouldDo)
     {
         const std::string message = test::ThrownMessage<ContractError>(
             [&] { const RenderTexture texture("T", RenderTextureDescriptor(4, 4, fact.format)); });
-        EXPECT_THAT(message, testing::StartsWith("texture 'T': format " + std::string(fact.name)));
+        EXPECT_THAT(message,
+                    testing::StartsWith("texture 'T': the format " + std::string(fact.name)));
         EXPECT_THAT(message, testing::EndsWith(" would do"));
     }
     EXPECT_EQ(test::ThrownMessage<ContractError>(
                   [] {
                       const RenderTexture texture("T", {4, 4, R_BC4_SNorm});
                   }),
-              "texture 'T': format R_BC4_SNorm is compressed; R8_SNorm would do");
+              "texture 'T': the format R_BC4_SNorm is compressed; R8_SNorm would do");
 }
 
 TEST(GraphicsFormat, TellsTheComponentsOfATexel)

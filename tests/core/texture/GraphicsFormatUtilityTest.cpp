@@ -124,10 +124,9 @@ TEST(GraphicsFormatUtility, FindsTheOlderName)
 
 TEST(GraphicsFormatUtility, RefusesBitsThatNoDepthHas)
 {
-    EXPECT_EQ(
-        test::ThrownMessage<ContractError>([] { Utility::GetDepthStencilFormat(64, 0); }),
-        "GetDepthStencilFormat: 64 bits of depth and 0 of stencil; there are 0 to 32 and 0 to "
-        "8");
+    EXPECT_EQ(test::ThrownMessage<ContractError>([] { Utility::GetDepthStencilFormat(64, 0); }),
+              "GetDepthStencilFormat: it was asked for 64 bits of depth and 0 of stencil; they "
+              "must be 0 to 32 and 0 to 8");
 }
 
 } // namespace limn

@@ -156,8 +156,9 @@ TEST(ReadPng, TakesNoMemoryForAPictureThatTheFileCannotHold)
         const auto path = folder.Write("a.png", HeaderOf(width, height));
         return ThrownMessage<AssetError>([&] { ReadPng(path); }).erase(0, path.string().size());
     };
-    EXPECT_EQ(errorOf(65535, 65535), ": error: is 65535x65535; at most 16384 either way is read");
-    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; at most 16384 either way is read");
+    EXPECT_EQ(errorOf(65535, 65535),
+              ": error: is 65535x65535; limn reads at most 16384 texels either way");
+    EXPECT_EQ(errorOf(1, 16385), ": error: is 1x16385; limn reads at most 16384 texels either way");
     EXPECT_EQ(errorOf(16384, 16384), ": error: is no readable PNG: a file of 57 bytes cannot hold "
                                      "its picture of 16384x16384");
     // As large as 57 bytes could make it, and still there is nothing in them.
@@ -253,8 +254,8 @@ TEST(WritePng, RejectsFormatsThatPngDoesNotKnow)
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [&]
                   { WritePng(folder / "a.png", FourTexels(GraphicsFormat::R16G16B16A16_SFloat)); }),
-              "WritePng: format R16G16B16A16_SFloat; R8G8B8A8_SRGB, R8G8B8A8_UNorm and R8_UNorm "
-              "can be written");
+              "WritePng: the format is R16G16B16A16_SFloat; it must be R8G8B8A8_SRGB, "
+              "R8G8B8A8_UNorm or R8_UNorm");
     EXPECT_EQ(folder.fileCount(), 0);
 }
 
@@ -264,12 +265,12 @@ TEST(WritePng, RejectsAnImageWithoutAllItsTexels)
     Image image = FourTexels();
     image.texels.pop_back();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { WritePng(folder / "a.png", image); }),
-              "WritePng: 15 bytes of texels; 2x2 of R8G8B8A8_SRGB takes 16");
+              "WritePng: there are 15 bytes of texels; 2x2 of R8G8B8A8_SRGB takes 16");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [&] {
                       WritePng(folder / "a.png", {0, 2, GraphicsFormat::R8_UNorm, {}});
                   }),
-              "WritePng: size 0x2; both must be at least 1");
+              "WritePng: the size is 0x2; both must be at least 1");
 }
 
 TEST(FlipRows, PutsTheLastRowFirst)

@@ -88,7 +88,7 @@ TEST(RTHandle, IsNotAllocatedWithASizeBelowOne)
                   [] {
                       MaskHandle({0, 540, GraphicsFormat::R8_UNorm});
                   }),
-              "texture '_Mask': size 0x540; both must be at least 1");
+              "texture '_Mask': the size is 0x540; both must be at least 1");
 }
 
 TEST(ReAllocateIfNeeded, FillsAnEmptyHandle)
@@ -216,7 +216,7 @@ TEST(ReAllocateIfNeeded, KeepsTheTextureWhenTheDescriptorIsWrong)
     RenderTextureDescriptor wrong = k_Mask;
     wrong.msaaSamples = 3;
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { ReAllocateMask(handle, wrong); }),
-              "texture '_Mask': msaaSamples 3; it must be 1, 2, 4 or 8");
+              "texture '_Mask': msaaSamples is 3; it must be 1, 2, 4 or 8");
     EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
 }
 
@@ -278,7 +278,7 @@ TEST(ScaledHandles, AreRefusedWithoutASize)
                   [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
               "RTHandles::Alloc '': the scale function is empty");
     EXPECT_EQ(test::ThrownMessage<ContractError>([] { RTHandles::SetReferenceSize(0, 1); }),
-              "SetReferenceSize: 0x1; both must be greater than 0");
+              "SetReferenceSize: the size is 0x1; both must be greater than 0");
 }
 
 TEST(ScaledHandles, TellTheSizeThatTheyHaveForACamera)

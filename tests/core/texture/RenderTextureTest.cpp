@@ -93,7 +93,7 @@ TEST(RenderTextureDescriptor, StaysAsItIsEncodedWhenItsColorFormatIsSet)
 TEST(RenderTexture, RejectsADefaultDescriptor)
 {
     EXPECT_EQ(ThrownMessage<ContractError>([] { RenderTexture("_Mask", {}); }),
-              "texture '_Mask': size 0x0; both must be at least 1");
+              "texture '_Mask': the size is 0x0; both must be at least 1");
 }
 
 TEST(RenderTexture, RejectsNumbersOfSamplesThatNoHardwareHas)
@@ -103,7 +103,7 @@ TEST(RenderTexture, RejectsNumbersOfSamplesThatNoHardwareHas)
     {
         descriptor.msaaSamples = samples;
         EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("_Mask", descriptor); }),
-                  "texture '_Mask': msaaSamples " + std::to_string(samples) +
+                  "texture '_Mask': msaaSamples is " + std::to_string(samples) +
                       "; it must be 1, 2, 4 or 8");
     }
 }
@@ -114,7 +114,7 @@ TEST(RenderTexture, RejectsDepthBitsThatUnityDoesNotName)
                   [] {
                       RenderTexture("_Mask", {4, 4, GraphicsFormat::R8_UNorm, 23});
                   }),
-              "texture '_Mask': depthBufferBits 23; it must be 0, 16, 24 or 32");
+              "texture '_Mask': depthBufferBits is 23; it must be 0, 16, 24 or 32");
 }
 
 TEST(RenderTexture, RejectsNoFormatAtAll)
@@ -123,7 +123,7 @@ TEST(RenderTexture, RejectsNoFormatAtAll)
                   [] {
                       RenderTexture("_Mask", {4, 4, GraphicsFormat::None});
                   }),
-              "texture '_Mask': format None; it needs a format");
+              "texture '_Mask': the format is None; give the texture a format");
 }
 
 TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
@@ -136,12 +136,12 @@ TEST(RenderTexture, HasTheMipLevelsThatItsDescriptorSays)
     EXPECT_EQ(RenderTexture("a", descriptor).mipmapCount(), 3);
     descriptor.mipCount = 6;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
-              "texture 'a': 6 mip levels; 20x7 has 1 to 5");
+              "texture 'a': it was given 6 mip levels; 20x7 can have 1 to 5");
     descriptor.graphicsFormat = GraphicsFormat::None;
     descriptor.depthBufferBits = 24;
     descriptor.mipCount = 0;
     EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("a", descriptor); }),
-              "texture 'a': useMipMap of a depth texture; only a colour has mip levels");
+              "texture 'a': useMipMap is true for a depth texture; only colours have mip levels");
 }
 
 TEST(RenderTexture, RefusesWhatADescriptorMayAskForInVain)
@@ -153,15 +153,16 @@ TEST(RenderTexture, RefusesWhatADescriptorMayAskForInVain)
         return ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); });
     };
     EXPECT_EQ(message([](auto& d) { d.dimension = TextureDimension::Cube; }),
-              "texture 't': dimension Cube and volumeDepth 1; what passes draw into is 2D, of a "
-              "volumeDepth of 1");
+              "texture 't': dimension is Cube and volumeDepth is 1; passes draw only into 2D "
+              "textures with a volumeDepth of 1");
     EXPECT_EQ(message([](auto& d) { d.volumeDepth = 2; }),
-              "texture 't': dimension 2D and volumeDepth 2; what passes draw into is 2D, of a "
-              "volumeDepth of 1");
+              "texture 't': dimension is 2D and volumeDepth is 2; passes draw only into 2D "
+              "textures with a volumeDepth of 1");
     EXPECT_EQ(message([](auto& d) { d.vrUsage = VRTextureUsage::TwoEyes; }),
-              "texture 't': vrUsage is not VRTextureUsage::None; there is no XR");
+              "texture 't': vrUsage is not VRTextureUsage::None; limn has no XR");
     EXPECT_EQ(message([](auto& d) { d.bindMS = true; }),
-              "texture 't': bindMS; shaders see one sample a texel, resolved");
+              "texture 't': bindMS is true; shaders read only the resolved texture, with one "
+              "sample per texel");
     RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R8_UNorm, 32);
     descriptor.memoryless = RenderTextureMemoryless::Depth;
     descriptor.useDynamicScale = true;
@@ -174,13 +175,14 @@ TEST(RenderTexture, OfIntegersHasNoAverages)
 {
     RenderTextureDescriptor descriptor(4, 4, GraphicsFormat::R32_SInt);
     descriptor.useMipMap = true;
-    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
-              "texture 't': R32_SInt with useMipMap; of integers there is no average");
-    descriptor.useMipMap = false;
-    descriptor.msaaSamples = 4;
     EXPECT_EQ(
         ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
-        "texture 't': R32_SInt with several samples a texel; of integers there is no average");
+        "texture 't': its integer format R32_SInt cannot have useMipMap; integers have no average");
+    descriptor.useMipMap = false;
+    descriptor.msaaSamples = 4;
+    EXPECT_EQ(ThrownMessage<ContractError>([&] { RenderTexture("t", descriptor); }),
+              "texture 't': its integer format R32_SInt cannot have several samples per texel; "
+              "integers have no average");
 }
 
 TEST(RenderTexture, TakesItsDepthByFormatAsWell)

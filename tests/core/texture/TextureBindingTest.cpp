@@ -271,8 +271,8 @@ TEST_F(TextureBindings, RefuseTexturesOfSeveralSamples)
         test::ShaderWithProgram("", "Texture2DMS<float4> _Map;", "_Map.Load(int2(0, 0), 0)"),
         "Paint");
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Draw.Resolve(material); }),
-              "material 'Paint': property '_Map' is a texture of several samples a texel in the "
-              "shader; those cannot be bound yet");
+              "material 'Paint': property '_Map' is a texture of several samples per texel in the "
+              "shader; limn cannot bind such textures yet");
 }
 
 struct NamedSampler

@@ -41,10 +41,10 @@ TEST(Texture2D, RejectsASizeThatIsNotPositive)
 {
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [] { Texture2D("noise", 0, 4, GraphicsFormat::R8_UNorm, {}); }),
-              "texture 'noise': size 0x4; both must be at least 1");
+              "texture 'noise': the size is 0x4; both must be at least 1");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [] { Texture2D("noise", 4, -1, GraphicsFormat::R8_UNorm, {}); }),
-              "texture 'noise': size 4x-1; both must be at least 1");
+              "texture 'noise': the size is 4x-1; both must be at least 1");
 }
 
 TEST(Texture2D, RejectsBytesThatDoNotFitItsSize)
@@ -52,18 +52,18 @@ TEST(Texture2D, RejectsBytesThatDoNotFitItsSize)
     const std::vector<std::byte> tooFew(23);
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [&] { Texture2D("noise", 3, 2, GraphicsFormat::R8G8B8A8_UNorm, tooFew); }),
-              "texture 'noise': 23 bytes of texels; 3x2 of R8G8B8A8_UNorm takes 24");
+              "texture 'noise': there are 23 bytes of texels; 3x2 of R8G8B8A8_UNorm takes 24");
 }
 
 TEST(Texture2D, RejectsAFormatThatTexelsFromTheCpuCannotHave)
 {
     EXPECT_EQ(
         ThrownMessage<ContractError>([] { Texture2D("noise", 1, 1, GraphicsFormat::None, {}); }),
-        "texture 'noise': format None; it needs a format");
+        "texture 'noise': the format is None; give the texture a format");
     EXPECT_EQ(ThrownMessage<ContractError>(
                   []
                   { Texture2D("z", 1, 1, GraphicsFormat::D32_SFloat, std::vector<std::byte>(4)); }),
-              "texture 'z': format D32_SFloat; only a RenderTexture can hold depth");
+              "texture 'z': the format is D32_SFloat; only a RenderTexture can hold depth");
 }
 
 /// `count` bytes of this value.
@@ -107,9 +107,9 @@ TEST(Texture3D, KeepsItsSlicesInOrder)
 TEST(Texture3D, RejectsASizeThatIsNotPositiveAndBytesThatDoNotFit)
 {
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 4, 0, k_R8, {}); }),
-              "texture 'fog': size 4x4x0; all must be at least 1");
+              "texture 'fog': the size is 4x4x0; all must be at least 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture3D("fog", 4, 3, 2, k_R8, Bytes(12)); }),
-              "texture 'fog': 12 bytes of texels; 4x3x2 of R8_UNorm takes 24");
+              "texture 'fog': there are 12 bytes of texels; 4x3x2 of R8_UNorm takes 24");
 }
 
 TEST(Texture2DArray, KeepsItsElementsInOrder)
@@ -127,9 +127,9 @@ TEST(Texture2DArray, NamesTheElementThatDoesNotFit)
                   [] {
                       Texture2DArray("sheets", 2, 2, k_R8, {Bytes(4), Bytes(5)});
                   }),
-              "texture 'sheets': element 1: 5 bytes of texels; 2x2 of R8_UNorm takes 4");
+              "texture 'sheets': element 1: there are 5 bytes of texels; 2x2 of R8_UNorm takes 4");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Texture2DArray("sheets", 2, 2, k_R8, {}); }),
-              "texture 'sheets': size 2x2x0; all must be at least 1");
+              "texture 'sheets': the size is 2x2x0; all must be at least 1");
 }
 
 TEST(Cubemap, KeepsItsFacesInOrder)
@@ -148,9 +148,9 @@ TEST(Cubemap, NamesTheFaceThatDoesNotFit)
     CubemapFaces faces = OneByteFaces(0);
     faces[3].clear();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 1, k_R8, faces); }),
-              "texture 'sky': face -Y: 0 bytes of texels; 1x1 of R8_UNorm takes 1");
+              "texture 'sky': face -Y: there are 0 bytes of texels; 1x1 of R8_UNorm takes 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { Cubemap("sky", -2, k_R8, CubemapFaces()); }),
-              "texture 'sky': size -2x-2; both must be at least 1");
+              "texture 'sky': the size is -2x-2; both must be at least 1");
 }
 
 /// Faces of 2x2 and of 1x1 texels.
@@ -179,14 +179,15 @@ TEST(Cubemap, NamesTheLevelThatDoesNotFit)
 {
     std::vector<CubemapFaces> levels = TwoLevels();
     levels[1][2].resize(4);
-    EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
-              "texture 'sky': level 1, face +Y: 4 bytes of texels; 1x1 of R8_UNorm takes 1");
+    EXPECT_EQ(
+        ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
+        "texture 'sky': level 1, face +Y: there are 4 bytes of texels; 1x1 of R8_UNorm takes 1");
     levels.push_back(levels.back());
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
-              "texture 'sky': 3 mip levels; 2x2 has 1 to 2");
+              "texture 'sky': it was given 3 mip levels; 2x2 can have 1 to 2");
     levels.clear();
     EXPECT_EQ(ThrownMessage<ContractError>([&] { Cubemap("sky", 2, k_R8, levels); }),
-              "texture 'sky': 0 mip levels; 2x2 has 1 to 2");
+              "texture 'sky': it was given 0 mip levels; 2x2 can have 1 to 2");
 }
 
 TEST(CubemapArray, KeepsItsCubesInOrder)
@@ -202,20 +203,21 @@ TEST(CubemapArray, NamesTheCubeAndFaceThatDoNotFit)
 {
     CubemapFaces faces = OneByteFaces(0);
     faces[4] = Bytes(2);
-    EXPECT_EQ(ThrownMessage<ContractError>(
-                  [&] {
-                      CubemapArray("skies", 1, k_R8, {OneByteFaces(0), faces});
-                  }),
-              "texture 'skies': cube 1, face +Z: 2 bytes of texels; 1x1 of R8_UNorm takes 1");
+    EXPECT_EQ(
+        ThrownMessage<ContractError>(
+            [&] {
+                CubemapArray("skies", 1, k_R8, {OneByteFaces(0), faces});
+            }),
+        "texture 'skies': cube 1, face +Z: there are 2 bytes of texels; 1x1 of R8_UNorm takes 1");
     EXPECT_EQ(ThrownMessage<ContractError>([] { CubemapArray("skies", 1, k_R8, {}); }),
-              "texture 'skies': size 1x1x0; all must be at least 1");
+              "texture 'skies': the size is 1x1x0; all must be at least 1");
 }
 
 TEST(TexelTexture, HoldsNoDepth)
 {
     EXPECT_EQ(ThrownMessage<ContractError>(
                   [] { Cubemap("shadow", 1, GraphicsFormat::D32_SFloat, CubemapFaces()); }),
-              "texture 'shadow': format D32_SFloat; only a RenderTexture can hold depth");
+              "texture 'shadow': the format is D32_SFloat; only a RenderTexture can hold depth");
 }
 
 } // namespace

@@ -182,7 +182,7 @@ TEST_F(CheckCommand, SaysWhyAFeatureThatIsOffDrawsNothing)
 {
     EXPECT_THAT(Printed("features: {Outline: {drawn: [Lamp]}}\n", 1,
                         {"--set", "ScreenSpaceOutline.m_Enable=false"}),
-                HasSubstr("- Lamp  expected, but left out: not drawn, "));
+                HasSubstr("- Lamp  expected, but left out: it is not drawn; "));
 }
 
 TEST_F(CheckCommand, TakesProfilesValuesAndASelection)

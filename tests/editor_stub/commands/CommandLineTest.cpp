@@ -152,9 +152,8 @@ TEST_F(BadInput, AnEmptySceneSaysSo)
 TEST_F(BadInput, ABinarySceneSaysSo)
 {
     ExpectRefusal(Render(std::string("camera\0: {}", 11)),
-                  Path("s.scene.yaml") +
-                      ":1:7: error: a NUL byte: this is a binary file or UTF-16; UTF-8 text is "
-                      "expected\n",
+                  Path("s.scene.yaml") + ":1:7: error: here is a NUL byte, so this is a binary "
+                                         "file or UTF-16; UTF-8 text is expected\n",
                   1);
 }
 
@@ -231,9 +230,8 @@ TEST_F(BadInput, ASceneOfUnitysIsReadInItsProject)
                   1);
     const std::string prefab = folder.Write("Box.prefab", "%YAML 1.1\n").generic_string();
     ExpectRefusal(RunCommand({"render", prefab, "-o", Path("out.png")}),
-                  prefab +
-                      ": error: 'render' cannot take it: this is a prefab of Unity's, which is "
-                      "drawn where a .unity scene holds it\n",
+                  prefab + ": error: 'render' cannot take it: this is a Unity prefab, which is "
+                           "drawn where a .unity scene holds it\n",
                   2);
     ExpectRefusal(RunCommand({"render", folder.path().string(), "-o", Path("out.png")}),
                   folder.path().string() +
@@ -256,11 +254,11 @@ TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
                               sentence + " file is expected\n",
                           2);
         };
-        const std::string scene = "scene or scene of Unity's; a *.scene.yaml or *.unity";
+        const std::string scene = "scene or Unity scene; a *.scene.yaml or *.unity";
         expectNo({"render", file, "-o", Path("out.png")}, scene);
         expectNo({"watch", file, "-o", Path("out.png")}, scene);
         expectNo({"explain", file}, scene);
-        expectNo({"inspect", file}, "scene or volume profile or scene of Unity's; a *.scene.yaml "
+        expectNo({"inspect", file}, "scene or volume profile or Unity scene; a *.scene.yaml "
                                     "or *.profile.yaml or *.unity");
         expectNo({"set", file, "A.b=1"},
                  "scene or volume profile; a *.scene.yaml or *.profile.yaml");

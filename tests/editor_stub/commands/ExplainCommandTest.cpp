@@ -58,7 +58,7 @@ TEST_F(ExplainCommand, ShowsTheShadowMapAndWhoThrowsShadowsOnly)
         Explain({}, "camera: {position: [0, 0, -5]}\nlight: {shadows: Soft}\n" + objects);
     EXPECT_THAT(run.out, HasSubstr("  50   MainLightShadow: 2 of 2 drawn"));
     EXPECT_THAT(run.out, HasSubstr("_MainLightShadowmapTexture 256x256 D32_SFloat"));
-    EXPECT_THAT(run.out, HasSubstr("1 object of 2 not drawn, it throws shadows only: Roof\n"));
+    EXPECT_THAT(run.out, HasSubstr("1 object of 2 is not drawn, it only throws shadows: Roof\n"));
     EXPECT_THAT(Explain({}, "camera: {position: [0, 0, -5]}\n" + objects).out,
                 testing::Not(HasSubstr("MainLightShadow")));
 }
@@ -80,8 +80,8 @@ TEST_F(ExplainCommand, FitsOnAScreenWithWhatIsOddFirst)
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
     EXPECT_EQ("odd:\n"
-              "  1 object of 3 not drawn, inactive: Off\n"
-              "  1 object of 3 not drawn, outside the camera's frustum: Behind\n"
+              "  1 object of 3 is not drawn, inactive: Off\n"
+              "  1 object of 3 is not drawn, outside the camera's frustum: Behind\n"
               "the camera takes volumes at:\n"
               "  (0, 0, -5), its own position; layers 0\n"
               "volume values:\n"
@@ -135,7 +135,7 @@ TEST_F(ExplainCommand, CannotBeCommandedToForgeALine)
                                        "objects: [{name: \"A\\n  B\\e[2J\", mesh: cube, active: "
                                        "false}]\n");
     EXPECT_THAT(run.out, testing::StartsWith(
-                             "odd:\n  1 object of 1 not drawn, inactive: A\\n  B\\x1B[2J\n"));
+                             "odd:\n  1 object of 1 is not drawn, inactive: A\\n  B\\x1B[2J\n"));
 }
 
 TEST_F(ExplainCommand, TellsWhereEveryVolumeValueComesFrom)
@@ -231,15 +231,15 @@ TEST_F(ExplainCommand, TellsWhyEachObjectIsDrawnOrNot)
     EXPECT_THAT(run.out, HasSubstr("  Seen\n"));
     EXPECT_THAT(run.out, HasSubstr("Default-Material: drawn\n"));
     EXPECT_THAT(run.out, HasSubstr("Default-Material: left out, render queue\n"));
-    EXPECT_THAT(run.out, HasSubstr("  Behind: not drawn, outside the camera's frustum\n"));
-    EXPECT_THAT(run.out, HasSubstr("  Off: not drawn, inactive\n"));
+    EXPECT_THAT(run.out, HasSubstr("  Behind: it is not drawn; outside the camera's frustum\n"));
+    EXPECT_THAT(run.out, HasSubstr("  Off: it is not drawn; inactive\n"));
 }
 
 TEST_F(ExplainCommand, ShowsOnlyTheObjectAskedFor)
 {
     const CommandRun run = Explain({"--object", "Off"});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ("Off: not drawn, inactive\n", run.out);
+    EXPECT_EQ("Off: it is not drawn; inactive\n", run.out);
     EXPECT_EQ("Seen\n"
               "  Draw Opaque Objects, Default-Material: drawn\n"
               "  Draw Transparent Objects, Default-Material: left out, render queue\n",
@@ -273,17 +273,18 @@ constexpr const char* k_OutlinesOn = "WideOutline: {m_Enable: true}\n"
 TEST_F(ExplainCommand, NamesEveryFeatureThatCouldDrawTheObjectAndTheRuleThatKeptItOut)
 {
     m_Folder.Write("outlines.profile.yaml", k_OutlinesOn);
-    EXPECT_EQ("A\n"
-              "  Draw Opaque Objects, Default-Material: drawn\n"
-              "  Draw Transparent Objects, Default-Material: left out, render queue\n"
-              "  Wide, Default-Material: drawn\n"
-              "  Strokes, Default-Material: left out, rendering layer mask\n"
-              "  Rim, Default-Material: left out, layer mask\n"
-              "features that draw nothing:\n"
-              "  Hull: not drawn, no volume at the camera sets InflatedOutline.m_Enable, which is "
-              "false by default\n"
-              "  Off: not drawn, the feature is inactive\n",
-              Explain({"--object", "A"}, k_SceneOfFeatures).out);
+    EXPECT_EQ(
+        "A\n"
+        "  Draw Opaque Objects, Default-Material: drawn\n"
+        "  Draw Transparent Objects, Default-Material: left out, render queue\n"
+        "  Wide, Default-Material: drawn\n"
+        "  Strokes, Default-Material: left out, rendering layer mask\n"
+        "  Rim, Default-Material: left out, layer mask\n"
+        "features that draw nothing:\n"
+        "  Hull: it is not drawn; no volume at the camera sets InflatedOutline.m_Enable, which is "
+        "false by default\n"
+        "  Off: it is not drawn; the feature is inactive\n",
+        Explain({"--object", "A"}, k_SceneOfFeatures).out);
 }
 
 TEST_F(ExplainCommand, CountsTheFiltersOfFeaturesThatDoNotDrawByDrawRenderers)
@@ -296,7 +297,7 @@ TEST_F(ExplainCommand, CountsTheFiltersOfFeaturesThatDoNotDrawByDrawRenderers)
     ASSERT_TRUE(json.is_object());
     EXPECT_EQ(4u, json["idleFeatures"].size());
     EXPECT_EQ("Off", json["idleFeatures"][3]["name"]);
-    EXPECT_EQ("not drawn, the feature is inactive", json["idleFeatures"][3]["why"]);
+    EXPECT_EQ("it is not drawn; the feature is inactive", json["idleFeatures"][3]["why"]);
     EXPECT_EQ("rendering layer mask", json["objects"][0]["draws"][3]["rule"]);
 }
 
@@ -313,7 +314,7 @@ TEST_F(ExplainCommand, TellsWhatKeepsAFeatureFromDrawingAnObjectThatItTakes)
                                    "m_LayerMask: Everything}\n"
                                    "volumes: [{name: On, profile: outlines.profile.yaml}]\n"
                                    "objects: [{name: A, mesh: Cube}]\n");
-    EXPECT_THAT(run.out, HasSubstr("  Mask, Default-Material: taken, but not drawn, "));
+    EXPECT_THAT(run.out, HasSubstr("  Mask, Default-Material: taken, but it is not drawn; "));
 }
 
 TEST(ExplainSample, CountsWhatHangsBelowTheObjectAskedFor)

@@ -120,7 +120,8 @@ TEST_F(Inspect, ShowsTheLayersOfASceneAsAProfileHasThem)
     EXPECT_EQ("[Default, Furniture]", groups[0].values[0].value);
     EXPECT_EQ("Walls", groups[0].values[1].value);
     EXPECT_EQ("16", groups[0].values[2].value); // Water is layer 4 everywhere
-    const std::string sentence = ": shown as written; only a scene can know the layer ";
+    const std::string sentence =
+        ": the value is shown as it is written; only a scene knows the layer ";
     EXPECT_EQ(path.string() + ":2:11: note: Filter.m_Near" + sentence + "'Furniture'\n" +
                   path.string() + ":3:8: note: Filter.m_Far" + sentence + "'Walls'\n",
               err.str());

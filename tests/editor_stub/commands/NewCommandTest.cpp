@@ -68,8 +68,9 @@ TEST(NewCommand, WritesOverNothing)
     working.folder.Write("mine.txt", "mine");
     const CommandRun run = RunNewFeature("DepthFog", ".");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(".: error: holds files already, none of which is written over; name a new folder\n",
-              run.err);
+    EXPECT_EQ(
+        ".: error: holds files already, and limn does not overwrite them; name a new folder\n",
+        run.err);
     EXPECT_EQ("mine", ReadText("mine.txt"));
     EXPECT_FALSE(std::filesystem::exists("CMakeLists.txt"));
     EXPECT_EQ("mine.txt: error: cannot be made: Not a directory\n",

@@ -242,24 +242,26 @@ TEST_F(Render, WithoutAVolumeSaysWhyThereIsNoOutline)
 {
     const CommandRun run = Draw({});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ("note: Outline: not drawn, no volume at the camera sets ScreenSpaceOutline.m_Enable, "
-              "which is false by default\n",
-              run.err);
+    EXPECT_EQ(
+        "note: Outline: it is not drawn; no volume at the camera sets ScreenSpaceOutline.m_Enable, "
+        "which is false by default\n",
+        run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
 TEST_F(Render, WithADisabledVolumeComponentSaysSo)
 {
     const CommandRun run = Draw({"--profile", "off.profile.yaml"});
-    EXPECT_EQ("note: Outline: not drawn, a volume sets ScreenSpaceOutline.m_Enable to false\n",
-              run.err);
+    EXPECT_EQ(
+        "note: Outline: it is not drawn; a volume sets ScreenSpaceOutline.m_Enable to false\n",
+        run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
 TEST_F(Render, WithAnInactiveFeatureSaysSo)
 {
     const CommandRun run = Draw({"--profile", "on.profile.yaml", "--set", "Outline.active=false"});
-    EXPECT_EQ("note: Outline: not drawn, the feature is inactive\n", run.err);
+    EXPECT_EQ("note: Outline: it is not drawn; the feature is inactive\n", run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
@@ -519,8 +521,8 @@ TEST_F(Render, DoctorSaysWhatTheDeviceLacksAndWhatThatCosts)
     EXPECT_THAT(run.out, HasSubstr("usable; what it lacks, and what that costs:\n"));
     EXPECT_THAT(run.out, HasSubstr("- no geometryShader: geometry functions are refused, and "
                                    "SV_PrimitiveID in fragment functions\n"));
-    EXPECT_THAT(run.out, HasSubstr("- maxPerStageDescriptorSamplers is 9: 9 samplers are all that "
-                                   "a function of a shader uses\n"));
+    EXPECT_THAT(run.out, HasSubstr("- maxPerStageDescriptorSamplers is 9: 9 samplers are the most "
+                                   "that a function of a shader can use\n"));
 }
 
 } // namespace limn::test

@@ -117,8 +117,8 @@ TEST(Input, ThatCannotBeDrawnIsNoBugOfLimns)
          ":2:23: error: renderer.features[0]: F: filterSettings.PassNames has 17 names; at most 16 "
          "are drawn\n"},
         {camera + feature("RenderObjects", "cameraSettings: {offset: [0, 0, 3e38, 0]}"),
-         ":2:23: error: renderer.features[0]: F: cameraSettings.offset is more than 1e9 m; what is "
-         "so far away is in no picture\n"},
+         ":2:23: error: renderer.features[0]: F: cameraSettings.offset is more than 1e9 m; no "
+         "picture shows objects so far away\n"},
         {camera + outline,
          ":2:23: error: renderer.features[0]: F: m_ScreenSpaceOutlineShader: the shader 'One' has "
          "1 of the three passes for mask, edge and composite; Hidden/ScreenSpaceOutline has "

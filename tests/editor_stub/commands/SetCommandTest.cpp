@@ -110,7 +110,7 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
     const auto& settings = feature["allOf"][index]["then"]["properties"];
     EXPECT_TRUE(settings.contains("m_LayerMask"));
     EXPECT_TRUE(settings.contains("layerMask"));
-    EXPECT_EQ("Basic Settings: When in the frame the outline is drawn",
+    EXPECT_EQ("Basic Settings: The event of the frame at which the outline is drawn",
               settings["m_RenderPassEvent"]["description"]);
 }
 

@@ -229,7 +229,7 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
     EXPECT_THAT(run.err, HasSubstr("note: program: its SubShader is for the HDRenderPipeline, "
                                    "which limn does not stand in for\n"));
     EXPECT_THAT(run.err,
-                HasSubstr("include.shader:18: error: #include: no such file \"nosuch.hlsl\""));
+                HasSubstr("include.shader:18: error: #include: there is no file \"nosuch.hlsl\""));
 }
 
 TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
@@ -279,7 +279,7 @@ TEST_F(ShaderCommand, RefusesAGrabPassByName)
     text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
     const std::string path = Write("good.shader", text);
     const std::string reason =
-        "GrabPass: not supported, as in URP; read _CameraOpaqueTexture instead of what it copies";
+        "GrabPass: it is not supported, as in URP; read _CameraOpaqueTexture instead";
     const CommandRun run = RunCommand({"shader", path, "--json"});
     EXPECT_EQ(0, run.exitCode);
     const nlohmann::json passes =

@@ -117,7 +117,7 @@ TEST(Usage, HelpOfAVerbTellsItsArgumentsAndOptions)
               "\n"
               "options of every verb:\n"
               "  -V, --version             Print the version\n"
-              "  -h, --help                Print this\n"
+              "  -h, --help                Print this help\n"
               "  -q, --quiet               Print errors only, besides results\n"
               "  -v, --verbose             Print more: the device that draws, all that\n"
               "                            `explain` knows\n"
@@ -291,8 +291,8 @@ TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
 TEST(Usage, APictureIsAPngByItsName)
 {
     ExpectWrongUsage({"render", "s", "-o", "x.jpg"},
-                     "error: --output: 'x.jpg' would not be a PNG by its name; PNG is what limn "
-                     "writes: a.png, or - for stdout\n" +
+                     "error: --output: 'x.jpg' is no name of a PNG, and limn writes PNG only: "
+                     "a.png, or - for stdout\n" +
                          k_RenderUsage);
     ExpectWrongUsage({"watch", "s", "-o", "-"},
                      "error: --output: stdout holds one picture only; name a file\n"

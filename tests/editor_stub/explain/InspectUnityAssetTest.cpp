@@ -86,8 +86,9 @@ TEST_F(InspectAsset, OfAPipelineSaysWhatLimnDrawsWithAndWhatItLeavesOut)
     const std::string text = Text("High.asset", k_Pipeline);
     EXPECT_THAT(text, testing::StartsWith("pipeline 'High': UniversalRenderPipelineAsset\n"
                                           "    k_AssetVersion"));
-    EXPECT_THAT(text, ContainsRegex("\n      0 +guid ab, of which the project has no .meta file\n"
-                                    "      1 +Assets/Settings/Mobile.asset +of cameras that"));
+    EXPECT_THAT(text,
+                ContainsRegex("\n      0 +guid ab \\(the project has no .meta file with it\\)\n"
+                              "      1 +Assets/Settings/Mobile.asset +of cameras that"));
     const std::size_t drawn = text.find("    Drawn with");
     const std::size_t left = text.find("    Left out");
     ASSERT_LT(drawn, left);

@@ -85,12 +85,13 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
                       "probe::Paint(int), which neither it nor limn has; add the source that "
                       "defines it, or build it again with this limn"),
               run("missing_symbol.so"));
-    EXPECT_EQ(Refusal("no_plugin.so: error: no plug-in of limn: it has no 'limn_plugin', which "
-                      "LIMN_PLUGIN of <limn/features/Plugin.h> defines"),
-              run("no_plugin.so"));
+    EXPECT_EQ(
+        Refusal("no_plugin.so: error: is no plug-in of limn: it does not define 'limn_plugin'; "
+                "write LIMN_PLUGIN of <limn/features/Plugin.h> in one of its files"),
+        run("no_plugin.so"));
     const std::string version = folder.Run("--version"); // "limn 0.1.0\nexit 0\n"
     EXPECT_EQ(Refusal("old_plugin.so: error: this plug-in cannot be used: it was built for limn "
-                      "0.0.9, this is " +
+                      "0.0.9, but this is " +
                       version.substr(0, version.find('\n')) + "; build it again with this one"),
               run("old_plugin.so"));
     std::ostringstream layout;
@@ -153,7 +154,7 @@ TEST(Plugin, ThatThrowsIsNamed)
               run("Nameless"));
     EXPECT_EQ(Refusal(red + "Execute of pass 'Paint': a target is missing"), run("Draw"));
     EXPECT_EQ(Refusal("brush.png: error: there is no such file\n"
-                      "probe.so: note: 'Red' threw in Execute of pass 'Paint' what is said above"),
+                      "probe.so: note: 'Red' threw in Execute of pass 'Paint' the error above"),
               run("File"));
     EXPECT_EQ(Refusal(red + "RecordRenderGraph of pass 'Graph': no paper"),
               run("RecordRenderGraph"));

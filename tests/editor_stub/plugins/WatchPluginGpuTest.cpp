@@ -145,7 +145,7 @@ TEST_F(WatchPlugin, GoesOnWithTheLastGoodOneWhileTheNewOneCannotBeLoaded)
     other.back() = other.back() == '9' ? '8' : '9';
     Build(Patched(good, LIMN_VERSION_TEXT, other));
     EXPECT_TRUE(Says(unusable + "it was built for limn " + other +
-                     ", this is limn " LIMN_VERSION_TEXT "; build it again with this one\n" +
+                     ", but this is limn " LIMN_VERSION_TEXT "; build it again with this one\n" +
                      k_Stays));
     Build(ReadText(BuiltPlugin("missing_symbol.so")));
     EXPECT_TRUE(Says(cannot +

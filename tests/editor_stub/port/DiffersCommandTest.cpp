@@ -146,7 +146,7 @@ void ExpectASentenceForABufferThatIsInUse()
     }
     catch (const ContractError& error)
     {
-        EXPECT_THAT(error.what(), HasSubstr("which this frame uses"));
+        EXPECT_THAT(error.what(), HasSubstr("this frame uses"));
     }
 }
 

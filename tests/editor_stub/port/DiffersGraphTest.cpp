@@ -289,7 +289,7 @@ void ExpectRendererListsToBeDeclared()
                 });
         };
         EXPECT_EQ(draw(true), "nothing is thrown");
-        EXPECT_THAT(draw(false), HasSubstr("declares no UseRendererList"));
+        EXPECT_THAT(draw(false), HasSubstr("without declaring it by UseRendererList"));
     }
 }
 
@@ -381,7 +381,7 @@ void ExpectASentenceForABufferThatThePassBeforeUses()
                             builder.SetRenderFunc([&](PassData&, ComputeGraphContext& context)
                                                   { context.cmd.SetBufferData(from, numbers); });
                         }),
-                    HasSubstr("which this frame uses"));
+                    HasSubstr("this frame uses"));
     }
 }
 

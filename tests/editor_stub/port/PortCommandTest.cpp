@@ -235,8 +235,9 @@ TEST(PortCommand, LeavesAFolderWithFilesAlone)
     working.folder.Write("mine.txt", "mine");
     const CommandRun run = RunCommand({"port", Sample("BlurOld.cs"), "-o", "."});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(".: error: holds files already, none of which is written over; name a new folder\n",
-              run.err);
+    EXPECT_EQ(
+        ".: error: holds files already, and limn does not overwrite them; name a new folder\n",
+        run.err);
 }
 
 } // namespace limn::test

@@ -52,10 +52,10 @@ void ExpectTooDeep(const std::string& text, const std::string& place)
     working.folder.Write("a.cs", text);
     const CommandRun run = RunCommand({"port", "a.cs", "-o", "out"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ("a.cs:" + place +
-                  ": error: more than 100 brackets or types lie in each other here; limn reads no "
-                  "deeper\n",
-              run.err);
+    EXPECT_EQ(
+        "a.cs:" + place +
+            ": error: brackets or types are nested more than 100 deep here; limn reads no deeper\n",
+        run.err);
 }
 
 } // namespace

@@ -121,7 +121,8 @@ TEST(PortingTable, RefusesWhatItCannotRead)
          {std::pair("same A\nsmae B\n", "porting.txt:2: same, differs, refused or missing, and a "
                                         "name are expected"),
           std::pair("differs A\n", "porting.txt:1: how it differs is expected behind ' : '"),
-          std::pair("missing A\n\nsame {A,B}\n", "porting.txt:3: 'A' is said twice"),
+          std::pair("missing A\n\nsame {A,B}\n",
+                    "porting.txt:3: 'A' stands in two rows; keep one of them"),
           std::pair("| A |\n", "porting.txt:1: '| Unity | limn |' is expected")})
     {
         try

@@ -118,9 +118,9 @@ TEST_F(ProfileReference, FollowsUnitysGuidsThroughTheProject)
     };
     EXPECT_NE(nullptr, Read(text("abc123", "def456"), "Assets/p.yaml").ramp.value().asset);
     EXPECT_THAT(Texts(Load(text("0000", "def456"), "Assets/p.yaml").notes),
-                ElementsAre("2:9: Paint.m_Ramp: stays without a texture, no .meta file of the "
+                ElementsAre("2:9: Paint.m_Ramp: it stays without a texture: no .meta file of the "
                             "project has the guid '0000'",
-                            "3:13: Paint.m_Material: stays without a material, 'red.mat' is "
+                            "3:13: Paint.m_Material: it stays without a material: 'red.mat' is "
                             "Unity's and is not read; a .material.yaml file can be"));
 }
 

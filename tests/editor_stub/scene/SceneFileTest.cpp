@@ -515,7 +515,7 @@ TEST(SceneFile, AGlobalVolumeWithCollidersIsNoted)
     const SceneAsset asset =
         folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, colliders: [{}]}]\n");
     EXPECT_EQ((std::vector<std::string>{
-                  "2:11: volumes[0]: is global, so its colliders count for nothing; 'isGlobal: "
+                  "2:11: volumes[0]: it is global, so its colliders count for nothing; 'isGlobal: "
                   "false' limits it to them"}),
               Texts(asset.notes));
 }
@@ -525,9 +525,10 @@ TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)
     SceneFolder folder;
     const SceneAsset asset =
         folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, isGlobal: false}]\n");
-    EXPECT_EQ((std::vector<std::string>{
-                  "2:11: volumes[0]: does nothing, it is not global and has no colliders"}),
-              Texts(asset.notes));
+    EXPECT_EQ(
+        (std::vector<std::string>{
+            "2:11: volumes[0]: it does nothing, because it is not global and has no colliders"}),
+        Texts(asset.notes));
 }
 
 } // namespace limn::test

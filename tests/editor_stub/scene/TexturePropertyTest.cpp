@@ -228,8 +228,8 @@ TEST_F(TextureProperty, ThatMakesAllPicturesTakeTooMuchMemoryIsRefusedBeforeItIs
     }
     const Lines problems =
         folder.ProblemsOf("camera: {}\nmaterials:\n" + materials + "objects:\n" + objects);
-    const std::string tooMuch = "its texels take 256 MiB, which makes 4352 MiB of all pictures "
-                                "together; at most 4096 MiB are loaded; use smaller ones";
+    const std::string tooMuch = "its texels take 256 MiB, and all pictures together take 4352 MiB; "
+                                "limn loads at most 4096 MiB; use smaller ones";
     EXPECT_EQ(1, std::ranges::count_if(problems, [&](const std::string& problem)
                                        { return problem.ends_with(tooMuch); }));
     EXPECT_THAT(problems.back(), testing::EndsWith(tooMuch)); // the last one's

@@ -127,9 +127,10 @@ TEST_P(SettingsOf, AnAssetThatTheFeatureDoesNotHaveAreNotedEachWithItsLine)
             "      queue: 3\n");
     EXPECT_THAT(
         notes,
-        ElementsAre("9:3: F.shader: left out, " + type + " has no such setting",
-                    "12:5: F.settings.m_Old: left out, " + type + " has no such setting",
-                    "15:7: F.settings.filter.queue: left out, " + type + " has no such setting"));
+        ElementsAre("9:3: F.shader: it is left out; " + type + " has no such setting",
+                    "12:5: F.settings.m_Old: it is left out; " + type + " has no such setting",
+                    "15:7: F.settings.filter.queue: it is left out; " + type +
+                        " has no such setting"));
 }
 
 INSTANTIATE_TEST_SUITE_P(EachForm, SettingsOf, testing::Values("GroupedFeature", "FlatFeature"));
@@ -210,10 +211,11 @@ TEST_F(SettingsErrors, OfAnAssetAreANoteWhereTwoClassesHaveTheName)
     const UnityRendererDataLoadResult result = LoadUnityRendererData(path, folder.assets);
     EXPECT_EQ(4.0f,
               dynamic_cast<const DescribedFeature&>(*result.renderer.features.at(0)).values.width);
-    EXPECT_THAT(Texts(result.notes),
-                ElementsAre("10:14: F.settings.m_Width: left out, FlatFeature has one setting of "
-                            "this name, which is F.m_Width at 9:3; a group in its Describe would "
-                            "tell them apart"));
+    EXPECT_THAT(
+        Texts(result.notes),
+        ElementsAre(
+            "10:14: F.settings.m_Width: it is left out; FlatFeature has one setting of this name, "
+            "which is F.m_Width at 9:3; a group in its Describe would tell them apart"));
 }
 
 TEST_F(SettingsErrors, DoNotTakeAVectorOrAReferenceForAClass)
@@ -236,8 +238,8 @@ TEST_F(SettingsErrors, DoNotTakeAVectorOrAReferenceForAClass)
     EXPECT_EQ(1.0f,
               dynamic_cast<const DescribedFeature&>(*result.renderer.features.at(0)).values.width);
     EXPECT_THAT(Texts(result.notes),
-                ElementsAre("9:3: F.offset: left out, XFeature has no such setting",
-                            "10:3: F.shader: left out, XFeature has no such setting"));
+                ElementsAre("9:3: F.offset: it is left out; XFeature has no such setting",
+                            "10:3: F.shader: it is left out; XFeature has no such setting"));
 }
 
 namespace

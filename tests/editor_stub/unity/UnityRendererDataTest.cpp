@@ -65,11 +65,11 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
                   "18:33: Screem Space Outline.m_Settings.m_ScreenSpaceOutlineShader: "
                   "ScreenSpaceOutline.shader is not in the project, so Hidden/ScreenSpaceOutline "
                   "that comes with limn is used",
-                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: left out, "
+                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: left out, "
+                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: left out, "
+                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting"}),
               Texts(result.notes));
 }
@@ -116,9 +116,10 @@ TEST(UnityRendererData, ReadsAmbientOcclusionOfUrp14WithoutAWord)
     EXPECT_EQ(Settings::AOSampleOption::High, settings.Samples);
     EXPECT_EQ(Settings::BlurQualityOptions::Low, settings.BlurQuality);
     EXPECT_EQ(40.0f, settings.Falloff);
-    EXPECT_EQ(std::vector<std::string>{"30:5: m_RendererFeatures: left out, the feature is not in "
-                                       "this file"},
-              Texts(result.notes))
+    EXPECT_EQ(
+        std::vector<std::string>{
+            "30:5: m_RendererFeatures: a feature is left out; it is not in this file"},
+        Texts(result.notes))
         << "the helper's own second reference, and nothing else";
 }
 
@@ -176,7 +177,7 @@ TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)
     EXPECT_EQ(LayerMask(3), result.renderer.opaqueLayerMask);
     EXPECT_EQ(LayerMask(4), result.renderer.transparentLayerMask);
     EXPECT_EQ((std::vector<std::string>{
-                  "15:5: m_RendererFeatures: left out, the feature is not in this file"}),
+                  "15:5: m_RendererFeatures: a feature is left out; it is not in this file"}),
               Texts(result.notes));
 }
 
@@ -191,12 +192,13 @@ TEST(UnityRendererData, LeavesOutAFeatureWhoseScriptIsUnknown)
                                                     "  m_Name: Dither\n"));
     const auto known = LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
     EXPECT_TRUE(known.renderer.features.empty());
-    EXPECT_EQ("4:1: Dither: left out, limn has no feature FullScreenPass",
+    EXPECT_EQ("4:1: Dither: it is left out; limn has no feature FullScreenPass",
               Texts(known.notes).at(0));
     const auto unknown = LoadUnityRendererData(folder / "Assets/s.asset", folder.assets);
     EXPECT_TRUE(unknown.renderer.features.empty());
-    EXPECT_EQ("4:1: Dither: left out, no .cs.meta file of the project has the script's guid 'dd'",
-              Texts(unknown.notes).at(0));
+    EXPECT_EQ(
+        "4:1: Dither: it is left out; no .cs.meta file of the project has the script's guid 'dd'",
+        Texts(unknown.notes).at(0));
 }
 
 TEST(UnityRendererData, ReportsASettingOutsideItsRange)

@@ -118,9 +118,9 @@ TEST(AutoOutline, CountsTheEdgesOfAMeshThatIsMuchSmallerThanItsObject)
 TEST(AutoOutline, DoesAsItIsTold)
 {
     for (const auto& [technique, name] :
-         {std::pair{OutlineTechnique::Strokes, "Outline: Strokes, as m_Technique says"},
-          {OutlineTechnique::Separable, "Outline: Separable, as m_Technique says"},
-          {OutlineTechnique::JumpFlood, "Outline: JumpFlood, as m_Technique says"}})
+         {std::pair{OutlineTechnique::Strokes, "Outline: Strokes, as m_Technique requires"},
+          {OutlineTechnique::Separable, "Outline: Separable, as m_Technique requires"},
+          {OutlineTechnique::JumpFlood, "Outline: JumpFlood, as m_Technique requires"}})
     {
         AutoOutlineSettings settings;
         settings.m_Technique = technique;
@@ -138,8 +138,9 @@ TEST(AutoOutline, ChoosesNothingWhereThereIsNothingToDraw)
     picture.picture.Add("disc", DiscTriangles({160.0, 120.0}, 50.0));
     const RenderReport& report = picture.Report();
     EXPECT_THAT(report.choices, IsEmpty());
-    EXPECT_THAT(report.notes, ElementsAre("Outline: not drawn, 0 of 1 renderer drawn: 1 rendering "
-                                          "layer mask"));
+    EXPECT_THAT(report.notes,
+                ElementsAre("Outline: it is not drawn; 0 of 1 renderer drawn: 1 rendering "
+                            "layer mask"));
 }
 
 } // namespace

@@ -106,36 +106,37 @@ TEST_F(ColorEdgesFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
 {
     m_Settings.m_OnlyFilteredObjects = true;
     m_Settings.m_LayerMask = LayerMask::FromIndex(k_FurnitureLayer);
-    const NothingDrawn cases[] = {
-        {"Edges: not drawn, no volume at the camera sets ColorEdges.m_Enable, which is false by "
-         "default",
-         {}},
-        {"Edges: not drawn, ColorEdges.m_OutlineWidth is 0",
-         [](ColorEdges& edges)
-         {
-             edges.m_OutlineWidth.Override(0.0f);
-         }},
-        {"Edges: not drawn, ColorEdges.m_OutlineColor has alpha 0",
-         [](ColorEdges& edges)
-         {
-             edges.m_OutlineColor.Override(Color::clear);
-         }},
-        {"Edges: not drawn, 0 of 3 renderers drawn: 3 layer mask", Nothing,
-         [](OutlineScene& content)
-         {
-             for (const auto& object : content.scene.objects())
-             {
-                 object->layer = 0;
-             }
-         }},
-        {"Edges: not drawn, 0 of 0 renderers drawn", Nothing,
-         [](OutlineScene& content)
-         {
-             for (const auto& object : content.scene.objects())
-             {
-                 object->transform.localPosition.x += 1000.0f;
-             }
-         }}};
+    const NothingDrawn cases[] = {{"Edges: it is not drawn; no volume at the camera sets "
+                                   "ColorEdges.m_Enable, which is false by "
+                                   "default",
+                                   {}},
+                                  {"Edges: it is not drawn; ColorEdges.m_OutlineWidth is 0",
+                                   [](ColorEdges& edges)
+                                   {
+                                       edges.m_OutlineWidth.Override(0.0f);
+                                   }},
+                                  {"Edges: it is not drawn; ColorEdges.m_OutlineColor has alpha 0",
+                                   [](ColorEdges& edges)
+                                   {
+                                       edges.m_OutlineColor.Override(Color::clear);
+                                   }},
+                                  {"Edges: it is not drawn; 0 of 3 renderers drawn: 3 layer mask",
+                                   Nothing,
+                                   [](OutlineScene& content)
+                                   {
+                                       for (const auto& object : content.scene.objects())
+                                       {
+                                           object->layer = 0;
+                                       }
+                                   }},
+                                  {"Edges: it is not drawn; 0 of 0 renderers drawn", Nothing,
+                                   [](OutlineScene& content)
+                                   {
+                                       for (const auto& object : content.scene.objects())
+                                       {
+                                           object->transform.localPosition.x += 1000.0f;
+                                       }
+                                   }}};
     for (const NothingDrawn& c : cases)
     {
         m_Content = OutlineScene();

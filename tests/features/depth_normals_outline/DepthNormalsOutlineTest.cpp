@@ -58,20 +58,21 @@ struct WhyNoLines
 TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
 {
     const WhyNoLines cases[] = {
-        {"Lines: not drawn, no volume at the camera sets DepthNormalsOutline.m_Enable, which is "
+        {"Lines: it is not drawn; no volume at the camera sets DepthNormalsOutline.m_Enable, which "
+         "is "
          "false by default",
          {}},
-        {"Lines: not drawn, DepthNormalsOutline.m_OutlineWidth is 0",
+        {"Lines: it is not drawn; DepthNormalsOutline.m_OutlineWidth is 0",
          [](DepthNormalsOutline& outline)
          {
              outline.m_OutlineWidth.Override(0.0f);
          }},
-        {"Lines: not drawn, DepthNormalsOutline.m_OutlineColor has alpha 0",
+        {"Lines: it is not drawn; DepthNormalsOutline.m_OutlineColor has alpha 0",
          [](DepthNormalsOutline& outline)
          {
              outline.m_OutlineColor.Override(Color::clear);
          }},
-        {"Lines: not drawn, 0 of 3 renderers drawn: 3 layer mask", AsItIs,
+        {"Lines: it is not drawn; 0 of 3 renderers drawn: 3 layer mask", AsItIs,
          [](OutlineScene& content)
          {
              for (const auto& object : content.scene.objects())
@@ -79,7 +80,7 @@ TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
                  object->layer = 0;
              }
          }},
-        {"Lines: not drawn, 0 of 1 renderer drawn: 1 rendering layer mask", AsItIs,
+        {"Lines: it is not drawn; 0 of 1 renderer drawn: 1 rendering layer mask", AsItIs,
          [](OutlineScene& content)
          {
              content.scene.Find("Torus")->transform.localPosition.x = 1000.0f;

@@ -35,22 +35,23 @@ TEST_F(InflatedOutlineFrame, IsDrawnBeforeWhatIsTransparent)
 
 TEST_F(InflatedOutlineFrame, SaysWhyItDrawsNothing)
 {
-    EXPECT_EQ("Hull: not drawn, no volume at the camera sets InflatedOutline.m_Enable, which is "
-              "false by default",
-              NoteOf({}));
-    EXPECT_EQ("Hull: not drawn, InflatedOutline.m_OutlineWidth is 0",
+    EXPECT_EQ(
+        "Hull: it is not drawn; no volume at the camera sets InflatedOutline.m_Enable, which is "
+        "false by default",
+        NoteOf({}));
+    EXPECT_EQ("Hull: it is not drawn; InflatedOutline.m_OutlineWidth is 0",
               NoteOf([](InflatedOutline& outline) { outline.m_OutlineWidth.Override(0.0f); }));
     EXPECT_EQ(
-        "Hull: not drawn, InflatedOutline.m_OutlineColor has alpha 0",
+        "Hull: it is not drawn; InflatedOutline.m_OutlineColor has alpha 0",
         NoteOf([](InflatedOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }));
     const auto inMetres = [](InflatedOutline& outline)
     {
         outline.m_WidthUnit.Override(InflatedWidthUnit::Metres);
         outline.m_WidthInMetres.Override(0.0f);
     };
-    EXPECT_EQ("Hull: not drawn, InflatedOutline.m_WidthInMetres is 0", NoteOf(inMetres));
+    EXPECT_EQ("Hull: it is not drawn; InflatedOutline.m_WidthInMetres is 0", NoteOf(inMetres));
     m_Settings.m_RenderingLayerMask = 30;
-    EXPECT_EQ("Hull: not drawn, 0 of 5 renderers drawn: 5 rendering layer mask",
+    EXPECT_EQ("Hull: it is not drawn; 0 of 5 renderers drawn: 5 rendering layer mask",
               NoteOf([](InflatedOutline&) {}));
 }
 

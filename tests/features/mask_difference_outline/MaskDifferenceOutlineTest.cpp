@@ -132,39 +132,42 @@ struct NothingDrawn
 TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
 {
     const NothingDrawn cases[] = {
-        {"Outline: not drawn, no volume at the camera sets MaskDifferenceOutline.m_Enable", {}},
-        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineWidth is 0",
+        {"Outline: it is not drawn; no volume at the camera sets MaskDifferenceOutline.m_Enable",
+         {}},
+        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineWidth is 0",
          [](MaskDifferenceOutline& outline)
          {
              outline.m_OutlineWidth.Override(0.0f);
          }},
-        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineWidth is 0.25, which rounds to no "
+        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineWidth is 0.25, which rounds to "
+         "no "
          "pixel",
          [](MaskDifferenceOutline& outline)
          {
              outline.m_OutlineWidth.Override(0.25f);
          }},
-        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineColor has alpha 0",
+        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineColor has alpha 0",
          [](MaskDifferenceOutline& outline)
          {
              outline.m_OutlineColor.Override(Color::clear);
          }},
-        {"Outline: not drawn, MaskDifferenceOutline.m_OutlineColor is black, which adds nothing",
+        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineColor is black, which adds "
+         "nothing",
          [](MaskDifferenceOutline& outline)
          {
              outline.m_OutlineColor.Override(Color::black);
          }},
-        {"Outline: not drawn, every depth is clipped",
+        {"Outline: it is not drawn; every depth is clipped",
          [](MaskDifferenceOutline& outline)
          {
              outline.outline_depth_threshold_clip_player.Override(0.0f);
          }},
-        {"Outline: not drawn, every depth is clipped",
+        {"Outline: it is not drawn; every depth is clipped",
          [](MaskDifferenceOutline& outline)
          {
              outline.m_ClipDistance.Override(0.25f);
          }},
-        {"Outline: not drawn, 0 of 0 renderers drawn", Defaults,
+        {"Outline: it is not drawn; 0 of 0 renderers drawn", Defaults,
          [](OutlineScene& content)
          {
              for (const auto& object : content.scene.objects())

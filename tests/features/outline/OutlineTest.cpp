@@ -58,7 +58,7 @@ TEST_F(OutlineSetup, SaysWhyThereIsNoOutlineAroundAnotherRenderingLayer)
     const RenderResult result = outline.Render(m_Scene, m_Camera, 64, 36);
     EXPECT_EQ(0u, CountPasses(result, "StrokeOutlineRendererFeature"));
     EXPECT_THAT(result.report.notes,
-                testing::Contains(HasSubstr("StrokeOutlineRendererFeature: not drawn")));
+                testing::Contains(HasSubstr("StrokeOutlineRendererFeature: it is not drawn")));
 
     torus.renderer->renderingLayerMask = outline.settings().renderingLayer();
     EXPECT_EQ(256u, torus.renderer->renderingLayerMask.bits);

@@ -281,7 +281,7 @@ TEST_F(PostProcessGpu, CostsNothingWhileNoEffectIsOn)
     run.Render(&Nothing(), true);
     EXPECT_EQ(PassNames(run.result()), PassNames(plain.result()));
     EXPECT_THAT(run.result().report.notes,
-                testing::Contains("PostProcessRendererFeature: not drawn, no volume switches "
+                testing::Contains("PostProcessRendererFeature: it is not drawn; no volume switches "
                                   "Bloom, Vignette, ColorAdjustments or Tonemapping on"));
 }
 
@@ -296,7 +296,7 @@ TEST_F(PostProcessGpu, IsLeftToTheCamera)
     };
     run.Render(&m_Volumes.With(fill), true);
     EXPECT_THAT(run.result().report.notes,
-                testing::Contains("PostProcessRendererFeature: not drawn, the camera's "
+                testing::Contains("PostProcessRendererFeature: it is not drawn; the camera's "
                                   "renderPostProcessing is off"));
     flat.camera.renderPostProcessing = true;
     run.Render(&m_Volumes.With(fill), true);

@@ -165,8 +165,9 @@ TEST_F(AmbientOcclusionFrame, HasNoPassAndAsksForNoDepthWhereASettingIsNought)
         const RenderResult result = Render(settings);
         EXPECT_THAT(Targets(result),
                     ElementsAre("_CameraColorAttachmentA 65x31", "limn_Output 65x31"));
-        EXPECT_THAT(result.report.notes, ElementsAre("ScreenSpaceAmbientOcclusion: not drawn, " +
-                                                     std::string(name) + " is 0"));
+        EXPECT_THAT(result.report.notes,
+                    ElementsAre("ScreenSpaceAmbientOcclusion: it is not drawn; " +
+                                std::string(name) + " is 0"));
     }
 }
 

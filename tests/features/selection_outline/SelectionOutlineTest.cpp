@@ -114,8 +114,9 @@ TEST_F(SelectionOutlines, AreNoPassWhereNothingIsSelectedOrSeen)
     AddFeature();
     GameObject& cube = Add("cube", 0.0f, false);
     EXPECT_FALSE(IsDrawn());
-    EXPECT_THAT(m_Result.report.notes,
-                ElementsAre("Selection: not drawn, 0 of 1 renderer drawn: 1 rendering layer mask"));
+    EXPECT_THAT(
+        m_Result.report.notes,
+        ElementsAre("Selection: it is not drawn; 0 of 1 renderer drawn: 1 rendering layer mask"));
     EXPECT_EQ(m_Result.frame->passes.size(), 1u) << "the camera's";
     cube.renderer->renderingLayerMask = RenderingLayerMask(0x101);
     EXPECT_TRUE(IsDrawn());
@@ -126,7 +127,7 @@ TEST_F(SelectionOutlines, AreNoPassWhereNothingIsSelectedOrSeen)
     m_Component->m_OutlineWidth.Override(0.0f);
     EXPECT_FALSE(IsDrawn());
     EXPECT_THAT(m_Result.report.notes,
-                ElementsAre("Selection: not drawn, SelectionOutline.m_OutlineWidth is 0"));
+                ElementsAre("Selection: it is not drawn; SelectionOutline.m_OutlineWidth is 0"));
 }
 
 TEST_F(SelectionOutlines, MakeFramesOfOneStructureWhileTimePasses)

@@ -444,8 +444,8 @@ TEST_F(AdditionalLightShadowGpu, SaysWhichHaveNoRoom)
     Draw(shadows);
     EXPECT_TRUE(HasPass());
     EXPECT_THAT(m_Result.report.notes,
-                testing::Contains("1 lights throw no shadows: shaders have room for 64 squares, of "
-                                  "which a spot takes 1 and a point 6"));
+                testing::Contains("1 lights throw no shadows: shaders have room for 64 squares; a "
+                                  "spot takes 1 and a point 6"));
     m_Pipeline.shadows.additionalLightsShadowmapResolution = 32;
     EXPECT_THAT([&] { Draw(shadows); }, testing::ThrowsMessage<ContractError>(testing::HasSubstr(
                                             "additionalLightsShadowmapResolution")));

@@ -255,8 +255,8 @@ TEST_F(SkyLightGpu, LeavesOutWhatIsNoNumberAndSaysSo)
     m_Scene.defaultReflectionResolution = 16;
     Update();
     SetLogSink(nullptr);
-    EXPECT_EQ("the sky of material 'cracked' is no number in 768 of 1536 directions, which light "
-              "the scene as if they were black",
+    EXPECT_EQ("the sky of material 'cracked' gives no number in 768 of 1536 directions; these "
+              "light the scene as black does",
               s_Logged);
     EXPECT_NEAR(0.25f, m_Scene.ambientProbe(0, 0), 1e-4f);
     EXPECT_NEAR(6e4f / 2.0f, m_Scene.ambientProbe(2, 0), 10.0f);

@@ -389,7 +389,7 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
             EXPECT_NE(pass.name, "Outline") << why;
         }
         ASSERT_EQ(result.report.notes.size(), 1u) << why;
-        EXPECT_EQ(result.report.notes[0], std::string("Outline: not drawn, ") + why);
+        EXPECT_EQ(result.report.notes[0], std::string("Outline: it is not drawn; ") + why);
     };
     StrokePicture beside(6.0f);
     beside.Add("beside", DiscTriangles({-18.0, 30.4}, 10.0)); // 8 pixels away
@@ -406,8 +406,8 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 
     StrokePicture hair(1e-30f);
     hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(hair,
-                  "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which nobody sees");
+    expectNothing(hair, "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which is too "
+                        "little to be seen");
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));

@@ -95,12 +95,12 @@ TEST_F(WideOutlineFrame, CostsNothingWhereNothingIsSeenOfIt)
     scene->outline->m_OutlineColor.Override(Color::white);
     EXPECT_THAT(Targets(scene->Render()), testing::Not(IsEmpty()));
     scene->scene.objects().front()->transform.localPosition.x = 1000.0f; // 20 pixels outside
-    expectNothing("Wide Outline: not drawn");
+    expectNothing("Wide Outline: it is not drawn");
     scene->Set({30.0});
     EXPECT_THAT(Targets(scene->Render()), testing::Not(IsEmpty()));
     scene->scene.objects().front()->layer = 5;
     scene->scene.objects().front()->activeSelf = false;
-    expectNothing("Wide Outline: not drawn");
+    expectNothing("Wide Outline: it is not drawn");
 }
 
 TEST_F(WideOutlineFrame, RefusesWhatIsNoNumber)

@@ -57,7 +57,7 @@ TEST(ReadFile, RefusesWhatIsTooLongBeforeItReadsIt)
 TEST(ReadFile, RefusesWhatIsLongerThanItSays)
 {
     EXPECT_EQ(TryReadFile("/proc/self/status", 8).problem,
-              "has more than 8 bytes, which are read at most");
+              "has more than 8 bytes; at most so many are read");
     EXPECT_NE(ReadFile("/proc/self/status").find("Name:"), std::string::npos);
 }
 

@@ -128,7 +128,7 @@ TEST(ErrorPlace, OfABracketWithoutAnotherIsTheBracket)
                 ElementsAre(At(line, "{") + "'{': a '}' is missing for it"));
     line = "float4 frag() : SV_Target { return 1; }]";
     EXPECT_THAT(FragmentMessages(line),
-                ElementsAre(At(line, "]") + "']': no bracket is open here that it closes"));
+                ElementsAre(At(line, "]") + "']': this bracket closes nothing"));
 }
 
 TEST(ErrorPlace, OfAMemberWithoutItsSemicolonIsBehindIt)
@@ -179,7 +179,7 @@ TEST(ErrorPlace, OfALabelIsTheLabelOrWhatIsNoConstantInIt)
     const std::string line =
         "float4 frag() : SV_Target { int k = 1; const int c = 2; default: switch (k) { case k: "
         "case c: case F() + 1: case _Uniform: case d: return 1; } return 1; }";
-    const std::string why = "': no constant, which the value of a case has to be";
+    const std::string why = "': the value of a case must be a constant";
     EXPECT_THAT(
         FragmentMessages(line, "int _Uniform; static const int d = 4; int F() { return 1; }"),
         ElementsAre(At(line, "default") + "'default': it stands outside of a switch",

@@ -321,10 +321,11 @@ TEST(Kernel, IsMissedByItsName)
 
 TEST(Kernel, SaysHowManyThreadsItsGroupsHave)
 {
-    EXPECT_EQ(KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
-                           "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
-              (std::vector<std::string>{"t.compute:3:6: error: 'K': a kernel says how many threads "
-                                        "a group has; write '[numthreads(8, 8, 1)]' before it"}));
+    EXPECT_EQ(
+        KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
+                     "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
+        (std::vector<std::string>{"t.compute:3:6: error: 'K': a kernel must set the number of "
+                                  "threads of a group; write '[numthreads(8, 8, 1)]' before it"}));
 }
 
 // Direct3D 11, cs_5_0: at most 1024 along x and y, 64 along z, and 1024 in all.
@@ -375,7 +376,7 @@ TEST(Kernel, HasNoObjectOfItsOwn)
         "RWStructuredBuffer<float4> _Out;",
         "_Out[0] = mul(unity_ObjectToWorld, float4(0, 0, 0, 1));"));
     ASSERT_EQ(errors.size(), 1u);
-    EXPECT_NE(errors[0].find("'K': it reads what each draw has of its own, such as "
+    EXPECT_NE(errors[0].find("'K': it reads a value that belongs to a draw, such as "
                              "unity_ObjectToWorld; a kernel draws nothing"),
               std::string::npos)
         << errors[0];

@@ -118,19 +118,19 @@ TEST(ShaderCompilerError, IsWhatGlslangCrashesOn)
             << statement;
     }
     EXPECT_THAT(messages("return Twice(p)++;"),
-                ElementsAre("t.shader:4:8: error: 'Twice': this is a value, which '++' cannot "
-                            "change; put it into a variable"));
+                ElementsAre("t.shader:4:8: error: 'Twice': this is no variable, so '++' cannot "
+                            "change it; put the value into a variable"));
 }
 
 TEST(ShaderCompilerError, NamesEveryIncludeThatIsMissing)
 {
     EXPECT_THAT(
         CompileMessages(Program("#include \"no.hlsl\"\n\n#include <Packages/x/y.hlsl>\n")),
-        ElementsAre("t.shader:1: error: #include: no such file \"no.hlsl\"; it was looked for "
-                    "beside this file, in the project, its packages and the built-in ShaderLibrary",
-                    "t.shader:3: error: #include: no such file \"Packages/x/y.hlsl\"; it was "
-                    "looked for beside this file, in the project, its packages and the built-in "
-                    "ShaderLibrary"));
+        ElementsAre(
+            "t.shader:1: error: #include: there is no file \"no.hlsl\"; limn looks for it beside "
+            "this file, in the project, its packages and the built-in ShaderLibrary",
+            "t.shader:3: error: #include: there is no file \"Packages/x/y.hlsl\"; limn looks for "
+            "it beside this file, in the project, its packages and the built-in ShaderLibrary"));
 }
 
 TEST(ShaderCompilerError, SpellsTypesAsHlslDoes)
@@ -324,8 +324,8 @@ TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
                                "HLSLPROGRAM\n"
                                "#include_with_pragmas \"entries.hlsl\"\n"
                                "ENDHLSL } } }"),
-                ElementsAre("t.shader:3:1: error: #include_with_pragmas: no such file "
-                            "\"entries.hlsl\"; it was looked for beside this file, in the project, "
+                ElementsAre("t.shader:3:1: error: #include_with_pragmas: there is no file "
+                            "\"entries.hlsl\"; limn looks for it beside this file, in the project, "
                             "its packages and the built-in ShaderLibrary"));
 }
 

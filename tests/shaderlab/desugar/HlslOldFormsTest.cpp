@@ -203,8 +203,8 @@ TEST(HlslOldForms, RefusesTexturesAndBuffersThatItWouldWriteTo)
             ASSERT_EQ(error.diagnostics().size(), 1u);
             EXPECT_EQ(error.diagnostics()[0].message,
                       "'_B': a " + type +
-                          " can be written to, which limn does in compute shaders only; its "
-                          "passes read textures and buffers");
+                          " can be written to, but limn allows that in compute shaders only; in a "
+                          "pass, read a texture or buffer");
             EXPECT_EQ(error.diagnostics()[0].location.line, 7);
             EXPECT_GT(error.diagnostics()[0].location.column, 1);
         }

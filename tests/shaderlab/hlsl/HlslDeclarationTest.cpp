@@ -104,7 +104,8 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
         return test::CompileMessages(test::Program(k_PlainVertex + declarations +
                                                    "\nfloat4 frag() : SV_Target { return 1; }"));
     };
-    const std::string message = "error: '_A': redefinition; something else has this name already";
+    const std::string message =
+        "error: '_A': this is a redefinition; something else has this name already";
     EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
     EXPECT_THAT(messages("Texture2D _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
     EXPECT_THAT(messages("struct _A { float a; };\nfloat3 _A;"),

@@ -382,7 +382,7 @@ TEST(HlslDialect, RefusesListsInListsWithNothingInThem)
     EXPECT_THAT(
         test::CompileMessages(test::Program(
             k_Vertex + "float4 frag(v2f i) : SV_Target { float4 v = {{}, {3, 4}}; return v; }")),
-        ElementsAre(HasSubstr("error: '{': nothing is in this list of a list; write its values")));
+        ElementsAre(HasSubstr("error: '{': this inner list is empty; write its values")));
 }
 
 TEST(HlslDialect, TakesConstantObjects)
@@ -453,10 +453,11 @@ TEST(HlslDialect, RefusesGathersThatCannotCompare)
                        "float4 a = _Sky.GatherCmp(sampler_Map, float3(0, 1, 0), 0.5);\n"
                        "return a + _Map.GatherCmpGreen(sampler_Map, i.uv, 0.5);\n}")),
         ElementsAre(
-            HasSubstr("'GatherCmp': of cubes limn compares no four texels at once; use "
+            HasSubstr("'GatherCmp': limn cannot compare four texels of a cube at once; use "
                       "'SampleCmpLevelZero' for each"),
-            HasSubstr("'GatherCmpGreen': a device compares the first number of a texel only; use "
-                      "'GatherCmpRed'")));
+            HasSubstr(
+                "'GatherCmpGreen': a device compares only the first component of a texel; use "
+                "'GatherCmpRed'")));
 }
 
 TEST(HlslDialect, RefusesTexturesOfOneDimension)

@@ -62,13 +62,13 @@ TEST_F(Include, FindsPackagesByTheNameInTheirManifest)
     folder.Write("project/Packages/broken/package.json", "{\"name\": ");
     EXPECT_THAT(Compile("#include \"Packages/com.me.own/Lib/a.hlsl\""), ElementsAre());
     EXPECT_THAT(Compile("#include \"Packages/com.me.other/a.hlsl\""),
-                ElementsAre(HasSubstr("no such file \"Packages/com.me.other/a.hlsl\"")));
+                ElementsAre(HasSubstr("there is no file \"Packages/com.me.other/a.hlsl\"")));
     // What limn stands in for is not mixed with a copy in the cache.
     folder.Write("project/Library/PackageCache/urp/package.json",
                  "{\"name\": \"com.unity.render-pipelines.universal\"}");
     folder.Write("project/Library/PackageCache/urp/Extra.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"Packages/com.unity.render-pipelines.universal/Extra.hlsl\""),
-                ElementsAre(HasSubstr("no such file")));
+                ElementsAre(HasSubstr("there is no file")));
 }
 
 TEST_F(Include, FindsThePackageThatTheShaderItselfIsPartOf)
@@ -201,10 +201,11 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
         "folder by --root DIR";
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
                 ElementsAre("1: error: #include: \"../../../secret.hlsl\" " + refusal));
-    EXPECT_THAT(Compile("#include \"" + secret + "\""),
-                ElementsAre("1: error: #include: \"" + secret +
-                            "\" is an absolute path; write it from this file or from the project's "
-                            "folder"));
+    EXPECT_THAT(
+        Compile("#include \"" + secret + "\""),
+        ElementsAre(
+            "1: error: #include: \"" + secret +
+            "\" is an absolute path; write the path from this file or from the project's folder"));
     EXPECT_THAT(Compile("#include \"C:\\x.hlsl\"").at(0), HasSubstr("is an absolute path"));
     std::filesystem::create_directories(Path("project/Assets/Shaders"));
     std::filesystem::create_symlink(secret, Path("project/Assets/Shaders/link.hlsl"));
@@ -244,7 +245,7 @@ TEST_F(Include, StaysThereWhereverTheProgramWasStarted)
     ASSERT_EQ(up.size(), 1u);
     EXPECT_THAT(up[0], HasSubstr("is outside the folders that includes may lie in"));
     ASSERT_EQ(below.size(), 1u);
-    EXPECT_THAT(below[0], HasSubstr("no such file \"secret.hlsl\""));
+    EXPECT_THAT(below[0], HasSubstr("there is no file \"secret.hlsl\""));
 }
 
 TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)
@@ -268,7 +269,7 @@ TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
     ASSERT_EQ(messages.size(), 1u);
     const std::string a = Path("project/Assets/Shaders/a.hlsl");
     const std::string b = Path("project/Assets/Shaders/b.hlsl");
-    EXPECT_THAT(messages[0], HasSubstr("is a circle, "));
+    EXPECT_THAT(messages[0], HasSubstr("a circle of includes, "));
     EXPECT_THAT(messages[0], HasSubstr(a + " -> " + b + " -> " + a));
     EXPECT_THAT(messages[0], HasSubstr("; write '#pragma once' at the top of these files"));
     folder.Write("project/Assets/Shaders/a.hlsl",

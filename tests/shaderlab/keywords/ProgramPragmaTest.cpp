@@ -175,7 +175,7 @@ TEST(ProgramPragma, GlslIsReadAndRefused)
     EXPECT_EQ(program.chunks.at(0).text, "\nA ");
     EXPECT_EQ(program.chunks.at(1).text, " } {\n");
     EXPECT_EQ(ToString(ReasonNotSupported(program).value()),
-              "t.shader:2:30: error: GLSLPROGRAM: not supported; write the pass in HLSL");
+              "t.shader:2:30: error: GLSLPROGRAM: it is not supported; write the pass in HLSL");
 }
 
 TEST(ProgramPragma, LetsVulkanDecideOverRenderers)

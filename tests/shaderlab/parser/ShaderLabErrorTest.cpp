@@ -50,8 +50,8 @@ TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
                             StartsWith("5:7: error: ZTest: unknown value 'Foo'"),
                             "7:1: error: Blend: value is missing before 'ZWrite'; write a name or "
                             "[_Property]",
-                            "8:15: warning: Ref: 300 does not fit into 8 bits, of which the lowest "
-                            "count; write 0...255",
+                            "8:15: warning: Ref: 300 does not fit into 8 bits, so only its lowest "
+                            "8 count; write 0...255",
                             StartsWith("8:19: error: Stencil: unknown command 'Pas'")));
 }
 
@@ -229,9 +229,10 @@ TEST(ShaderLabError, WarnsOfTagsThatAreNearlyRight)
 
 TEST(ShaderLabError, ReportsATagOfWhichOneHalfIsInQuotes)
 {
-    EXPECT_THAT(PassMessages("Tags { LightMode = \"Meta\" }"),
-                ElementsAre("4:8: error: Tags: of a key and its value, one is in quotes; put both "
-                            "in quotes"));
+    EXPECT_THAT(
+        PassMessages("Tags { LightMode = \"Meta\" }"),
+        ElementsAre(
+            "4:8: error: Tags: only one of key and value is in quotes; put both in quotes"));
     EXPECT_THAT(PassMessages("Tags { LightMode = Meta }"), ElementsAre());
 }
 
@@ -282,8 +283,8 @@ TEST(ShaderLabError, LimitsTheDepthOfCategories)
         text += "Category {";
     }
     EXPECT_THAT(test::ParseMessages(text + std::string(34, '}')),
-                ElementsAre("2:321: error: Category: more than 32 inside one another; take some of "
-                            "the braces away"));
+                ElementsAre("2:321: error: Category: they are nested more than 32 deep; remove "
+                            "some of the braces"));
 }
 
 TEST(ShaderLabError, ShowsBytesThatAreNoLettersAsNumbers)

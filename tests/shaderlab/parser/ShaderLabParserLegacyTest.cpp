@@ -93,16 +93,16 @@ TEST(ShaderLabLegacy, IsNotedAsIgnoredBesideAProgramAndAsNotSynthesisedWithoutOn
         test::ParseMessages("Shader \"T\" { SubShader {\nPass { Lighting Off Fog { Mode Off "
                             "} HLSLPROGRAM ENDHLSL }\nPass { Color (1,1,1,1) Color (0,0,0,0) "
                             "} Pass { } } }"),
-        ElementsAre("2:8: note: Lighting, Fog: ignored, since the pass has a program",
-                    "3:8: note: Color: not synthesised, fixed-function passes draw nothing; "
-                    "write an HLSLPROGRAM"));
+        ElementsAre("2:8: note: Lighting, Fog: it is ignored, since the pass has a program",
+                    "3:8: note: Color: limn makes no program of fixed-function commands, so the "
+                    "pass draws nothing; write an HLSLPROGRAM"));
 }
 
 TEST(ShaderLabLegacy, IsNotedOnceForAllPassesThatACommandHoldsFor)
 {
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Lighting Off Pass { } Pass { } } }"),
-        ElementsAre(StartsWith("1:26: note: Lighting: not synthesised")));
+        ElementsAre(StartsWith("1:26: note: Lighting: limn makes no program of fixed-function")));
 }
 
 TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
@@ -110,7 +110,7 @@ TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Pass {\nFog { Mod Off }\nSetTexture { "
                             "}\nSetTexture [_A] { Combine texure }\nColor (1,\nZWrite Off } } }"),
-        ElementsAre(StartsWith("2:1: note: Fog, SetTexture: not synthesised"),
+        ElementsAre(StartsWith("2:1: note: Fog, SetTexture: limn makes no program"),
                     "2:7: error: Fog: unknown command 'Mod'; did you mean 'Mode'?",
                     "3:12: error: SetTexture: the texture is missing before '{'; write [_Property]",
                     "4:27: error: Combine: unknown value 'texure'; did you mean 'Texture'?",

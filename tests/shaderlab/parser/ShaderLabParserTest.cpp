@@ -250,9 +250,10 @@ TEST(ShaderLabParser, ReportsTheDirectivesOfUnitysLexerAndGoesOn)
         "Off } } }",
         "t.shader");
     EXPECT_EQ(test::Messages(result.diagnostics),
-              (std::vector<std::string>{"2:1: warning: #warning: look { out",
-                                        "4:1: note: #line: ignored; places are those of this file",
-                                        "6:1: error: #error: bad \""}));
+              (std::vector<std::string>{
+                  "2:1: warning: #warning: look { out",
+                  "4:1: note: #line: it is ignored; messages give the lines of this file",
+                  "6:1: error: #error: bad \""}));
     EXPECT_EQ(result.document.subShaders.at(0).passes.at(0).state.cull.value, CullMode::Off);
 }
 

@@ -109,13 +109,14 @@ TEST(ProfileContext, NotesAReferenceThatStaysUnloaded)
         ParseVolumeProfile("References:\n  ramp: {fileID: 1, guid: ab, type: 3}\n  sky: a.png\n"
                            "  target: b.png\n",
                            "x.yaml", k_Registry, scene);
-    EXPECT_THAT(test::Texts(result.notes),
-                ElementsAre("2:9: References.m_Ramp: stays without a texture, nobody knows the "
-                            "guid",
-                            "3:8: References.m_Sky: stays without a texture, a Cubemap cannot be "
-                            "loaded from a file; only flat textures can",
-                            "4:11: References.m_Target: stays without a texture, a RenderTexture "
-                            "cannot be loaded from a file; only flat textures can"));
+    EXPECT_THAT(
+        test::Texts(result.notes),
+        ElementsAre("2:9: References.m_Ramp: stays without a texture, nobody knows the "
+                    "guid",
+                    "3:8: References.m_Sky: it stays without a texture: a Cubemap cannot be "
+                    "loaded from a file; only flat textures can",
+                    "4:11: References.m_Target: it stays without a texture: a RenderTexture "
+                    "cannot be loaded from a file; only flat textures can"));
     EXPECT_EQ("a.png", In(result).sky.value().location.path);
 }
 

@@ -281,9 +281,10 @@ TEST(ReplaceContent, RefusesAFileThatChangedMeanwhile)
 {
     const TemporaryFolder folder;
     const auto file = folder.Write("a.profile.yaml", "new: 1\n");
-    EXPECT_THAT(Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
-                ElementsAre("was changed by another program meanwhile, and is left as that wrote "
-                            "it; try again"));
+    EXPECT_THAT(
+        Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
+        ElementsAre(
+            "has been changed by another program meanwhile, so limn does not write it; try again"));
     EXPECT_EQ("new: 1\n", ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
 }

@@ -107,10 +107,12 @@ TEST_F(LoadUnityProfile, NotesParametersAndReferencesThatItDoesNotKnow)
                              "    m_OverrideState: 1\n"
                              "    m_Value: {fileID: 0}\n" +
                              Profile("\n  - {fileID: 0}\n  - {fileID: 7}\n  - {fileID: 8}"));
-    EXPECT_THAT(Texts(result.notes),
-                ElementsAre("7:3: TestVolume.extra: left out, no such parameter is known",
-                            "14:5: components: left out, there is no object 0 in this file",
-                            "16:5: components: left out, there is no object 8 in this file"));
+    EXPECT_THAT(
+        Texts(result.notes),
+        ElementsAre(
+            "7:3: TestVolume.extra: it is left out; no such parameter is known",
+            "14:5: components: a component is left out; there is no object 0 in this file",
+            "16:5: components: a component is left out; there is no object 8 in this file"));
     EXPECT_TRUE(result.profile->Has<test::TestVolume>());
 }
 
@@ -133,11 +135,12 @@ TEST_F(LoadUnityProfile, NotesOnceAComponentWhatUrpHasAndLimnDoesNot)
              "--- !u!114 &2\n" + head + "FilmGrain\n" + parameter("intensity", "1") +
              "--- !u!114 &3\n" + head + "MotionBlur\n" + parameter("intensity", "0") +
              Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - {fileID: 3}"));
-    EXPECT_THAT(Texts(result.notes),
-                ElementsAre("4:1: Tonemapping: limn does not draw what URP does with minNits, "
-                            "paperWhite",
-                            "19:3: Tonemapping.papperWhite: left out, no such parameter is known",
-                            "23:1: FilmGrain: left out, limn does not draw this component of URP"));
+    EXPECT_THAT(
+        Texts(result.notes),
+        ElementsAre("4:1: Tonemapping: limn does not draw what URP does with minNits, "
+                    "paperWhite",
+                    "19:3: Tonemapping.papperWhite: it is left out; no such parameter is known",
+                    "23:1: FilmGrain: it is left out; limn does not draw this component of URP"));
     EXPECT_EQ(1, result.profile->TryGet<Tonemapping>()->mode.value());
 }
 

@@ -58,16 +58,18 @@ TEST_F(LoadOwnProfile, NamesTheCauseOfCommonSyntaxErrors)
     const std::string component = "ScreenSpaceOutline:\n";
     EXPECT_THAT(
         ProblemsIn(component + "\tm_Enable: true\n"),
-        ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
+        ElementsAre(
+            "2:1: this is not valid YAML: a tab indents this line; YAML takes spaces only"));
     EXPECT_THAT(ProblemsIn(component + "  m_Enable:true\n  m_OutlineWidth: 4\n"),
-                ElementsAre("2:11: not valid YAML: a space is missing behind the ':'"));
+                ElementsAre("2:11: this is not valid YAML: a space is missing behind the ':'"));
     // Lines of letters alone, and the last one, have no cause of these.
     for (const char* text : {"ScreenSpaceOutline\n  m_OutlineWidth: 4\n", "a\nb: 1", "a:b\n c: 1"})
     {
-        EXPECT_THAT(ProblemsIn(text), ElementsAre(testing::HasSubstr("not valid YAML: a")));
+        EXPECT_THAT(ProblemsIn(text), ElementsAre(testing::HasSubstr("this is not valid YAML: a")));
     }
-    EXPECT_THAT(ProblemsIn(component + "  m_OutlineColor: {r: 1 g: 0, b: 0}\n"),
-                ElementsAre("2:24: not valid YAML: a ',' is missing between two values here"));
+    EXPECT_THAT(
+        ProblemsIn(component + "  m_OutlineColor: {r: 1 g: 0, b: 0}\n"),
+        ElementsAre("2:24: this is not valid YAML: a ',' is missing between two values here"));
     EXPECT_THAT(ProblemsIn(component + "m_Enable: true\n"),
                 ElementsAre(testing::HasSubstr("2:1: 'm_Enable' is a parameter of "
                                                "ScreenSpaceOutline; put spaces in front")));
@@ -182,9 +184,9 @@ TEST_F(LoadOwnProfile, RefusesWhatIsNoMapOfComponents)
                             "'ScreenSpaceOutline:'"));
     EXPECT_THAT(ProblemsIn("Mixed: 4\n"), ElementsAre("1:8: Mixed: found '4'; a map with one "
                                                       "'parameter: value' per line is expected"));
-    EXPECT_THAT(
-        ProblemsIn("Mixed:\n---\nTestVolume:\n"),
-        ElementsAre("3:1: a second document; a profile is one, so take out the line '---'"));
+    EXPECT_THAT(ProblemsIn("Mixed:\n---\nTestVolume:\n"),
+                ElementsAre("3:1: a second document begins here, but a profile is a single one; "
+                            "remove the line '---'"));
 }
 
 TEST_F(LoadOwnProfile, ReportsAMissingFile)

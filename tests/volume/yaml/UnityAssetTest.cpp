@@ -175,10 +175,10 @@ TEST(UnityAsset, ParsesOnlyTheBodiesThatItIsAskedFor)
     EXPECT_EQ(asset.Find(2)->name, "good");
     EXPECT_EQ(asset.FindWithField("wanted")->fileID, 2);
     EXPECT_THAT(Problems([&] { asset.Find(1); }),
-                ElementsAre("3:11: not valid YAML: the '[' here is not closed by a ']'"));
+                ElementsAre("3:11: this is not valid YAML: the '[' here is not closed by a ']'"));
     EXPECT_THAT(Problems([&] { asset.Find(3); }),
                 ElementsAre("11:3: duplicate key 'a'; it is already at 10:3",
-                            "12:6: not valid YAML: the '{' here is not closed by a '}'"));
+                            "12:6: this is not valid YAML: the '{' here is not closed by a '}'"));
 }
 
 /// 40 000 bodies of 1 KiB that no YAML parser takes: what looks at each body once or at no body is

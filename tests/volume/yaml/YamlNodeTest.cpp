@@ -107,29 +107,32 @@ TEST(ParseYaml, RefusesKeysThatAreNotText)
 
 TEST(ParseYaml, PointsAtSyntaxErrors)
 {
-    EXPECT_THAT(ProblemsIn("a:\n  b: 1\n c: 2\n"),
-                ElementsAre("3:2: not valid YAML: this line does not belong to what is above it; "
-                            "check its indentation"));
-    EXPECT_THAT(ProblemsIn("a: b: c\n"),
-                ElementsAre("1:5: not valid YAML: a ':' is out of place; check the indentation and "
-                            "the line above, or put the text in quotes"));
+    EXPECT_THAT(
+        ProblemsIn("a:\n  b: 1\n c: 2\n"),
+        ElementsAre("3:2: this is not valid YAML: this line does not belong to what is above it; "
+                    "check its indentation"));
+    EXPECT_THAT(
+        ProblemsIn("a: b: c\n"),
+        ElementsAre("1:5: this is not valid YAML: a ':' is out of place; check the indentation and "
+                    "the line above, or put the text in quotes"));
     EXPECT_THAT(ProblemsIn("a: 1\nb: [1,\nc: 2\n"),
-                ElementsAre("2:4: not valid YAML: the '[' here is not closed by a ']'"));
+                ElementsAre("2:4: this is not valid YAML: the '[' here is not closed by a ']'"));
     EXPECT_THAT(ProblemsIn("a: {b: 1\n"),
-                ElementsAre("1:4: not valid YAML: the '{' here is not closed by a '}'"));
+                ElementsAre("1:4: this is not valid YAML: the '{' here is not closed by a '}'"));
     EXPECT_THAT(
         ProblemsIn("a: 1\n\tb: 2\n"),
-        ElementsAre("2:1: not valid YAML: a tab indents this line; YAML takes spaces only"));
+        ElementsAre(
+            "2:1: this is not valid YAML: a tab indents this line; YAML takes spaces only"));
     EXPECT_THAT(ProblemsIn("a: *nobody\n"),
-                ElementsAre("1:4: not valid YAML: the referenced anchor is not defined"));
+                ElementsAre("1:4: this is not valid YAML: the referenced anchor is not defined"));
 }
 
 TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
 {
     EXPECT_THAT(ProblemsIn("a: 1\nb: \"x\nc: 3\n"),
-                ElementsAre("2:4: not valid YAML: the quote is never closed"));
+                ElementsAre("2:4: this is not valid YAML: the quote is never closed"));
     EXPECT_THAT(ProblemsIn("b: &anchor 'it''s\n"),
-                ElementsAre("1:4: not valid YAML: the quote is never closed"));
+                ElementsAre("1:4: this is not valid YAML: the quote is never closed"));
     EXPECT_EQ(ParseYaml("a: 'it''s'\nb: \"say \\\"x\\\"\"\n", "x.yaml").front().Find("b")->scalar(),
               "say \"x\"");
 }
@@ -137,11 +140,10 @@ TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
 TEST(ParseYaml, RefusesTextBehindTheEndOfADocument)
 {
     EXPECT_THAT(ProblemsIn("- 1\na: 2\n"),
-                ElementsAre("2:1: text after the end of the document; another document begins with "
-                            "a line '---'"));
-    EXPECT_THAT(ProblemsIn("{a: 1} b\n"),
-                ElementsAre("1:8: text after the end of the document; another document begins with "
-                            "a line '---'"));
+                ElementsAre("2:1: text follows the end of the document; another document begins "
+                            "with a line '---'"));
+    EXPECT_THAT(ProblemsIn("{a: 1} b\n"), ElementsAre("1:8: text follows the end of the document; "
+                                                      "another document begins with a line '---'"));
 }
 
 TEST(ParseYaml, RefusesEmptyTexts)
@@ -154,9 +156,10 @@ TEST(ParseYaml, RefusesEmptyTexts)
 
 TEST(ParseYaml, RefusesWhatIsNotUtf8Text)
 {
-    EXPECT_THAT(ProblemsIn(std::string("a: 1\nb\0c", 8)),
-                ElementsAre("2:2: a NUL byte: this is a binary file or UTF-16; UTF-8 text is "
-                            "expected"));
+    EXPECT_THAT(
+        ProblemsIn(std::string("a: 1\nb\0c", 8)),
+        ElementsAre(
+            "2:2: here is a NUL byte, so this is a binary file or UTF-16; UTF-8 text is expected"));
     const std::string notUtf8 = "the bytes here are not UTF-8; save the file as UTF-8 text";
     EXPECT_THAT(ProblemsIn("a: \xE4\n"), ElementsAre("1:4: " + notUtf8));         // Latin-1
     EXPECT_THAT(ProblemsIn("a: \xC0\xAF\n"), ElementsAre("1:4: " + notUtf8));     // overlong
@@ -194,7 +197,7 @@ TEST(ParseYaml, CountsLevelsThroughAliases)
 TEST(ParseYaml, RefusesAnAliasInsideItsOwnAnchor)
 {
     EXPECT_THAT(ProblemsIn("a: &x [1, *x]\n"),
-                ElementsAre("1:11: the alias refers to a value it is itself a part of"));
+                ElementsAre("1:11: the alias refers to a value that contains it"));
 }
 
 TEST(ParseYaml, RefusesAliasesThatMultiplyWithoutEnd)

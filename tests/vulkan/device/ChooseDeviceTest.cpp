@@ -19,7 +19,7 @@ VulkanDeviceInfo MakeInfo(std::string name, VulkanDeviceType type,
 const std::vector<VulkanDeviceInfo> k_Devices = {
     MakeInfo("llvmpipe (LLVM 15)", VulkanDeviceType::Software),
     MakeInfo("Old Radeon", VulkanDeviceType::DiscreteGpu,
-             {"it speaks Vulkan 1.2.0, limn needs 1.3"}),
+             {"it supports Vulkan 1.2.0, but limn needs 1.3"}),
     MakeInfo("Intel UHD", VulkanDeviceType::IntegratedGpu),
     MakeInfo("GeForce RTX", VulkanDeviceType::DiscreteGpu)};
 
@@ -70,7 +70,7 @@ TEST(ChooseDevice, RefusesAnUnusableDeviceWithItsReasons)
     const std::string expected = "no usable Vulkan device is 'radeon'; there are:\n"
                                  "  0: 'llvmpipe (LLVM 15)' (software): usable\n"
                                  "  1: 'Old Radeon' (discrete GPU)\n"
-                                 "    it speaks Vulkan 1.2.0, limn needs 1.3\n"
+                                 "    it supports Vulkan 1.2.0, but limn needs 1.3\n"
                                  "  2: 'Intel UHD' (integrated GPU): usable\n"
                                  "  3: 'GeForce RTX' (discrete GPU): usable";
     EXPECT_EQ(expected, Refusal(k_Devices, "radeon"));
@@ -85,7 +85,7 @@ TEST(ChooseDevice, SaysWhyNoDeviceIsUsable)
 {
     EXPECT_EQ("no usable Vulkan device:\n"
               "  0: 'Old Radeon' (discrete GPU)\n"
-              "    it speaks Vulkan 1.2.0, limn needs 1.3",
+              "    it supports Vulkan 1.2.0, but limn needs 1.3",
               Refusal({k_Devices[1]}, ""));
 }
 

@@ -147,9 +147,9 @@ TEST(Lacks, NameEachFeatureExtensionAndLimitAndWhatItCosts)
     limits.maxPerStageDescriptorSampledImages = 16;
     EXPECT_THAT(vulkan::Lacks(bare, {.conservative = true}, limits),
                 testing::AllOf(testing::SizeIs(sentences.size() - 2),
-                               testing::Contains("maxPerStageDescriptorSampledImages is 16: 16 "
-                                                 "textures are all that a function of a shader "
-                                                 "reads")));
+                               testing::Contains(
+                                   "maxPerStageDescriptorSampledImages is 16: 16 "
+                                   "textures are the most that a function of a shader can read")));
 }
 
 } // namespace limn::test

@@ -122,7 +122,7 @@ bool TellsOf(const std::string& message, const std::string& function, const std:
     {
         return (message.starts_with("texture '") &&
                 message.find("': the device cannot use format ") != std::string::npos) ||
-               message.starts_with("the camera is drawn with 1 samples a texel in place of 4");
+               message.starts_with("the camera is drawn with 1 samples per texel in place of 4");
     }
     return message.starts_with(function + " failed") &&
            message.find(": " + result) != std::string::npos;

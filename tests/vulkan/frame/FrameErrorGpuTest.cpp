@@ -236,7 +236,7 @@ TEST_F(FrameErrors, ReadBackRefusesSamplesThatAreNotResolved)
     AddDepth(frame.passes[0], depth);
     SharedDevice().Execute(frame);
     EXPECT_EQ("texture 'depth' cannot be read back: the last pass that drew into it did not "
-              "resolve its 4 samples a texel",
+              "resolve its 4 samples per texel",
               ThrownMessage<ContractError>([&] { ReadRows(*depth); }));
 }
 

@@ -290,7 +290,7 @@ TEST_F(Multisampling, RefusesToResolveIntoAnotherFormat)
     frame.passes[0].barriers.push_back(
         {other, TextureUsage::Undefined, TextureUsage::ColorAttachment});
     EXPECT_EQ("pass 'test pass': target 'smooth' cannot be resolved into 'target': that must have "
-              "one sample a texel, and the same format",
+              "one sample per texel and the same format",
               ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));
 }
 
@@ -305,7 +305,7 @@ TEST_F(Multisampling, RefusesToShowDepthThatIsNotResolved)
         {depth, TextureUsage::DepthStencilAttachment, TextureUsage::ShaderRead});
     frame.passes[1].commands.emplace_back(MakeCopyDraw(frame, depth));
     EXPECT_EQ("texture 'smooth' is read as '_MainTex': the last pass that drew into it did not "
-              "resolve its 4 samples a texel",
+              "resolve its 4 samples per texel",
               ThrownMessage<ContractError>([&] { SharedDevice().Execute(frame); }));
 }
 

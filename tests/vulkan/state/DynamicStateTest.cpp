@@ -135,9 +135,10 @@ TEST(PipelineKeys, RefuseLogicalAndAdvancedBlendOpsForAPart)
     PipelineState oneTarget = Blended(BlendOp::LogicalOr, BlendOp::LogicalOr);
     oneTarget.targets[1] = {};
     EXPECT_NO_THROW(MakePipelineKey(oneTarget, Formats({VK_FORMAT_R8_UNORM}), device));
-    const std::string said = "a draw has BlendOp LogicalOr for a part of what it writes; it works "
-                             "for colour and alpha of all targets alike: write Blend and 'BlendOp "
-                             "LogicalOr' with neither a target nor a ','";
+    const std::string said =
+        "a draw has BlendOp LogicalOr for a part of its outputs; the device applies it to colour "
+        "and alpha of all targets alike: write Blend and 'BlendOp "
+        "LogicalOr' with neither a target nor a ','";
     EXPECT_EQ(said, Refusal(oneTarget, two, device));
     EXPECT_EQ(said, Refusal(Blended(BlendOp::LogicalOr, BlendOp::Add), two, device));
     EXPECT_EQ(said, Refusal(Blended(BlendOp::Max, BlendOp::LogicalOr), two, device));

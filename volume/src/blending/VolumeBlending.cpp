@@ -100,7 +100,7 @@ std::string WhyIdle(const Volume& volume, const std::optional<glm::vec3>& trigge
         }
         else if (!trigger)
         {
-            why << "it is not global, and nothing says where the camera takes volumes";
+            why << "it is not global, and the camera has no point from which volumes are measured";
         }
         else
         {

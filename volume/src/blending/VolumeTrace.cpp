@@ -14,7 +14,7 @@ namespace limn
 namespace
 {
 
-/// What a component's steps are told from.
+/// A contribution to a component, from which the steps of the trace are made.
 struct Contribution
 {
     const Volume* volume;

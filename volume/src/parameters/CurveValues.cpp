@@ -88,7 +88,8 @@ std::string UnityKeyText(const Keyframe& key)
 const EnumNames k_WrapModes{{"Loop", 2}, {"PingPong", 4}, {"ClampForever", 8},
                             {"Once", 1}, {"Clamp", 1},    {"Default", 0}};
 
-/// How Unity writes them: its player's numbers, not those of WrapMode.
+/// The wrap modes in the order of the numbers of Unity's player, which differ from those of
+/// WrapMode.
 constexpr std::array<WrapMode, 3> k_UnityWrapModes{WrapMode::PingPong, WrapMode::Loop,
                                                    WrapMode::ClampForever};
 

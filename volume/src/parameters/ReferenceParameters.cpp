@@ -57,7 +57,8 @@ bool TextureParameter::ReadNode(const YamlNode& node, std::string_view subject,
     }
     if (!isLoadable())
     {
-        diagnostics.Note(node.location(), std::string(subject) + ": stays without a texture, a " +
+        diagnostics.Note(node.location(), std::string(subject) +
+                                              ": it stays without a texture: a " +
                                               std::string(typeName()) +
                                               " cannot be loaded from a file; only flat textures "
                                               "can");

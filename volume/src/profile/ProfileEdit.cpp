@@ -55,7 +55,7 @@ std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
     return found;
 }
 
-/// What an edit names: a parameter, and perhaps one number of its value.
+/// The target of an edit: a parameter, and perhaps one number of its value.
 class Target
 {
 public:
@@ -209,7 +209,7 @@ std::optional<YamlNode> FindComponent(const ProfileText& profile, const std::str
     return std::nullopt;
 }
 
-/// What stands for one parameter in the map of a component or an object; null without it.
+/// Returns the value of one parameter in the map of a component or an object, or null.
 const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isUnity)
 {
     const YamlNode* value = map.Find(name);
@@ -219,7 +219,7 @@ const YamlNode* FindEntry(const YamlNode& map, const std::string& name, bool isU
     return isWrapped ? value->Find("m_Value") : value;
 }
 
-/// How far a file goes along an edit's path.
+/// The part of an edit's path that a file has.
 struct Reached
 {
     const YamlNode* value; ///< of the parameter; null if the file does not have it
@@ -408,8 +408,8 @@ void ReplaceContent(const std::filesystem::path& path, std::string_view expected
                   if (ReadYamlText(path) != expected)
                   {
                       throw AssetError(path.generic_string(), {},
-                                       "was changed by another program meanwhile, and is left as "
-                                       "that wrote it; try again");
+                                       "has been changed by another program meanwhile, so limn "
+                                       "does not write it; try again");
                   }
               });
 }

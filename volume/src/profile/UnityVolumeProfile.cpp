@@ -84,7 +84,7 @@ bool IsOverridden(const YamlNode& parameter)
     return state && state->scalar() != "0";
 }
 
-/// Whether the profile changes anything by the component.
+/// Returns whether the profile changes anything by the component.
 bool HasEffect(const UnityObject& object)
 {
     const YamlNode* active = object.fields.Find("active");
@@ -99,9 +99,9 @@ void NoteUnknownComponent(const UnityObject& object, AssetDiagnostics& diagnosti
     if (!isUrp || HasEffect(object))
     {
         diagnostics.Note(object.location,
-                         object.name + (isUrp
-                                            ? ": left out, limn does not draw this component of URP"
-                                            : ": left out, no such volume component is known"));
+                         object.name +
+                             (isUrp ? ": it is left out; limn does not draw this component of URP"
+                                    : ": it is left out; no such volume component is known"));
     }
 }
 
@@ -113,8 +113,8 @@ void NoteUnknownParameter(const UnityObject& object, const YamlEntry& entry, std
     const WordList* known = FindUrpComponent(object.name);
     if (!known || !known->Has(entry.key))
     {
-        diagnostics.Note(entry.keyLocation,
-                         object.name + "." + entry.key + ": left out, no such parameter is known");
+        diagnostics.Note(entry.keyLocation, object.name + "." + entry.key +
+                                                ": it is left out; no such parameter is known");
     }
     else if (IsOverridden(entry.value))
     {
@@ -184,8 +184,9 @@ std::vector<UnityObject> ReferredComponents(const UnityAsset& asset, const YamlN
         else
         {
             // Unity drops these as well: 0 is left where a component's script was deleted.
-            diagnostics.Note(reference.location(), "components: left out, there is no object " +
-                                                       std::to_string(*fileID) + " in this file");
+            diagnostics.Note(reference.location(),
+                             "components: a component is left out; there is no object " +
+                                 std::to_string(*fileID) + " in this file");
         }
     }
     return components;

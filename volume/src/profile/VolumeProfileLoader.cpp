@@ -49,8 +49,9 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
     const YamlNode& root = documents.front();
     if (documents.size() > 1)
     {
-        diagnostics.Error(documents[1].location(),
-                          "a second document; a profile is one, so take out the line '---'");
+        diagnostics.Error(
+            documents[1].location(),
+            "a second document begins here, but a profile is a single one; remove the line '---'");
     }
     if (!root.isMap())
     {

@@ -16,7 +16,8 @@ namespace
 
 using Triangle = std::array<glm::dvec3, 3>;
 
-/// How far, relative to the mesh's size, a vertex may stand out: vertices are floats.
+/// The distance, relative to the mesh's size, by which a vertex may stand out, because vertices are
+/// floats.
 constexpr double k_Tolerance = 1e-4;
 
 Triangle TriangleAt(const Mesh& mesh, std::size_t first, const glm::dvec3& scale)
@@ -30,13 +31,13 @@ Triangle TriangleAt(const Mesh& mesh, std::size_t first, const glm::dvec3& scale
     return triangle;
 }
 
-/// As long as twice the triangle's area.
+/// Returns a normal as long as twice the triangle's area.
 glm::dvec3 NormalOf(const Triangle& triangle)
 {
     return glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
 }
 
-/// Whether all vertices are on one side of the triangle, as far as floats can tell.
+/// Returns whether all vertices are on one side of the triangle, as far as floats can tell.
 bool IsOnTheHull(const Mesh& mesh, const Triangle& triangle, double tolerance)
 {
     const glm::dvec3 normal = NormalOf(triangle);
@@ -94,7 +95,7 @@ glm::dvec3 ClosestOnTriangle(const Triangle& triangle, const glm::dvec3& point)
     return closest;
 }
 
-/// Whether a mesh is flat at a triangle, as far as floats can tell, whatever its size.
+/// Returns whether a mesh is flat at a triangle, as far as floats can tell, whatever its size.
 /// @param normal  as long as an area
 /// @param inward  how far the mesh's middle is from the triangle's plane, times that area
 bool IsThin(const glm::dvec3& normal, double inward)
@@ -102,7 +103,8 @@ bool IsThin(const glm::dvec3& normal, double inward)
     return std::abs(inward) <= 1e-9 * std::pow(glm::length(normal), 1.5);
 }
 
-/// Whether the point is on the inner side of the triangle's plane. Of a flat mesh nothing is.
+/// Returns whether the point is on the inner side of the triangle's plane. A flat mesh has no inner
+/// side.
 bool IsBehind(const Triangle& triangle, const glm::dvec3& point, const glm::dvec3& middle)
 {
     const glm::dvec3 normal = NormalOf(triangle);
@@ -112,7 +114,7 @@ bool IsBehind(const Triangle& triangle, const glm::dvec3& point, const glm::dvec
            (!IsThin(normal, inward) && (inward > 0.0 ? height >= 0.0 : height <= 0.0));
 }
 
-/// Of the vertices, so that it is inside a convex mesh.
+/// Returns the middle of the vertices, which is inside a convex mesh.
 glm::dvec3 MiddleOf(const Mesh& mesh)
 {
     glm::dvec3 sum(0.0);
@@ -123,8 +125,8 @@ glm::dvec3 MiddleOf(const Mesh& mesh)
     return sum / static_cast<double>(mesh.data().vertices.size());
 }
 
-/// Whether the triangles leave nothing open, turned outwards as they then are: the areas of a
-/// closed surface cancel out, as vectors. What is flat encloses nothing that could be open.
+/// Returns whether the triangles form a closed surface, whose areas, as vectors pointing outwards,
+/// cancel out. A flat mesh encloses nothing that could be open.
 bool IsClosed(const Mesh& mesh)
 {
     const glm::dvec3 middle = MiddleOf(mesh);

@@ -138,7 +138,7 @@ void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
         cause = FindMissingComma(LinesFrom(text, firstLine, line, line));
     }
     const SyntaxProblem& found = cause ? *cause : problem;
-    diagnostics.Error(found.location, "not valid YAML: " + found.message);
+    diagnostics.Error(found.location, "this is not valid YAML: " + found.message);
 }
 
 /// A key that is longer than YAML allows ends a map, as yaml-cpp sees it.
@@ -164,8 +164,9 @@ void CheckIsText(std::string_view text, const std::string& file, int firstLine)
     const std::optional<std::size_t> offset = FindNonText(text);
     if (offset && text[*offset] == '\0')
     {
-        throw AssetError(file, LocationOf(text, *offset, firstLine),
-                         "a NUL byte: this is a binary file or UTF-16; UTF-8 text is expected");
+        throw AssetError(
+            file, LocationOf(text, *offset, firstLine),
+            "here is a NUL byte, so this is a binary file or UTF-16; UTF-8 text is expected");
     }
     if (offset)
     {

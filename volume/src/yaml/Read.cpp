@@ -26,7 +26,7 @@ void RefuseKind(const YamlNode& node, std::string_view subject, AssetDiagnostics
            "found " + node.Describe() + inQuotes + "; " + std::string(expected) + " is expected");
 }
 
-/// Whether all of `text` is one number; std::errc{} if so.
+/// Parses a number. Returns std::errc{} if all of `text` is one number.
 template <typename T>
 std::errc ParseNumber(std::string_view text, T& value)
 {
@@ -39,7 +39,8 @@ std::errc ParseNumber(std::string_view text, T& value)
     return error == std::errc{} && rest != end ? std::errc::invalid_argument : error;
 }
 
-/// What YAML and C call infinities and NaN, in any case and with a sign.
+/// Returns whether the text is a name of YAML or C for infinity or NaN, in any case and with a
+/// sign.
 bool IsNonFiniteName(std::string_view text)
 {
     std::string name;

@@ -20,7 +20,7 @@ std::optional<float> ParseFloat(std::string_view text)
     return error == std::errc{} && rest == end ? std::optional(value) : std::nullopt;
 }
 
-/// Whether both scalars are the same text or the same number.
+/// Returns whether both scalars are the same text or the same number.
 bool IsSame(const YamlNode& one, const YamlNode& other)
 {
     const std::optional<float> number = ParseFloat(one.scalar());
@@ -71,8 +71,8 @@ std::size_t OffsetOf(std::string_view text, SourceLocation location)
     return offset + static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
 }
 
-/// Whether lists are as long, all the way down, so that scalar by scalar can be replaced. Numbers
-/// may be a list here and a map there; a map may lack keys that stay implied.
+/// Returns whether all lists have the same lengths, so that the scalars can be replaced one by one.
+/// Numbers may be a list here and a map there; a map may lack keys that stay implied.
 bool HasSameShape(const YamlNode& old, const YamlNode& fresh)
 {
     if (!old.isSequence() || !fresh.isSequence())

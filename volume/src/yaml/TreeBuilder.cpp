@@ -12,7 +12,8 @@ void YamlTreeBuilder::CheckEnd()
 {
     if (m_LastQuoted && !IsQuoteClosed(m_Text, static_cast<std::size_t>(m_LastQuoted->pos)))
     {
-        m_Diagnostics.Error(ToLocation(*m_LastQuoted), "not valid YAML: the quote is never closed");
+        m_Diagnostics.Error(ToLocation(*m_LastQuoted),
+                            "this is not valid YAML: the quote is never closed");
     }
 }
 
@@ -23,8 +24,8 @@ void YamlTreeBuilder::OnDocumentStart(const YAML::Mark& mark)
         m_Text.substr(std::min(m_Text.size(), static_cast<std::size_t>(mark.pos)));
     if (!documents.empty() && rest.substr(0, 3) != "---")
     {
-        Stop(ToLocation(mark), "text after the end of the document; another document begins "
-                               "with a line '---'");
+        Stop(ToLocation(mark),
+             "text follows the end of the document; another document begins with a line '---'");
     }
 }
 
@@ -57,7 +58,7 @@ void YamlTreeBuilder::OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor)
     const auto found = m_Anchors.find(anchor);
     if (found == m_Anchors.end())
     {
-        Stop(ToLocation(mark), "the alias refers to a value it is itself a part of");
+        Stop(ToLocation(mark), "the alias refers to a value that contains it");
     }
     CheckDepth(ToLocation(mark), found->second);
     m_RepeatedCount += found->second.count;
@@ -104,7 +105,7 @@ void YamlTreeBuilder::Close()
     {
         m_Anchors[open.anchorId] = built;
     }
-    // What is inside was counted against the limit when it came.
+    // The inner values were counted against the limit when they came.
     Append(built.node.location(), built);
 }
 

@@ -57,7 +57,7 @@ bool IsDocumentStart(std::string_view line)
            (line.size() == 3 || line[3] == ' ' || line[3] == '\t' || line[3] == '\r');
 }
 
-/// What may stand above the first object: directives and comments.
+/// Returns whether the line may stand above the first object; directives and comments may.
 bool IsPreamble(std::string_view line)
 {
     const std::string_view word = TakeWord(line);

@@ -16,7 +16,7 @@ bool HasPrefix(std::string_view text, std::string_view name)
     return text.size() > name.size() + 1 && text.starts_with(name) && text[name.size()] == '.';
 }
 
-/// Whether there is a dot with something before the first and behind the last.
+/// Returns whether there is a dot with something before the first and behind the last.
 bool IsPath(std::string_view text)
 {
     return text.find('.') != std::string_view::npos && text.front() != '.' && text.back() != '.';

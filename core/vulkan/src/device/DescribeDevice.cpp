@@ -75,7 +75,7 @@ VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device)
     if (properties.properties.apiVersion < VK_API_VERSION_1_3)
     {
         // Its 1.3 features cannot even be asked for.
-        info.problems.push_back("it speaks Vulkan " + info.apiVersion + ", limn needs 1.3");
+        info.problems.push_back("it supports Vulkan " + info.apiVersion + ", but limn needs 1.3");
         return info;
     }
     const OptionalExtensions extensions = FindExtensions(device);

@@ -114,7 +114,7 @@ VulkanInstance::VulkanInstance(bool validation)
     }
     if (validation && !HasLayer(k_ValidationLayer))
     {
-        throw VulkanError(std::string("validation is asked for and the layer ") +
+        throw VulkanError(std::string("validation is asked for, but the layer ") +
                           k_ValidationLayer + " is not installed; install vulkan-validationlayers");
     }
     m_DebugUtils =

@@ -20,7 +20,7 @@ bool isSame(const T& a, const T& b)
     return std::memcmp(&a, &b, sizeof(T)) == 0;
 }
 
-/// Whether a value has to be set: it is not known, or another one.
+/// Returns whether a value must be set, because the bound one is unknown or different.
 template <typename T>
 bool Changes(const FixedState* known, const FixedState& state, T FixedState::*member)
 {

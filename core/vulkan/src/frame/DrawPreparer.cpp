@@ -100,7 +100,7 @@ void RequireThreadsFit(const DispatchSetup& setup, const VkPhysicalDeviceLimits&
         count > limits.maxComputeWorkGroupInvocations)
     {
         const auto& most = limits.maxComputeWorkGroupSize;
-        throw DrawError(Subject(setup) + "groups of " + std::to_string(size[0]) + "x" +
+        throw DrawError(Subject(setup) + "its groups have " + std::to_string(size[0]) + "x" +
                         std::to_string(size[1]) + "x" + std::to_string(size[2]) +
                         " threads; the device runs at most " + std::to_string(most[0]) + "x" +
                         std::to_string(most[1]) + "x" + std::to_string(most[2]) + " and " +
@@ -179,8 +179,8 @@ PreparedArguments DrawPreparer::ArgumentsOf(const DrawBindings* bindings)
                : PreparedArguments();
 }
 
-/// Of the textures that the kernel reads and writes, where the device reads one of them only if it
-/// is told the format.
+/// Returns the formats of the textures that the kernel both reads and writes, for those that the
+/// device can read only if it knows the format.
 ImageFormats DrawPreparer::FormatsFor(const DispatchSetup& setup) const
 {
     ImageFormats formats;
@@ -199,7 +199,8 @@ ImageFormats DrawPreparer::FormatsFor(const DispatchSetup& setup) const
         if (!isUntold && isExtended(imageFormat) && !m_Context.capabilities().extendedImageFormats)
         {
             throw DrawError(Subject(setup) + "it reads '" + declared.name +
-                            "' and may write to it; the device does not for " + ToString(format));
+                            "' and may write to it, but the device cannot do both for " +
+                            ToString(format));
         }
         formats[declared.binding] = imageFormat;
         isNeeded = isNeeded || !isUntold;

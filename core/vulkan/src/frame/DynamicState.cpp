@@ -79,8 +79,8 @@ BlendOp WholeOperation(const PipelineState& state, std::size_t targets)
         {
             const std::string name = BlendOpName(op);
             throw DrawError("a draw has BlendOp " + name +
-                            " for a part of what it writes; it works for colour and alpha of "
-                            "all targets alike: write Blend and 'BlendOp " +
+                            " for a part of its outputs; the device applies it to colour and alpha "
+                            "of all targets alike: write Blend and 'BlendOp " +
                             name + "' with neither a target nor a ','");
         }
     }

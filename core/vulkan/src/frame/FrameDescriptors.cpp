@@ -9,7 +9,7 @@ namespace limn::vulkan
 namespace
 {
 
-/// What a draw without bindings binds.
+/// The bindings of a draw without bindings.
 const DrawBindings k_NoBindings;
 
 [[noreturn]] void RefuseMissing(const std::string& kind, const std::string& name,
@@ -32,7 +32,7 @@ const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, cons
     return *found;
 }
 
-/// Null where the draw brings none.
+/// Returns the draw's buffer at a binding, or null if it has none.
 const BufferSlot* FindBuffer(const DrawBindings& bindings, std::uint32_t binding)
 {
     const auto found = std::ranges::find(bindings.buffers, binding, &BufferSlot::binding);
@@ -120,7 +120,7 @@ void RequireResolved(const PooledImage& image, const std::string& property)
     {
         throw ContractError("texture '" + image.name + "' is read as '" + property +
                             "': the last pass that drew into it did not resolve its " +
-                            std::to_string(image.samples) + " samples a texel");
+                            std::to_string(image.samples) + " samples per texel");
     }
 }
 
@@ -160,7 +160,8 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
     }
 }
 
-/// How many per-draw elements are bound at once; so many that the next begin where a binding may.
+/// Returns the number of per-draw elements that are bound at once. It is such that the next ones
+/// begin at an offset which a binding may have.
 std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
 {
     constexpr std::uint32_t k_Aligned = 8;

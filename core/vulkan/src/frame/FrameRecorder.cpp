@@ -10,7 +10,7 @@ namespace limn::vulkan
 namespace
 {
 
-/// What is wrong with a barrier; "" = nothing.
+/// Returns the fault of a barrier, "" if it has none.
 std::string Objection(const TextureBarrier& barrier, const PooledImage& image)
 {
     if (barrier.after == TextureUsage::Undefined)
@@ -102,7 +102,8 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     return false;
 }
 
-/// Where it says no, nothing has happened but uploads.
+/// Repeats the recording of an earlier frame. If it returns false, nothing but uploads has
+/// happened.
 bool FrameRecorder::Repeat(const CompiledFrame& frame)
 {
     FrameRecording& recording = m_Slot.recording();

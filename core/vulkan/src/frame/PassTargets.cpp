@@ -29,7 +29,7 @@ std::int64_t Bottom(const ViewportRect& rect)
     return std::int64_t{rect.y} + rect.height;
 }
 
-/// What is wrong with a texture as a target; "" = nothing.
+/// Returns the fault of a texture as a target, "" if it has none.
 std::string Objection(const CompiledRenderPass& pass, const RenderTexture& texture,
                       TextureUsage usage, TextureUsage needed)
 {
@@ -79,12 +79,12 @@ void RequireResolve(const CompiledRenderPass& pass, const RenderTexture& texture
                                 "' cannot be resolved into '" + resolve->name() + "': ";
     if (texture.descriptor().msaaSamples == 1)
     {
-        throw ContractError(subject + "it has one sample a texel");
+        throw ContractError(subject + "it has one sample per texel");
     }
     if (resolve.get() != &texture &&
         (samples != 1 || resolve->graphicsFormat() != texture.graphicsFormat()))
     {
-        throw ContractError(subject + "that must have one sample a texel, and the same format");
+        throw ContractError(subject + "that must have one sample per texel and the same format");
     }
 }
 
@@ -167,7 +167,7 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
         if (samples != 0 && samples != count)
         {
             throw ContractError("pass '" + pass.name + "': target '" + texture.name() + "' has " +
-                                std::to_string(count) + " samples a texel, the one before it " +
+                                std::to_string(count) + " samples per texel, the one before it " +
                                 std::to_string(samples));
         }
         samples = count;

@@ -42,7 +42,7 @@ public:
     std::shared_ptr<vulkan::ReadBackCopy> Copy(const RenderTexture& texture,
                                                VkImageAspectFlagBits aspect);
     std::shared_ptr<vulkan::ReadBackCopy> Copy(const GraphicsBuffer& buffer);
-    /// Of those that are under way.
+    /// Finishes the copies that are under way.
     void FinishCopies();
 
     vulkan::VulkanContext context;
@@ -84,7 +84,7 @@ void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& s
     }
     catch (...)
     {
-        // None of it may throw: what went wrong first is what is reported.
+        // Nothing here may throw, because the first error is the one that is reported.
         resources.Rollback(number);
         slot.Abandon();
         throw;
@@ -156,7 +156,7 @@ std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const RenderTextu
     if (image->use.isStale)
     {
         throw ContractError(subject + "the last pass that drew into it did not resolve its " +
-                            std::to_string(image->samples) + " samples a texel");
+                            std::to_string(image->samples) + " samples per texel");
     }
     auto copy = vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
     image->lastUse = copy->number();

@@ -11,7 +11,8 @@ namespace limn::vulkan
 namespace
 {
 
-/// Of uniform and storage buffers; Vulkan lets a device ask no more of either.
+/// The alignment of uniform and storage buffers. Vulkan does not let a device require a greater one
+/// for either.
 constexpr VkDeviceSize k_Alignment = k_UniformAlignment;
 constexpr VkDeviceSize k_ChunkBytes = VkDeviceSize{1} << 20;
 constexpr VkBufferUsageFlags k_Usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT |
@@ -40,7 +41,7 @@ UploadedBytes LinearMemory::Allocate(VkDeviceSize size)
     return result;
 }
 
-/// Where the frame before needed more, room for all of that at once.
+/// Returns the size of a new chunk. It holds all that the frame before needed.
 VkDeviceSize LinearMemory::ChunkSize() const
 {
     return std::max(k_ChunkBytes, std::bit_ceil(m_Last));
@@ -55,7 +56,7 @@ UploadedBytes LinearMemory::Upload(std::span<const std::byte> bytes)
 
 void LinearMemory::Reset()
 {
-    // What a single frame needs, as for uploads, is not kept for those after it.
+    // Memory that a single frame needs, for example for uploads, is not kept for later frames.
     const VkDeviceSize used = m_Before + m_Used;
     m_Last = std::min(used, m_Previous);
     m_Previous = used;

@@ -13,7 +13,7 @@ namespace
 constexpr VkDeviceSize k_BlockBytes = VkDeviceSize{16} << 20;
 constexpr int k_FramesKeptEmpty = 8;
 
-/// What memory should be, the best first.
+/// Returns the wanted properties of the memory, the best first.
 std::vector<VkMemoryPropertyFlags> WishesFor(MemoryUse use)
 {
     constexpr VkMemoryPropertyFlags visible =

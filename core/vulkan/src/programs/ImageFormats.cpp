@@ -13,7 +13,7 @@ namespace limn::vulkan
 namespace
 {
 
-// Of the SPIR-V specification.
+// These numbers are from the SPIR-V specification.
 constexpr std::uint32_t k_ExtendedFormats = 49; // capabilities
 constexpr std::uint32_t k_ReadWithoutFormat = 55;
 constexpr std::uint32_t k_Binding = 33; // a decoration
@@ -181,7 +181,7 @@ std::uint32_t ToImageFormat(GraphicsFormat format)
 
 bool isExtended(std::uint32_t imageFormat)
 {
-    // Of four kinds of components, the first ones of each.
+    // The plain formats are the first ones of each of four kinds of components.
     const auto isPlain = [&](std::uint32_t first, std::uint32_t last)
     {
         return imageFormat >= first && imageFormat <= last;

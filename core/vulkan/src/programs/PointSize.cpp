@@ -9,7 +9,7 @@ namespace limn::vulkan
 namespace
 {
 
-// Of the SPIR-V specification.
+// This number is from the SPIR-V specification.
 constexpr std::uint32_t k_Output = 3; // a storage class
 
 using Instruction = std::span<const std::uint32_t>;

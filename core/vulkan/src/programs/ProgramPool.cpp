@@ -43,8 +43,9 @@ void RequireOneSample(const TextureBinding& texture)
 {
     if (texture.multisampled)
     {
-        throw DrawError("texture '" + texture.name +
-                        "' of the shader has several samples a texel; limn has no such yet");
+        throw DrawError(
+            "texture '" + texture.name +
+            "' of the shader has several samples per texel; limn does not support that yet");
     }
 }
 

@@ -35,7 +35,8 @@ UsageScope ShaderScope()
             k_ShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT};
 }
 
-/// What was set behind `version`, oldest first: a later one may lie over an earlier one's part.
+/// Records the changes after `version`, the oldest first, because a later one may overlap an
+/// earlier one.
 void RecordChanges(const GraphicsBuffer& buffer, std::uint64_t version, VkBuffer target,
                    UploadCommands& uploads)
 {

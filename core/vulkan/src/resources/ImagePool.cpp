@@ -42,7 +42,7 @@ VkImageMemoryBarrier2 ScopeBarrier(const PooledImage& image, const UsageScope& f
     return barrier;
 }
 
-/// What has to be done with the image before something begins that does not mind what it holds.
+/// Returns the uses that must end before something begins that ignores the image's contents.
 UsageScope ScopeToForget(const PooledImage& image, TextureUsage last)
 {
     if (image.shared) // others were in its place

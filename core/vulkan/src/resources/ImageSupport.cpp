@@ -46,7 +46,7 @@ void RequireMips(const VulkanContext& context, const VkImageCreateInfo& info,
     }
 }
 
-/// What a usage asks of the format; 0 = limn has no such usage.
+/// Returns the features that a usage requires of the format; 0 if limn has no such usage.
 VkFormatFeatureFlags FeaturesFor(GraphicsFormat format, FormatUsage usage)
 {
     const VkFormatFeatureFlags target = IsDepthFormat(format)
@@ -169,7 +169,7 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
     RequireMips(context, info, texture);
     if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
-        throw DrawError(subject + "the device does not do " +
+        throw DrawError(subject + "the device does not support " +
                         std::to_string(static_cast<int>(info.samples)) + " samples of " +
                         limn::ToString(texture.graphicsFormat()));
     }

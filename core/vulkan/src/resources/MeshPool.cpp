@@ -10,17 +10,18 @@ namespace limn::vulkan
 namespace
 {
 
-/// What a shared block holds: some hundred small meshes.
+/// The capacity of a shared block, which holds some hundred small meshes.
 constexpr MeshSize k_SharedCapacity{4096, 16384};
 
-/// Whether it leaves a shared block room for others.
+/// Returns whether it leaves a shared block room for others.
 bool isSmall(const MeshSize& size)
 {
     return size.vertices <= k_SharedCapacity.vertices / 4 &&
            size.indices <= k_SharedCapacity.indices / 4;
 }
 
-/// What meshes without an attribute give, by attribute, and behind them zeros.
+/// Returns the values that meshes without an attribute have, one for each attribute, and zeros
+/// behind them.
 std::array<std::array<float, 4>, k_VertexAttributeCount + 1> Constants()
 {
     std::array<std::array<float, 4>, k_VertexAttributeCount + 1> constants{};
@@ -175,7 +176,7 @@ void MeshPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
     }
 }
 
-/// Of the meshes, and of the shared blocks those that nothing is left in.
+/// Erases the meshes that meet the condition, and the shared blocks that become empty.
 template <typename Condition>
 void MeshPool::Erase(const Condition& condition)
 {

@@ -12,7 +12,8 @@ namespace
 constexpr VkPipelineStageFlags2 k_Readers =
     VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
 
-/// Where objects that lie side by side in the staging memory go; neighbours go together.
+/// Finds the destinations of objects that lie side by side in the staging memory. Neighbours are
+/// copied together.
 void FindRegions(std::span<const std::uint32_t> objects, VkDeviceSize staging,
                  std::vector<VkBufferCopy>& regions)
 {

@@ -126,7 +126,7 @@ UniqueSampler SamplerCache::Create(const SamplerState& state) const
     const VkPhysicalDeviceLimits& limits = m_Context.capabilities().limits;
     info.mipLodBias =
         std::clamp(state.mipMapBias, -limits.maxSamplerLodBias, limits.maxSamplerLodBias);
-    // As in Unity, whose point filter takes one texel whatever the level.
+    // As in Unity, the point filter takes one texel whatever the level is.
     info.anisotropyEnable = m_Context.capabilities().anisotropy && state.anisoLevel > 1 &&
                                     state.filterMode != FilterMode::Point
                                 ? VK_TRUE

@@ -20,7 +20,7 @@ void FrameSlot::BeginRecording(std::size_t passCount, std::uint64_t structure)
 {
     Abandon();
     m_Data.Reset();
-    // What never changes again need not be recorded for more than one submission.
+    // A structure of 0 does not come again, so its commands are recorded for one submission.
     m_Commands.Begin(structure == 0 ? VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT : 0);
     m_Recording.structure = structure;
     ReserveQueries(passCount);

@@ -31,7 +31,7 @@ VkMemoryBarrier2 BehindCopy(VkAccessFlags2 copied, VkPipelineStageFlags2 stages,
     return barrier;
 }
 
-/// What was copied is there for the CPU.
+/// Records the barrier that makes the copied data visible to the CPU.
 void RecordHostBarrier(VkCommandBuffer commands)
 {
     RecordBarrier(commands, BehindCopy(VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,

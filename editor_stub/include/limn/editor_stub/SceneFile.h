@@ -43,7 +43,7 @@ struct SceneAsset
     int height = 720;
     int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
     bool supportsHDR = true; ///< UniversalRenderPipeline::supportsHDR
-    /// UniversalRenderPipeline::hdrColorBufferPrecision
+    /// The bits per pixel, see UniversalRenderPipeline::hdrColorBufferPrecision.
     HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits;
     float renderScale = 1.0f;         ///< UniversalRenderPipeline::renderScale
     int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount

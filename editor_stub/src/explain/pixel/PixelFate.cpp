@@ -49,7 +49,8 @@ std::string DepthReason(const PipelineState& state, float own, const TargetTexel
     const std::string stored =
         before.depth.empty() ? "none"
                              : NumbersText(TexelValue(before.depth, GraphicsFormat::D32_SFloat));
-    return std::string(isPlain ? "it is behind what is there" : "the depth test fails") +
+    return std::string(isPlain ? "it is behind the surface that is there"
+                               : "the depth test fails") +
            ": its depth is " + NumbersText({own}) + ", that of the target " + stored +
            " (1 is near), ZTest " + StateText(StateValue<CompareFunction>(state.zTest));
 }
@@ -78,12 +79,12 @@ std::pair<PixelFate, std::string> WhyItAddsNothing(const PassProbe& probe, std::
     if (std::ranges::any_of(targets, Blends))
     {
         const bool isClear = output && output->back() == 0.0f;
-        return {PixelFate::Blend, (isClear ? "it adds nothing here: its alpha is 0"
-                                           : "it adds nothing here: blended with what is there, "
-                                             "that stays as it is") +
-                                      given};
+        return {PixelFate::Blend,
+                (isClear ? "it adds nothing here: its alpha is 0"
+                         : "it adds nothing here: blending leaves the colour as it is") +
+                    given};
     }
-    return {PixelFate::Same, "it writes what is there already" + given};
+    return {PixelFate::Same, "it writes the value that is there already" + given};
 }
 
 } // namespace
@@ -130,8 +131,9 @@ std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size
     }
     if (isEmpty)
     {
-        return {PixelFate::OutOfReach,
-                "the pixel is out of its reach: what it looks at is empty that far"};
+        return {
+            PixelFate::OutOfReach,
+            "the pixel is out of its reach: the texture that it reads is empty around the pixel"};
     }
     return WhyItAddsNothing(probe, which, before.colors.size());
 }

@@ -78,7 +78,7 @@ std::string WhyAbsent(const ExplainedObject& object)
     const bool isDrawn = std::ranges::any_of(object.draws, [](const auto& draw)
                                              { return draw.verdict == FilterVerdict::Drawn; });
     return !object.absence.empty() ? object.absence
-           : isDrawn ? "it is drawn only into targets that are not laid out as the picture is"
+           : isDrawn ? "it is drawn only into targets of another layout than the picture"
                      : "every pass leaves it out";
 }
 

@@ -200,7 +200,7 @@ std::string RestSentence(const PixelHistory& history)
     text += absent > 0 ? "; " + Count(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
     const std::size_t elsewhere = history.elsewhere.size();
     text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
-                                " not laid out as the picture is"
+                                " of another layout than the picture"
                           : "";
     return TextLine(text + ": -v names them", 0);
 }
@@ -228,7 +228,7 @@ std::string RestText(const PixelHistory& history)
     }
     return SectionText("drawn, but not over the pixel", uncovered) +
            SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
-           SectionText("targets that are not laid out as the picture is", elsewhere);
+           SectionText("targets that are of another layout than the picture", elsewhere);
 }
 
 std::string NotesText(const PixelHistory& history, bool isLong)

@@ -64,7 +64,7 @@ std::uint32_t BitsOf(std::span<const std::byte> texel, const Component& componen
 /// @param count  how many
 float FloatOf(std::uint32_t bits, int count)
 {
-    // Those of 10 and 11 bits are halves without a sign and with fewer bits behind the point.
+    // Floats of 10 and 11 bits are halves without a sign and with a shorter mantissa.
     return count == 32 ? std::bit_cast<float>(bits)
                        : glm::unpackHalf1x16(
                              static_cast<std::uint16_t>(count < 16 ? bits << (15 - count) : bits));

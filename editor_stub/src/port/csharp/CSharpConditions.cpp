@@ -40,7 +40,7 @@ public:
     {
     }
 
-    /// Whether it is a condition, and its answer.
+    /// Returns whether it is a condition, and its answer.
     bool Read(bool& answer)
     {
         answer = Or();

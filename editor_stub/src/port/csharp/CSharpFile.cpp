@@ -20,7 +20,7 @@ bool IsModifier(std::string_view word)
 
 constexpr int k_MaxNesting = 100; ///< of brackets, of types in types, of arrays of arrays
 
-/// How deep a word lies in brackets and types.
+/// The depth of a word in brackets and types.
 class Nesting
 {
 public:
@@ -53,7 +53,8 @@ private:
     bool m_IsBehindName = false;
 };
 
-/// What reads classes and types calls itself for what is in them.
+/// Requires that brackets and types are not nested too deeply, because the reader calls itself for
+/// each level.
 void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& tokens)
 {
     Nesting nesting;
@@ -62,8 +63,8 @@ void RequireShallow(const CSharpFile& file, const std::vector<CSharpToken>& toke
         if (nesting.Take(token) > k_MaxNesting)
         {
             throw AssetError(file.path, token.location,
-                             "more than " + std::to_string(k_MaxNesting) +
-                                 " brackets or types lie in each other here; limn reads no deeper");
+                             "brackets or types are nested more than " +
+                                 std::to_string(k_MaxNesting) + " deep here; limn reads no deeper");
         }
         RequireShallow(file, token.hole);
     }

@@ -282,12 +282,12 @@ private:
         Advance(end + quotes - m_At);
     }
 
-    /// What stands between { and } in a text.
+    /// Reads the code between { and } in a text.
     void ReadHole(CSharpToken& token)
     {
         if (++m_HoleDepth > k_MaxHoles)
         {
-            Fail(Here(), "there are too many texts in texts");
+            Fail(Here(), "interpolated texts are nested too deeply here");
         }
         Advance();
         int depth = 1;

@@ -59,7 +59,7 @@ double NumberAt(const Coverage (&channels)[3], int x, int y)
     return static_cast<double>(std::bit_cast<float>(part(0) << 22 | part(1) << 11 | part(2)));
 }
 
-/// What a device makes of them, to the bit of its floats.
+/// Returns the values that a device computes for the expressions, to the bit of its floats.
 std::vector<std::array<double, 2>> Evaluate(std::span<const ShaderExpression> expressions,
                                             AssetContext& assets, GraphicsDevice& device)
 {
@@ -90,7 +90,7 @@ std::vector<std::array<double, 2>> Evaluate(std::span<const ShaderExpression> ex
     return values;
 }
 
-/// For one formula: `a` ... `d` of its expressions, what it should give.
+/// The inputs `a` to `d` of one formula, and the right result.
 struct FormulaInput
 {
     const char* text;
@@ -179,8 +179,8 @@ std::vector<ShaderFormula> ShaderFormulas()
           {"a grazing plane: 0.0090, 0.0100, 0.0110", {0.009, 0.01, 0.011, 0}, 0.0},
           {"a plane more grazing: 0.001, 0.010, 0.019", {0.001, 0.01, 0.019, 0}, 0.0},
           {"a step: 0.010, 0.010, 0.002", {0.01, 0.01, 0.002, 0}, 1.0, true}},
-         "how much depth changes says how flat a plane is seen; ours goes by how far three depths "
-         "leave a plane, where depth is affine in the picture"},
+         "the change of depth depends on the angle at which a plane is seen; ours takes the "
+         "distance of three depths from a plane, whose depth is affine in the picture"},
         {"normalize(v).x",
          "hulls",
          "normalize(float3(a, b, c)).x",
@@ -196,7 +196,8 @@ std::vector<ShaderFormula> ShaderFormulas()
          {{"a = 0.5, x = 0.4", {0.5, 0.4, 0, 0}, 0.0, true},
           {"a = 0.5, x = 0.5", {0.5, 0.5, 0, 0}, 0.0, true},
           {"a = 0.5, x = 0.6", {0.5, 0.6, 0, 0}, 1.0}},
-         "undefined, a division by 0; lavapipe finds nothing above the threshold. Ours divides by "
+         "it is undefined, a division by 0; lavapipe finds nothing above the threshold. Ours "
+         "divides by "
          "no less than 1e-6"},
         {"which way a hull's vertex moves",
          "hulls",
@@ -206,8 +207,8 @@ std::vector<ShaderFormula> ShaderFormulas()
          {{"2 m before the camera", {2, 0, 0, 0}, 1.0, true},
           {"0.1 m behind the camera", {-0.1, 0, 0, 0}, 1.0},
           {"100 m behind the camera", {-100, 0, 0, 0}, 1.0}},
-         "an offset times w turns round where w is below 0; ours moves in space what is not before "
-         "the near plane"},
+         "an offset times w changes its direction where w is below 0; ours moves vertices behind "
+         "the near plane in space"},
         {"picture + line",
          "additive lines",
          "limn_Special(a) + b",
@@ -216,7 +217,7 @@ std::vector<ShaderFormula> ShaderFormulas()
          {{"0.5 + 0.25", {0.5, 0.25, 0, 0}, 0.75, true},
           {"NaN + 0.25", {k_NaNBits, 0.25, 0, 0}, 0.25},
           {"infinite + 0.25", {k_Infinite, 0.25, 0, 0}, 1.25}},
-         "what is not a number stays so in whatever is added to it; ours lets nothing into its "
+         "a sum with a value that is not a number is none, too; ours lets no value into its "
          "textures that the screen could not show"},
     };
 }
@@ -245,14 +246,14 @@ void AddHalfSizes(std::vector<FormulaCell>& cells)
     for (const int width : {1920, 1919, 3, 1})
     {
         const int half = width / 2;
-        cells.push_back({"drift of a mask's texels, pixels", "Screen space",
-                         std::to_string(width) + " pixels", 0.0, 1e-6,
-                         half > 0 ? LastTexel(width, half) * 2.0 - (width - 0.5)
-                                  : std::nan(""), // no texel: Vulkan refuses the texture
-                         LastTexel(width, width) - (width - 0.5), width % 2 == 0,
-                         "half of an odd size is rounded down, so that texels drift away from "
-                         "their pixels, and there is none of a picture of one pixel; our masks are "
-                         "as large as the picture"});
+        cells.push_back(
+            {"drift of a mask's texels, pixels", "Screen space", std::to_string(width) + " pixels",
+             0.0, 1e-6,
+             half > 0 ? LastTexel(width, half) * 2.0 - (width - 0.5)
+                      : std::nan(""), // no texel: Vulkan refuses the texture
+             LastTexel(width, width) - (width - 0.5), width % 2 == 0,
+             "half of an odd size is rounded down, so that texels drift away from their pixels, "
+             "and a picture of one pixel has no mask; our masks are as large as the picture"});
     }
 }
 

@@ -22,7 +22,7 @@ void ExpectFactors(std::span<const int> levelCounts, std::size_t atLeast)
     }
 }
 
-/// How often each pair of levels occurs.
+/// Counts the occurrences of each pair of levels.
 class PairCounts
 {
 public:
@@ -53,7 +53,7 @@ public:
             }
         }
     }
-    /// How many pairs of a level with those of others are new.
+    /// Returns the number of new pairs of a level with those of other factors.
     int NewPairs(const Combination& others, std::size_t factor, int level)
     {
         int count = 0;
@@ -136,7 +136,7 @@ Combination Missing(std::span<const int> levelCounts, PairCounts& pairs)
     return {};
 }
 
-/// Whether another combination has each of the pairs that this level is in.
+/// Returns whether another combination has each of the pairs that this level is in.
 bool IsNeeded(const Combination& combination, std::size_t factor, PairCounts& pairs)
 {
     for (std::size_t k = 0; k < combination.size(); ++k)

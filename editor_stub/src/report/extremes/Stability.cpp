@@ -15,7 +15,7 @@ namespace
 constexpr double k_RangeSlack = 1e-3;
 constexpr double k_LeastGrowth = 0.999;
 
-/// What a picture of a case came to.
+/// The result of drawing a case.
 struct DrawnCase
 {
     Coverage alpha;
@@ -124,7 +124,7 @@ ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
     return shape;
 }
 
-/// Of a picture that has finite texels.
+/// Checks the shape of a picture whose texels are finite.
 void CheckShape(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
                 AssetContext& assets, CellChecks& checks)
 {
@@ -144,7 +144,7 @@ void CheckShape(const ExtremeCase& extreme, const Technique& technique, const Dr
         ExactOutlineCoverage(silhouette, {extreme.width}, window.size.x, window.size.y);
     const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
     const ShapeFacts shape = FactsOf(silhouette, window, score);
-    // What covers no pixel's middle has no surface to draw lines on.
+    // A shape that covers no pixel's middle has no surface to draw lines on.
     const bool isSeen = technique.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
     checks.Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
                   "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels");
@@ -208,7 +208,8 @@ bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetCont
 /// off by so much; the sharp tips of a star are off by more (stroke_outline/README.md).
 constexpr double k_SmallestShape = 20.0; // pixels
 constexpr double k_CornerError = 0.4;
-/// What is thinner falls between four samples (wide_outline/README.md).
+/// The least width of an outline that is measured; a thinner one falls between four samples
+/// (wide_outline/README.md).
 constexpr double k_Hair = 0.3; // pixels
 
 struct BoundFigure
@@ -258,7 +259,7 @@ double HullBound(double width, int samples)
     return (0.25 + 2.0 * 1.27 * 0.25 / samples) / (width + 1.0);
 }
 
-/// What a README says of shapes like those that it was measured on.
+/// Returns the error that a README states for shapes like those on which it was measured.
 std::optional<double> StatedBound(const std::string& name, const ExtremeCase& extreme,
                                   const ShapeFacts& shape)
 {
@@ -447,7 +448,8 @@ CellResult StabilityStudy::Measure(const CellId& cell)
     const std::vector<ValidationMessage> all = m_Device.validationMessages();
     checks.Set("validationMessages", static_cast<double>(all.size() - messages));
     checks.Expect(all.size() == messages,
-                  all.size() == messages ? "" : "the validation layer says " + all[messages].text);
+                  all.size() == messages ? ""
+                                         : "the validation layer reports " + all[messages].text);
     return result;
 }
 

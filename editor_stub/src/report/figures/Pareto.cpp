@@ -52,7 +52,7 @@ std::set<std::string> TechniquesWith(const Study& study, CellKind kind, double w
     return names;
 }
 
-/// Of what was counted, those with the highest count, in their order.
+/// Returns the things with the highest count, in their order.
 template <typename Thing>
 std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
 {

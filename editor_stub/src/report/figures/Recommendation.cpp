@@ -89,8 +89,8 @@ const Standing* LeastError(const Comparison& comparison, double budget)
     return least;
 }
 
-/// Whether a standing has the least error to a hundredth, and a time that may be as short as well
-/// as the two are known.
+/// Returns whether a standing has the least error to a hundredth, and its time may be as short, as
+/// far as both times are known.
 bool IsAsGood(const Standing& standing, const Standing& least, double budget)
 {
     return Fits(standing, budget) && standing.at.error <= least.at.error * 1.01 &&
@@ -113,7 +113,8 @@ std::string NamesOf(const Comparison& comparison, const auto& isWanted, const au
     return names;
 }
 
-/// What has less error and may be better, if more were known.
+/// Returns a sentence about techniques that have less error and may be better; the measurements do
+/// not decide it.
 std::string CannotTell(const Comparison& comparison, const Standing* chosen, double budget)
 {
     const std::string undecided = NamesOf(
@@ -145,7 +146,7 @@ std::string Opening(const Comparison& comparison, const Standing& chosen, double
                    : "Of those whose time this run knows take ";
 }
 
-/// What is better, were there more time.
+/// Returns a sentence about the technique that would be better with more time.
 std::string MoreTimeBuys(const Comparison& comparison, const Standing& chosen, double budget)
 {
     for (const std::size_t index : comparison.front)
@@ -160,14 +161,14 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing& chosen, d
     return "";
 }
 
-/// What to take, and in a sentence the others that are as good.
+/// The recommended technique, and a sentence about the others that are as good.
 struct Chosen
 {
     const Standing* standing = nullptr;
     std::string others;
 };
 
-/// Of those that are as good as the least error the one that flickers least.
+/// Chooses the technique with the least flicker among those that are as good as the least error.
 Chosen Choose(const Comparison& comparison, double budget)
 {
     const Standing* const least = LeastError(comparison, budget);

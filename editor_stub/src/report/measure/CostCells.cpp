@@ -68,7 +68,7 @@ void AddTimes(CellResult& result, const TimeAdded& time, const std::string& fram
     }
 }
 
-/// What all frames took, in the order they were drawn.
+/// The times of all frames, in the order in which they were drawn.
 struct FrameTimes
 {
     std::vector<std::size_t> turns; ///< TurnsOf

@@ -42,7 +42,7 @@ struct HeldTo
 
 } // namespace
 
-/// What the outlines of one subject and width are compared with.
+/// The reference with which the outlines of one subject and width are compared.
 struct StudyBench::Reference
 {
     std::string name; ///< of the cell, without its technique and its variant
@@ -84,7 +84,7 @@ HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
         std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
                                std::minus());
         return {hidden, false,
-                "measured against what is hidden of the outline: " + they + " in front of it"};
+                "measured against the hidden part of the outline: " + they + " in front of it"};
     }
     if (names.empty())
     {
@@ -93,7 +93,8 @@ HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
     if (id.variant == k_SeenPart || technique.hiddenAt)
     {
         return {outline.seen, false,
-                "measured against what is seen of the outline: " + they + " in front of the rest"};
+                "measured against the visible part of the outline: " + they +
+                    " in front of the rest"};
     }
     return {whole, true,
             "measured against the whole outline, also where " + they + " in front of it"};

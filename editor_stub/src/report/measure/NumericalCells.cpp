@@ -31,7 +31,7 @@ void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& res
                      {"numericalDiffering", static_cast<double>(differing) / pixels}};
 }
 
-/// How many places for a corner a device has along a pixel's side.
+/// Returns the number of places that a device has for a corner along a pixel's side.
 double CornerGrid(const VulkanDevice& device)
 {
     for (const VulkanDeviceInfo& info : EnumerateVulkanDevices())

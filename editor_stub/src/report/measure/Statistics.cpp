@@ -223,8 +223,8 @@ TimeAdded TimesInTurn::AddedBy(std::size_t technique) const
     }
     TimeAdded result{SpreadOf(frames), SpreadOf(differences),
                      std::numeric_limits<double>::quiet_NaN()};
-    // What disturbs a frame now and then meets a long one more often. It must be counted: a
-    // disturbed frame without an outline rules its pair out, one with an outline does not.
+    // Occasional disturbances hit a long frame more often. This must be counted: a disturbed frame
+    // without an outline rules its pair out, but one with an outline does not.
     const double longer = std::max(1.0, result.frame.median / m_QuietTime);
     const Bound bound = BoundOfMedian(differences, std::min(1.0, m_Disturbed * longer));
     if (doCount && !std::isnan(bound.low))

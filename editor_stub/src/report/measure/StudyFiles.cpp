@@ -23,7 +23,7 @@ std::filesystem::path CellsFile(const std::filesystem::path& folder)
     return FileOfStudy(folder, "cells.jsonl");
 }
 
-/// What all parts of one study agree in.
+/// Returns the facts in which all parts of one study agree.
 std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
 {
     return {{"scene", study.sceneHash},

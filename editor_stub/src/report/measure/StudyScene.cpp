@@ -51,7 +51,7 @@ bool IsOpaque(const Material& material)
     return material.renderQueue() <= RenderQueueRange::opaque.upperBound();
 }
 
-/// What an outline feature filters by, by the names that all of them share.
+/// Finds the filters of an outline feature by the names that all of them share.
 class FilterFinder final : public Inspector
 {
 public:
@@ -100,9 +100,9 @@ FilteringSettings FilterOf(SceneAsset& asset)
         }
     }
     throw AssetError(asset.path.string(), {},
-                     "no active feature outlines anything, so it is unknown which objects a report "
-                     "is about; one like {type: ScreenSpaceOutlineRenderFeature, ...} with its "
-                     "m_LayerMask and m_RenderingLayerMask says so");
+                     "no active feature outlines anything, so a report has no objects; add one "
+                     "such as {type: ScreenSpaceOutlineRenderFeature, ...} whose m_LayerMask and "
+                     "m_RenderingLayerMask select them");
 }
 
 /// Returns whether the camera would draw the object if it were in front of it.
@@ -219,7 +219,7 @@ void MarkOutlined(SceneAsset& asset)
                              (asset.camera.cameraStack.empty()
                                   ? ""
                                   : ", and the cameras of its cameraStack are not measured") +
-                             "; 'limn explain' says by which rule");
+                             "; 'limn explain' prints the rule");
     }
 }
 

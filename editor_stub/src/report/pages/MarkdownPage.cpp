@@ -9,7 +9,7 @@ namespace limn::study
 namespace
 {
 
-/// As it stands there: no markup, one line.
+/// Returns the text on one line without markup.
 std::string MarkdownText(const std::string& text)
 {
     std::string result;

@@ -245,7 +245,8 @@ std::string Missing(const Study& study)
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
-/// For a study of stability only: who passed, and who failed how often.
+/// Returns the techniques that passed, and how often the others failed, for a study of stability
+/// only.
 std::string Verdict(const Comparison& comparison)
 {
     std::string passed;

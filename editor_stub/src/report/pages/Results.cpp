@@ -21,8 +21,7 @@ std::string CsvField(const std::string& text)
 
 using Keys = std::set<std::string>;
 
-/// Of the metrics that have columns for quartiles: those that are measured, and those that have
-/// some.
+/// Returns the measured metrics of those with columns for quartiles, and those that have quartiles.
 Keys WithQuartiles(const Study& study)
 {
     Keys keys;

@@ -46,8 +46,9 @@ Layout LayoutOf(PlotFormat format)
                                            : Layout{860, 560, 14.0, 74.0, 28.0, 64.0, 74.0};
 }
 
-/// In single quotes gnuplot takes nothing for a command but what ends them, which is written as a
-/// typographic apostrophe: two of them at a text's beginning do end it. OneLine has no line's end.
+/// Returns the text in single quotes. Within them gnuplot obeys nothing except the closing quote,
+/// which is written as a typographic apostrophe, since two quotes at the beginning of a text do
+/// close it. OneLine leaves no line break.
 std::string Quoted(const std::string& text)
 {
     return "'" + Replaced(OneLine(text), "'", "’") + "'";
@@ -59,7 +60,7 @@ std::string QuotedTick(const std::string& text)
     return Quoted(Replaced(text, "%", "%%"));
 }
 
-/// Of a technique, for plots: no longer than there is room for on a phone.
+/// Returns the name of a technique for plots, short enough for a phone.
 std::string ShortName(const std::string& name)
 {
     return Shortened(name, 36);
@@ -135,8 +136,8 @@ private:
     /// A quartile at or below zero does not make the axis longer.
     static double Positive(double bar) { return bar > 0.0 ? bar : std::nan(""); }
 
-    /// What is farther than ten times from all points is drawn at the axis's end: it would take
-    /// their room.
+    /// Adds the verticals near the points. A vertical more than ten times farther away than all
+    /// points is drawn at the end of the axis, because it would take their room.
     void AddNearVerticals(std::vector<double>& xs) const
     {
         double least = std::numeric_limits<double>::infinity();
@@ -276,7 +277,7 @@ private:
         }
     }
 
-    /// What names must not cover: points, their bars, the front.
+    /// Adds the things that names must not cover: points, their bars and the front.
     void AddObstacles()
     {
         const auto add = [this](double x0, double y0, double x1, double y1, double half)

@@ -163,7 +163,7 @@ bool IsPlainError(const CellResult& cell)
            std::isfinite(cell.id.width) && std::isfinite(cell.Value("meanAbsoluteError"));
 }
 
-/// What was outlined in the most widths; of several the scene.
+/// Returns the subject that was outlined in the most widths; of several it is the scene.
 std::string SubjectOfMostWidths(const Study& study)
 {
     std::map<std::string, std::set<double>> widths;
@@ -238,7 +238,7 @@ Plot TimeAgainstResolution(const Study& study, const Comparison& comparison)
     return plot;
 }
 
-/// Of a variant "100 objects"; NaN of others.
+/// Returns 100 for a variant "100 objects", NaN for other variants.
 double ObjectCount(const CellId& id)
 {
     double count = 0.0;
@@ -282,8 +282,7 @@ Plot FlickerAgainstTime(const Comparison& comparison)
     plot.file = "flicker_time";
     plot.title = "Flicker against GPU time";
     plot.caption =
-        "What changes beyond what the exact outline changes, in motion by sixteenths of a "
-        "pixel (" +
+        "The change beyond that of the exact outline in motion by sixteenths of a pixel (" +
         Readable(comparison.flickerWidth) +
         " px wide, median over what moved, bars over its quartiles and where the median of the "
         "time lies with 95 %), against the GPU time "

@@ -151,7 +151,7 @@ void AddCrossing(ContourScore& score, double error)
     ++score.crossings;
 }
 
-/// Where alpha crosses one half between two neighbour pixels.
+/// Returns the places between two neighbour pixels where alpha crosses one half.
 std::vector<glm::dvec2> Crossings(const Coverage& coverage)
 {
     std::vector<glm::dvec2> places;
@@ -248,7 +248,7 @@ double OutlineBand::Low() const
     case OutlineSide::Centred:
         return gap - width / 2.0;
     }
-    throw std::invalid_argument("no such side");
+    throw std::invalid_argument("there is no such side");
 }
 
 double OutlineBand::High() const

@@ -90,7 +90,7 @@ SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhoue
         }
         return !isHidden;
     };
-    // How much of a pixel's outline is seen, 0...1.
+    // Returns the part of a pixel's outline that is seen, 0...1.
     const auto partOf = [&](int x, int y)
     {
         constexpr int k_Places = k_PlacesPerSide * k_PlacesPerSide;

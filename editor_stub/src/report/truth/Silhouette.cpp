@@ -72,7 +72,7 @@ std::vector<Segment> EdgesOfOneSide(const ScreenTriangles& triangles)
     return result;
 }
 
-/// Where along `segment`, 0...1, the other one crosses, touches or leaves it.
+/// Adds the places along `segment`, 0...1, where the other one crosses, touches or leaves it.
 void AddCuts(const Segment& segment, const Segment& other, std::vector<double>& cuts)
 {
     const glm::dvec2 along = segment[1] - segment[0];
@@ -125,7 +125,7 @@ void AddQuad(ScreenTriangles& triangles, const glm::dvec2& a, const glm::dvec2& 
     triangles.push_back({a, c, d});
 }
 
-/// What of a polygon is where dot(plane, corner) >= 0.
+/// Returns the part of a polygon where dot(plane, corner) >= 0.
 std::vector<glm::dvec4> Clip(const std::vector<glm::dvec4>& polygon, const glm::dvec4& plane)
 {
     std::vector<glm::dvec4> result;

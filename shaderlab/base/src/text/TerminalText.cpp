@@ -87,7 +87,7 @@ std::string Escaped(std::string_view text, std::string_view staying)
     return result;
 }
 
-/// Where the character ends or begins that has a byte at `position`.
+/// Returns the first byte of the character that has a byte at `position`.
 std::size_t StartOfCharacter(std::string_view text, std::size_t position)
 {
     const std::size_t lowest = position > 3 ? position - 3 : 0;

@@ -37,7 +37,7 @@ struct KeywordSet
     ShaderStage stages = ShaderStage::Both;
     bool isLocal = false;
     bool isFeature = false; ///< shader_feature: built only if a material uses it
-    /// dynamic_branch: makes no variants; its keywords are uniforms, see k_DynamicKeywordBuffer.
+    /// If true, it makes no variants; its keywords are uniforms, see k_DynamicKeywordBuffer.
     bool isDynamic = false;
 
     bool operator==(const KeywordSet&) const = default;

@@ -38,7 +38,8 @@ TEST_F(PixelHistoryGpu, TellsWhatIsDrawnAndWhatIsBehindIt)
 
     const PixelEvent back = EventOf(history, "Back");
     EXPECT_EQ(PixelFate::Depth, back.fate);
-    EXPECT_EQ("it is behind what is there: its depth is 0.4, that of the target 0.6 (1 is near), "
+    EXPECT_EQ("it is behind the surface that is there: its depth is 0.4, that of the target 0.6 (1 "
+              "is near), "
               "ZTest LEqual",
               back.reason);
     EXPECT_FALSE(back.colors.at(0).isChanged());
@@ -146,11 +147,11 @@ TEST_F(PixelHistoryGpu, TellsWhatBlendingLeavesAsItWas)
     EXPECT_EQ("it adds nothing here: its alpha is 0; its shader gives (1, 0.5, 0, 0)",
               EventOf(history, "Clear").reason);
     EXPECT_EQ(PixelFate::Blend, EventOf(history, "Kept").fate);
-    EXPECT_EQ("it adds nothing here: blended with what is there, that stays as it is; its shader "
+    EXPECT_EQ("it adds nothing here: blending leaves the colour as it is; its shader "
               "gives (1, 0, 0, 1)",
               EventOf(history, "Kept").reason);
     EXPECT_EQ(PixelFate::Same, EventOf(history, "Again").fate);
-    EXPECT_EQ("it writes what is there already; its shader gives (0, 1, 0, 1)",
+    EXPECT_EQ("it writes the value that is there already; its shader gives (0, 1, 0, 1)",
               EventOf(history, "Again").reason);
     const PixelEvent half = EventOf(history, "Half");
     EXPECT_EQ(PixelFate::Drawn, half.fate);

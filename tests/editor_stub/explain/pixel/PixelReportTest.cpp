@@ -45,7 +45,7 @@ PixelHistory SampleHistory()
     behind.material = "";
     behind.shaderPass = 2;
     behind.shaderPassName = "";
-    behind.reason = "it is behind what is there";
+    behind.reason = "it is behind the surface that is there";
     behind.colors[0].before = behind.colors[0].after;
     behind.stencil = std::nullopt;
     history.events.push_back(behind);
@@ -82,10 +82,11 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "    stencil 0 → 7\n"
               "  4 Mask draws without a mesh: Mask, pass 0\n"
               "    _Mask at 1,2 of 32x24 1\n"
-              "    the device is spared this draw: the picture is the same without it\n"
+              "    the device does not run this draw, because the picture is the same without\n"
+              "      it\n"
               "rejected there:\n"
               "  3 Opaque draws A, B, C, D and 1 more: Lit, pass 2\n"
-              "    it is behind what is there\n"
+              "    it is behind the surface that is there\n"
               "left out there by a filter:\n"
               "  Mask leaves out Chair, Floor: layer mask\n"
               "  Glass leaves out Chair: render queue\n"
@@ -109,7 +110,7 @@ TEST(PixelReport, NamesWhatIsElsewhereWhereMoreIsAskedFor)
               "  3 draws of Dots: Dot\n"
               "drawn nowhere, and not at the pixel:\n"
               "  Far: inactive\n"
-              "targets that are not laid out as the picture is:\n"
+              "targets that are of another layout than the picture:\n"
               "  Shadow: _Shadow 256x256\n",
               text.substr(text.find("drawn, but")));
 }
@@ -148,7 +149,7 @@ TEST(PixelReport, HasEverythingAsJson)
     EXPECT_EQ(7.0, draw["stencil"]["after"][0]);
     const Json& behind = json["events"][2];
     EXPECT_EQ("depth", behind["fate"]);
-    EXPECT_EQ("it is behind what is there", behind["reason"]);
+    EXPECT_EQ("it is behind the surface that is there", behind["reason"]);
     EXPECT_EQ(5u, behind["objects"].size());
     EXPECT_TRUE(behind["material"].is_null());
     EXPECT_TRUE(behind["stencil"].is_null());

@@ -289,11 +289,13 @@ TEST_F(PartlyHiddenGpu, IsMeasuredAgainstTheWholeTheSeenAndTheHiddenPart)
     EXPECT_THAT(whole.notes, testing::ElementsAre("measured against the whole outline, also where "
                                                   "Wall stands in front of it"));
     const CellResult seen = Measure("Strokes", "seen part", k_Wall);
-    EXPECT_THAT(seen.notes, testing::ElementsAre("measured against what is seen of the outline: "
-                                                 "Wall stands in front of the rest"));
+    EXPECT_THAT(seen.notes,
+                testing::ElementsAre("measured against the visible part of the outline: "
+                                     "Wall stands in front of the rest"));
     const CellResult hidden = Measure("Strokes", "hidden part", k_Wall);
-    EXPECT_THAT(hidden.notes, testing::ElementsAre("measured against what is hidden of the "
-                                                   "outline: Wall stands in front of it"));
+    EXPECT_THAT(hidden.notes,
+                testing::ElementsAre(
+                    "measured against the hidden part of the outline: Wall stands in front of it"));
     for (const CellResult* part : {&seen, &hidden})
     {
         ExpectHalves(1, *part);
@@ -338,8 +340,9 @@ TEST_F(PartlyHiddenGpu, IsTheReferenceOfAHullWhichSomethingHides)
     const CellResult alone = Measure("Inflated", "", "", "sphere");
     const CellResult behind = Measure("Inflated", "", k_Wall, "sphere");
     EXPECT_TRUE(alone.notes.empty());
-    EXPECT_THAT(behind.notes, testing::ElementsAre("measured against what is seen of the outline: "
-                                                   "Wall stands in front of the rest"));
+    EXPECT_THAT(behind.notes,
+                testing::ElementsAre("measured against the visible part of the outline: "
+                                     "Wall stands in front of the rest"));
     // The picture and the ball are the same on both sides of the middle.
     EXPECT_NEAR(behind.Value("bandPixels"), 0.5 * alone.Value("bandPixels"), 1.0);
     EXPECT_NEAR(behind.Value("areaRatio"), alone.Value("areaRatio"), 0.01);
@@ -360,9 +363,10 @@ TEST_F(ReportGpu, SaysWhatStandsInFrontAndWhichCamerasItLeavesOut)
     for (const char* sentence :
          {"Strokes, Screen space: measured against the whole outline, also where Wall stands in "
           "front of it.",
-          "Strokes (seen part): measured against what is seen of the outline: Wall stands in front "
+          "Strokes (seen part): measured against the visible part of the outline: Wall stands in "
+          "front "
           "of the rest.",
-          "Strokes (hidden part): measured against what is hidden of the outline: Wall stands in "
+          "Strokes (hidden part): measured against the hidden part of the outline: Wall stands in "
           "front of it.",
           "The scene: only the base camera is measured: what the overlay camera of its cameraStack "
           "draws counts "

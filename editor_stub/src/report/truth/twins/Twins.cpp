@@ -132,7 +132,7 @@ private:
 
     void MakeSeeds(const Silhouette& silhouette)
     {
-        // Where Vulkan has the four samples of a texel.
+        // These are the places of Vulkan's four samples in a texel.
         constexpr double k_Places[4][2] = {
             {0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
         std::vector<double> mask(m_Seeds.size());
@@ -171,7 +171,7 @@ private:
         }
     }
 
-    /// What no texture would keep is none.
+    /// Returns the seed, or none if no texture would keep it.
     glm::dvec2 Kept(const glm::dvec2& seed) const
     {
         const double range = m_Reach + 1.0;
@@ -212,8 +212,8 @@ private:
         return nearest;
     }
 
-    /// As ColumnSeeds and RowSeed: of each column the nearest to a place on its right and on its
-    /// left.
+    /// Returns the seeds of the rows as ColumnSeeds and RowSeed do: for each column the nearest one
+    /// to a place on its right and on its left.
     std::vector<glm::dvec2> Rows() const
     {
         const glm::dvec2 aside(0.5 * m_Width, 0.0);
@@ -249,7 +249,7 @@ private:
         return nearest;
     }
 
-    /// Of the composite: a band from the edge outwards.
+    /// Returns the composite's alpha: that of a band from the edge outwards.
     double AlphaAt(const glm::ivec2& texel, const glm::dvec2& toPlace) const
     {
         const double inside = m_Seeds[IndexOf(texel)].inside;

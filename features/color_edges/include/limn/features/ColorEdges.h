@@ -25,21 +25,22 @@ public:
                                            {{"Roberts", EdgeOperator::Roberts},
                                             {"Sobel", EdgeOperator::Sobel},
                                             {"Prewitt", EdgeOperator::Prewitt}},
-                                           {.tooltip = "How the gradient is computed."}};
+                                           {.tooltip = "The formula that computes the gradient."}};
     ClampedFloatParameter m_Threshold{
         this,
         "m_Threshold",
         0.1f,
         0.0f,
         1.0f,
-        {.tooltip = "Steps of the brightness up to this one draw no line; black is 0, white 1."}};
-    ClampedFloatParameter m_Softness{
-        this,
-        "m_Softness",
-        0.0f,
-        0.0f,
-        1.0f,
-        {.tooltip = "How far above the threshold a line gets its full strength; 0 = at once."}};
+        {.tooltip =
+             "The smallest step of the brightness that draws a line; black is 0, white is 1."}};
+    ClampedFloatParameter m_Softness{this,
+                                     "m_Softness",
+                                     0.0f,
+                                     0.0f,
+                                     1.0f,
+                                     {.tooltip = "The distance above the threshold at which a line "
+                                                 "has its full strength; 0 is at once."}};
 };
 
 } // namespace limn

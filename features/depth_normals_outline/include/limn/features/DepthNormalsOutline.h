@@ -18,18 +18,19 @@ enum class DepthNormalsTechnique
 class DepthNormalsOutline final : public OutlineComponent
 {
 public:
-    EnumParameter<DepthNormalsTechnique> m_Technique{this,
-                                                     "m_Technique",
-                                                     DepthNormalsTechnique::Hardened,
-                                                     {{"Hardened", DepthNormalsTechnique::Hardened},
-                                                      {"Article", DepthNormalsTechnique::Article}},
-                                                     {.tooltip = "What counts as an edge."}};
+    EnumParameter<DepthNormalsTechnique> m_Technique{
+        this,
+        "m_Technique",
+        DepthNormalsTechnique::Hardened,
+        {{"Hardened", DepthNormalsTechnique::Hardened},
+         {"Article", DepthNormalsTechnique::Article}},
+        {.tooltip = "The rule by which something counts as an edge."}};
     MinFloatParameter m_DepthThreshold{
         this,
         "m_DepthThreshold",
         0.1f,
         0.0f,
-        {.tooltip = "Hardened: how far a surface has to leave its plane for a line.",
+        {.tooltip = "Hardened: a line is drawn where a surface leaves its plane by more than this.",
          .unit = "metres"}};
     /// Normals with 8 bits per component have errors of up to 0.4 degrees each.
     ClampedFloatParameter m_AngleThreshold{
@@ -38,25 +39,23 @@ public:
         30.0f,
         2.0f,
         180.0f,
-        {.tooltip = "Hardened: how far a surface has to turn for a line.", .unit = "degrees"}};
+        {.tooltip = "Hardened: a line is drawn where a surface turns by more than this.",
+         .unit = "degrees"}};
     ClampedFloatParameter m_Softness{this,
                                      "m_Softness",
                                      0.0f,
                                      0.0f,
                                      1.0f,
-                                     {.tooltip = "Hardened: how far above its threshold, as a "
-                                                 "share of it, an edge has a full line."}};
+                                     {.tooltip = "Hardened: the distance above its threshold, as a "
+                                                 "share of it, at which an edge has a full line."}};
     ClampedFloatParameter m_DepthSensitivity{
         this, "m_DepthSensitivity",
         0.2f, 0.0f,
-        1.0f, {.tooltip = "Article: how small a change of depth draws a line; 0 = none does."}};
+        1.0f, {.tooltip = "Article: the sensitivity to changes of depth; 0 draws no line."}};
     ClampedFloatParameter m_NormalsSensitivity{
-        this,
-        "m_NormalsSensitivity",
-        1.0f,
-        0.0f,
-        1.0f,
-        {.tooltip = "Article: how small a change of the normals draws a line; 0 = none does."}};
+        this, "m_NormalsSensitivity",
+        1.0f, 0.0f,
+        1.0f, {.tooltip = "Article: the sensitivity to changes of the normals; 0 draws no line."}};
 };
 
 } // namespace limn

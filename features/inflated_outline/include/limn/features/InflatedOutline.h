@@ -22,13 +22,14 @@ public:
         "m_WidthUnit",
         InflatedWidthUnit::Pixels,
         {{"Pixels", InflatedWidthUnit::Pixels}, {"Metres", InflatedWidthUnit::Metres}},
-        {.tooltip = "Whether m_OutlineWidth or m_WidthInMetres says how wide the outline is."}};
+        {.tooltip =
+             "The unit of the width: Pixels takes m_OutlineWidth, Metres takes m_WidthInMetres."}};
     MinFloatParameter m_WidthInMetres{
         this,
         "m_WidthInMetres",
         0.02f,
         0.0f,
-        {.tooltip = "How far the hull lies outside of its object, in the world.", .unit = "m"}};
+        {.tooltip = "The distance of the hull from its object, in the world.", .unit = "m"}};
 
     /// Returns the greatest reach of the outline, in pixels. For a width in metres it is a
     /// constant, because the number of pixels per metre depends on the object: hulls that reach in

@@ -19,15 +19,15 @@ public:
         "outline_depth_threshold_clip_player",
         2.0f,
         0.0f,
-        {.tooltip = "No line where the scene's depth is this or more; the near plane is 0, the far "
-                    "plane 1, and above 1 there are lines everywhere."}};
+        {.tooltip = "The depth from which on no line is drawn; the near plane is at 0, the far "
+                    "plane at 1, and a value above 1 draws lines everywhere."}};
     MinFloatParameter m_ClipDistance{
         this,
         "m_ClipDistance",
         0.0f,
         0.0f,
-        {.tooltip = "The same as a distance from the camera: no line where the scene is this far "
-                    "away or farther; 0 = lines everywhere. The nearer of the two counts.",
+        {.tooltip = "The distance from the camera from which on no line is drawn; 0 draws lines "
+                    "everywhere. The nearer of the two limits counts.",
          .unit = "metres"}};
 
     /// Returns the reach in whole pixels, because the mask is read texel by texel.

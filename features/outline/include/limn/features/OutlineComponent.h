@@ -14,14 +14,16 @@ class OutlineComponent : public VolumeComponent, public IPostProcessComponent
 {
 public:
     BoolParameter m_Enable{this, "m_Enable", false, {.tooltip = "Draws the outline."}};
-    ColorParameter m_OutlineColor{
-        this, "m_OutlineColor", Color::white, {.tooltip = "sRGB; alpha is how opaque it is."}};
+    ColorParameter m_OutlineColor{this,
+                                  "m_OutlineColor",
+                                  Color::white,
+                                  {.tooltip = "The colour in sRGB; its alpha is the opacity."}};
     MinFloatParameter m_OutlineWidth{
         this,
         "m_OutlineWidth",
         3.0f,
         0.0f,
-        {.tooltip = "How wide the outline is; 0 draws nothing.", .unit = "pixels"}};
+        {.tooltip = "The width of the outline; 0 draws nothing.", .unit = "pixels"}};
 
     bool IsActive() const override { return m_Enable.value(); }
     bool IsTileCompatible() const override { return false; }

@@ -53,7 +53,7 @@ public:
         }
         if (!why.empty())
         {
-            renderingData.report->notes.push_back(name + ": not drawn, " + why);
+            renderingData.report->notes.push_back(name + ": it is not drawn; " + why);
             return;
         }
         renderer.EnqueuePass(*m_Pass);

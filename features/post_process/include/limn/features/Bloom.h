@@ -20,16 +20,15 @@ enum class BloomDownscaleMode
 class Bloom final : public VolumeComponent, public IPostProcessComponent
 {
 public:
-    MinFloatParameter threshold{
-        this,
-        "threshold",
-        0.9f,
-        0.0f,
-        {.tooltip = "The brightness, in sRGB, from which on colours glow."}};
+    MinFloatParameter threshold{this,
+                                "threshold",
+                                0.9f,
+                                0.0f,
+                                {.tooltip = "The brightness in sRGB from which on colours glow."}};
     MinFloatParameter intensity{
-        this, "intensity", 0.0f, 0.0f, {.tooltip = "How strong the glow is; 0 draws none."}};
+        this, "intensity", 0.0f, 0.0f, {.tooltip = "The strength of the glow; 0 draws none."}};
     ClampedFloatParameter scatter{this, "scatter", 0.7f,
-                                  0.0f, 1.0f,      {.tooltip = "How far the glow reaches."}};
+                                  0.0f, 1.0f,      {.tooltip = "The reach of the glow."}};
     MinFloatParameter clamp{this,
                             "clamp",
                             65472.0f,
@@ -40,23 +39,27 @@ public:
         this,
         "highQualityFiltering",
         false,
-        {.tooltip = "More taps: smoother, and no flicker of what is small and bright."}};
+        {.tooltip =
+             "Takes more samples: the glow is smoother, and small bright spots do not flicker."}};
     EnumParameter<BloomDownscaleMode> downscale{
         this,
         "downscale",
         BloomDownscaleMode::Half,
         {{"Half", BloomDownscaleMode::Half}, {"Quarter", BloomDownscaleMode::Quarter}},
-        {.tooltip = "The part of the picture's size that the glow begins with."}};
-    ClampedIntParameter maxIterations{
-        this,
-        "maxIterations",
-        6,
-        2,
-        8,
-        {.tooltip = "How many pictures the glow is made of at most, each half the last one's "
-                    "size."}};
+        {.tooltip =
+             "The size of the first picture of the glow, as a part of the camera's picture."}};
+    ClampedIntParameter maxIterations{this,
+                                      "maxIterations",
+                                      6,
+                                      2,
+                                      8,
+                                      {.tooltip = "The greatest number of pictures of the glow; "
+                                                  "each is half as large as the one before."}};
     TextureParameter dirtTexture{
-        this, "dirtTexture", {}, {.tooltip = "What is on the lens, where the glow shows it."}};
+        this,
+        "dirtTexture",
+        {},
+        {.tooltip = "The dirt on the lens, which the glow makes visible."}};
     MinFloatParameter dirtIntensity{this, "dirtIntensity", 0.0f, 0.0f};
 
     bool IsActive() const override { return intensity.value() > 0.0f; }

@@ -15,8 +15,8 @@ public:
     FloatParameter postExposure{this,
                                 "postExposure",
                                 0.0f,
-                                {.tooltip = "Brightness behind all other effects: 1 is twice as "
-                                            "bright.",
+                                {.tooltip = "The change of brightness after all other effects; 1 "
+                                            "makes the picture twice as bright.",
                                  .unit = "EV"}};
     ClampedFloatParameter contrast{this, "contrast", 0.0f, -100.0f, 100.0f, {.unit = "percent"}};
     ColorParameter colorFilter{this, "colorFilter", Color::white, true, false, true};

@@ -16,13 +16,17 @@ public:
         this,
         "center",
         glm::vec2(0.5f),
-        {.tooltip = "Where nothing fades, 0...1 from the picture's bottom left corner."}};
+        {.tooltip = "The point where nothing fades, 0...1 from the picture's bottom left corner."}};
     ClampedFloatParameter intensity{
-        this, "intensity", 0.0f, 0.0f, 1.0f, {.tooltip = "How far in it reaches; 0 = none."}};
-    ClampedFloatParameter smoothness{this,  "smoothness", 0.2f,
-                                     0.01f, 1.0f,         {.tooltip = "How soft its border is."}};
-    BoolParameter rounded{
-        this, "rounded", false, {.tooltip = "A circle, whatever the picture's shape."}};
+        this, "intensity",
+        0.0f, 0.0f,
+        1.0f, {.tooltip = "The distance to which the fading reaches inwards; 0 draws none."}};
+    ClampedFloatParameter smoothness{
+        this, "smoothness", 0.2f, 0.01f, 1.0f, {.tooltip = "The softness of its border."}};
+    BoolParameter rounded{this,
+                          "rounded",
+                          false,
+                          {.tooltip = "Makes it a circle, whatever the shape of the picture is."}};
 
     bool IsActive() const override { return intensity.value() > 0.0f; }
     bool IsTileCompatible() const override { return true; }

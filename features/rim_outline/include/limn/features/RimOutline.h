@@ -18,23 +18,23 @@ enum class RimVariant
 class RimOutline final : public OutlineComponent
 {
 public:
-    EnumParameter<RimVariant> m_Variant{this,
-                                        "m_Variant",
-                                        RimVariant::Soft,
-                                        {{"Soft", RimVariant::Soft},
-                                         {"Threshold", RimVariant::Threshold},
-                                         {"Pixels", RimVariant::Pixels}},
-                                        {.tooltip =
-                                             "How far the rim goes: Soft fades with "
-                                             "m_Falloff, Threshold ends at m_ThresholdAngle, "
-                                             "Pixels at m_OutlineWidth."}};
+    EnumParameter<RimVariant> m_Variant{
+        this,
+        "m_Variant",
+        RimVariant::Soft,
+        {{"Soft", RimVariant::Soft},
+         {"Threshold", RimVariant::Threshold},
+         {"Pixels", RimVariant::Pixels}},
+        {.tooltip = "The extent of the rim: Soft fades with m_Falloff, Threshold ends at "
+                    "m_ThresholdAngle, Pixels ends at m_OutlineWidth."}};
     ClampedFloatParameter m_Falloff{
         this,
         "m_Falloff",
         1.0f,
         0.1f,
         64.0f,
-        {.tooltip = "The power that the sine is raised to; 1 is the article's, more is narrower."}};
+        {.tooltip = "The power to which the sine is raised; 1 is the article's, a greater one "
+                    "makes the rim narrower."}};
     ClampedFloatParameter m_ThresholdAngle{
         this,
         "m_ThresholdAngle",

@@ -14,11 +14,14 @@ class ScreenSpaceOutline final : public VolumeComponent, public IPostProcessComp
 public:
     BoolParameter m_Enable{this, "m_Enable", false, {.tooltip = "Draws the outline."}};
     ColorParameter m_OutlineColor{
-        this, "m_OutlineColor", Color::white, {.tooltip = "sRGB; added to the picture."}};
+        this,
+        "m_OutlineColor",
+        Color::white,
+        {.tooltip = "The colour in sRGB, which is added to the picture."}};
     ClampedFloatParameter m_OutlineWidth{
         this,  "m_OutlineWidth",
         3.0f,  1.0f,
-        10.0f, {.tooltip = "How wide the outline is.", .unit = "pixels"}};
+        10.0f, {.tooltip = "The width of the outline.", .unit = "pixels"}};
 
     bool IsActive() const override { return m_Enable.value(); }
     bool IsTileCompatible() const override { return false; }

@@ -13,29 +13,30 @@ class SelectionOutline final : public OutlineComponent
 public:
     SelectionOutline();
 
-    BoolParameter m_VaryingColor{
-        this,
-        "m_VaryingColor",
-        true,
-        {.tooltip = "Colour and alpha vary with time, each object's from when it was selected; "
-                    "false: m_OutlineColor."}};
+    BoolParameter m_VaryingColor{this,
+                                 "m_VaryingColor",
+                                 true,
+                                 {.tooltip = "On: the colour of each object varies with the time "
+                                             "since it was selected; off: it is m_OutlineColor."}};
     MinFloatParameter offsetScale{
         this,
         "offsetScale",
         0.0f,
         0.0f,
-        {.tooltip = "How far a blur looks along both axes; 0: as far as makes the outline reach "
-                    "m_OutlineWidth, 2 for 14.",
+        {.tooltip = "The distance of the blur's samples along both axes; with 0 the outline "
+                    "reaches m_OutlineWidth, for 14 the distance is 2.",
          .unit = "pixels"}};
     ClampedIntParameter iterate{
-        this, "iterate", 3, 0, 64, {.tooltip = "The blur runs once and twice as often as this."}};
-    ClampedFloatParameter outlineStrength{
         this,
-        "outlineStrength",
-        3.0f,
-        1.0f,
-        5.0f,
-        {.tooltip = "What the blurred colour is multiplied by, since at most half of it is seen."}};
+        "iterate",
+        3,
+        0,
+        64,
+        {.tooltip = "The number of iterations; the blur runs twice as often, and once more."}};
+    ClampedFloatParameter outlineStrength{
+        this, "outlineStrength",
+        3.0f, 1.0f,
+        5.0f, {.tooltip = "The factor of the blurred colour; at most half of it is seen."}};
 
     /// Returns how often the blur runs.
     int blurCount() const { return 2 * iterate.value() + 1; }

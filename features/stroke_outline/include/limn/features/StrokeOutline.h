@@ -13,7 +13,8 @@ public:
         this,
         "m_OccludedColor",
         Color{0.5f, 0.5f, 0.5f, 1.0f},
-        {.tooltip = "sRGB; of what something hides, where the feature's occlusion is SeeThrough."}};
+        {.tooltip =
+             "The colour in sRGB of the hidden parts, if the feature's occlusion is SeeThrough."}};
 };
 
 } // namespace limn

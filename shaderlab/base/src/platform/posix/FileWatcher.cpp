@@ -176,7 +176,8 @@ void FileWatcher::TakeEvent(std::uint32_t mask, int watch, const char* name, Pat
     }
 }
 
-/// What was below a folder is gone with it; what is there now may be another.
+/// Takes the change of a folder. Its files are gone with it; files that are there now may be
+/// others.
 void FileWatcher::TakeFolderChange(const std::filesystem::path& folder, bool isGone, Paths& changed)
 {
     for (const auto& [place, files] : m_Places)

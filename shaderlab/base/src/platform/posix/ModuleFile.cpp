@@ -117,11 +117,11 @@ std::string Demangled(const std::string& symbol)
     return text ? text.get() : symbol;
 }
 
-/// What the loader says, without the path that it begins with.
+/// Returns the loader's message without the path at its beginning.
 std::string LoaderText(const std::string& path)
 {
     const char* error = dlerror();
-    std::string text = error ? error : "the system does not say why";
+    std::string text = error ? error : "the system gives no reason";
     if (text.starts_with(path + ": "))
     {
         text.erase(0, path.size() + 2);

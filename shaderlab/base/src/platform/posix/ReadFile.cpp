@@ -68,7 +68,7 @@ FileContent ReadAll(int descriptor, const std::filesystem::path& path, std::uint
         }
         if (size > limit)
         {
-            return {{}, "has more than " + SizeText(limit) + " bytes, which are read at most"};
+            return {{}, "has more than " + SizeText(limit) + " bytes; at most so many are read"};
         }
     }
 }

@@ -36,7 +36,8 @@ StopSignals::StopSignals()
 
 StopSignals::~StopSignals()
 {
-    // What came is taken out, or it would end the process as soon as it is let through.
+    // The signals that came are taken out; otherwise they would end the process once they are let
+    // through.
     signalfd_siginfo info;
     while (read(m_Descriptor, &info, sizeof(info)) > 0)
     {

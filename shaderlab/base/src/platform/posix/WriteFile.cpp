@@ -20,7 +20,7 @@ namespace limn
 namespace
 {
 
-/// What is to be written where.
+/// The contents of a file that is to be written, and its path.
 struct Writing
 {
     std::filesystem::path path; ///< no link
@@ -119,7 +119,8 @@ std::error_code Overwrite(const Writing& writing, const struct stat& old)
     return ftruncate(file.get(), size) == 0 ? writing.Finish(file) : LastError();
 }
 
-/// What a call gives that tells its size if it is given no room; nothing if it fails.
+/// Returns the bytes of a call that tells the size if it gets no room, or nothing if the call
+/// fails.
 template <typename Call>
 std::optional<std::string> BytesOf(Call&& call)
 {
@@ -148,8 +149,8 @@ std::optional<std::string> AttributeOf(const FileDescriptor& file, const char* n
                    { return fgetxattr(file.get(), name, bytes, room); });
 }
 
-/// Whether the new file could be given the extended attributes of the old one, access control lists
-/// among them, and no others.
+/// Returns whether the new file could be given the extended attributes of the old one, access
+/// control lists among them, and no others.
 bool TakeOverAttributes(const FileDescriptor& file, const std::filesystem::path& path)
 {
     const FileDescriptor old(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
@@ -180,7 +181,8 @@ bool TakeOverAttributes(const FileDescriptor& file, const std::filesystem::path&
     return old.isOpen();
 }
 
-/// Whether the new file could be given owner, permissions and extended attributes of the old one.
+/// Returns whether the new file could be given owner, permissions and extended attributes of the
+/// old one.
 bool TakeOver(const FileDescriptor& file, const std::filesystem::path& path, const struct stat& old)
 {
     struct stat fresh = {};
