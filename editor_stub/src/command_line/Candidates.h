@@ -8,7 +8,7 @@
 namespace limn
 {
 
-// What can stand in place of a word that a person has begun to type. The lists are empty where
+// The words that can complete the word that a person has begun to type. The lists are empty where
 // nothing is known; a shell then offers the names of files.
 
 using Candidates = std::vector<std::string>;

@@ -159,7 +159,7 @@ Verb ExplainVerb(ExplainOptions& options)
              SceneFlag(options.rendering),
              {"object",
               "NAME",
-              "Only objects of this name and what hangs below them",
+              "Explain only the objects of this name and their children",
               Into(options.object),
               AtMostOnce,
               '\0',
@@ -242,7 +242,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
                 options.isFull),
          {"technique",
           "NAME",
-          "Only this one",
+          "Measure only this technique",
           Into(options.techniques),
           Any,
           '\0',
@@ -281,7 +281,7 @@ Verb SetVerb(SetOptions& options)
 {
     Flag edits =
         Argument("NAME.path=VALUE",
-                 "Such as ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
+                 "For example ScreenSpaceOutline.m_OutlineWidth=4; m_OutlineColor.r=1 changes "
                  "one number, and += -= *= start from the one that there is",
                  Into(options.edits, CheckAssignment), AtLeastOnce,
                  [&options](const std::string& word) {
@@ -364,8 +364,8 @@ Verb NewVerb(NewOptions& options)
                   "classes, such as DepthFog",
                   Into(options.name)),
          Argument("CONTENT",
-                  "For a profile its volume components, by itself StrokeOutline; for a material "
-                  "its shader, by itself \"Universal Render Pipeline/Lit\"",
+                  "For a profile its volume components, by default StrokeOutline; for a material "
+                  "its shader, by default \"Universal Render Pipeline/Lit\"",
                   Into(options.contents), Any,
                   [&options](const std::string&)
                   { return options.kind == "profile" ? ComponentCandidates() : Candidates(); }),
@@ -382,8 +382,8 @@ Verb PortVerb(PortOptions& options)
             "Start a C++ port of a Unity render feature, and report which of the members that it "
             "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
-            {Argument("FILE.cs", "Its C#: feature, passes, volume component", Into(options.files),
-                      AtLeastOnce, Files({".cs"})),
+            {Argument("FILE.cs", "The C# files of the feature, its passes and its volume component",
+                      Into(options.files), AtLeastOnce, Files({".cs"})),
              NewFolderFlag(options.folder)}};
 }
 
@@ -443,7 +443,7 @@ Verb HelpVerb(const FlagTable& table, std::string& name, bool& wantsManPage)
     return {"help",
             "Print this help, or the arguments of a verb",
             print,
-            {Argument("VERB", "What to explain", store, AtMostOnce,
+            {Argument("VERB", "The verb to explain", store, AtMostOnce,
                       [&table](const std::string&) { return SplitText(table.VerbNames(), ' '); }),
              Switch("man", "Print the man page, which has all verbs, in troff", wantsManPage)}};
 }

@@ -55,8 +55,8 @@ Flag RootFlag(std::vector<std::string>& roots)
 Flag PackageFlag(std::map<std::string, std::string>& packages)
 {
     return {"package", "[NAME=]DIR",
-            "Take a package's shader includes from a folder of your own; without NAME, what its "
-            "package.json says",
+            "Take a package's shader includes from a folder of your own; without NAME its "
+            "package.json names the package",
             IntoPackages(packages), AnyInARow};
 }
 
@@ -75,14 +75,15 @@ Flag PluginFlag(std::vector<std::string>& plugins)
 Flag SceneFlag(RenderOptions& options)
 {
     return {"scene", "FILE",
-            "The .unity file to take where SCENE is the folder of a Unity project, as a path from "
-            "that folder; by itself the first scene of the build settings",
+            "The .unity file to draw if SCENE is the folder of a Unity project, as a path from "
+            "that folder; without it the first scene of the build settings",
             Into(options.sceneInProject)};
 }
 
 Flag SizeFlag(RenderOptions& options)
 {
-    return {"size", "WxH", "Picture size in pixels; without it the scene's",
+    return {"size", "WxH",
+            "The size of the picture in pixels; without it the scene's size is taken",
             IntoSize(options.width, options.height)};
 }
 
@@ -91,8 +92,8 @@ Flag DeviceFlag(std::string& device)
     const char* usual = std::getenv("LIMN_DEVICE");
     device = usual ? usual : "";
     return {"device", "NAME",
-            "'software', a position in `limn doctor`'s list, or a part of a name; without it what "
-            "LIMN_DEVICE says, else the first real GPU, else the software device",
+            "'software', a position in `limn doctor`'s list, or a part of a name; without it the "
+            "one that LIMN_DEVICE names, else the first real GPU, else the software device",
             Into(device)};
 }
 
@@ -100,7 +101,7 @@ Flag ProfileFlag(std::string& profile)
 {
     return {"profile",
             "FILE",
-            "Put this volume profile in place of that of every global volume",
+            "Use this volume profile in place of that of every global volume",
             Into(profile),
             AtMostOnce,
             '\0',
@@ -134,7 +135,7 @@ Flag SelectFlag(RenderOptions& options)
 {
     return {"select",
             "NAME,...",
-            "Select the objects of these names, each with what hangs below it, and no others: they "
+            "Select the objects of these names with their children, and no others: they "
             "get the rendering layer that outline features look for; \"\" selects nothing",
             IntoSelection(options.selection, SelectionStep::Kind::Select),
             Any,

@@ -17,7 +17,7 @@ namespace
 const ShaderPropertyId _InflatedColor{"_InflatedColor"};
 const ShaderPropertyId _InflatedWidth{"_InflatedWidth"};
 
-/// How far the nearest of them is, by the middles of their bounds, along the view axis.
+/// Returns the distance of the nearest object along the view axis, to the middle of its bounds.
 double DepthOf(std::span<const OutlinedObject> objects, const glm::dmat4& view)
 {
     double nearest = std::numeric_limits<double>::infinity();

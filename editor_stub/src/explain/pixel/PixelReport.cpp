@@ -116,8 +116,8 @@ std::string EventText(const PixelHistory& history, std::size_t index)
         add("stencil", *event.stencil);
     }
     const bool isLeftOut = !event.isRun && event.fate == PixelFate::Drawn;
-    return text + (isLeftOut ? TextLine("the device is spared this draw: the picture is the "
-                                        "same without it",
+    return text + (isLeftOut ? TextLine("the device does not run this draw, because the picture is "
+                                        "the same without it",
                                         4)
                              : "");
 }

@@ -82,8 +82,7 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "    stencil 0 → 7\n"
               "  4 Mask draws without a mesh: Mask, pass 0\n"
               "    _Mask at 1,2 of 32x24 1\n"
-              "    the device does not run this draw, because the picture is the same without\n"
-              "      it\n"
+              "    the device does not run this draw, because the picture is the same without it\n"
               "rejected there:\n"
               "  3 Opaque draws A, B, C, D and 1 more: Lit, pass 2\n"
               "    it is behind the surface that is there\n"
@@ -95,7 +94,7 @@ TEST(PixelReport, TellsInOrderWhatIsDoneAndWhatIsRejected)
               "odd:\n"
               "  a feature lacks something\n"
               "2 objects do not cover the pixel, nor does 1 draw of Line, nor do 3 draws of "
-              "Dots; 1 object is drawn nowhere; 1 target is not laid out as the picture is: "
+              "Dots; 1 object is drawn nowhere; 1 target is of another layout than the picture: "
               "-v names them\n",
               PixelText(SampleHistory(), false));
 }
