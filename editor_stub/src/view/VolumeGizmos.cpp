@@ -45,7 +45,7 @@ public:
         {
             return;
         }
-        // What is kept is x, y and -z between -w and w: left, right, bottom, top, near.
+        // A line is kept where x, y and -z lie between -w and w: left, right, bottom, top, near.
         for (const glm::dvec4 plane : std::initializer_list<glm::dvec4>{
                  {1, 0, 0, 1}, {-1, 0, 0, 1}, {0, 1, 0, 1}, {0, -1, 0, 1}, {0, 0, 1, 1}})
         {
