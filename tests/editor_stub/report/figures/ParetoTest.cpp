@@ -200,7 +200,7 @@ TEST(Comparison, CountsStabilityCellsThatFailed)
     const study::Comparison comparison = Compare(sample);
     EXPECT_EQ(5u, comparison.standings[1].stabilityCells);
     EXPECT_EQ(2u, comparison.standings[1].failures);
-    EXPECT_THAT(study::Recommend(comparison, 2.0).sentence,
+    EXPECT_THAT(study::Recommend(comparison, 2.0).Text(),
                 testing::HasSubstr("It failed 2 of 5 stability checks."));
 }
 
