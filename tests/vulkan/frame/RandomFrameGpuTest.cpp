@@ -180,7 +180,7 @@ public:
         leftOut += frame.leftOut.size();
         originals += static_cast<std::size_t>(
             std::ranges::count_if(frame.leftOut, [](const LeftOut& item)
-                                  { return item.reason.starts_with("what reads"); }));
+                                  { return item.reason.starts_with("passes that read"); }));
         placed += frame.placed.size();
         EXPECT_TRUE(frame.notes.empty()) << frame.notes.front();
         SharedDevice().Execute(frame);
