@@ -15,10 +15,12 @@ bool IsLoaded(const std::filesystem::path& path)
            extension == ".mat";
 }
 
-/// Scripts of the URP package, whose .meta files are in no project. (URP 14)
+/// Scripts of the URP package, whose .meta files are in no project. (URP 14; the second of
+/// FullScreenPassRendererFeature is of URP 13 and of samples from before.)
 constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
     {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
     {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"},
+    {"6d613f08f173d4dd895bb07b3230baa9", "FullScreenPassRendererFeature"},
     {"f62c9c65cf3354c93be831c8bc075510", "ScreenSpaceAmbientOcclusion"}};
 
 /// Unity passes over these files and folders.

@@ -351,6 +351,9 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     catch (const AssetError& error)
     {
         m_Notes.Add(error.diagnostics());
+        m_Notes.Add(file->name(), 0,
+                    "its shader cannot be used, as the notes about the shader explain, so the "
+                    "objects that have it are magenta");
         return Magenta();
     }
 }

@@ -2,6 +2,7 @@
 #include "SceneFolder.h"
 
 #include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
@@ -72,6 +73,29 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
                   "26:5: Screem Space Outline.m_Settings.m_OutlineColor: it is left out; "
                   "ScreenSpaceOutlineRenderFeature has no such setting"}),
               Texts(result.notes));
+}
+
+// URP 13 and the samples from before gave the script another guid than URP 14 does.
+TEST(UnityRendererData, ReadsAFullScreenPassByBothOfItsGuids)
+{
+    for (const char* guid :
+         {"b00045f12942b46c698459096c89274e", "6d613f08f173d4dd895bb07b3230baa9"})
+    {
+        SceneFolder folder;
+        folder.Write("r.asset",
+                     AssetWithFeature("  m_Script: {fileID: 11500000, guid: " + std::string(guid) +
+                                      ", type: 3}\n  m_Name: Whole\n"
+                                      "  m_EditorClassIdentifier: \n  m_Active: 1\n"
+                                      "  injectionPoint: 600\n  requirements: 4\n"
+                                      "  passIndex: 0\n"));
+        AssetContext assets;
+        const UnityRendererDataLoadResult result =
+            LoadUnityRendererData(folder / "r.asset", assets);
+        ASSERT_EQ(1u, result.renderer.features.size()) << guid;
+        EXPECT_EQ("Whole", result.renderer.features[0]->name);
+        EXPECT_NE(nullptr, dynamic_cast<const FullScreenPassRendererFeature*>(
+                               result.renderer.features[0].get()));
+    }
 }
 
 TEST(UnityRendererData, ReadsAmbientOcclusionOfUrp14WithoutAWord)

@@ -228,5 +228,17 @@ TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
     EXPECT_EQ(none.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
 }
 
+TEST_F(MaterialOfAProject, OfAShaderThatCannotBeUsedIsMagentaAndSaysSo)
+{
+    m_Folder.Write("Assets/Broken.shader",
+                   "Shader \"Broken\" { SubShader { UsePass \"None/Such\" } }\n");
+    WriteMeta("Broken.shader", "dddddddddddddddddddddddddddddddd");
+    const Material& material =
+        Load("{fileID: 4800000, guid: dddddddddddddddddddddddddddddddd, type: 3}", "");
+    EXPECT_EQ(material.shader()->name(), "Hidden/Core/FallbackError");
+    EXPECT_THAT(Notes(), testing::Contains(testing::AllOf(testing::HasSubstr("shader"),
+                                                          testing::HasSubstr("magenta"))));
+}
+
 } // namespace
 } // namespace limn::test
