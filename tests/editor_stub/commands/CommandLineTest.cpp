@@ -145,7 +145,7 @@ TEST_F(BadInput, AnEmptySceneSaysSo)
 {
     ExpectRefusal(Render(""),
                   Path("s.scene.yaml") +
-                      ": error: is empty; it begins with a name and a colon, 'name:'\n",
+                      ": error: the file is empty; write a name and a colon first, 'name:'\n",
                   1);
 }
 

@@ -46,7 +46,7 @@ TEST(SceneErrors, NameAMissingCamera)
 TEST(SceneErrors, NameAnEmptyFile)
 {
     SceneFolder folder;
-    EXPECT_EQ((Lines{"is empty; it begins with a name and a colon, 'name:'"}),
+    EXPECT_EQ((Lines{"the file is empty; write a name and a colon first, 'name:'"}),
               folder.ProblemsOf(""));
 }
 

@@ -148,7 +148,7 @@ TEST(ParseYaml, RefusesTextBehindTheEndOfADocument)
 
 TEST(ParseYaml, RefusesEmptyTexts)
 {
-    const std::string message = "is empty; it begins with a name and a colon, 'name:'";
+    const std::string message = "the file is empty; write a name and a colon first, 'name:'";
     EXPECT_THAT(ProblemsIn(""), ElementsAre(message));
     EXPECT_THAT(ProblemsIn("# only a comment\n\n"), ElementsAre(message));
     EXPECT_THAT(ProblemsIn("---\n"), ElementsAre(message));
@@ -301,7 +301,7 @@ TEST(LoadYamlFile, RefusesAFileWithoutContentAndOneThatIsNoFile)
     const test::TemporaryFolder folder;
     const auto empty = folder.Write("empty.yaml", "");
     EXPECT_THAT(Problems([&] { LoadYamlFile(empty); }),
-                ElementsAre("is empty; it begins with a name and a colon, 'name:'"));
+                ElementsAre("the file is empty; write a name and a colon first, 'name:'"));
     EXPECT_THAT(Problems([] { LoadYamlFile("/dev/null"); }),
                 ElementsAre("is a device; a file is expected"));
 }

@@ -223,7 +223,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
                                      [](const YamlNode& document) { return document.isNull(); });
     if (isEmpty)
     {
-        throw AssetError(file, {}, "is empty; it begins with a name and a colon, 'name:'");
+        throw AssetError(file, {}, "the file is empty; write a name and a colon first, 'name:'");
     }
     return std::move(builder.documents);
 }
