@@ -326,7 +326,7 @@ TEST_F(CheckCommand, RefusesFilesThatExpectNothingOrAreNone)
 {
     EXPECT_THAT(Printed("features: {}\n", 1), HasSubstr("e.yaml:1:1: error: the file expects "
                                                         "nothing"));
-    EXPECT_THAT(Printed("", 1), HasSubstr("e.yaml: error: is empty"));
+    EXPECT_THAT(Printed("", 1), HasSubstr("e.yaml: error: the file is empty"));
     EXPECT_THAT(Printed("features: [a\n", 1), HasSubstr("e.yaml:"));
     EXPECT_THAT(Printed("values: {at: camera}\n", 1),
                 HasSubstr("e.yaml:1:9: error: values: found a map; a list is expected"));
