@@ -119,7 +119,8 @@ private:
         }
     };
 
-    /// A pipeline that FinishPipelines is yet to compile: the last one of `program` or next to it.
+    /// A pipeline that FinishPipelines is yet to compile. It stands at the end of its program's
+    /// list, with no compiled one behind it but those of the same frame.
     struct NewPipeline
     {
         ProgramObjects* program = nullptr;

@@ -25,7 +25,7 @@ struct Table
     std::vector<std::size_t> marked; ///< the rows that stand out
 };
 
-/// What a technique draws, for comparing it with the others at a glance.
+/// A picture of one technique with its figures; tiles stand side by side.
 struct Tile
 {
     std::string technique;

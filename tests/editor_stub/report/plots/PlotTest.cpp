@@ -287,7 +287,7 @@ TEST(PlotScript, HasAnArrowToTheBetterCornerBesideThePoints)
     plot.isLessBetter = true;
     for (const bool isCornerTaken : {false, true})
     {
-        // Of 1 to 10, and of 0.1 to 1: one point at each end.
+        // The axes go from 1 to 10 and from 0.1 to 1; a point lies at each end.
         plot.series[0].points[0].at = {1.0, isCornerTaken ? 0.1 : 1.0};
         plot.series[1].points[0].at = {10.0, isCornerTaken ? 1.0 : 0.1};
         for (study::PlotSeries& series : plot.series)
