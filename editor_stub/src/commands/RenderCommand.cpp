@@ -118,9 +118,10 @@ int RunRender(const RenderOptions& options, Console& console)
     measurements.memory = device->statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
-    if (options.showsVolumes)
+    if (options.showsVolumes && DrawVolumes(image, view.asset().camera, view.asset().volumes) == 0)
     {
-        DrawVolumes(image, view.asset().camera, view.asset().volumes);
+        console.Note("--show-volumes: the scene has no local volume with a collider, so there is "
+                     "none to show; global volumes have no place");
     }
     timeline.Measure("write", [&] { WritePicture(options, image, console); });
     if (!options.statsFile.empty())

@@ -242,9 +242,10 @@ private:
 
 } // namespace
 
-void DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> volumes)
+int DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> volumes)
 {
     LineDrawer lines(picture, camera);
+    int count = 0;
     for (const Volume& volume : volumes)
     {
         for (const Collider& collider : volume.colliders)
@@ -254,6 +255,7 @@ void DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> v
             {
                 continue;
             }
+            ++count;
             if (!shape.DrawBoxEdges(lines))
             {
                 shape.DrawContours(0.0, false, lines);
@@ -271,6 +273,7 @@ void DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> v
         const glm::dvec3 trigger(*camera.volumeTrigger);
         lines.Draw(trigger - half, trigger + half, k_TriggerColor);
     }
+    return count;
 }
 
 } // namespace limn

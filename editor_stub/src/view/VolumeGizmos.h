@@ -13,6 +13,7 @@ namespace limn
 /// camera's volumeTrigger, if it has one, as a magenta cross of half a metre. Unity draws such
 /// gizmos in its editor.
 /// @param picture  R8G8B8A8, drawn by `camera`
-void DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> volumes);
+/// @return the number of colliders that were drawn, in the picture or beside it
+int DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> volumes);
 
 } // namespace limn

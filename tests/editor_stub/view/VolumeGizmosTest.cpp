@@ -136,8 +136,11 @@ TEST(VolumeGizmos, LeaveOutGlobalVolumesAndWhatIsOff)
     volumes[0].isGlobal = true;
     volumes[1].enabled = false;
     std::get<SphereCollider>(volumes[2].colliders[0]).enabled = false;
-    DrawVolumes(picture, FlatCamera(), volumes);
+    EXPECT_EQ(0, DrawVolumes(picture, FlatCamera(), volumes));
     EXPECT_EQ(0, CountDrawn(picture));
+    volumes[1].enabled = true;
+    EXPECT_EQ(1, DrawVolumes(picture, FlatCamera(), volumes));
+    EXPECT_GT(CountDrawn(picture), 0);
 }
 
 TEST(VolumeGizmos, ShowTheTrigger)
