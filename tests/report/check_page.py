@@ -8,24 +8,28 @@ Usage: check_page.py SAMPLE_REPORT         the program that writes a report of m
        check_page.py --folder FOLDER       a report that is there
 """
 import base64
-import html
+import http.server
 import json
 import math
 import os
 import pathlib
+import queue
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import threading
 
 SKIPPED = 77
 BROWSERS = ("chromium-headless-shell", "chromium", "chromium-browser", "google-chrome")
 
-# Runs in the page: what it is like goes into an element that is read back out of the DOM.
+# Runs in the page once two frames are drawn, because a scroll timeline says nothing before the first. It
+# sends what the page is like to the server that the page came from.
 PROBE = """
 <script>
-addEventListener('load', () => setTimeout(() => { // after the first frame
+addEventListener('load', () => requestAnimationFrame(() => requestAnimationFrame(() => {
   const box = element => {
     const {left, top, right, bottom} = element.getBoundingClientRect();
     return [left, top, right, bottom];
@@ -68,29 +72,58 @@ addEventListener('load', () => setTimeout(() => { // after the first frame
       id: table.id, head: rows(table.tHead)[0], rows: rows(table.tBodies[0]),
       marked: [...table.tBodies[0].rows].map(row => row.className === 'marked')})),
   };
-  const element = document.createElement('pre');
-  element.id = 'limn-probe';
-  element.textContent = JSON.stringify(probe);
-  document.body.append(element);
-}, 500));
+  fetch('/probe', {method: 'POST', body: JSON.stringify(probe)});
+})));
 </script>
 """
 
 
+def serve(page, answers):
+    """Serves that page at a free port of this machine, and puts into the queue what its probe sends."""
+    class Handler(http.server.BaseHTTPRequestHandler):
+        def do_GET(self):
+            self.answer("text/html; charset=utf-8", page.encode())
+
+        def do_POST(self):
+            probe = json.loads(self.rfile.read(int(self.headers["Content-Length"])))
+            self.answer("text/plain", b"")
+            answers.put(probe)  # The browser is stopped upon this.
+
+        def answer(self, kind, body):
+            self.send_response(200)
+            self.send_header("Content-Type", kind)
+            self.send_header("Content-Length", str(len(body)))
+            self.end_headers()
+            self.wfile.write(body)
+
+        def log_message(self, *_):
+            pass
+
+    return http.server.ThreadingHTTPServer(("127.0.0.1", 0), Handler)
+
+
 def look(browser, page, width, folder):
     """What the page is like in a window of that width."""
-    copy = pathlib.Path(folder) / "page.html"
-    copy.write_text(page.replace("</body>", PROBE + "</body>"), encoding="utf-8")
+    answers = queue.Queue()
     environment = {k: v for k, v in os.environ.items() if k != "LD_PRELOAD"}
-    run = subprocess.run(
-        [browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
-         "--no-first-run", "--user-data-dir=" + os.path.join(folder, "profile"),
-         f"--window-size={width},900", "--virtual-time-budget=2000", "--dump-dom", copy.as_uri()],
-        capture_output=True, text=True, timeout=240, env=environment)
-    found = re.search(r'<pre id="limn-probe">(.*?)</pre>', run.stdout, re.S)
-    if not found:
-        sys.exit(f"{browser} shows no page:\n{run.stderr[-2000:]}")
-    return json.loads(html.unescape(found.group(1)))
+    with serve(page.replace("</body>", PROBE + "</body>"), answers) as server, \
+            open(os.path.join(folder, "browser.log"), "w+", encoding="utf-8") as log:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        run = subprocess.Popen(
+            [browser, "--headless", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage",
+             "--no-first-run", "--no-proxy-server", "--user-data-dir=" + os.path.join(folder, "profile"),
+             f"--window-size={width},900", "--remote-debugging-port=0",  # which keeps it open
+             f"http://127.0.0.1:{server.server_port}/"],
+            stdout=log, stderr=log, env=environment, start_new_session=True)
+        try:
+            return answers.get(timeout=240)
+        except queue.Empty:
+            log.seek(0)
+            sys.exit(f"{browser} shows no page:\n{log.read()[-2000:]}")
+        finally:
+            os.killpg(run.pid, signal.SIGTERM)  # The program may be a script around the browser.
+            run.wait()
+            server.shutdown()
 
 
 def figure(text):
