@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <csetjmp>
 #include <fstream>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ReadFile.h>
 #include <limn/base/WriteFile.h>
 #include <png.h>
 #include <string>
+#include <zlib.h>
 
 namespace limn
 {
@@ -31,15 +33,15 @@ private:
     png_image m_Image{};
 };
 
-png_uint_32 PngFormatOf(GraphicsFormat format)
+int PngColorTypeOf(GraphicsFormat format)
 {
     switch (format)
     {
     case GraphicsFormat::R8G8B8A8_SRGB:
     case GraphicsFormat::R8G8B8A8_UNorm:
-        return PNG_FORMAT_RGBA;
+        return PNG_COLOR_TYPE_RGBA;
     case GraphicsFormat::R8_UNorm:
-        return PNG_FORMAT_GRAY;
+        return PNG_COLOR_TYPE_GRAY;
     default:
         throw ContractError(std::string("WritePng: the format is ") + ToString(format) +
                             "; it must be R8G8B8A8_SRGB, R8G8B8A8_UNorm or R8_UNorm");
@@ -87,6 +89,65 @@ std::string SizeProblem(const png_image& header, std::string_view file)
                : std::string();
 }
 
+/// The state of one picture that libpng writes. It outlives the function that libpng jumps out of,
+/// in which a destructor might not run.
+struct PngWriter
+{
+    PngWriter()
+        : png(png_create_write_struct(PNG_LIBPNG_VER_STRING, this, &Fail, nullptr)),
+          info(png == nullptr ? nullptr : png_create_info_struct(png))
+    {
+    }
+    ~PngWriter() { png_destroy_write_struct(&png, &info); }
+    PngWriter(const PngWriter&) = delete;
+    PngWriter& operator=(const PngWriter&) = delete;
+
+    [[noreturn]] static void Fail(png_structp png, png_const_charp message)
+    {
+        static_cast<PngWriter*>(png_get_error_ptr(png))->error = message;
+        png_longjmp(png, 1);
+    }
+
+    static void Append(png_structp png, png_bytep data, std::size_t size)
+    {
+        std::vector<std::byte>& bytes = static_cast<PngWriter*>(png_get_io_ptr(png))->bytes;
+        const auto* const begin = reinterpret_cast<const std::byte*>(data);
+        bytes.insert(bytes.end(), begin, begin + size);
+    }
+
+    png_structp png;
+    png_infop info;
+    std::vector<std::byte> bytes;
+    std::string error = "there is not enough memory";
+};
+
+/// Returns false if libpng fails; the writer then has the error.
+bool Write(PngWriter& writer, const Image& image, int colorType)
+{
+    if (writer.info == nullptr || setjmp(png_jmpbuf(writer.png)) != 0)
+    {
+        return false;
+    }
+    png_set_write_fn(writer.png, &writer, &PngWriter::Append, nullptr);
+    png_set_IHDR(writer.png, writer.info, static_cast<png_uint_32>(image.width),
+                 static_cast<png_uint_32>(image.height), 8, colorType, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(writer.png, writer.info, PNG_sRGB_INTENT_PERCEPTUAL);
+    // For a lit frame of 1280x720 31 ms and 1.20 MB, where PNG_IMAGE_FLAG_FAST takes 53 ms for
+    // 1.44 MB and libpng's own choice 300 ms.
+    png_set_filter(writer.png, PNG_FILTER_TYPE_BASE, PNG_FILTER_UP);
+    png_set_compression_strategy(writer.png, Z_RLE);
+    png_set_compression_buffer_size(writer.png, std::size_t{1} << 20);
+    png_write_info(writer.png, writer.info);
+    const std::size_t row = image.texels.size() / static_cast<std::size_t>(image.height);
+    for (std::size_t at = 0; at < image.texels.size(); at += row)
+    {
+        png_write_row(writer.png, reinterpret_cast<png_const_bytep>(image.texels.data() + at));
+    }
+    png_write_end(writer.png, nullptr);
+    return true;
+}
+
 } // namespace
 
 std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
@@ -109,25 +170,17 @@ std::vector<std::byte> FlipRows(std::span<const std::byte> texels, int rows)
 
 std::vector<std::byte> EncodePng(const Image& image)
 {
-    PngImage png;
-    png->format = PngFormatOf(image.format);
+    const int colorType = PngColorTypeOf(image.format);
     RequireWholeImage(image);
-    png->width = static_cast<png_uint_32>(image.width);
-    png->height = static_cast<png_uint_32>(image.height);
-    // A sixth of the time for a file that is larger by a third: 55 instead of 300 ms for a frame of
-    // 1280x720, more than all else that a processor does for it.
-    png->flags |= PNG_IMAGE_FLAG_FAST;
-
-    // An upper bound, so that the image is compressed once and not a second time to learn its size.
-    std::vector<std::byte> bytes(PNG_IMAGE_PNG_SIZE_MAX(*png.get()));
-    png_alloc_size_t size = bytes.size();
-    if (png_image_write_to_memory(png.get(), bytes.data(), &size, 0, image.texels.data(), 0,
-                                  nullptr) == 0)
+    PngWriter writer;
+    // Appending must not allocate, since an exception must not pass through libpng.
+    const std::size_t filtered = image.texels.size() + static_cast<std::size_t>(image.height);
+    writer.bytes.reserve(filtered + filtered / 256 + 4096); // deflate stores what does not shrink
+    if (!Write(writer, image, colorType))
     {
-        throw AssetError("PNG", {}, std::string("cannot be made: ") + png->message);
+        throw AssetError("PNG", {}, "cannot be made: " + writer.error);
     }
-    bytes.resize(size);
-    return bytes;
+    return std::move(writer.bytes);
 }
 
 void WritePng(const std::filesystem::path& path, const Image& image)

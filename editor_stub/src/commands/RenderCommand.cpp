@@ -10,6 +10,7 @@
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
+#include <thread>
 
 namespace limn
 {
@@ -53,10 +54,10 @@ void PrintNotes(const RenderReport& report, Console& console)
     }
 }
 
-ExitCode PrintValidation(const VulkanDevice& device, Console& console)
+ExitCode PrintValidation(const std::vector<ValidationMessage>& messages, Console& console)
 {
     ExitCode code = ExitCode::Done;
-    for (const ValidationMessage& message : device.validationMessages())
+    for (const ValidationMessage& message : messages)
     {
         console.Line("validation: " + message.id + ": " + message.text);
         code = message.severity == Severity::Error ? ExitCode::BadInput : code;
@@ -99,7 +100,7 @@ int RunRender(const RenderOptions& options, Console& console)
     const VulkanDeviceOptions deviceOptions{options.device, options.validate,
                                             compilerOptions.cacheFolder};
     // First, because which SubShader a shader draws with depends on the device.
-    const auto device =
+    auto device =
         timeline.Measure("device", [&] { return std::make_unique<VulkanDevice>(deviceOptions); });
     compilerOptions.missingFeatures = device->missingShaderFeatures();
     AssetContext assets(compilerOptions);
@@ -112,17 +113,26 @@ int RunRender(const RenderOptions& options, Console& console)
     console.Verbose(device->ChoiceSentence());
     measurements.device = device->deviceName();
 
-    SceneView view(std::move(asset), assets);
-    Image image = RenderFrames(options, view, *device, measurements);
+    auto view = std::make_unique<SceneView>(std::move(asset), assets);
+    Image image = RenderFrames(options, *view, *device, measurements);
     measurements.shaders = assets.compiler()->statistics();
     measurements.memory = device->statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
-    if (options.showsVolumes && DrawVolumes(image, view.asset().camera, view.asset().volumes) == 0)
+    if (options.showsVolumes &&
+        DrawVolumes(image, view->asset().camera, view->asset().volumes) == 0)
     {
         console.Note("--show-volumes: the scene has no local volume with a collider, so there is "
                      "none to show; global volumes have no place");
     }
+    const std::vector<ValidationMessage> validation = device->validationMessages();
+    // To free the scene and the device takes as long as to compress the picture.
+    const std::jthread closing(
+        [view = std::move(view), device = std::move(device)]() mutable
+        {
+            view.reset();
+            device.reset();
+        });
     timeline.Measure("write", [&] { WritePicture(options, image, console); });
     if (!options.statsFile.empty())
     {
@@ -132,7 +142,7 @@ int RunRender(const RenderOptions& options, Console& console)
     {
         WriteTrace(options.traceFile, measurements);
     }
-    return static_cast<int>(PrintValidation(*device, console));
+    return static_cast<int>(PrintValidation(validation, console));
 }
 
 } // namespace limn
