@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <iterator>
 #include <limn/base/Diagnostic.h>
 #include <limn/core/Image.h>
+#include <random>
 
 #include "FileSizeLimit.h"
 #include "TemporaryFolder.h"
@@ -194,6 +196,18 @@ TEST(WritePng, KeepsEveryTexelAsItIs)
         WritePng(folder / "a.png", FourTexels(format));
         EXPECT_EQ(ReadPng(folder / "a.png"), FourTexels());
     }
+}
+
+// Deflate cannot shrink it, and each row has a byte more than its texels.
+TEST(WritePng, KeepsNoiseInRowsOfOneTexel)
+{
+    std::mt19937 random(1);
+    Image noise{1, 16000, GraphicsFormat::R8G8B8A8_SRGB, {}};
+    std::generate_n(std::back_inserter(noise.texels), 4 * 16000,
+                    [&] { return static_cast<std::byte>(random() & 255U); });
+    const TemporaryFolder folder;
+    WritePng(folder / "a.png", noise);
+    EXPECT_EQ(ReadPng(folder / "a.png"), noise);
 }
 
 TEST(WritePng, WritesASingleChannelAsGrayscale)
