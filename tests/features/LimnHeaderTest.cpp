@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <limn/limn.h>
 #include <map>
+#include <regex>
 #include <string>
+#include <vector>
 
 #include "Paths.h"
 
@@ -72,6 +74,54 @@ TEST(LimnHeader, BringsEveryFeatureAndEveryKindOfParameter)
         }
     }
     EXPECT_THAT(missing, testing::IsEmpty());
+}
+
+std::string ContentOf(const std::filesystem::path& file)
+{
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// Returns true if the text has the type ("class Mesh") with its members.
+bool IsDefined(const std::string& type, const std::string& text)
+{
+    for (std::size_t at = text.find("\n" + type); at != std::string::npos;
+         at = text.find("\n" + type, at + 1))
+    {
+        const std::size_t end = at + 1 + type.size();
+        const bool isWholeName = std::string_view(" \n").find(text[end]) != std::string_view::npos;
+        if (isWholeName && text[text.find_first_of(";{", end)] == '{')
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
+TEST(LimnForwardHeader, DeclaresWhatPublicHeadersDefineAndIncludesNothing)
+{
+    std::string definitions;
+    for (const char* package : {"core", "volume", "features"})
+    {
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(test::SourcePath(package)))
+        {
+            const bool isPublic =
+                entry.path().generic_string().find("/include/limn/") != std::string::npos;
+            definitions += isPublic && entry.is_regular_file() ? ContentOf(entry.path()) : "";
+        }
+    }
+    const std::string header = ContentOf(test::SourcePath("features/include/limn/limn_fwd.h"));
+    EXPECT_THAT(header, testing::Not(testing::HasSubstr("#include")));
+
+    const std::regex declaration("(class|struct) [A-Za-z0-9]+(?=;)");
+    const std::vector<std::string> declared(
+        std::sregex_token_iterator(header.begin(), header.end(), declaration), {});
+    ASSERT_GT(declared.size(), 40u);
+    for (const std::string& type : declared)
+    {
+        EXPECT_TRUE(IsDefined(type, definitions)) << type;
+    }
 }
 
 } // namespace

@@ -23,7 +23,7 @@ LAYERS = {
     "samples": ["editor_stub", "features", "core/vulkan", "volume", "core", "shaderlab", "shaderlab/base"],
 }
 # <limn/...> headers by the folder behind limn/; limn/limn.h is the features'.
-LAYER_OF_HEADERS = {"vulkan": "core/vulkan", "limn.h": "features", "testing.h": "features", "base": "shaderlab/base"}
+LAYER_OF_HEADERS = {"vulkan": "core/vulkan", "limn.h": "features", "limn_fwd.h": "features", "testing.h": "features", "base": "shaderlab/base"}
 # Libraries that stay inside the layers named; any other may include what its target links.
 LIBRARIES = {
     "vulkan/": ["core/vulkan"],

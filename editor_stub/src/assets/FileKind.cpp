@@ -154,11 +154,7 @@ std::string NearestFile(const std::filesystem::path& missing)
     const std::string name = missing.filename().string();
     const std::string ending = name.substr(std::min(name.find('.'), name.size()));
     const std::string stem = name.substr(0, name.size() - ending.size());
-    constexpr std::size_t k_FewestLetters = 3; // every shorter name is near to every other
-    if (stem.size() < k_FewestLetters)
-    {
-        return "";
-    }
+    const bool isShort = stem.size() < 3; // and is near to every other short one
     std::vector<std::string> alike;  // the stems of names with the same ending
     std::vector<std::string> others; // names whose last part is the same
     std::error_code error;
@@ -168,11 +164,12 @@ std::string NearestFile(const std::filesystem::path& missing)
     {
         const std::filesystem::path file = entry->path().filename();
         const std::string other = file.string();
-        if (!ending.empty() && other.ends_with(ending))
+        if (!ending.empty() && !isShort && other.ends_with(ending))
         {
             alike.push_back(other.substr(0, other.size() - ending.size()));
         }
-        else if (!ending.empty() && file.extension() == missing.extension())
+        else if (!ending.empty() && file.extension() == missing.extension() &&
+                 (!isShort || other.starts_with(stem + '.')))
         {
             others.push_back(other);
         }

@@ -1,6 +1,7 @@
 #include "console/Texts.h"
 #include "scene/Loader.h"
 #include "shaders/KeywordsOfValues.h"
+#include "shaders/UsedShaders.h"
 
 #include <algorithm>
 #include <array>
@@ -303,6 +304,12 @@ std::shared_ptr<const Material> ReadMaterial(const std::string& name, const Yaml
     if (!shader)
     {
         return nullptr;
+    }
+    if (const std::string builtIn = BuiltInPassOf(*shader); !builtIn.empty())
+    {
+        diagnostics.Note(shaderNode->location(),
+                         map.SubjectOf("shader") + ": " + builtIn +
+                             ", so only features can draw the objects that have it");
     }
     auto material = std::make_shared<Material>(shader, name);
     int queue = -1;

@@ -198,6 +198,32 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
 
 } // namespace
 
+std::string BuiltInPassOf(const Shader& shader)
+{
+    std::string found;
+    for (const ShaderLabPass& pass : shader.subShader().passes)
+    {
+        const std::string_view mode = pass.lightMode();
+        if (std::ranges::count(ForwardShaderTags(), ShaderTagId(mode)) > 0)
+        {
+            return "";
+        }
+        for (const char* builtIn :
+             {"Always", "ForwardBase", "PrepassBase", "Vertex", "VertexLMRGBM", "VertexLM"})
+        {
+            if (found.empty() && mode == builtIn)
+            {
+                found = (pass.isSurface
+                             ? "it has a surface shader"
+                             : "it has a pass of the light mode '" + std::string(mode) + "'") +
+                        std::string(", which is of Unity's built-in pipeline and not drawn, and no "
+                                    "pass of the Universal Render Pipeline");
+            }
+        }
+    }
+    return found;
+}
+
 std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler)
 {
     return Shader::FromText(k_Text, "FallbackError.shader", compiler);

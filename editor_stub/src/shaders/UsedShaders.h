@@ -5,6 +5,11 @@
 namespace limn
 {
 
+/// Returns a sentence, without its end, about a shader that has a pass of the built-in pipeline and
+/// none that URP draws. Returns "" for any other. Unity's editor draws the light modes that count
+/// here in magenta (URP 14, RenderingUtils).
+std::string BuiltInPassOf(const Shader& shader);
+
 /// Returns a shader that draws any mesh in plain, unlit magenta. It replaces a shader that does not
 /// compile. Unity: Hidden/Core/FallbackError (URP 14).
 std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler);

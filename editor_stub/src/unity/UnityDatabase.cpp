@@ -120,6 +120,20 @@ const std::filesystem::path* UnityDatabase::Find(const std::string& guid)
                : nullptr;
 }
 
+std::string UnityDatabase::WhyNotFound(const std::string& guid, std::string_view whose) const
+{
+    const std::filesystem::path* path = m_Project.Find(guid);
+    if (path == nullptr)
+    {
+        return "no file of the project has " + std::string(whose) + " " + guid;
+    }
+    const std::string name = "'" + path->lexically_relative(root()).generic_string() + "'";
+    std::error_code ignored;
+    return std::filesystem::exists(*path, ignored)
+               ? name + " is a link that leads out of the project, or no file"
+               : name + " is not there, though its .meta file is";
+}
+
 std::shared_ptr<const UnityFile> UnityDatabase::Load(const std::string& guid)
 {
     const std::filesystem::path* path = Find(guid);

@@ -45,6 +45,9 @@ public:
 
     /// Returns the file with a guid, or null if it does not exist or may not be read.
     const std::filesystem::path* Find(const std::string& guid);
+    /// Returns why Find finds no file: "no file of the project has the texture's guid 12ab…".
+    /// @param whose  what has the guid: "the texture's guid"
+    std::string WhyNotFound(const std::string& guid, std::string_view whose = "its guid") const;
     /// Loads a text asset. Returns null and adds a note if there is none, it is broken or it is
     /// saved as binary.
     std::shared_ptr<const UnityFile> Load(const std::string& guid);

@@ -34,16 +34,19 @@ bool IsPassedOver(const std::string& name)
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
 {
     std::error_code ignored;
-    std::filesystem::path folder = std::filesystem::absolute(file, ignored).parent_path();
-    while (!std::filesystem::is_directory(folder / "Assets", ignored))
+    std::filesystem::path nearest;
+    std::filesystem::path above = std::filesystem::absolute(file, ignored);
+    while (above != above.parent_path())
     {
-        if (folder == folder.parent_path())
+        above = above.parent_path();
+        const bool hasAssets = std::filesystem::is_directory(above / "Assets", ignored);
+        if (hasAssets && std::filesystem::is_directory(above / "ProjectSettings", ignored))
         {
-            return {};
+            return above;
         }
-        folder = folder.parent_path();
+        nearest = hasAssets && nearest.empty() ? above : nearest;
     }
-    return folder;
+    return nearest;
 }
 
 UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files,

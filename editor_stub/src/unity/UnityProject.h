@@ -9,7 +9,9 @@
 namespace limn
 {
 
-/// Returns the nearest folder above a file that has an Assets folder, or "" if there is none.
+/// Returns the nearest folder above a file that has the folders Assets and ProjectSettings, since
+/// Assets may have a folder Assets within. If there is none, it returns the nearest with Assets
+/// alone, or "".
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
 class GuidIndex;

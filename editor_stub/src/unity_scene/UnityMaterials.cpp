@@ -109,12 +109,13 @@ void SetKeywordsOf(const MaterialStandIn& standIn, Material& material)
 
 /// Returns why there is nothing behind a reference.
 /// @param guid  what the reference names: "the texture's guid"
-std::string AbsenceOf(const UnityReference& reference, const std::string& guid)
+std::string AbsenceOf(const UnityReference& reference, const UnityDatabase& database,
+                      std::string_view guid = "its guid")
 {
     return FindKnownAsset(reference).kind == UnityPackageAsset::Other
                ? "limn does not have this asset, which is built into Unity (fileID " +
                      std::to_string(reference.fileID) + ")"
-               : "no file of the project has " + guid + " " + reference.guid;
+               : database.WhyNotFound(reference.guid, guid);
 }
 
 } // namespace
@@ -239,7 +240,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     const Model* model = path != nullptr ? LoadModelOf(mesh.guid) : nullptr;
     if (path == nullptr)
     {
-        user.Note("m_Mesh", AbsenceOf(mesh, "its guid") + ", so nothing is drawn");
+        user.Note("m_Mesh", AbsenceOf(mesh, m_Database) + ", so nothing is drawn");
         return nullptr;
     }
     if (EndingOf(*path) == ".asset" || EndingOf(*path) == ".mesh" || EndingOf(*path) == ".prefab")
@@ -307,7 +308,8 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
     const std::filesystem::path* file = m_Database.Find(reference.guid);
     if (file == nullptr)
     {
-        user.Note(path, AbsenceOf(reference, "the material's guid") + ", so it is magenta");
+        user.Note(path,
+                  AbsenceOf(reference, m_Database, "the material's guid") + ", so it is magenta");
         return Magenta();
     }
     if (IsModelFile(*file))
@@ -342,6 +344,12 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
         const UnityShader shader = FindShader(fields, file->name());
         if (!shader.shader)
         {
+            return Magenta();
+        }
+        if (const std::string builtIn = BuiltInPassOf(*shader.shader); !builtIn.empty())
+        {
+            m_Notes.Add(shader.shader->document().file, 0,
+                        builtIn + ", so the objects that have it are magenta");
             return Magenta();
         }
         auto material = std::make_shared<Material>(shader.shader);
@@ -397,7 +405,7 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {m_Assets.FindShader(shipped->name)};
     }
     m_Notes.Add(material, 0,
-                AbsenceOf(reference, "its shader's guid") +
+                AbsenceOf(reference, m_Database, "its shader's guid") +
                     ", so the objects that have it are magenta");
     return {nullptr};
 }
@@ -493,12 +501,13 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
             const std::filesystem::path* path = m_Database.Find(texture.guid);
             if (path == nullptr || !IsPictureFile(*path))
             {
-                m_Notes.Add(file, value.line(),
-                            std::string(name) + ": " +
-                                (path == nullptr ? AbsenceOf(texture, "the texture's guid")
-                                                 : path->filename().string() +
-                                                       " is no picture that limn reads") +
-                                ", so the shader's own is used");
+                m_Notes.Add(
+                    file, value.line(),
+                    std::string(name) + ": " +
+                        (path == nullptr
+                             ? AbsenceOf(texture, m_Database, "the texture's guid")
+                             : path->filename().string() + " is no picture that limn reads") +
+                        ", so the shader's own is used");
                 return;
             }
             const int property = material.shader()->FindPropertyIndex(id.name());

@@ -62,8 +62,8 @@ void ReadProfile(UnitySceneLoader& loader, const UnityReader& reader, Volume& vo
     {
         if (!target.asset.isNull())
         {
-            reader.Note("sharedProfile", "no file of the project has its guid " +
-                                             target.asset.guid + ", so the volume does nothing");
+            reader.Note("sharedProfile", loader.database.WhyNotFound(target.asset.guid) +
+                                             ", so the volume does nothing");
         }
         return;
     }

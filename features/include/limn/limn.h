@@ -2,6 +2,7 @@
 
 // Everything that a program that renders with limn needs, except the device: add
 // <limn/vulkan/VulkanDevice.h> to draw, <limn/core/RecordingDevice.h> to test without a GPU.
+// A header that only names limn's types includes <limn/limn_fwd.h>, which costs nothing.
 
 #include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/BuiltinShaders.h>
@@ -18,6 +19,7 @@
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
 #include <limn/features/ShippedComputeShaders.h>
+#include <limn/limn_fwd.h>
 #include <limn/volume/AssetParameters.h>
 #include <limn/volume/CurveParameters.h>
 #include <limn/volume/NumberParameters.h>

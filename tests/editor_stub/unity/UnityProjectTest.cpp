@@ -13,6 +13,22 @@ namespace
 const std::string k_GuidA(32, 'a');
 const std::string k_GuidB(32, 'b');
 
+TEST(UnityProjectAround, TakesTheProjectThoughItsAssetsHaveAFolderAssets)
+{
+    const TemporaryFolder folder;
+    folder.Write("Project/ProjectSettings/TagManager.asset", "");
+    folder.Write("Project/Assets/Assets/a.mat", "");
+    EXPECT_EQ(UnityProjectAround(folder / "Project/Assets/Assets/a.mat"), folder / "Project");
+    EXPECT_EQ(UnityProjectAround(folder / "Project/Assets/a.unity"), folder / "Project");
+}
+
+TEST(UnityProjectAround, TakesTheNearestAssetsWhereNoFolderHasProjectSettings)
+{
+    const TemporaryFolder folder;
+    folder.Write("A/Assets/B/Assets/a.mat", "");
+    EXPECT_EQ(UnityProjectAround(folder / "A/Assets/B/Assets/a.mat"), folder / "A/Assets/B");
+}
+
 /// A project whose .meta files were last changed an hour ago.
 class KeptGuids : public testing::Test
 {

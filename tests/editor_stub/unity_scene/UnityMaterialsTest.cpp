@@ -1,5 +1,6 @@
 #include "unity_scene/UnityScene.h"
 
+#include "Mentions.h"
 #include "TemporaryFolder.h"
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
@@ -238,6 +239,42 @@ TEST_F(MaterialOfAProject, OfAShaderThatCannotBeUsedIsMagentaAndSaysSo)
     EXPECT_EQ(material.shader()->name(), "Hidden/Core/FallbackError");
     EXPECT_THAT(Notes(), testing::Contains(testing::AllOf(testing::HasSubstr("shader"),
                                                           testing::HasSubstr("magenta"))));
+}
+
+/// Unity's editor draws these in magenta where a project uses URP (URP 14, RenderingUtils).
+TEST_F(MaterialOfAProject, OfTheBuiltInPipelinesShaderIsMagentaAndSaysSo)
+{
+    const std::string guid = "dddddddddddddddddddddddddddddddd";
+    WriteMeta("Old.shader", guid);
+    for (const auto& [content, word] :
+         {std::pair("CGPROGRAM\n#pragma surface surf Lambert\nENDCG", "surface"),
+          std::pair("Pass { Tags { \"LightMode\" = \"ForwardBase\" } }", "'ForwardBase'"),
+          std::pair("Pass { Tags { \"LightMode\" = \"Vertex\" } }", "'Vertex'")})
+    {
+        m_Folder.Write("Assets/Old.shader",
+                       std::string("Shader \"Old\" { SubShader {\n") + content + "\n} }\n");
+        const Material& material = Load("{fileID: 4800000, guid: " + guid + ", type: 3}", "");
+        EXPECT_EQ(material.shader()->name(), "Hidden/Core/FallbackError");
+        EXPECT_THAT(Notes(), ElementsAre(Mentions(word, "magenta")));
+    }
+}
+
+/// Passes that only a feature draws are nothing wrong.
+TEST_F(MaterialOfAProject, KeepsAShaderWithPassesOfItsOwnLightMode)
+{
+    const std::string guid = "dddddddddddddddddddddddddddddddd";
+    WriteMeta("Own.shader", guid);
+    m_Folder.Write("Assets/Own.shader", "Shader \"Own\" { SubShader { Pass { Tags { "
+                                        "\"LightMode\" = \"Outline\" } } } }\n");
+    EXPECT_EQ(Load("{fileID: 4800000, guid: " + guid + ", type: 3}", "").shader()->name(), "Own");
+    EXPECT_THAT(Notes(), IsEmpty());
+}
+
+TEST_F(MaterialOfAProject, TellsAMissingFileFromAnUnknownGuid)
+{
+    std::filesystem::remove(m_Folder.path() / "Assets/wood.png"); // its .meta stays
+    Load(k_Lit, "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_BaseMap", k_Wood));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("_BaseMap", "'Assets/wood.png'", ".meta")));
 }
 
 } // namespace
