@@ -121,12 +121,13 @@ TEST_F(Blits, RefuseWhatIsNotThere)
         EXPECT_TRUE(m_Cmd.commands().empty()) << "nothing is recorded by a call that throws";
         return message;
     };
-    EXPECT_THAT(errorOf(RTHandle(), m_Dest, m_Copy, 0), Mentions("Blit", "source", "empty handle"));
+    EXPECT_THAT(errorOf(RTHandle(), m_Dest, m_Copy, 0),
+                Mentions("Blit:", "source", "empty handle"));
     EXPECT_THAT(errorOf(m_Source, RTHandle(), m_Copy, 0),
-                Mentions("Blit", "destination", "empty handle"));
+                Mentions("Blit:", "destination", "empty handle"));
     EXPECT_THAT(errorOf(m_Source, m_Source, m_Copy, 0),
-                Mentions("Blit", "'Source'", "both", "copy"));
-    EXPECT_THAT(errorOf(m_Source, m_Dest, nullptr, -1), Mentions("material", "null"));
+                Mentions("Blit:", "'Source'", "both", "copy"));
+    EXPECT_THAT(errorOf(m_Source, m_Dest, nullptr, -1), Mentions("draw", "material", "null"));
     EXPECT_THAT(errorOf(m_Source, m_Dest, m_Copy, 1),
                 Mentions("'Copy'", "'Test/Copy'", "no pass 1", "has 1"));
 }

@@ -199,11 +199,11 @@ TEST_F(CommandBuffers, RefuseDrawsThatLackSomething)
 {
     const glm::mat4 matrix(1.0f);
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, nullptr); }),
-                Mentions("material", "null"));
+                Mentions("draw", "material", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawMesh(nullptr, matrix, m_Material); }),
                 Mentions("DrawMesh", "mesh", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, nullptr, 0, 3); }),
-                Mentions("material", "null"));
+                Mentions("draw", "material", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, m_Material, 0, -3); }),
                 Mentions("DrawProcedural", "vertex count -3", "negative"));
 }

@@ -223,15 +223,15 @@ TEST_F(IdentifiedTextures, ThatWereNeverMadeAreASentence)
 {
     m_Cmd.Blit("_Lost", m_Color, m_Sampling);
     EXPECT_THAT(ErrorOfExecution(),
-                Mentions("Blit", "'_Lost'", "no texture", "GetTemporaryRT", "SetGlobalTexture"));
+                Mentions("Blit:", "'_Lost'", "no texture", "GetTemporaryRT", "SetGlobalTexture"));
     m_Cmd.SetRenderTarget(BuiltinRenderTextureType::CurrentActive);
     EXPECT_THAT(ErrorOfExecution(), Mentions("SetRenderTarget", "CurrentActive", "no target"));
     m_Cmd.Blit(BuiltinRenderTextureType::None, m_Color);
-    EXPECT_THAT(ErrorOfExecution(), Mentions("Blit", "source is None", "no material"));
+    EXPECT_THAT(ErrorOfExecution(), Mentions("Blit:", "source is None", "no material"));
     m_Cmd.Blit(m_Color, BuiltinRenderTextureType::None);
     EXPECT_EQ(ErrorOfExecution(), "Blit: the destination is None");
     m_Cmd.Blit(m_Color, BuiltinRenderTextureType::CameraTarget);
-    EXPECT_THAT(ErrorOfExecution(), Mentions("Blit", "'CameraColor'", "both"));
+    EXPECT_THAT(ErrorOfExecution(), Mentions("Blit:", "'CameraColor'", "both"));
     EXPECT_THAT(test::ThrownMessage<ContractError>([&] { m_Cmd.Blit(RTHandle(), m_Color); }),
                 Mentions("RenderTargetIdentifier", "empty"));
     m_Context.EndCamera();
