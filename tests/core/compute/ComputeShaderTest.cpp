@@ -8,6 +8,7 @@
 #include <limn/core/ScriptableRenderContext.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "scene/TestScene.h"
 
@@ -15,6 +16,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 using Target = GraphicsBuffer::Target;
 
@@ -83,10 +86,11 @@ TEST(ComputeShader, FindsItsKernels)
     EXPECT_EQ(shader->FindKernel("Sharpen"), 1);
     EXPECT_TRUE(shader->HasKernel("Blur"));
     EXPECT_FALSE(shader->HasKernel("blur"));
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { shader->FindKernel("Blurr"); }),
-              "compute shader 'Filter' has no kernel 'Blurr'; did you mean 'Blur'?");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { shader->SetBuffer(2, "_Items", nullptr); }),
-              "compute shader 'Filter' has no kernel 2; it has 2");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { shader->FindKernel("Blurr"); }),
+                Mentions("'Filter'", "no kernel 'Blurr'", "'Blur'"));
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&] { shader->SetBuffer(2, "_Items", nullptr); }),
+        Mentions("'Filter'", "no kernel 2", "has 2"));
 }
 
 TEST(ComputeShader, SaysHowLargeItsGroupsAre)
@@ -113,10 +117,9 @@ TEST(ComputeShader, KeepsKernelsTexturesApart)
 
 TEST(ComputeShader, RefusesWhatIsNotFinite)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [] { Two()->SetFloat("_X", std::numeric_limits<float>::quiet_NaN()); }),
-              "compute shader 'Filter': property '_X' is not finite; NaN and infinity reach no "
-              "shader");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [] { Two()->SetFloat("_X", std::numeric_limits<float>::quiet_NaN()); }),
+                Mentions("'Filter'", "'_X'", "not finite"));
     CommandBuffer cmd;
     EXPECT_THROW(cmd.SetComputeFloatParams(Two(), "_X", {}), ContractError);
     EXPECT_NO_THROW(cmd.SetComputeFloatParams(Two(), "_X", 1.0f, 2));
@@ -134,100 +137,88 @@ TEST(ComputeShader, IsRefusedInASentenceWhereTheDeviceRunsNoKernels)
     ScriptableRenderContext context(report);
     CommandBuffer cmd;
     cmd.DispatchCompute(shader, 0, 1, 1, 1);
-    EXPECT_EQ(
+    EXPECT_THAT(
         test::ThrownMessage<UnsupportedProgramError>([&] { context.ExecuteCommandBuffer(cmd); }),
-        "Filter.compute:1:1: error: program: it requires 'compute', which this device does "
-        "not have");
+        Mentions("Filter.compute:1:1", "requires 'compute'", "device"));
 }
 
 TEST(ComputeShader, IsDispatchedInAtLeastOneGroup)
 {
     CommandBuffer cmd;
     const auto shader = Two();
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(shader, 0, 1, 0, 1); }),
-              "DispatchCompute of 'Filter', kernel 'Blur': it was given 1x0x1 groups; each count "
-              "must be from 1 to 65535");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(shader, 0, 1, 0, 1); }),
+        Mentions("DispatchCompute", "'Filter'", "'Blur'", "1x0x1", "65535"));
     EXPECT_THROW(cmd.DispatchCompute(shader, 0, 65536, 1, 1), ContractError);
     EXPECT_THROW(cmd.DispatchCompute(shader, 2, 1, 1, 1), ContractError);
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(nullptr, 0, 1, 1, 1); }),
-              "a kernel needs a compute shader, but it is null");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&] { cmd.DispatchCompute(nullptr, 0, 1, 1, 1); }),
+        Mentions("compute shader", "null"));
 }
 
 TEST(ComputeShader, NamesWhatIsNotSet)
 {
     const auto shader = Two();
-    EXPECT_EQ(DispatchError(shader), "compute shader 'Filter', kernel 'Blur': texture '_Source' is "
-                                     "not set, and nothing is global under that name");
+    EXPECT_THAT(DispatchError(shader),
+                Mentions("'Filter'", "'Blur'", "texture '_Source'", "not set", "global"));
     shader->SetTexture(0, "_Source", Writable("source"));
-    EXPECT_EQ(DispatchError(shader).substr(0, 52),
-              "compute shader 'Filter', kernel 'Blur': buffer '_Ite");
-    EXPECT_EQ(DispatchError(shader, 1),
-              "compute shader 'Filter', kernel 'Sharpen': buffer '_Found' "
-              "is not set, and nothing is global under that name");
+    EXPECT_THAT(DispatchError(shader),
+                Mentions("'Filter'", "'Blur'", "buffer '_Items'", "not set"));
+    EXPECT_THAT(DispatchError(shader, 1),
+                Mentions("'Sharpen'", "buffer '_Found'", "not set", "global"));
 }
 
 TEST(ComputeShader, NamesTexturesThatDoNotFit)
 {
     const auto shader = Ready();
     shader->SetTexture(0, "_Result", Writable("plain", false));
-    EXPECT_EQ(DispatchError(shader),
-              "compute shader 'Filter', kernel 'Blur': property '_Result' is written to, but "
-              "texture 'plain' is made without enableRandomWrite");
+    EXPECT_THAT(DispatchError(shader),
+                Mentions("'Blur'", "'_Result'", "written", "'plain'", "enableRandomWrite"));
     shader->SetTexture(0, "_Result",
                        std::make_shared<Texture2D>("file", 1, 1, GraphicsFormat::R8_UNorm,
                                                    std::vector<std::byte>(1)));
-    EXPECT_EQ(DispatchError(shader),
-              "compute shader 'Filter', kernel 'Blur': property '_Result' is written to, but "
-              "texture 'file' is no render texture");
+    EXPECT_THAT(DispatchError(shader),
+                Mentions("'Blur'", "'_Result'", "written", "'file'", "no render texture"));
 }
 
 TEST(ComputeShader, NamesBuffersThatDoNotFit)
 {
     const auto shader = Ready();
     shader->SetBuffer(0, "_Items", Buffer(Target::Structured, 2, 16, "wide"));
-    EXPECT_EQ(DispatchError(shader),
-              "compute shader 'Filter', kernel 'Blur': property '_Items' has elements of 12 bytes "
-              "in the shader, but buffer 'wide' of 16");
+    EXPECT_THAT(DispatchError(shader), Mentions("'Blur'", "'_Items'", "12 bytes", "'wide'", "16"));
     shader->SetBuffer(0, "_Items", Buffer(Target::Raw, 2, 4, "bytes"));
-    EXPECT_EQ(DispatchError(shader),
-              "compute shader 'Filter', kernel 'Blur': property '_Items' is set to buffer 'bytes', "
-              "which the shader uses otherwise than it is made for; make it with "
-              "GraphicsBuffer::Target::Structured");
+    EXPECT_THAT(DispatchError(shader), Mentions("'Blur'", "'_Items'", "'bytes'", "otherwise",
+                                                "GraphicsBuffer::Target::Structured"));
     const auto released = Buffer(Target::Structured, 2, 12, "gone");
     shader->SetBuffer(0, "_Items", released);
     released->Release();
-    EXPECT_EQ(DispatchError(shader), "compute shader 'Filter', kernel 'Blur': property '_Items' is "
-                                     "set to buffer 'gone', which is released");
+    EXPECT_THAT(DispatchError(shader), Mentions("'Blur'", "'_Items'", "'gone'", "released"));
     const auto constants = Ready();
     constants->SetConstantBuffer("Params", Buffer(Target::Constant, 1, 8, "small"), 0, 0);
-    EXPECT_EQ(DispatchError(constants),
-              "compute shader 'Filter', kernel 'Blur': property 'Params' is a cbuffer of 16 bytes "
-              "in the shader, but has 8 of buffer 'small'");
+    EXPECT_THAT(DispatchError(constants),
+                Mentions("'Blur'", "'Params'", "cbuffer", "16 bytes", "8", "'small'"));
 }
 
 TEST(ComputeShader, CountsOnlyWhereABufferHasACounter)
 {
     const auto shader = Two();
     shader->SetBuffer(1, "_Found", Buffer(Target::Structured, 4, 4, "plain"));
-    EXPECT_EQ(DispatchError(shader, 1),
-              "compute shader 'Filter', kernel 'Sharpen': property '_Found' is set to buffer "
-              "'plain', which the shader uses otherwise than it is made for; make it with "
-              "GraphicsBuffer::Target::Append or Counter");
+    EXPECT_THAT(DispatchError(shader, 1), Mentions("'Sharpen'", "'_Found'", "'plain'", "otherwise",
+                                                   "GraphicsBuffer::Target::Append", "Counter"));
 }
 
 TEST(GraphicsBuffer, IsRefusedWithItsNumbers)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 0, 4); }),
-              "GraphicsBuffer: the count is 0 and the stride is 4; both must be greater than 0");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 1, 6); }),
-              "GraphicsBuffer: the stride is 6 bytes; for structured elements it must be a "
-              "multiple of 4 up to 2048");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Raw, 1, 16); }),
-              "GraphicsBuffer: the stride of a raw buffer must be 4 bytes, but it is 16");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Vertex, 1, 16); }),
-              "GraphicsBuffer: target 1 cannot be bound to a shader; limn supports Structured, "
-              "Raw, Append, "
-              "Counter, IndirectArguments and Constant");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 0, 4); }),
+        Mentions("GraphicsBuffer", "count is 0", "stride is 4", "greater than 0"));
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Structured, 1, 6); }),
+        Mentions("GraphicsBuffer", "stride", "6 bytes", "structured", "multiple of 4", "2048"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Raw, 1, 16); }),
+                Mentions("GraphicsBuffer", "stride", "raw", "4 bytes", "16"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { GraphicsBuffer(Target::Vertex, 1, 16); }),
+                Mentions("GraphicsBuffer", "target 1", "shader", "Structured", "Constant"));
 }
 
 TEST(GraphicsBuffer, RemembersWhatWasSetLast)
@@ -246,9 +237,8 @@ TEST(GraphicsBuffer, RemembersWhatWasSetLast)
         buffer.SetData(std::vector<int>{i, i}, 0, 2, 2); // over the last one
     }
     EXPECT_EQ(buffer.changes().size(), 2u) << "those that are covered are gone";
-    EXPECT_EQ(
-        test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
-        "GraphicsBuffer: 'GraphicsBuffer': SetData writes 20 bytes from byte 0; the buffer has 16");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { buffer.SetData(std::vector<int>(5)); }),
+                Mentions("'GraphicsBuffer'", "SetData", "20 bytes", "byte 0", "16"));
     EXPECT_THROW(buffer.SetData(std::vector<int>(2), 1, 0, 2), ContractError);
     EXPECT_THROW(buffer.SetCounterValue(1), ContractError);
     buffer.Release();
@@ -260,19 +250,19 @@ TEST(GraphicsBuffer, HasNothingToReadWhereNothingRuns)
 {
     RecordingDevice device;
     std::vector<int> data(1);
-    EXPECT_EQ(
+    EXPECT_THAT(
         test::ThrownMessage<ContractError>([&] { ComputeBuffer(1, 4).GetData(device, data); }),
-        "this device runs no kernels, so buffer 'ComputeBuffer' has no contents to read back");
+        Mentions("no kernels", "'ComputeBuffer'", "read back"));
 }
 
 TEST(GraphicsBuffer, IsBoundInPartsFromMultiplesOf256On)
 {
     const auto buffer = Buffer(Target::Constant, 64, 16, "constants");
     MaterialPropertyBlock block;
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { block.SetConstantBuffer("Params", buffer, 128, 16); }),
-              "SetConstantBuffer: the part is 16 bytes from byte 128 of 'constants', which has "
-              "1024 bytes; a part must begin at a multiple of 256 and end within the buffer");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { block.SetConstantBuffer("Params", buffer, 128, 16); }),
+                Mentions("SetConstantBuffer", "16 bytes", "byte 128", "'constants'", "1024",
+                         "multiple of 256"));
     EXPECT_THROW(block.SetConstantBuffer("Params", buffer, 768, 512), ContractError);
     EXPECT_FALSE(block.hasBuffers());
     block.SetConstantBuffer("Params", buffer, 768, 256);
@@ -289,9 +279,9 @@ TEST(EnableRandomWrite, IsForColoursOfOneSample)
         RenderTexture("texture", descriptor);
     };
     make(GraphicsFormat::R16G16B16A16_SFloat, 1);
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { make(GraphicsFormat::R8G8B8A8_SRGB, 1); }),
-              "texture 'texture': enableRandomWrite is true, with 1 samples of R8G8B8A8_SRGB; "
-              "kernels can write only to colours of one sample that are not sRGB");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&] { make(GraphicsFormat::R8G8B8A8_SRGB, 1); }),
+        Mentions("'texture'", "enableRandomWrite", "1 samples", "R8G8B8A8_SRGB", "not sRGB"));
     EXPECT_THROW(make(GraphicsFormat::R8G8B8A8_UNorm, 4), ContractError);
     EXPECT_THROW(make(GraphicsFormat::D32_SFloat, 1), ContractError);
 }

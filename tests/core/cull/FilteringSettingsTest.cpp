@@ -3,6 +3,7 @@
 #include <limn/core/FilteringSettings.h>
 #include <type_traits>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
@@ -127,12 +128,12 @@ TEST(DrawingSettings, HoldAsManyPassNamesAsUnity)
     ASSERT_EQ(settings.shaderTagIds.size(), 16u);
     EXPECT_EQ(settings.shaderTagIds[15].name(), "Last");
     EXPECT_EQ(settings.shaderTagIds[0].name(), "");
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { settings.SetShaderPassName(16, ShaderTagId("TooMany")); }),
-              "shader pass name index 16 is outside 0...15");
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { settings.SetShaderPassName(-1, ShaderTagId("Before")); }),
-              "shader pass name index -1 is outside 0...15");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { settings.SetShaderPassName(16, ShaderTagId("TooMany")); }),
+                test::Mentions("pass name", "16", "0...15"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { settings.SetShaderPassName(-1, ShaderTagId("Before")); }),
+                test::Mentions("pass name", "-1", "0...15"));
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <limn/core/DynamicGI.h>
 #include <limn/core/RecordingDevice.h>
 
+#include "Mentions.h"
+
 namespace limn::test
 {
 namespace
@@ -46,10 +48,10 @@ TEST(DynamicGI, WantsAResolutionThatHalves)
     for (const int resolution : {0, -4, 100, 4096})
     {
         scene.defaultReflectionResolution = resolution;
-        EXPECT_EQ("UpdateEnvironment: defaultReflectionResolution is " +
-                      std::to_string(resolution) + "; it must be a power of two from 1 to 2048",
-                  ThrownMessage<ContractError>(
-                      [&] { DynamicGI::UpdateEnvironment(device, Compiler(), scene); }));
+        EXPECT_THAT(ThrownMessage<ContractError>(
+                        [&] { DynamicGI::UpdateEnvironment(device, Compiler(), scene); }),
+                    Mentions("UpdateEnvironment", "defaultReflectionResolution",
+                             std::to_string(resolution), "power of two", "1 to 2048"));
     }
 }
 

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "pipeline/PipelineTest.h"
 
@@ -16,6 +17,7 @@ using test::AddUnsafe;
 using test::Desc;
 using test::Draw;
 using test::GraphPass;
+using test::Mentions;
 using test::Sample;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -289,11 +291,10 @@ TEST_F(RenderGraphFrame, NamesATextureOfNoSize)
     {
         return test::ThrownMessage<ContractError>([&] { desc.descriptor(); });
     };
-    EXPECT_EQ(message(TextureDesc(glm::vec2(0.0f, 1.0f))),
-              "CreateTexture '': the scale factor is 0.000000, 1.000000; both must be greater than "
-              "0");
-    EXPECT_EQ(message(TextureDesc(RTHandles::ScaleFunc())),
-              "CreateTexture '': the scale function is empty");
+    EXPECT_THAT(message(TextureDesc(glm::vec2(0.0f, 1.0f))),
+                Mentions("CreateTexture", "scale factor", "0.0", "1.0", "greater than 0"));
+    EXPECT_THAT(message(TextureDesc(RTHandles::ScaleFunc())),
+                Mentions("CreateTexture", "scale function", "empty"));
 }
 
 TEST_F(RenderGraphFrame, IsWorkedOutOnceWhileFramesRecordTheSame)

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "Mentions.h"
+
 namespace limn
 {
 namespace
@@ -64,11 +66,10 @@ TEST(FullScreenTagTest, IsAnErrorWhereItSaysSomethingElse)
         }
         catch (const AssetError& error)
         {
-            EXPECT_EQ("test.shader:2:15: error: LimnFullScreen: '" + value +
-                          "' is no promise that limn knows; write \"True\", \"0 0 0 1 where _A or "
-                          "_B is 0\", the same with \"within 3 texels\" behind it, or "
-                          "\"_BlitTexture with alpha 1\"",
-                      ToString(error.diagnostics().at(0)));
+            EXPECT_THAT(ToString(error.diagnostics().at(0)),
+                        test::Mentions("test.shader:2:15", "LimnFullScreen", "'" + value + "'",
+                                       "no promise", "True", "within 3 texels",
+                                       "_BlitTexture with alpha"));
         }
     }
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "scene/TestScene.h"
 
@@ -62,8 +63,8 @@ TEST(Material, IsCalledAfterItsShaderUnlessNamed)
 
 TEST(Material, NeedsAShader)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { Material(nullptr); }),
-              "a material needs a shader, but it is null");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { Material(nullptr); }),
+                test::Mentions("material", "shader", "null"));
 }
 
 TEST(Material, HasItsShadersQueueUntilItGetsItsOwn)

@@ -6,6 +6,8 @@
 #include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalRenderer.h>
 
+#include "Mentions.h"
+
 namespace limn
 {
 namespace
@@ -89,8 +91,8 @@ TEST(ShaderSource, IsWhatFindAsksInItsScope)
     EXPECT_EQ(CoreUtils::CreateEngineMaterial("Universal Render Pipeline/Unlit")->shader(),
               Shader::Find("Universal Render Pipeline/Unlit"));
     EXPECT_THROW(CoreUtils::CreateEngineMaterial("Universal Render Pipeline/Unlot"), ContractError);
-    EXPECT_THAT(Warnings::text(), HasSubstr("'Universal Render Pipeline/Unlot'; did you mean "
-                                            "'Universal Render Pipeline/Unlit'?"));
+    EXPECT_THAT(Warnings::text(), test::Mentions("'Universal Render Pipeline/Unlot'",
+                                                 "'Universal Render Pipeline/Unlit'"));
 }
 
 TEST(ShaderSource, IsLimnsOwnInAFeaturesCreate)

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "pipeline/PipelineTest.h"
 #include "renderers/DrawHarness.h"
@@ -198,7 +199,7 @@ TEST_F(CameraStack, IsTheSingleCamerasFrameWhereNothingInItIsAnOverlay)
     EXPECT_EQ(ReportedPasses(stacked), ReportedPasses(alone));
     EXPECT_THAT(alone.report.notes, IsEmpty());
     EXPECT_THAT(stacked.report.notes,
-                ElementsAre("camera 1 of the cameraStack is not drawn: its renderType is Base"));
+                ElementsAre(Mentions("camera 1", "cameraStack", "renderType is Base")));
 }
 
 TEST_F(CameraStack, DrawsBaseCamerasInTheOrderOfTheirWholeDepths)
@@ -258,19 +259,20 @@ TEST_F(CameraStack, RefusesWhatCannotBeDrawn)
         return ThrownMessage<ContractError>([&] { Render(); });
     };
     m_Camera.renderType = CameraRenderType::Overlay;
-    EXPECT_EQ(message(), "RenderSingleCamera: the camera's renderType is Overlay; it is drawn by a "
-                         "base camera that has it in its cameraStack");
+    EXPECT_THAT(message(), Mentions("RenderSingleCamera", "renderType is Overlay", "base camera",
+                                    "cameraStack"));
     m_Camera.renderType = CameraRenderType::Base;
     m_Camera.cameraStack.push_back(nullptr);
-    EXPECT_EQ(message(), "RenderSingleCamera: a camera of the cameraStack is null");
+    EXPECT_THAT(message(), Mentions("RenderSingleCamera", "cameraStack", "null"));
     m_Camera.cameraStack.clear();
     m_Camera.targetTexture = std::make_shared<const RenderTexture>(
         "shadows", RenderTextureDescriptor(8, 8, GraphicsFormat::D32_SFloat));
-    EXPECT_EQ(message(), "RenderSingleCamera: the camera's targetTexture 'shadows' is a depth "
-                         "texture; it must be a colour");
+    EXPECT_THAT(message(), Mentions("RenderSingleCamera", "targetTexture 'shadows'",
+                                    "depth texture", "colour"));
     const Camera* none[] = {nullptr};
-    EXPECT_EQ(ThrownMessage<ContractError>([&] { m_Pipeline.Render(m_Renderer, m_Request, none); }),
-              "Render: one of the cameras is null");
+    EXPECT_THAT(
+        ThrownMessage<ContractError>([&] { m_Pipeline.Render(m_Renderer, m_Request, none); }),
+        Mentions("Render:", "cameras", "null"));
 }
 
 TEST_F(CameraStack, IsCleanedUpWhereItsFirstCameraThrows)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <limn/core/CoreUtils.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "pipeline/PipelineTest.h"
 #include "pipeline/RendererHarness.h"
@@ -184,13 +185,12 @@ TEST_F(ColorSwaps, NeedAMaterialAndARendererWithASecondColor)
     };
     Add(300, [&](const SwappingPass& self, CommandBuffer& cmd, RenderingData& data)
         { self.Blit(cmd, data, material); });
-    EXPECT_THAT(message([&] { Render(); }), HasSubstr("a draw needs a material, but it is null"));
+    EXPECT_THAT(message([&] { Render(); }), test::Mentions("draw", "material", "null"));
     material = m_Reads;
     test::Log log;
     test::RendererHarness harness;
     harness.AddFeature("f", log, {&pass});
-    EXPECT_THAT(message([&] { harness.Render(); }),
-                HasSubstr("Blit(cmd, renderingData, material): the renderer has no second colour"));
+    EXPECT_THAT(message([&] { harness.Render(); }), test::Mentions("Blit(", "no second colour"));
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "pipeline/PipelineTest.h"
 
 namespace limn::test
@@ -93,9 +94,8 @@ TEST_F(HdrPrecision, Is64BitsWithANoteWhereTheDeviceCannotDrawOrBlend32)
         UniversalRenderPipeline pipeline(device);
         pipeline.hdrColorBufferPrecision = HDRColorBufferPrecision::_32Bits;
         EXPECT_EQ(FormatOf(pipeline), GraphicsFormat::R16G16B16A16_SFloat);
-        EXPECT_THAT(m_Notes, ElementsAre("the camera's colour has 64 bits a pixel in place of 32 "
-                                         "(hdrColorBufferPrecision): the device cannot draw and "
-                                         "blend B10G11R11_UFloatPack32"));
+        EXPECT_THAT(m_Notes, ElementsAre(Mentions("64 bits", "32", "hdrColorBufferPrecision",
+                                                  "device", "B10G11R11_UFloatPack32")));
         m_Camera.allowHDR = false;
         FormatOf(pipeline);
         EXPECT_THAT(m_Notes, IsEmpty()) << "an LDR camera asks for none";

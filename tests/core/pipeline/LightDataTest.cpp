@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <limn/core/UniversalFrameData.h>
 
+#include "Mentions.h"
 #include "pipeline/PipelineTest.h"
 
 namespace limn::test
@@ -257,9 +258,9 @@ TEST_F(LightDataOfAFrame, SaysHowManyAnObjectMayHave)
     for (const int count : {-1, 9})
     {
         m_Pipeline.maxAdditionalLightsCount = count;
-        EXPECT_THAT([&] { Render(); }, testing::ThrowsMessage<ContractError>(
-                                           "UniversalRenderPipeline: maxAdditionalLightsCount is " +
-                                           std::to_string(count) + "; it must be from 0 to 8"));
+        EXPECT_THAT([&] { Render(); },
+                    testing::ThrowsMessage<ContractError>(
+                        Mentions("maxAdditionalLightsCount", std::to_string(count), "0 to 8")));
     }
 }
 

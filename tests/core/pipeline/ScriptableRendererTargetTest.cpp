@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "pipeline/RendererHarness.h"
 
@@ -13,6 +14,7 @@ namespace
 
 using test::Log;
 using test::LoggingPass;
+using test::Mentions;
 using testing::IsEmpty;
 
 /// A pass that does what a test says when it is set up.
@@ -58,18 +60,17 @@ TEST_F(ScriptableRendererTargets, DoNotExistWhenFeaturesAddPasses)
     m_Harness.renderer.AddFeature(std::make_unique<AddFeature>(
         [](RenderingData& data)
         { static_cast<void>(data.cameraData.renderer->cameraColorTargetHandle()); }));
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
-              "cameraColorTargetHandle exists only while passes are set up and executed; read it "
-              "in OnCameraSetup, not in AddRenderPasses");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
+        Mentions("cameraColorTargetHandle", "only while", "OnCameraSetup", "AddRenderPasses"));
 }
 
 TEST_F(ScriptableRendererTargets, DoNotExistOutsideRendering)
 {
     m_Harness.Render();
-    EXPECT_EQ(
+    EXPECT_THAT(
         test::ThrownMessage<ContractError>([&] { m_Harness.renderer.cameraDepthTargetHandle(); }),
-        "cameraDepthTargetHandle exists only while passes are set up and executed; read it "
-        "in OnCameraSetup, not in AddRenderPasses");
+        Mentions("cameraDepthTargetHandle", "only while", "OnCameraSetup", "AddRenderPasses"));
 }
 
 TEST_F(ScriptableRendererTargets, ExistFromOnCameraSetupOn)
@@ -216,9 +217,8 @@ TEST_F(ScriptableRendererTargets, AcceptADepthTextureInThePlaceOfTheColor)
 TEST_F(ScriptableRendererTargets, CannotBeEmptyHandles)
 {
     m_Pass.ConfigureTarget(RTHandle());
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { RenderWith({&m_Pass}); }),
-              "pass 'pass': ConfigureTarget was given empty handles; allocate them in "
-              "OnCameraSetup");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { RenderWith({&m_Pass}); }),
+                Mentions("'pass'", "ConfigureTarget", "empty handles", "OnCameraSetup"));
 }
 
 TEST(ScriptableRenderPass, BeginsWithUnitysDefaults)
@@ -266,10 +266,8 @@ TEST(ScriptableRenderPass, DrawsWithOneToSixteenTags)
                     pass.CreateDrawingSettings(tags, data, SortingCriteria::CommonOpaque));
             });
     };
-    EXPECT_EQ(errorOf(0),
-              "CreateDrawingSettings: it was given 0 LightMode tags; 1 to 16 are expected");
-    EXPECT_EQ(errorOf(17),
-              "CreateDrawingSettings: it was given 17 LightMode tags; 1 to 16 are expected");
+    EXPECT_THAT(errorOf(0), Mentions("CreateDrawingSettings", "0 LightMode tags", "1 to 16"));
+    EXPECT_THAT(errorOf(17), Mentions("CreateDrawingSettings", "17 LightMode tags", "1 to 16"));
 }
 
 } // namespace

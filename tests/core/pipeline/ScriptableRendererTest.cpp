@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <stdexcept>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "pipeline/RendererHarness.h"
 
@@ -12,6 +13,7 @@ namespace
 
 using test::Log;
 using test::LoggingPass;
+using test::Mentions;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -132,9 +134,8 @@ TEST_F(ScriptableRendererOrder, NamesAPassWithoutAName)
     GlowPass pass;
     pass.ConfigureTarget(RTHandle());
     m_Harness.AddFeature("f", m_Log, {&pass});
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
-              "pass 'GlowPass': ConfigureTarget was given empty handles; allocate them in "
-              "OnCameraSetup");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { m_Harness.Render(); }),
+                Mentions("'GlowPass'", "ConfigureTarget", "empty handles", "OnCameraSetup"));
 }
 
 /// A feature that sets its pass up from outside, as Unity's do.
@@ -210,8 +211,7 @@ TEST_F(ScriptableRendererOrder, CallsNothingOfAnInactiveFeatureAndSaysSo)
     m_Harness.Render();
     EXPECT_THAT(m_Log, IsEmpty());
     EXPECT_THAT(ExecutedPasses(), IsEmpty());
-    EXPECT_THAT(m_Harness.report.notes,
-                ElementsAre("Outline: it is not drawn; the feature is inactive"));
+    EXPECT_THAT(m_Harness.report.notes, ElementsAre(Mentions("Outline", "not drawn", "inactive")));
 }
 
 TEST_F(ScriptableRendererOrder, CreatesAFeatureOnceWhenItIsAdded)

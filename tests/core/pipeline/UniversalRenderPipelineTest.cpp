@@ -4,6 +4,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <set>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "frame/FrameBuilder.h"
 #include "pipeline/PipelineTest.h"
@@ -13,6 +14,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 using testing::ElementsAre;
 using testing::UnorderedElementsAre;
@@ -139,8 +142,8 @@ TEST_F(Pipeline, GivesTheDeviceTheFrameThatItReturns)
     const RenderResult result = Render();
     ASSERT_EQ(m_Device.frames().size(), 1u);
     EXPECT_EQ(m_Device.frames()[0].passes.size(), result.frame->passes.size());
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { m_Device.ReadBack(*result.output.rt()); }),
-              "RecordingDevice draws nothing, so 'limn_Output' has no texels to read back");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { m_Device.ReadBack(*result.output.rt()); }),
+                Mentions("RecordingDevice", "draws nothing", "'limn_Output'"));
 }
 
 TEST_F(Pipeline, KeepsItsTexturesBetweenFrames)
@@ -219,18 +222,18 @@ TEST_F(Pipeline, NotesOnceWhatShadersUseThatLimnDoesNotHave)
         test::AddCube(m_Scene, name, {0, 0, 10}, {std::make_shared<Material>(shader)});
         test::AddCube(m_Scene, name, {0, 1, 10}, {std::make_shared<Material>(shader)});
     };
-    const std::string message = ": uses light maps, which limn does not have: they are white";
     add("Test/Baked");
-    EXPECT_THAT(Render().report.notes, ElementsAre("shader 'Test/Baked'" + message));
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre(Mentions("'Test/Baked':", "light maps", "white")));
     for (const char* name : {"B", "C", "D"})
     {
         add(name);
     }
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("shader 'Test/Baked' (and 'B', 'C', 'D')" + message));
+                ElementsAre(Mentions("'Test/Baked'", "'B', 'C', 'D')", "light maps")));
     add("E");
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("shader 'Test/Baked' (and 'B', 'C', 'D', …)" + message));
+                ElementsAre(Mentions("'Test/Baked'", "'B', 'C', 'D', …)", "light maps")));
 }
 
 TEST_F(Pipeline, RendersAnOrthographicCameraWithAPlaneAtZero)
@@ -252,16 +255,16 @@ TEST_F(Pipeline, RefusesACameraThatIsNowhere)
 TEST_F(Pipeline, RefusesARequestThatCannotBeRendered)
 {
     m_Request.width = 0;
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
-              "RenderSingleCamera: the size is 0x32; both must be greater than 0");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { Render(); }),
+                Mentions("RenderSingleCamera", "0x32", "greater than 0"));
     m_Request.width = 64;
     m_Request.alsoReadBack = {RTHandle()};
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
-              "RenderSingleCamera: alsoReadBack[0] is an empty handle");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { Render(); }),
+                Mentions("RenderSingleCamera", "alsoReadBack[0]", "empty"));
     m_Request.alsoReadBack.clear();
     m_Request.scene = nullptr;
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Render(); }),
-              "RenderSingleCamera: scene and camera must be given");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { Render(); }),
+                Mentions("RenderSingleCamera", "scene and camera"));
     EXPECT_TRUE(m_Device.frames().empty());
 }
 
@@ -347,12 +350,11 @@ TEST_F(Pipeline, SaysWhatIsBeyondAFloat)
     Transform huge;
     huge.localScale = glm::vec3(1e30f);
     test::AddCube(m_Scene, "Moon", {0, 0, 1e10f}, {}).transform.parent = &huge;
-    const std::string reason =
-        " is drawn: a position or size in the world exceeds the range of a float, 3.4e38";
-    EXPECT_THAT(Render().report.notes, ElementsAre("object 'Moon': nothing of it" + reason));
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre(Mentions("'Moon':", "nothing", "float", "3.4e38")));
     test::AddCube(m_Scene, "Mars", {0, 1e10f, 0}, {}).transform.parent = &huge;
     EXPECT_THAT(Render().report.notes,
-                ElementsAre("object 'Moon' and 1 more: nothing of them" + reason));
+                ElementsAre(Mentions("'Moon' and 1", "nothing", "float", "3.4e38")));
 }
 
 TEST_F(Pipeline, KeepsTheTimeInDoubleUntilAShaderGetsIt)

@@ -4,6 +4,7 @@
 #include <limn/core/CoreUtils.h>
 #include <limn/core/RenderTexturePool.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "renderers/DrawHarness.h"
 
@@ -11,6 +12,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 using Target = GraphicsBuffer::Target;
 using testing::ElementsAre;
@@ -68,26 +71,22 @@ TEST_F(BufferCopies, ReadTheOneBufferAndWriteTheOther)
 TEST_F(BufferCopies, AreRefusedAsUnitysDocumentationHasIt)
 {
     EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(nullptr, m_To); }), "CopyBuffer: the buffer is null");
-    EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(m_From, m_From); }),
-              "CopyBuffer from 'from' to 'from': source and destination are the same buffer; copy "
-              "between two");
+    EXPECT_THAT(Error([&] { m_Cmd.CopyBuffer(m_From, m_From); }),
+                Mentions("CopyBuffer", "'from'", "'from'", "same buffer"));
     const auto shorter = BufferOf(Target::Structured | Target::CopyDestination, 7, "shorter");
-    EXPECT_EQ(Error([&] { m_Cmd.CopyBuffer(m_From, shorter); }),
-              "CopyBuffer from 'from' to 'shorter': they have 32 bytes and 28; both must have the "
-              "same number");
-    EXPECT_THAT(Error([&] { m_Cmd.CopyBuffer(m_To, m_From); }),
-                HasSubstr("the first must be made with GraphicsBuffer::Target::CopySource, the "
-                          "second with CopyDestination"));
-    EXPECT_EQ(
-        Error([&] { m_Cmd.CopyCounterValue(m_From, m_To, 0); }),
-        "CopyCounterValue: 'from' has no counter; only the targets Append and Counter have one");
+    EXPECT_THAT(Error([&] { m_Cmd.CopyBuffer(m_From, shorter); }),
+                Mentions("CopyBuffer", "'from'", "'shorter'", "32 bytes", "28", "same number"));
+    EXPECT_THAT(
+        Error([&] { m_Cmd.CopyBuffer(m_To, m_From); }),
+        Mentions("first", "GraphicsBuffer::Target::CopySource", "second", "CopyDestination"));
+    EXPECT_THAT(Error([&] { m_Cmd.CopyCounterValue(m_From, m_To, 0); }),
+                Mentions("CopyCounterValue", "'from'", "no counter", "Append", "Counter"));
     const auto counted = BufferOf(Target::Append, 4, "counted");
     for (const std::uint32_t place : {2u, 32u, 0xfffffffcu})
     {
-        EXPECT_EQ(
-            Error([&] { m_Cmd.CopyCounterValue(counted, m_To, place); }),
-            "CopyCounterValue to byte " + std::to_string(place) +
-                " of 'to', which has 32 bytes; the counter takes four bytes at a multiple of 4");
+        EXPECT_THAT(Error([&] { m_Cmd.CopyCounterValue(counted, m_To, place); }),
+                    Mentions("CopyCounterValue", "byte " + std::to_string(place), "'to'",
+                             "32 bytes", "multiple of 4"));
     }
     m_Cmd.CopyCounterValue(counted, m_To, 28);
     EXPECT_EQ(m_Cmd.commands().size(), 1u);
@@ -140,13 +139,13 @@ TEST(ComputeParams, AreRefusedWithoutAMaterialOrKernel)
 {
     const auto shader = ComputeShader::FromText(k_Kernels, "Params.compute", test::Compiler());
     CommandBuffer cmd;
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { cmd.SetComputeParamsFromMaterial(shader, 0, nullptr); }),
-              "SetComputeParamsFromMaterial of 'Params': the material is null");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { cmd.SetComputeParamsFromMaterial(shader, 0, nullptr); }),
+                Mentions("SetComputeParamsFromMaterial", "'Params'", "material", "null"));
     const auto material = std::make_shared<Material>(test::ShaderWithProgram(""));
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { cmd.SetComputeParamsFromMaterial(shader, 2, material); }),
-              "compute shader 'Params' has no kernel 2; it has 2");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { cmd.SetComputeParamsFromMaterial(shader, 2, material); }),
+                Mentions("'Params'", "no kernel 2", "has 2"));
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include <limn/core/DrawError.h>
 #include <limn/core/FrameCompiler.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "renderers/DrawHarness.h"
 
@@ -9,6 +10,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 using Buffer = std::shared_ptr<GraphicsBuffer>;
 
@@ -49,28 +52,26 @@ protected:
 
 TEST_F(IndirectDraws, SayWhatIsWrongWithTheirBuffer)
 {
-    EXPECT_EQ(Message(nullptr),
-              "DrawMeshInstancedIndirect needs a buffer with its arguments, but it is null");
-    EXPECT_EQ(Message(MakeBuffer(GraphicsBuffer::Target::Structured)),
-              "DrawMeshInstancedIndirect: buffer 'Args' is not made with "
-              "GraphicsBuffer::Target::IndirectArguments");
+    EXPECT_THAT(Message(nullptr), Mentions("DrawMeshInstancedIndirect", "buffer", "null"));
+    EXPECT_THAT(Message(MakeBuffer(GraphicsBuffer::Target::Structured)),
+                Mentions("DrawMeshInstancedIndirect", "'Args'",
+                         "GraphicsBuffer::Target::IndirectArguments"));
     const auto part = [](const std::string& offset)
     {
-        return "DrawMeshInstancedIndirect: the arguments are 20 bytes from byte " + offset +
-               " of buffer 'Args', which has 20 bytes; they must begin at a multiple of 4 and end "
-               "within the buffer";
+        return Mentions("DrawMeshInstancedIndirect", "20 bytes", "byte " + offset, "'Args'",
+                        "20 bytes", "multiple of 4");
     };
-    EXPECT_EQ(Message(m_Args, 4), part("4"));
-    EXPECT_EQ(Message(m_Args, -4), part("-4"));
-    EXPECT_EQ(Message(m_Args, 2), part("2"));
+    EXPECT_THAT(Message(m_Args, 4), part("4"));
+    EXPECT_THAT(Message(m_Args, -4), part("-4"));
+    EXPECT_THAT(Message(m_Args, 2), part("2"));
     CommandBuffer cmd;
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { cmd.DispatchCompute(MakeKernel(""), 0, m_Args, 12); }),
-              "DispatchCompute: the arguments are 12 bytes from byte 12 of buffer 'Args', which "
-              "has 20 bytes; they must begin at a multiple of 4 and end within the buffer");
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { cmd.DrawMeshInstancedProcedural(m_Mesh, 0, m_Material, 0, -1); }),
-              "DrawMeshInstancedProcedural: the instance count -1 is negative");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([&]
+                                           { cmd.DispatchCompute(MakeKernel(""), 0, m_Args, 12); }),
+        Mentions("DispatchCompute", "12 bytes", "byte 12", "'Args'", "20 bytes", "multiple of 4"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { cmd.DrawMeshInstancedProcedural(m_Mesh, 0, m_Material, 0, -1); }),
+                Mentions("DrawMeshInstancedProcedural", "instance count -1", "negative"));
     EXPECT_TRUE(cmd.commands().empty());
 }
 
@@ -82,8 +83,8 @@ TEST_F(IndirectDraws, FindAReleasedBufferWhenTheyAreExecuted)
     m_Args->Release();
     RenderReport report;
     ScriptableRenderContext context(report);
-    EXPECT_EQ(test::ThrownMessage<DrawError>([&] { context.ExecuteCommandBuffer(cmd); }),
-              "material 'Test/Program': the buffer of its arguments, 'Args', is released");
+    EXPECT_THAT(test::ThrownMessage<DrawError>([&] { context.ExecuteCommandBuffer(cmd); }),
+                Mentions("'Test/Program'", "arguments", "'Args'", "released"));
 }
 
 /// What a frame with a kernel that writes the arguments, and two draws with them, compiles to.

@@ -2,6 +2,7 @@
 #include <limn/base/Diagnostic.h>
 #include <limn/core/RenderStateBlock.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
@@ -135,12 +136,12 @@ TEST(RenderStateBlock, RefusesNumbersThatNoStencilHas)
 {
     RenderStateBlock block(RenderStateMask::Stencil);
     block.stencilReference = 256;
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Override(Authored(), block); }),
-              "RenderStateBlock: stencilReference is 256; it must be within 0...255");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { Override(Authored(), block); }),
+                test::Mentions("RenderStateBlock", "stencilReference", "256", "0...255"));
     block.stencilReference = 0;
     block.stencilState.readMask = -1;
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { Override(Authored(), block); }),
-              "RenderStateBlock: stencilState.readMask is -1; it must be within 0...255");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { Override(Authored(), block); }),
+                test::Mentions("RenderStateBlock", "stencilState.readMask", "-1", "0...255"));
 }
 
 } // namespace

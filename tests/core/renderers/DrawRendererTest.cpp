@@ -2,6 +2,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "renderers/DrawHarness.h"
 
@@ -9,6 +10,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 /// What CommandBuffer::DrawRenderer comes to in a frame.
 class DrawRendererCalls : public testing::Test
@@ -132,18 +135,17 @@ TEST_F(DrawRendererCalls, RefuseWhatIsNotThere)
         return message;
     };
     GameObject& cube = AddCube();
-    EXPECT_EQ(errorOf(m_Scene.Add("Empty"), m_Material, 0, -1),
-              "DrawRenderer: the object 'Empty' has no renderer");
-    EXPECT_EQ(errorOf(cube, nullptr, 0, -1), "a draw needs a material, but it is null");
-    EXPECT_EQ(errorOf(cube, m_TwoPasses, 0, 2),
-              "material 'Two': shader 'Test/Two' has no pass 2; it has 2");
-    EXPECT_EQ(errorOf(cube, m_TwoPasses, 0, -2),
-              "material 'Two': shader 'Test/Two' has no pass -2; it has 2");
-    const std::string mesh = "mesh '" + test::Cube()->name() + "' has no sub-mesh ";
-    EXPECT_EQ(errorOf(cube, m_Material, 1, -1), mesh + "1; it has 1");
+    EXPECT_THAT(errorOf(m_Scene.Add("Empty"), m_Material, 0, -1),
+                Mentions("DrawRenderer", "'Empty'", "no renderer"));
+    EXPECT_THAT(errorOf(cube, nullptr, 0, -1), Mentions("draw", "material", "null"));
+    EXPECT_THAT(errorOf(cube, m_TwoPasses, 0, 2),
+                Mentions("'Two'", "'Test/Two'", "no pass 2", "has 2"));
+    EXPECT_THAT(errorOf(cube, m_TwoPasses, 0, -2),
+                Mentions("'Two'", "'Test/Two'", "no pass -2", "has 2"));
+    EXPECT_THAT(errorOf(cube, m_Material, 1, -1),
+                Mentions("'" + test::Cube()->name() + "'", "no sub-mesh 1", "has 1"));
     cube.transform.localPosition.x = HUGE_VALF;
-    EXPECT_EQ(errorOf(cube, m_Material, 0, -1),
-              "material 'Paint': the matrix of the draw is not finite");
+    EXPECT_THAT(errorOf(cube, m_Material, 0, -1), Mentions("'Paint'", "matrix", "not finite"));
 }
 
 } // namespace limn

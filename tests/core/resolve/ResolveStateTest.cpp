@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "scene/TestScene.h"
 
@@ -7,6 +8,8 @@ namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 /// A material of a shader whose only pass has this fixed state.
 class ResolvedState : public testing::Test
@@ -109,21 +112,18 @@ TEST_F(ResolvedState, TakesAReferenceThatTheMaterialLacksFromTheGlobals)
 TEST_F(ResolvedState, RefusesAReferenceThatNobodySet)
 {
     Make("ZTest [_Missing]");
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': ZTest [_Missing]: the property is "
-                       "set neither in the material nor globally");
+    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "ZTest [_Missing]", "neither",
+                                  "material", "globally"));
 }
 
 TEST_F(ResolvedState, RefusesANumberThatIsNoMemberOfTheEnum)
 {
     Make("Blend [_Src] Zero", "_Src (\"\", Float) = 11");
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Blend [_Src]: the property is 11, "
-                       "which is outside 0...10");
+    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "Blend [_Src]", "11", "0...10"));
     Make("Cull [_Cull]", "_Cull (\"\", Float) = -1");
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Cull [_Cull]: the property is -1, "
-                       "which is outside 0...2");
+    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "Cull [_Cull]", "-1", "0...2"));
     Make("Stencil { Ref [_Ref] }", "_Ref (\"\", Float) = 256");
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Ref [_Ref]: the property is 256, "
-                       "which is outside 0...255");
+    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "Ref [_Ref]", "256", "0...255"));
 }
 
 TEST_F(ResolvedState, SaysWhichPassIsMeant)
@@ -160,10 +160,9 @@ TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)
         for (const int outside : {-1, one.highest + 1})
         {
             Make(one.state, "_P (\"\", Float) = " + std::to_string(outside));
-            EXPECT_EQ(Error(),
-                      "material 'Glass', shader 'Test/State': " + std::string(one.command) +
-                          " [_P]: the property is " + std::to_string(outside) +
-                          ", which is outside 0..." + std::to_string(one.highest));
+            EXPECT_THAT(Error(),
+                        Mentions("'Glass'", "'Test/State'", std::string(one.command) + " [_P]",
+                                 std::to_string(outside), "0..." + std::to_string(one.highest)));
         }
     }
 }
@@ -171,8 +170,7 @@ TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)
 TEST_F(ResolvedState, RefusesValuesThatAreNoNumber)
 {
     Make("Cull [_Cull]", "_Cull (\"\", Vector) = (1, 1, 1, 1)");
-    EXPECT_EQ(Error(), "material 'Glass', shader 'Test/State': Cull [_Cull]: the property is no "
-                       "number");
+    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "Cull [_Cull]", "no number"));
 }
 
 } // namespace

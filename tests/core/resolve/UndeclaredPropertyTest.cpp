@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "pipeline/PipelineTest.h"
 
 namespace limn
@@ -35,11 +36,10 @@ TEST_F(UndeclaredProperty, IsNotedWithTheNearestName)
                                   "Paint");
     EXPECT_THAT(Notes(), IsEmpty());
     material->SetColor("_BaseColour", Color(1.0f, 0.0f, 0.0f));
-    const std::string note =
-        "material 'Paint': '_BaseColour' was set, but shader 'Test/Program' has no such property "
-        "and nothing that was drawn reads it; did you mean '_BaseColor'?";
-    EXPECT_THAT(Notes(), ElementsAre(note));
-    EXPECT_THAT(Notes(), ElementsAre(note)) << "also in the next frame";
+    const auto note = ElementsAre(test::Mentions("'Paint'", "'_BaseColour'", "'Test/Program'",
+                                                 "no such property", "'_BaseColor'"));
+    EXPECT_THAT(Notes(), note);
+    EXPECT_THAT(Notes(), note) << "also in the next frame";
 }
 
 TEST_F(UndeclaredProperty, IsNotedOnceForAllMaterialsOfAShader)
@@ -47,10 +47,9 @@ TEST_F(UndeclaredProperty, IsNotedOnceForAllMaterialsOfAShader)
     const auto shader = test::ShaderWithProgram("_Width(\"\", Float) = 1");
     AddCube(shader, "First")->SetFloat("_Elephant", 1.0f);
     AddCube(shader, "Second")->SetFloat("_Elephant", 2.0f);
-    EXPECT_THAT(Notes(),
-                ElementsAre(testing::AllOf(
-                    testing::HasSubstr("': '_Elephant' was set, but shader 'Test/Program'"),
-                    testing::EndsWith("nothing that was drawn reads it"))));
+    EXPECT_THAT(Notes(), ElementsAre(testing::AllOf(
+                             test::Mentions("'_Elephant'", "'Test/Program'", "no such property"),
+                             testing::Not(testing::HasSubstr("did you mean")))));
 }
 
 TEST_F(UndeclaredProperty, IsNotNotedWhereAProgramReadsIt)

@@ -6,6 +6,7 @@
 #include <random>
 #include <vector>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
@@ -118,8 +119,8 @@ TEST(LookRotation, DoesNotCareHowLongForwardIs)
 
 TEST(LookRotation, RefusesAForwardOfZero)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { LookRotation(glm::vec3(0.0f)); }),
-              "LookRotation: the forward direction is zero");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { LookRotation(glm::vec3(0.0f)); }),
+                test::Mentions("LookRotation", "forward", "zero"));
 }
 
 TEST(Transform, ScalesThenRotatesThenMoves)
@@ -241,8 +242,7 @@ std::string CircleError(const Transform& transform)
 
 TEST(Transform, RefusesParentsThatGoRoundInACircle)
 {
-    const std::string expected = "transform: its parents form a circle; the chain of parents must "
-                                 "end at a transform without a parent";
+    const auto expected = test::Mentions("transform", "parents", "circle");
     for (const std::size_t tail : {0u, 1u, 2u, 3u})
     {
         for (const std::size_t circle : {1u, 2u, 3u, 4u})
@@ -252,7 +252,8 @@ TEST(Transform, RefusesParentsThatGoRoundInACircle)
             {
                 chain[i].parent = i + 1 < chain.size() ? &chain[i + 1] : &chain[tail];
             }
-            EXPECT_EQ(CircleError(chain[0]), expected) << tail << " before a circle of " << circle;
+            EXPECT_THAT(CircleError(chain[0]), expected)
+                << tail << " before a circle of " << circle;
         }
     }
 }

@@ -5,6 +5,7 @@
 #include <limn/core/RenderTexture.h>
 #include <set>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
@@ -219,10 +220,10 @@ TEST(GraphicsFormat, KnowsTheSizeOfATexel)
 
 TEST(GraphicsFormat, HasNoTexelsWhereThereAreNone)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { BytesPerTexel(None); }),
-              "GraphicsFormat None has no texels; a format that limn knows is needed");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { BytesPerTexel(RGBA_BC7_SRGB); }),
-              "GraphicsFormat RGBA_BC7_SRGB is compressed; R8G8B8A8_SRGB would do");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { BytesPerTexel(None); }),
+                test::Mentions("GraphicsFormat None", "no texels"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { BytesPerTexel(RGBA_BC7_SRGB); }),
+                test::Mentions("RGBA_BC7_SRGB", "compressed", "R8G8B8A8_SRGB"));
 }
 
 TEST(GraphicsFormat, CallsThoseWithADInFrontOrAStencilDepth)
@@ -251,11 +252,11 @@ TEST(GraphicsFormat, IsMadeOrRefusedWithAnotherThatWouldDo)
                     testing::StartsWith("texture 'T': the format " + std::string(fact.name)));
         EXPECT_THAT(message, testing::EndsWith(" would do"));
     }
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [] {
-                      const RenderTexture texture("T", {4, 4, R_BC4_SNorm});
-                  }),
-              "texture 'T': the format R_BC4_SNorm is compressed; R8_SNorm would do");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [] {
+                        const RenderTexture texture("T", {4, 4, R_BC4_SNorm});
+                    }),
+                test::Mentions("'T'", "R_BC4_SNorm", "compressed", "R8_SNorm"));
 }
 
 TEST(GraphicsFormat, TellsTheComponentsOfATexel)

@@ -2,6 +2,7 @@
 #include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsFormatUtility.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
@@ -124,9 +125,9 @@ TEST(GraphicsFormatUtility, FindsTheOlderName)
 
 TEST(GraphicsFormatUtility, RefusesBitsThatNoDepthHas)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { Utility::GetDepthStencilFormat(64, 0); }),
-              "GetDepthStencilFormat: it was asked for 64 bits of depth and 0 of stencil; they "
-              "must be 0 to 32 and 0 to 8");
+    EXPECT_THAT(
+        test::ThrownMessage<ContractError>([] { Utility::GetDepthStencilFormat(64, 0); }),
+        test::Mentions("GetDepthStencilFormat", "64 bits", "0 of stencil", "0 to 32", "0 to 8"));
 }
 
 } // namespace limn

@@ -2,6 +2,7 @@
 #include <limn/core/CoreUtils.h>
 #include <limn/core/RenderTexturePool.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "renderers/DrawHarness.h"
 
@@ -102,10 +103,9 @@ TEST_F(HandlesOfIdentifiers, AreTargetsAndSourcesOfCommands)
 
 TEST_F(HandlesOfIdentifiers, CannotBeSourceAndDestination)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [&] { Blitter::BlitCameraTexture(m_Cmd, m_Temp, m_Temp, m_Reads, 0); }),
-              "BlitCameraTexture: 'one identifier' is both source and destination; copy it first, "
-              "and draw from the copy");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { Blitter::BlitCameraTexture(m_Cmd, m_Temp, m_Temp, m_Reads, 0); }),
+                test::Mentions("BlitCameraTexture", "'one identifier'", "both", "copy"));
 }
 
 } // namespace

@@ -3,12 +3,15 @@
 #include <limn/base/Diagnostic.h>
 #include <limn/core/RTHandle.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 
 namespace limn
 {
 namespace
 {
+
+using test::Mentions;
 
 using RenderingUtils::ReAllocateIfNeeded;
 
@@ -84,11 +87,11 @@ TEST(RTHandle, AllocatesPointFilteredAndRepeatingUnlessAskedOtherwise)
 
 TEST(RTHandle, IsNotAllocatedWithASizeBelowOne)
 {
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [] {
-                      MaskHandle({0, 540, GraphicsFormat::R8_UNorm});
-                  }),
-              "texture '_Mask': the size is 0x540; both must be at least 1");
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [] {
+                        MaskHandle({0, 540, GraphicsFormat::R8_UNorm});
+                    }),
+                Mentions("'_Mask'", "0x540", "at least 1"));
 }
 
 TEST(ReAllocateIfNeeded, FillsAnEmptyHandle)
@@ -215,8 +218,8 @@ TEST(ReAllocateIfNeeded, KeepsTheTextureWhenTheDescriptorIsWrong)
     RTHandle handle = MaskHandle();
     RenderTextureDescriptor wrong = k_Mask;
     wrong.msaaSamples = 3;
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { ReAllocateMask(handle, wrong); }),
-              "texture '_Mask': msaaSamples is 3; it must be 1, 2, 4 or 8");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { ReAllocateMask(handle, wrong); }),
+                Mentions("'_Mask'", "msaaSamples", "3", "1, 2, 4 or 8"));
     EXPECT_EQ(handle.rt()->descriptor(), k_Mask);
 }
 
@@ -270,15 +273,14 @@ TEST(ScaledHandles, AreReallocatedWhereTheyHaveToBeOnly)
 
 TEST(ScaledHandles, AreRefusedWithoutASize)
 {
-    EXPECT_EQ(
+    EXPECT_THAT(
         test::ThrownMessage<ContractError>([] { RTHandles::Alloc(glm::vec2(1.0f, 0.0f), k_Mask); }),
-        "RTHandles::Alloc '': the scale factor is 1.000000, 0.000000; both must be greater "
-        "than 0");
-    EXPECT_EQ(test::ThrownMessage<ContractError>(
-                  [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
-              "RTHandles::Alloc '': the scale function is empty");
-    EXPECT_EQ(test::ThrownMessage<ContractError>([] { RTHandles::SetReferenceSize(0, 1); }),
-              "SetReferenceSize: the size is 0x1; both must be greater than 0");
+        Mentions("RTHandles::Alloc", "scale factor", "1.0", "0.0", "greater than 0"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
+                Mentions("RTHandles::Alloc", "scale function", "empty"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>([] { RTHandles::SetReferenceSize(0, 1); }),
+                Mentions("SetReferenceSize", "0x1", "greater than 0"));
 }
 
 TEST(ScaledHandles, TellTheSizeThatTheyHaveForACamera)
