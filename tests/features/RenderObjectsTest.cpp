@@ -12,7 +12,6 @@
 using namespace limn;
 using test::Mentions;
 using testing::ElementsAre;
-using testing::HasSubstr;
 using testing::IsEmpty;
 
 namespace
