@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/RecordingFeature.h"
 #include "features/color_edges/PictureRun.h"
 #include "vulkan/GpuTestFrame.h"
@@ -227,13 +228,10 @@ TEST_F(DepthOfTargetGpu, TheCamerasColourAloneHasNoDepthAndTheReportSaysSo)
         EXPECT_EQ(Texel8(picture, 7, row)[0], 255);
     }
     ASSERT_EQ(m_Notes.size(), 1u);
-    EXPECT_EQ(m_Notes[0],
-              "Blit: pass 0 of shader 'Test/OldBlit' tests the stencil, but the target "
-              "'_CameraColorAttachmentA' has none, so the test passes everywhere. Blit into "
-              "BuiltinRenderTextureType::CameraTarget or into a texture made with "
-              "depthBufferBits, or bind colour and depth and blit to CurrentActive. The camera's "
-              "colour has a depth in URP 7 to 11: where the feature is written for one of those, "
-              "set pipelineVersion to it");
+    EXPECT_THAT(m_Notes[0],
+                Mentions("Blit: pass 0", "'Test/OldBlit'", "stencil", "'_CameraColorAttachmentA'",
+                         "BuiltinRenderTextureType::CameraTarget", "depthBufferBits",
+                         "CurrentActive", "pipelineVersion"));
 }
 
 /// Marks the stencil of a temporary texture by drawing a quad over its left half, then blits where

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/scene/TestScene.h"
 
 #include <gmock/gmock.h>
@@ -114,19 +115,17 @@ TEST_F(FullScreenPass, DrawsNothingWithoutAMaterialAndSaysSo)
     feature->passMaterial = nullptr;
     const RenderResult result = Render();
     EXPECT_THAT(Targets(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
-    EXPECT_THAT(
-        result.report.notes,
-        ElementsAre(
-            "FullScreenPassRendererFeature: it is not drawn; passMaterial is not assigned"));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre(test::Mentions("FullScreenPassRendererFeature", "not drawn",
+                                           "passMaterial", "not assigned")));
 }
 
 TEST_F(FullScreenPass, DrawsNothingWithAPassThatIsNotThereAndSaysSo)
 {
     feature->passIndex = 1;
-    EXPECT_THAT(
-        Render().report.notes,
-        ElementsAre("FullScreenPassRendererFeature: it is not drawn; passIndex is 1, but the "
-                    "material 'Test/Program' has the passes 0...0"));
+    EXPECT_THAT(Render().report.notes,
+                ElementsAre(test::Mentions("FullScreenPassRendererFeature", "not drawn",
+                                           "passIndex is 1", "'Test/Program'", "0...0")));
 }
 
 } // namespace

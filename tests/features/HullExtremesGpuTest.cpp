@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/ThrownMessage.h"
 #include "features/TranslucentScene.h"
 
@@ -124,10 +125,10 @@ TEST_P(HullExtremesGpu, DrawNoBandOfWidthZeroAndNothingElseOfAnEnormousOne)
 TEST_P(HullExtremesGpu, RefuseAWidthThatIsNoNumber)
 {
     ExtremeScene scene(GetParam());
-    EXPECT_EQ(ThrownMessage<ContractError>(
-                  [&] { scene.SetWidth(std::numeric_limits<float>::quiet_NaN()); }),
-              std::string("material '") + GetParam() +
-                  "': property '_OutlineWidth' is not finite; NaN and infinity reach no shader");
+    EXPECT_THAT(
+        ThrownMessage<ContractError>([&]
+                                     { scene.SetWidth(std::numeric_limits<float>::quiet_NaN()); }),
+        test::Mentions(std::string("'") + GetParam() + "'", "'_OutlineWidth'", "not finite"));
 }
 
 TEST_P(HullExtremesGpu, FillTheViewFromInsideTheBody)

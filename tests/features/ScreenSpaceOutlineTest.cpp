@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/OutlineScene.h"
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@
 
 using namespace limn;
 using namespace limn::test;
+using test::Mentions;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
@@ -255,8 +257,8 @@ TEST(ScreenSpaceOutlineRenderFeature, EnqueuesNothingAndAllocatesNothingWhenTheV
                 ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"));
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes,
-                ElementsAre("Screen Space Outline: it is not drawn; a volume sets "
-                            "ScreenSpaceOutline.m_Enable to false"));
+                ElementsAre(Mentions("Screen Space Outline", "not drawn", "a volume",
+                                     "ScreenSpaceOutline.m_Enable", "false")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
@@ -266,8 +268,8 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatNoVolumeEnablesIt)
     const RenderResult result = r.Render(&r.volumes.WithoutVolumes());
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes,
-                ElementsAre("Screen Space Outline: it is not drawn; no volume at the camera sets "
-                            "ScreenSpaceOutline.m_Enable, which is false by default"));
+                ElementsAre(Mentions("Screen Space Outline", "not drawn", "no volume",
+                                     "ScreenSpaceOutline.m_Enable", "default")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, TakesNoVolumeStackForOneWithoutVolumes)
@@ -275,8 +277,8 @@ TEST(ScreenSpaceOutlineRenderFeature, TakesNoVolumeStackForOneWithoutVolumes)
     Rendered r;
     AddOutline(r.renderer);
     EXPECT_THAT(r.Render(nullptr).report.notes,
-                ElementsAre("Screen Space Outline: it is not drawn; no volume at the camera sets "
-                            "ScreenSpaceOutline.m_Enable, which is false by default"));
+                ElementsAre(Mentions("Screen Space Outline", "not drawn", "no volume",
+                                     "ScreenSpaceOutline.m_Enable", "default")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatItsComponentWasNotRegistered)
@@ -285,10 +287,9 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItsComponentWasNotRegistered)
     AddOutline(r.renderer);
     const VolumeComponentRegistry registry;
     const VolumeStack stack = VolumeManager(registry).CreateStack();
-    EXPECT_THAT(
-        r.Render(&stack).report.notes,
-        ElementsAre("Screen Space Outline: it is not drawn; ScreenSpaceOutline was not registered "
-                    "when the camera's volume stack was made"));
+    EXPECT_THAT(r.Render(&stack).report.notes,
+                ElementsAre(Mentions("Screen Space Outline", "not drawn", "ScreenSpaceOutline",
+                                     "not registered")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatItIsInactive)
@@ -298,7 +299,7 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItIsInactive)
     const RenderResult result = r.Render(&r.volumes.With(true, Color::green, 4.0f));
     EXPECT_THAT(TargetNames(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"));
     EXPECT_THAT(result.report.notes,
-                ElementsAre("Screen Space Outline: it is not drawn; the feature is inactive"));
+                ElementsAre(Mentions("Screen Space Outline", "not drawn", "inactive")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysWhyWhenNothingPassesTheFilter)
@@ -307,9 +308,9 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysWhyWhenNothingPassesTheFilter)
     ScreenSpaceOutlineSettings settings = Settings();
     settings.m_LayerMask = LayerMask::Nothing(); // the article's default
     AddOutline(r.renderer, settings);
-    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
-                ElementsAre("Screen Space Outline: 0 of 3 renderers drawn: 3 layer mask; the "
-                            "filter's layerMask is 0 (Nothing)"));
+    EXPECT_THAT(
+        r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+        ElementsAre(Mentions("Screen Space Outline", "0 of 3", "3 layer mask", "layerMask is 0")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)
@@ -318,9 +319,10 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)
     ScreenSpaceOutlineSettings settings = Settings();
     settings.m_ScreenSpaceOutlineShader = nullptr;
     AddOutline(r.renderer, settings);
-    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
-                ElementsAre("Screen Space Outline: it is not drawn; m_ScreenSpaceOutlineShader is "
-                            "not assigned; assign Hidden/ScreenSpaceOutline"));
+    EXPECT_THAT(
+        r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+        ElementsAre(Mentions("Screen Space Outline", "not drawn", "m_ScreenSpaceOutlineShader",
+                             "assign Hidden/ScreenSpaceOutline")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, RefusesRenderingLayer32)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/outline/TechniquePicture.h"
 
 #include <gmock/gmock.h>
@@ -139,8 +140,7 @@ TEST(AutoOutline, ChoosesNothingWhereThereIsNothingToDraw)
     const RenderReport& report = picture.Report();
     EXPECT_THAT(report.choices, IsEmpty());
     EXPECT_THAT(report.notes,
-                ElementsAre("Outline: it is not drawn; 0 of 1 renderer drawn: 1 rendering "
-                            "layer mask"));
+                ElementsAre(Mentions("Outline", "not drawn", "0 of 1", "1 rendering layer mask")));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/OutlineScene.h"
 #include "features/color_edges/FlatPicture.h"
 #include "features/outline/TechniqueFrame.h"
@@ -49,7 +50,7 @@ TEST_F(DepthNormalsFrame, HasTheBuiltInPipelinesTextureMadeForTheArticlesTechniq
 
 struct WhyNoLines
 {
-    const char* note;
+    std::vector<std::string> why;
     SetOutline set;
     std::function<void(OutlineScene&)> change = [](OutlineScene&) {
     };
@@ -57,35 +58,35 @@ struct WhyNoLines
 
 TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
 {
-    const WhyNoLines cases[] = {
-        {"Lines: it is not drawn; no volume at the camera sets DepthNormalsOutline.m_Enable, which "
-         "is "
-         "false by default",
-         {}},
-        {"Lines: it is not drawn; DepthNormalsOutline.m_OutlineWidth is 0",
-         [](DepthNormalsOutline& outline)
-         {
-             outline.m_OutlineWidth.Override(0.0f);
-         }},
-        {"Lines: it is not drawn; DepthNormalsOutline.m_OutlineColor has alpha 0",
-         [](DepthNormalsOutline& outline)
-         {
-             outline.m_OutlineColor.Override(Color::clear);
-         }},
-        {"Lines: it is not drawn; 0 of 3 renderers drawn: 3 layer mask", AsItIs,
-         [](OutlineScene& content)
-         {
-             for (const auto& object : content.scene.objects())
-             {
-                 object->layer = 0;
-             }
-         }},
-        {"Lines: it is not drawn; 0 of 1 renderer drawn: 1 rendering layer mask", AsItIs,
-         [](OutlineScene& content)
-         {
-             content.scene.Find("Torus")->transform.localPosition.x = 1000.0f;
-             content.scene.Find("Cube")->transform.localPosition.x = 1000.0f;
-         }}};
+    const WhyNoLines cases[] = {{{"no volume", "DepthNormalsOutline.m_Enable", "default"}, {}},
+                                {{"DepthNormalsOutline.m_OutlineWidth is 0"},
+                                 [](DepthNormalsOutline& outline)
+                                 {
+                                     outline.m_OutlineWidth.Override(0.0f);
+                                 }},
+                                {{"DepthNormalsOutline.m_OutlineColor", "alpha 0"},
+                                 [](DepthNormalsOutline& outline)
+                                 {
+                                     outline.m_OutlineColor.Override(Color::clear);
+                                 }},
+                                {{"0 of 3", "3 layer mask"},
+                                 AsItIs,
+                                 [](OutlineScene& content)
+                                 {
+                                     for (const auto& object : content.scene.objects())
+                                     {
+                                         object->layer = 0;
+                                     }
+                                 }},
+                                {{"0 of 1", "1 rendering layer mask"},
+                                 AsItIs,
+                                 [](OutlineScene& content)
+                                 {
+                                     content.scene.Find("Torus")->transform.localPosition.x =
+                                         1000.0f;
+                                     content.scene.Find("Cube")->transform.localPosition.x =
+                                         1000.0f;
+                                 }}};
     for (const WhyNoLines& c : cases)
     {
         m_Content = OutlineScene();
@@ -93,8 +94,9 @@ TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
         const RenderResult result = Render(c.set);
         EXPECT_THAT(PassesOf(result),
                     ElementsAre("Draw Opaque Objects", "Draw Transparent Objects", "Final Blit"))
-            << c.note;
-        EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
+            << testing::PrintToString(c.why);
+        EXPECT_THAT(result.report.notes, ElementsAre(testing::AllOf(Mentions("Lines", "not drawn"),
+                                                                    MentionsInOrder(c.why))));
     }
 }
 

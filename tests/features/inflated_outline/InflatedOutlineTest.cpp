@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/inflated_outline/BodiesScene.h"
 #include "features/outline/TechniqueFrame.h"
 
@@ -35,24 +36,23 @@ TEST_F(InflatedOutlineFrame, IsDrawnBeforeWhatIsTransparent)
 
 TEST_F(InflatedOutlineFrame, SaysWhyItDrawsNothing)
 {
-    EXPECT_EQ(
-        "Hull: it is not drawn; no volume at the camera sets InflatedOutline.m_Enable, which is "
-        "false by default",
-        NoteOf({}));
-    EXPECT_EQ("Hull: it is not drawn; InflatedOutline.m_OutlineWidth is 0",
-              NoteOf([](InflatedOutline& outline) { outline.m_OutlineWidth.Override(0.0f); }));
-    EXPECT_EQ(
-        "Hull: it is not drawn; InflatedOutline.m_OutlineColor has alpha 0",
-        NoteOf([](InflatedOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }));
+    EXPECT_THAT(NoteOf({}),
+                Mentions("Hull", "not drawn", "no volume", "InflatedOutline.m_Enable", "default"));
+    EXPECT_THAT(NoteOf([](InflatedOutline& outline) { outline.m_OutlineWidth.Override(0.0f); }),
+                Mentions("Hull", "not drawn", "InflatedOutline.m_OutlineWidth is 0"));
+    EXPECT_THAT(
+        NoteOf([](InflatedOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }),
+        Mentions("Hull", "not drawn", "InflatedOutline.m_OutlineColor", "alpha 0"));
     const auto inMetres = [](InflatedOutline& outline)
     {
         outline.m_WidthUnit.Override(InflatedWidthUnit::Metres);
         outline.m_WidthInMetres.Override(0.0f);
     };
-    EXPECT_EQ("Hull: it is not drawn; InflatedOutline.m_WidthInMetres is 0", NoteOf(inMetres));
+    EXPECT_THAT(NoteOf(inMetres),
+                Mentions("Hull", "not drawn", "InflatedOutline.m_WidthInMetres is 0"));
     m_Settings.m_RenderingLayerMask = 30;
-    EXPECT_EQ("Hull: it is not drawn; 0 of 5 renderers drawn: 5 rendering layer mask",
-              NoteOf([](InflatedOutline&) {}));
+    EXPECT_THAT(NoteOf([](InflatedOutline&) {}),
+                Mentions("Hull", "not drawn", "5 rendering layer mask"));
 }
 
 TEST_F(InflatedOutlineFrame, RefusesAUnitThatThereIsNot)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/OutlineScene.h"
 #include "features/color_edges/FlatPicture.h"
 #include "features/outline/TechniqueFrame.h"
@@ -123,7 +124,7 @@ TEST_F(MaskDifferenceFrame, HasAMaskNoLargerThanTheObjectsNeed)
 
 struct NothingDrawn
 {
-    const char* note;
+    std::vector<std::string> why;
     std::function<void(MaskDifferenceOutline&)> set;
     std::function<void(OutlineScene&)> change = [](OutlineScene&) {
     };
@@ -131,58 +132,56 @@ struct NothingDrawn
 
 TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
 {
-    const NothingDrawn cases[] = {
-        {"Outline: it is not drawn; no volume at the camera sets MaskDifferenceOutline.m_Enable",
-         {}},
-        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineWidth is 0",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.m_OutlineWidth.Override(0.0f);
-         }},
-        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineWidth is 0.25, which rounds to "
-         "no "
-         "pixel",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.m_OutlineWidth.Override(0.25f);
-         }},
-        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineColor has alpha 0",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.m_OutlineColor.Override(Color::clear);
-         }},
-        {"Outline: it is not drawn; MaskDifferenceOutline.m_OutlineColor is black, which adds "
-         "nothing",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.m_OutlineColor.Override(Color::black);
-         }},
-        {"Outline: it is not drawn; every depth is clipped",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.outline_depth_threshold_clip_player.Override(0.0f);
-         }},
-        {"Outline: it is not drawn; every depth is clipped",
-         [](MaskDifferenceOutline& outline)
-         {
-             outline.m_ClipDistance.Override(0.25f);
-         }},
-        {"Outline: it is not drawn; 0 of 0 renderers drawn", Defaults,
-         [](OutlineScene& content)
-         {
-             for (const auto& object : content.scene.objects())
-             {
-                 object->transform.localPosition.x += 1000.0f;
-             }
-         }}};
+    const NothingDrawn cases[] = {{{"no volume", "MaskDifferenceOutline.m_Enable"}, {}},
+                                  {{"MaskDifferenceOutline.m_OutlineWidth is 0"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.m_OutlineWidth.Override(0.0f);
+                                   }},
+                                  {{"MaskDifferenceOutline.m_OutlineWidth is 0.25", "no pixel"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.m_OutlineWidth.Override(0.25f);
+                                   }},
+                                  {{"MaskDifferenceOutline.m_OutlineColor", "alpha 0"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.m_OutlineColor.Override(Color::clear);
+                                   }},
+                                  {{"MaskDifferenceOutline.m_OutlineColor", "black"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.m_OutlineColor.Override(Color::black);
+                                   }},
+                                  {{"every depth", "clipped"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.outline_depth_threshold_clip_player.Override(0.0f);
+                                   }},
+                                  {{"every depth", "clipped"},
+                                   [](MaskDifferenceOutline& outline)
+                                   {
+                                       outline.m_ClipDistance.Override(0.25f);
+                                   }},
+                                  {{"0 of 0"},
+                                   Defaults,
+                                   [](OutlineScene& content)
+                                   {
+                                       for (const auto& object : content.scene.objects())
+                                       {
+                                           object->transform.localPosition.x += 1000.0f;
+                                       }
+                                   }}};
     for (const NothingDrawn& c : cases)
     {
         m_Content = OutlineScene();
         c.change(m_Content);
         const RenderResult result = Render(c.set);
         EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
-            << c.note;
-        EXPECT_THAT(result.report.notes, ElementsAre(testing::StartsWith(c.note)));
+            << testing::PrintToString(c.why);
+        EXPECT_THAT(
+            result.report.notes,
+            ElementsAre(testing::AllOf(Mentions("Outline", "not drawn"), MentionsInOrder(c.why))));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/scene/TestScene.h"
 
 #include <gmock/gmock.h>
@@ -82,7 +83,7 @@ TEST_F(OutlinedObjectsOf, ANonexistentSelectionSayWhatBecameOfTheRenderers)
 {
     settings.m_RenderingLayerMask = 5;
     EXPECT_THAT(Find(OutlineGrouping::Together), ElementsAre());
-    EXPECT_EQ(why, "0 of 6 renderers drawn: 6 rendering layer mask");
+    EXPECT_THAT(why, Mentions("0 of 6", "6 rendering layer mask"));
 }
 
 TEST_F(OutlinedObjectsOf, ACameraWithAMarginAreFoundBesideThePicture)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/inflated_outline/BodiesScene.h"
 #include "features/outline/TechniqueFrame.h"
 
@@ -32,10 +33,8 @@ TEST_F(RimOutlineFrame, IsDrawnBeforeWhatIsTransparent)
 // The width counts where the rim is asked for in pixels.
 TEST_F(RimOutlineFrame, SaysWhyItDrawsNothing)
 {
-    EXPECT_EQ(
-        "Rim: it is not drawn; no volume at the camera sets RimOutline.m_Enable, which is false by "
-        "default",
-        NoteOf({}));
+    EXPECT_THAT(NoteOf({}),
+                Mentions("Rim", "not drawn", "no volume", "RimOutline.m_Enable", "default"));
     const auto withoutWidth = [](RimVariant variant)
     {
         return [variant](RimOutline& outline)
@@ -44,15 +43,14 @@ TEST_F(RimOutlineFrame, SaysWhyItDrawsNothing)
             outline.m_OutlineWidth.Override(0.0f);
         };
     };
-    EXPECT_EQ("Rim: it is not drawn; RimOutline.m_OutlineWidth is 0",
-              NoteOf(withoutWidth(RimVariant::Pixels)));
+    EXPECT_THAT(NoteOf(withoutWidth(RimVariant::Pixels)),
+                Mentions("Rim", "not drawn", "RimOutline.m_OutlineWidth is 0"));
     EXPECT_EQ("", NoteOf(withoutWidth(RimVariant::Soft)));
     EXPECT_EQ("", NoteOf(withoutWidth(RimVariant::Threshold)));
-    EXPECT_EQ("Rim: it is not drawn; RimOutline.m_OutlineColor has alpha 0",
-              NoteOf([](RimOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }));
+    EXPECT_THAT(NoteOf([](RimOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }),
+                Mentions("Rim", "not drawn", "RimOutline.m_OutlineColor", "alpha 0"));
     m_Settings.m_RenderingLayerMask = 30;
-    EXPECT_EQ("Rim: it is not drawn; 0 of 5 renderers drawn: 5 rendering layer mask",
-              NoteOf([](RimOutline&) {}));
+    EXPECT_THAT(NoteOf([](RimOutline&) {}), Mentions("Rim", "not drawn", "5 rendering layer mask"));
 }
 
 TEST_F(RimOutlineFrame, RefusesAVariantThatThereIsNot)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/scene/TestScene.h"
 
 #include <gmock/gmock.h>
@@ -116,7 +117,7 @@ TEST_F(SelectionOutlines, AreNoPassWhereNothingIsSelectedOrSeen)
     EXPECT_FALSE(IsDrawn());
     EXPECT_THAT(
         m_Result.report.notes,
-        ElementsAre("Selection: it is not drawn; 0 of 1 renderer drawn: 1 rendering layer mask"));
+        ElementsAre(test::Mentions("Selection", "not drawn", "0 of 1", "1 rendering layer mask")));
     EXPECT_EQ(m_Result.frame->passes.size(), 1u) << "the camera's";
     cube.renderer->renderingLayerMask = RenderingLayerMask(0x101);
     EXPECT_TRUE(IsDrawn());
@@ -127,7 +128,8 @@ TEST_F(SelectionOutlines, AreNoPassWhereNothingIsSelectedOrSeen)
     m_Component->m_OutlineWidth.Override(0.0f);
     EXPECT_FALSE(IsDrawn());
     EXPECT_THAT(m_Result.report.notes,
-                ElementsAre("Selection: it is not drawn; SelectionOutline.m_OutlineWidth is 0"));
+                ElementsAre(test::Mentions("Selection", "not drawn",
+                                           "SelectionOutline.m_OutlineWidth is 0")));
 }
 
 TEST_F(SelectionOutlines, MakeFramesOfOneStructureWhileTimePasses)

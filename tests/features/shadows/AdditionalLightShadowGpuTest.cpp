@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/shadows/ShadowScene.h"
 
 #include <gmock/gmock.h>
@@ -444,8 +445,8 @@ TEST_F(AdditionalLightShadowGpu, SaysWhichHaveNoRoom)
     Draw(shadows);
     EXPECT_TRUE(HasPass());
     EXPECT_THAT(m_Result.report.notes,
-                testing::Contains("1 lights throw no shadows: shaders have room for 64 squares; a "
-                                  "spot takes 1 and a point 6"));
+                testing::Contains(testing::AllOf(testing::StartsWith("1 light"),
+                                                 Mentions("no shadows", "64 squares"))));
     m_Pipeline.shadows.additionalLightsShadowmapResolution = 32;
     EXPECT_THAT([&] { Draw(shadows); }, testing::ThrowsMessage<ContractError>(testing::HasSubstr(
                                             "additionalLightsShadowmapResolution")));

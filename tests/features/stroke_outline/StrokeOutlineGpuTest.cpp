@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "features/outline/TechniquePicture.h"
 #include "precision/DevicePrecision.h"
 #include "report/measure/UntidyMesh.h"
@@ -381,44 +382,44 @@ TEST_F(StrokeOutlineGpu, ReachesIntoThePictureFromBesideItAndLeavesTheBorderAlon
 
 TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 {
-    const auto expectNothing = [](StrokePicture& picture, const char* why)
+    const auto expectNothing = [](StrokePicture& picture, const std::vector<std::string>& why)
     {
         const RenderResult& result = picture.Render();
         for (const CompiledRenderPass& pass : result.frame->passes)
         {
-            EXPECT_NE(pass.name, "Outline") << why;
+            EXPECT_NE(pass.name, "Outline") << testing::PrintToString(why);
         }
-        ASSERT_EQ(result.report.notes.size(), 1u) << why;
-        EXPECT_EQ(result.report.notes[0], std::string("Outline: it is not drawn; ") + why);
+        EXPECT_THAT(result.report.notes,
+                    testing::ElementsAre(
+                        testing::AllOf(Mentions("Outline", "not drawn"), MentionsInOrder(why))));
     };
     StrokePicture beside(6.0f);
     beside.Add("beside", DiscTriangles({-18.0, 30.4}, 10.0)); // 8 pixels away
-    expectNothing(beside, "0 of 0 renderers drawn: the camera sees no renderer at all");
+    expectNothing(beside, {"0 of 0", "no renderer"});
 
     StrokePicture around(6.0f);
     around.Add("around", CreatePrimitive(PrimitiveType::Sphere)).transform.localScale =
         glm::vec3(500.0f);
-    expectNothing(around, "no silhouette of the objects is within reach of the picture");
+    expectNothing(around, {"no silhouette", "within reach"});
 
     StrokePicture thin(0.0f);
     thin.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(thin, "StrokeOutline.m_OutlineWidth is 0");
+    expectNothing(thin, {"StrokeOutline.m_OutlineWidth is 0"});
 
     StrokePicture hair(1e-30f);
     hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(hair, "StrokeOutline.m_OutlineWidth is less than 0.001953 pixels, which is too "
-                        "little to be seen");
+    expectNothing(hair, {"StrokeOutline.m_OutlineWidth", "less than 0.001953"});
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
     clear.component.m_OutlineColor.Override(Color{1.0f, 1.0f, 1.0f, 0.0f});
-    expectNothing(clear, "StrokeOutline.m_OutlineColor has alpha 0");
+    expectNothing(clear, {"StrokeOutline.m_OutlineColor", "alpha 0"});
 
     StrokeOutlineSettings settings;
     settings.m_RenderingLayerMask = 9;
     StrokePicture unselected(4.0f, settings);
     unselected.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(unselected, "0 of 1 renderer drawn: 1 rendering layer mask");
+    expectNothing(unselected, {"0 of 1", "1 rendering layer mask"});
 }
 
 TEST_F(StrokeOutlineGpu, GrowsWithItsWidthAndStaysWithinItsTexturesOfTheObjectsSize)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <limn/base/FileRoots.h>
@@ -36,10 +37,10 @@ TEST(ReadFile, NamesWhatIsNoFile)
     std::filesystem::create_symlink("/dev/zero", folder.path() / "zeros");
     std::filesystem::create_symlink("circle", folder.path() / "circle");
     EXPECT_EQ(TryReadFile(folder.path() / "none").problem, "there is no such file");
-    EXPECT_EQ(TryReadFile(folder.path()).problem, "is a folder; a file is expected");
-    EXPECT_EQ(TryReadFile(pipe).problem, "is a named pipe; a file is expected");
-    EXPECT_EQ(TryReadFile(folder.path() / "zeros").problem, "is a device; a file is expected");
-    EXPECT_EQ(TryReadFile(folder.path() / "circle").problem, "is a link that leads back to itself");
+    EXPECT_THAT(TryReadFile(folder.path()).problem, test::Mentions("folder", "file"));
+    EXPECT_THAT(TryReadFile(pipe).problem, test::Mentions("named pipe", "file"));
+    EXPECT_THAT(TryReadFile(folder.path() / "zeros").problem, test::Mentions("device", "file"));
+    EXPECT_THAT(TryReadFile(folder.path() / "circle").problem, test::Mentions("link", "itself"));
 }
 
 TEST(ReadFile, RefusesWhatIsTooLongBeforeItReadsIt)
@@ -47,17 +48,15 @@ TEST(ReadFile, RefusesWhatIsTooLongBeforeItReadsIt)
     test::TemporaryFolder folder;
     const auto file = folder.Write("a", "");
     std::filesystem::resize_file(file, std::uintmax_t{1} << 40); // without a byte on the disk
-    EXPECT_EQ(TryReadFile(file).problem,
-              "has 1099511627776 bytes; at most 67108864 (64 MiB) are read");
+    EXPECT_THAT(TryReadFile(file).problem, test::Mentions("1099511627776", "67108864"));
     std::filesystem::resize_file(file, 10);
     EXPECT_EQ(TryReadFile(file, 10).bytes.size(), 10u);
-    EXPECT_EQ(TryReadFile(file, 9).problem, "has 10 bytes; at most 9 are read");
+    EXPECT_THAT(TryReadFile(file, 9).problem, test::Mentions("10 bytes", "9"));
 }
 
 TEST(ReadFile, RefusesWhatIsLongerThanItSays)
 {
-    EXPECT_EQ(TryReadFile("/proc/self/status", 8).problem,
-              "has more than 8 bytes; at most so many are read");
+    EXPECT_THAT(TryReadFile("/proc/self/status", 8).problem, test::Mentions("more than 8"));
     EXPECT_NE(ReadFile("/proc/self/status").find("Name:"), std::string::npos);
 }
 
@@ -70,7 +69,7 @@ TEST(ReadFile, NamesTheFileWhereItIsNeeded)
     }
     catch (const AssetError& error)
     {
-        EXPECT_STREQ(error.what(), "/nowhere/a: error: there is no such file");
+        EXPECT_THAT(error.what(), test::Mentions("/nowhere/a: error", "no such file"));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 #include "core/FileSizeLimit.h"
 
@@ -224,7 +225,7 @@ TEST(WriteFile, WritesToADeviceAndLeavesItThere)
     std::filesystem::create_symlink("/dev/null", folder.path() / "null");
     std::filesystem::create_symlink("/dev/full", folder.path() / "full");
     EXPECT_EQ(WriteMessage(folder.path() / "null"), "");
-    EXPECT_EQ(WriteMessage(folder.path() / "full"), "cannot be written: No space left on device");
+    EXPECT_THAT(WriteMessage(folder.path() / "full"), test::Mentions("written", "No space left"));
     EXPECT_TRUE(std::filesystem::is_character_file(folder.path() / "null"));
     EXPECT_TRUE(std::filesystem::is_character_file(folder.path() / "full"));
 }
@@ -234,7 +235,7 @@ TEST(WriteFile, WritesIntoAPipeThatSomebodyReads)
     test::TemporaryFolder folder;
     const auto pipe = folder.path() / "pipe";
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
-    EXPECT_EQ(WriteMessage(pipe), "cannot be written: nobody reads this pipe");
+    EXPECT_THAT(WriteMessage(pipe), test::Mentions("written", "nobody reads"));
 
     const int reader = open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
     EXPECT_EQ(WriteMessage(pipe), "");
@@ -299,8 +300,8 @@ TEST(WriteFile, TakesNamesAsLongAsTheSystemDoes)
     test::TemporaryFolder folder;
     WriteFile(folder.path() / std::string(255, 'n'), "new");
     EXPECT_EQ(ContentOf(folder.path() / std::string(255, 'n')), "new");
-    EXPECT_EQ(WriteMessage(folder.path() / std::string(256, 'n')),
-              "cannot be written: File name too long");
+    EXPECT_THAT(WriteMessage(folder.path() / std::string(256, 'n')),
+                test::Mentions("written", "name too long"));
 }
 
 TEST(WriteFile, IsNotStoppedByWhatAnotherProcessOfItsNumberLeft)

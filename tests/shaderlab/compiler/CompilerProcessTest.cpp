@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <limn/base/WorkerProcess.h>
@@ -16,7 +17,6 @@ namespace
 {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 using namespace std::chrono_literals;
 
 const std::string k_IsolatedVertex =
@@ -93,8 +93,7 @@ TEST(CompilerProcess, MayDieWhileOthersGoOn)
     {
         others.push_back(std::async(std::launch::async, live));
         EXPECT_THAT(IsolatedMessages(dying, dies),
-                    ElementsAre("1:1: error: program: the HLSL compiler crashes on it: Aborted "
-                                "(signal 6)"));
+                    ElementsAre(test::Mentions("1:1: error: program", "crashes", "Aborted", "6")));
     }
     for (auto& other : others)
     {
@@ -122,8 +121,7 @@ TEST(CompilerProcess, EndsWhenItsTimeIsOver)
     EXPECT_THAT(
         IsolatedMessages(
             compiler, test::Program(k_IsolatedVertex + "float4 frag() : SV_Target { return 1; }")),
-        ElementsAre("1:1: error: program: compiling it takes longer than 1 ms; make it "
-                    "smaller"));
+        ElementsAre(test::Mentions("1:1: error: program", "longer than 1 ms", "smaller")));
 }
 
 } // namespace limn

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@ namespace
 {
 
 using test::CompileMessages;
+using test::Mentions;
 using test::Program;
 using testing::ElementsAre;
 
@@ -104,8 +106,7 @@ TEST(ErrorPlace, OfRecursionIsAFunctionInIt)
     const std::string line = "float F(float a) { return a > 0 ? F(a - 1) : 0; } float4 frag() : "
                              "SV_Target { return F(2); }";
     EXPECT_THAT(FragmentMessages(line),
-                ElementsAre(At(line, "F(float") +
-                            "'F': to the HLSL compiler it calls itself; HLSL has no recursion"));
+                ElementsAre(Mentions(At(line, "F(float") + "'F'", "itself", "recursion")));
 }
 
 TEST(ErrorPlace, OfWhatTheGrammarDoesNotKnowIsTheWordThatIsTooMuch)
@@ -117,9 +118,8 @@ TEST(ErrorPlace, OfWhatTheGrammarDoesNotKnowIsTheWordThatIsTooMuch)
 TEST(ErrorPlace, OfABracketWithoutAnotherIsTheBracket)
 {
     std::string line = "float4 frag() : SV_Target { float a = (1 + 2; return a; }";
-    EXPECT_THAT(
-        FragmentMessages(line),
-        ElementsAre(At(line, "(1") + "'(': a ')' is missing for it before the '}' of line 3"));
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(Mentions(At(line, "(1") + "'('", "')' is missing", "'}' of line 3")));
     line = "float4 frag() : SV_Target { if (true) { return 1; }";
     EXPECT_THAT(FragmentMessages(line),
                 ElementsAre(At(line, "{") + "'{': a '}' is missing for it"));
@@ -145,11 +145,10 @@ TEST(ErrorPlace, OfAMisspeltTypeIsTheType)
 {
     const std::string line =
         "float4 frag() : SV_Target { flaot a = 1; Structure s; return a + _Missing; }";
-    EXPECT_THAT(
-        FragmentMessages(line, "struct Structura { float a; };"),
-        ElementsAre(At(line, "flaot") + "'flaot': unknown type; did you mean 'float'?",
-                    At(line, "Structure") + "'Structure': unknown type; did you mean 'Structura'?",
-                    At(line, "_Missing") + "'_Missing': unknown variable"));
+    EXPECT_THAT(FragmentMessages(line, "struct Structura { float a; };"),
+                ElementsAre(Mentions(At(line, "flaot") + "'flaot'", "type", "'float'"),
+                            Mentions(At(line, "Structure") + "'Structure'", "type", "'Structura'"),
+                            At(line, "_Missing") + "'_Missing': unknown variable"));
 }
 
 TEST(ErrorPlace, OfAValueInAList)
@@ -164,7 +163,7 @@ TEST(ErrorPlace, NeverMeansTheTypeItself)
 {
     const std::string line = "float4 frag() : SV_Target { fixed3 a = 1; return a.xyzz; }";
     EXPECT_THAT(FragmentMessages(line),
-                ElementsAre(At(line, "fixed3") + "'fixed3': unknown type; did you mean 'half3'?"));
+                ElementsAre(Mentions(At(line, "fixed3") + "'fixed3'", "type", "'half3'")));
 }
 
 TEST(ErrorPlace, TakesTypesOfAFunctionForTypes)
@@ -179,28 +178,26 @@ TEST(ErrorPlace, OfALabelIsTheLabelOrWhatIsNoConstantInIt)
     const std::string line =
         "float4 frag() : SV_Target { int k = 1; const int c = 2; default: switch (k) { case k: "
         "case c: case F() + 1: case _Uniform: case d: return 1; } return 1; }";
-    const std::string why = "': the value of a case must be a constant";
     EXPECT_THAT(
         FragmentMessages(line, "int _Uniform; static const int d = 4; int F() { return 1; }"),
-        ElementsAre(At(line, "default") + "'default': it stands outside of a switch",
-                    At(line, "k: ") + "'k" + why, At(line, "F()") + "'F" + why,
-                    At(line, "_Uniform") + "'_Uniform" + why));
+        ElementsAre(Mentions(At(line, "default") + "'default'", "outside", "switch"),
+                    Mentions(At(line, "k: ") + "'k'", "case", "constant"),
+                    Mentions(At(line, "F()") + "'F'", "case", "constant"),
+                    Mentions(At(line, "_Uniform") + "'_Uniform'", "case", "constant")));
 }
 
 TEST(ErrorPlace, OfAConstructorIsItsType)
 {
     const std::string line = "float4 frag() : SV_Target { return float4(float2(1, 2), 3); }";
-    EXPECT_THAT(
-        FragmentMessages(line),
-        ElementsAre(At(line, "float4(") + "'float4': not enough data provided for construction"));
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(Mentions(At(line, "float4(") + "'float4'", "not enough data")));
 }
 
 TEST(ErrorPlace, NamesMethodsOfTexturesAsTheAuthorDoes)
 {
     const std::string line = "Texture2D _T; float4 frag() : SV_Target { return _T.Sampel(1); }";
-    EXPECT_THAT(
-        FragmentMessages(line),
-        ElementsAre(At(line, "Sampel") + "'Sampel': no matching overloaded function found"));
+    EXPECT_THAT(FragmentMessages(line),
+                ElementsAre(Mentions(At(line, "Sampel") + "'Sampel'", "no matching")));
 }
 
 } // namespace

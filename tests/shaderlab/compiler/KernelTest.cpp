@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
@@ -98,14 +99,12 @@ TEST(ComputeDocument, HasAKernelForEachPragma)
 
 TEST(ComputeDocument, IsRefusedWithAllMistakesAtOnce)
 {
-    EXPECT_EQ(ParseErrors("#pragma kernel\n#pragma kernel A\n  #pragma kernel A\n"),
-              (std::vector<std::string>{
-                  "1:1: error: #pragma kernel: it names no function; write '#pragma kernel Name'",
-                  "3:3: error: #pragma kernel: there is a kernel 'A' already; give each a function "
-                  "of its own"}));
-    EXPECT_EQ(ParseErrors("float4 x;\n"),
-              (std::vector<std::string>{" error: file: it has no kernel; '#pragma kernel Name' "
-                                        "names its function"}));
+    EXPECT_THAT(ParseErrors("#pragma kernel\n#pragma kernel A\n  #pragma kernel A\n"),
+                testing::ElementsAre(Mentions("1:1: error: #pragma kernel", "names no function",
+                                              "#pragma kernel Name"),
+                                     Mentions("3:3: error: #pragma kernel", "'A' already")));
+    EXPECT_THAT(ParseErrors("float4 x;\n"),
+                testing::ElementsAre(Mentions(" error: file", "no kernel", "#pragma kernel Name")));
 }
 
 TEST(Kernel, CompilesToValidSpirvWithTheSizeOfItsGroups)
@@ -304,9 +303,8 @@ TEST(Kernel, ReportsMistakesAtTheirPlace)
                              "[numthreads(1, 1, 1)]\nvoid K(uint3 id : SV_DispatchThreadID)\n{\n";
     EXPECT_EQ(KernelErrors(head + "    _Out[0] = missing;\n}\n"),
               (std::vector<std::string>{"t.compute:6:15: error: 'missing': unknown variable"}));
-    EXPECT_EQ(KernelErrors(head + "    _Out[0] = SIZE;\n    absent(2);\n}\n"),
-              (std::vector<std::string>{
-                  "t.compute:7:5: error: 'absent': no matching overloaded function found"}));
+    EXPECT_THAT(KernelErrors(head + "    _Out[0] = SIZE;\n    absent(2);\n}\n"),
+                testing::ElementsAre(Mentions("t.compute:7:5: error: 'absent'", "no matching")));
     EXPECT_EQ(
         KernelErrors(head + "#include \"nowhere.hlsl\"\n#include \"either.hlsl\"\n}\n").size(), 2u)
         << "all at once";
@@ -314,18 +312,17 @@ TEST(Kernel, ReportsMistakesAtTheirPlace)
 
 TEST(Kernel, IsMissedByItsName)
 {
-    EXPECT_EQ(KernelErrors("#pragma kernel Blurr\n[numthreads(1, 1, 1)] void Blur() {}\n"),
-              (std::vector<std::string>{"t.compute:1:1: error: #pragma kernel: there is no "
-                                        "function 'Blurr'; did you mean 'Blur'?"}));
+    EXPECT_THAT(KernelErrors("#pragma kernel Blurr\n[numthreads(1, 1, 1)] void Blur() {}\n"),
+                testing::ElementsAre(Mentions("t.compute:1:1: error: #pragma kernel",
+                                              "no function 'Blurr'", "'Blur'")));
 }
 
 TEST(Kernel, SaysHowManyThreadsItsGroupsHave)
 {
-    EXPECT_EQ(
-        KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
-                     "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
-        (std::vector<std::string>{"t.compute:3:6: error: 'K': a kernel must set the number of "
-                                  "threads of a group; write '[numthreads(8, 8, 1)]' before it"}));
+    EXPECT_THAT(KernelErrors("#pragma kernel K\nRWStructuredBuffer<float> _Out;\n"
+                             "void K(uint3 id : SV_DispatchThreadID) { _Out[0] = 1; }\n"),
+                testing::ElementsAre(Mentions("t.compute:3:6: error: 'K'", "number of threads",
+                                              "[numthreads(8, 8, 1)]")));
 }
 
 // Direct3D 11, cs_5_0: at most 1024 along x and y, 64 along z, and 1024 in all.
@@ -349,12 +346,10 @@ TEST(Kernel, HasGroupsOfAConstantNumberOfThreadsWithinDirect3DsLimits)
     for (const char* threads : {"_N, 1, 1", "- 1, 1, 1", "0, 1, 1", "1, 1, 0", "1025, 1, 1",
                                 "1, 1025, 1", "1, 1, 65", "64, 32, 1", "8, 8", "8, 8, 1, 1"})
     {
-        EXPECT_EQ(KernelErrors(text(threads)),
-                  (std::vector<std::string>{
-                      "t.compute:6:6: error: 'K': a group cannot have [numthreads(" +
-                      std::string(threads) +
-                      ")]; write three constants, 1 to 1024 along x and y and 1 to 64 along z, "
-                      "which make at most 1024 threads"}));
+        EXPECT_THAT(KernelErrors(text(threads)),
+                    testing::ElementsAre(Mentions("t.compute:6:6: error: 'K'",
+                                                  "[numthreads(" + std::string(threads) + ")]",
+                                                  "1 to 1024", "1 to 64", "1024")));
     }
 }
 
@@ -364,9 +359,8 @@ TEST(Kernel, CannotTakeASystemValueInAnArray)
     const std::vector<std::string> errors =
         KernelErrors("RWStructuredBuffer<float> _Out;\n  #pragma kernel K\n[numthreads(1, 1, 1)] "
                      "void K(uint3 id[2] : SV_DispatchThreadID) { _Out[0] = 1; }\n");
-    ASSERT_EQ(errors.size(), 1u);
-    EXPECT_TRUE(errors[0].starts_with("t.compute:2:3: error: K: it cannot be called; "))
-        << errors[0];
+    EXPECT_THAT(errors,
+                testing::ElementsAre(Mentions("t.compute:2:3: error: K", "cannot be called")));
 }
 
 TEST(Kernel, HasNoObjectOfItsOwn)
@@ -375,11 +369,8 @@ TEST(Kernel, HasNoObjectOfItsOwn)
         "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
         "RWStructuredBuffer<float4> _Out;",
         "_Out[0] = mul(unity_ObjectToWorld, float4(0, 0, 0, 1));"));
-    ASSERT_EQ(errors.size(), 1u);
-    EXPECT_NE(errors[0].find("'K': it reads a value that belongs to a draw, such as "
-                             "unity_ObjectToWorld; a kernel draws nothing"),
-              std::string::npos)
-        << errors[0];
+    EXPECT_THAT(errors,
+                testing::ElementsAre(Mentions("'K'", "belongs to a draw", "unity_ObjectToWorld")));
 }
 
 TEST(Kernel, IsRefusedInAPassOfAShader)
@@ -402,9 +393,8 @@ TEST(Kernel, IsRefusedInASentenceWhereTheDeviceHasNone)
     }
     catch (const UnsupportedProgramError& error)
     {
-        EXPECT_EQ(ToString(error.diagnostics().at(0)),
-                  "t.compute:1:1: error: program: it requires 'compute', which this device does "
-                  "not have");
+        EXPECT_THAT(ToString(error.diagnostics().at(0)),
+                    Mentions("t.compute:1:1: error: program", "'compute'", "device"));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@ namespace
 {
 
 using test::CompileMessages;
+using test::Mentions;
 using test::Program;
 using testing::ElementsAre;
 
@@ -118,19 +120,17 @@ TEST(ShaderCompilerError, IsWhatGlslangCrashesOn)
             << statement;
     }
     EXPECT_THAT(messages("return Twice(p)++;"),
-                ElementsAre("t.shader:4:8: error: 'Twice': this is no variable, so '++' cannot "
-                            "change it; put the value into a variable"));
+                ElementsAre(Mentions("t.shader:4:8: error: 'Twice'", "no variable", "'++'",
+                                     "into a variable")));
 }
 
 TEST(ShaderCompilerError, NamesEveryIncludeThatIsMissing)
 {
     EXPECT_THAT(
         CompileMessages(Program("#include \"no.hlsl\"\n\n#include <Packages/x/y.hlsl>\n")),
-        ElementsAre(
-            "t.shader:1: error: #include: there is no file \"no.hlsl\"; limn looks for it beside "
-            "this file, in the project, its packages and the built-in ShaderLibrary",
-            "t.shader:3: error: #include: there is no file \"Packages/x/y.hlsl\"; limn looks for "
-            "it beside this file, in the project, its packages and the built-in ShaderLibrary"));
+        ElementsAre(Mentions("t.shader:1: error: #include", "no file \"no.hlsl\"", "ShaderLibrary"),
+                    Mentions("t.shader:3: error: #include", "no file \"Packages/x/y.hlsl\"",
+                             "ShaderLibrary")));
 }
 
 TEST(ShaderCompilerError, SpellsTypesAsHlslDoes)
@@ -139,8 +139,8 @@ TEST(ShaderCompilerError, SpellsTypesAsHlslDoes)
         CompileMessages(Program("float4 vert(float3 p : POSITION) : SV_Position\n"
                                 "{\n float3 a = float2(1, 2);\n float4x4 m = p;\n"
                                 " return 1; }\nfloat4 frag() : SV_Target { return 1; }")),
-        ElementsAre("t.shader:3:11: error: '=': cannot convert from 'float2' to 'float3'",
-                    "t.shader:4:13: error: '=': cannot convert from 'float3' to 'float4x4'"));
+        ElementsAre(Mentions("t.shader:3:11: error: '='", "convert", "'float2'", "'float3'"),
+                    Mentions("t.shader:4:13: error: '='", "convert", "'float3'", "'float4x4'")));
 }
 
 TEST(ShaderCompilerError, ReportsAMissingSemicolonOnce)
@@ -156,11 +156,13 @@ TEST(ShaderCompilerError, AsksForTheFunctionThatAPragmaNames)
     PassProgram program = Program("float4 Vert(float4 p : POSITION) : SV_Position { return p; }\n");
     program.vertex = {"Vretx", {4, 2}};
     EXPECT_THAT(CompileMessages(program),
-                ElementsAre("t.shader:4:2: error: #pragma vertex: there is no function 'Vretx'"));
+                ElementsAre(testing::AllOf(
+                    Mentions("t.shader:4:2: error: #pragma vertex", "no function 'Vretx'"),
+                    testing::Not(testing::HasSubstr("'Vert'")))));
     program.vertex = {"Vetr", {4, 2}};
     EXPECT_THAT(CompileMessages(program),
-                ElementsAre("t.shader:4:2: error: #pragma vertex: there is no function 'Vetr'; did "
-                            "you mean 'Vert'?"));
+                ElementsAre(Mentions("t.shader:4:2: error: #pragma vertex", "no function 'Vetr'",
+                                     "'Vert'")));
 }
 
 TEST(ShaderCompilerError, AsksForMissingPragmas)
@@ -168,11 +170,10 @@ TEST(ShaderCompilerError, AsksForMissingPragmas)
     PassProgram program = Program("");
     program.vertex = {};
     program.fragment = {};
-    EXPECT_THAT(CompileMessages(program),
-                ElementsAre("t.shader:1:1: error: program: '#pragma vertex' is missing; it names "
-                            "the vertex function",
-                            "t.shader:1:1: error: program: '#pragma fragment' is missing; it names "
-                            "the fragment function"));
+    EXPECT_THAT(
+        CompileMessages(program),
+        ElementsAre(Mentions("t.shader:1:1: error: program", "'#pragma vertex' is missing"),
+                    Mentions("t.shader:1:1: error: program", "'#pragma fragment' is missing")));
 }
 
 TEST(ShaderCompilerError, ReportsSemanticsThatAreMissingDoubledOrOutOfPlace)
@@ -180,24 +181,20 @@ TEST(ShaderCompilerError, ReportsSemanticsThatAreMissingDoubledOrOutOfPlace)
     const std::string frag = "\nfloat4 frag() : SV_Target { return 1; }";
     EXPECT_THAT(
         CompileMessages(Program("float4 vert(float4 p) : SV_Position { return p; }" + frag)),
-        ElementsAre("t.shader:1: error: vert: 'p' has no semantic; write one behind it, as "
-                    "in ': TEXCOORD0'"));
+        ElementsAre(Mentions("t.shader:1: error: vert: 'p'", "no semantic", "': TEXCOORD0'")));
     EXPECT_THAT(
         CompileMessages(Program("\nfloat4 vert(float4 p : SV_Depth) : SV_Position { return "
                                 "p; }" +
                                 frag)),
-        ElementsAre("t.shader:2:20: error: vert: 'p': semantic 'SV_Depth' is not possible at "
-                    "this place"));
+        ElementsAre(Mentions("t.shader:2:20: error: vert: 'p'", "'SV_Depth'", "not possible")));
     EXPECT_THAT(CompileMessages(Program("float4 vert(float4 a : POSITION, float4 b : POSITION) : "
                                         "SV_Position { return a; }" +
                                         frag)),
-                ElementsAre("t.shader:1: error: vert: semantic 'POSITION' is given to two "
-                            "values; each needs its own"));
+                ElementsAre(Mentions("t.shader:1: error: vert", "'POSITION'", "two values")));
     const std::string vert = "\nfloat4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
     EXPECT_THAT(CompileMessages(Program(
                     vert + "float4 frag(out float4 a : SV_Target) : SV_Target { return a = 1; }")),
-                ElementsAre("t.shader:3:8: error: frag: semantic 'SV_TARGET' is given to two "
-                            "values; each needs its own"));
+                ElementsAre(Mentions("t.shader:3:8: error: frag", "'SV_TARGET'", "two values")));
 }
 
 TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)
@@ -206,8 +203,7 @@ TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)
     EXPECT_THAT(CompileMessages(Program("\nstruct A { float4 p : SV_Position; A a; };\n"
                                         "A vert() { A a; return a; }\n" +
                                         frag)),
-                ElementsAre("t.shader:2:38: error: vert: 'a': type 'A' holds too much to cross the "
-                            "border of a stage"));
+                ElementsAre(Mentions("t.shader:2:38: error: vert: 'a'", "'A'", "too much")));
     std::string structs = "\nstruct S0 { float x : A; };\n";
     for (int i = 1; i < 15; ++i)
     {
@@ -216,7 +212,7 @@ TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)
     }
     EXPECT_THAT(
         CompileMessages(Program(structs + "S14 vert() { S14 s; return s; }\n" + frag)).at(0),
-        testing::HasSubstr("holds too much to cross the border of a stage"));
+        Mentions("too much"));
 }
 
 TEST(ShaderCompilerError, RefusesSurfaceShaders)
@@ -224,8 +220,8 @@ TEST(ShaderCompilerError, RefusesSurfaceShaders)
     PassProgram program = Program("");
     program.pragmas = {{{2, 1}, "surface", "surf Lambert"}};
     EXPECT_THAT(CompileMessages(program),
-                ElementsAre("t.shader:2:1: error: #pragma surface: surface shaders are not "
-                            "supported; write a vertex and a fragment function"));
+                ElementsAre(Mentions("t.shader:2:1: error: #pragma surface", "not supported",
+                                     "fragment function")));
 }
 
 TEST(ShaderCompilerError, ReportsDeclarationsThatDoNotEnd)
@@ -250,28 +246,23 @@ TEST(ShaderCompilerError, ReportsEveryNameThatNobodyDeclares)
                 "    if (i.uv.y > 1) discard;\n"
                 "    float2 uv = i.uw * _Scale;\n"
                 "    return Neither(uv) + lerp(uv.x, missing, 1);\n}"));
-    EXPECT_THAT(messages,
-                testing::UnorderedElementsAre(
-                    "t.shader:2:58: error: 'Nowhere': no matching overloaded function found",
-                    "t.shader:7:19: error: 'uw': no such field in structure",
-                    "t.shader:7:24: error: '_Scale': unknown variable",
-                    "t.shader:8:12: error: 'Neither': no matching overloaded function found",
-                    "t.shader:8:37: error: 'missing': unknown variable"));
+    EXPECT_THAT(messages, testing::UnorderedElementsAre(
+                              Mentions("t.shader:2:58: error: 'Nowhere'", "no matching"),
+                              Mentions("t.shader:7:19: error: 'uw'", "no such field"),
+                              "t.shader:7:24: error: '_Scale': unknown variable",
+                              Mentions("t.shader:8:12: error: 'Neither'", "no matching"),
+                              "t.shader:8:37: error: 'missing': unknown variable"));
 }
 
 TEST(ShaderCompilerError, RefusesWhatWouldBeInvalidSpirv)
 {
     // Vulkan takes an offset of a sampled texel only where it is a constant.
-    EXPECT_THAT(
-        CompileMessages(
-            Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+    EXPECT_THAT(CompileMessages(Program(
+                    "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
                     "Texture2D _Map; SamplerState sampler_Map; int2 _Offset;\n"
                     "float4 frag() : SV_Target { return _Map.SampleLevel(sampler_Map, 0, 0, "
                     "_Offset); }")),
-        ElementsAre(testing::AllOf(
-            testing::StartsWith(
-                "t.shader:3:72: error: program: the HLSL compiler makes invalid SPIR-V of it: "),
-            testing::HasSubstr("Offset"))));
+                ElementsAre(Mentions("t.shader:3:72: error: program", "invalid SPIR-V", "Offset")));
 }
 
 TEST(ShaderCompilerError, RefusesWhatIsInvalidOnlyBeforeItIsOptimised)
@@ -281,8 +272,7 @@ TEST(ShaderCompilerError, RefusesWhatIsInvalidOnlyBeforeItIsOptimised)
         CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
                                 "float2x2 Rests(float4 v, float2x2 m) { return frac(v * m); }\n"
                                 "float4 frag() : SV_Target { Rests(1, 2); return 1; }")),
-        ElementsAre(testing::StartsWith(
-            "t.shader:2:52: error: program: the HLSL compiler makes invalid SPIR-V of it: ")));
+        ElementsAre(Mentions("t.shader:2:52: error: program", "invalid SPIR-V")));
 }
 
 TEST(ShaderCompilerError, NamesEachThingThatIsMissingOnALine)
@@ -300,22 +290,20 @@ TEST(ShaderCompilerError, NamesTheFunctionsOfARecursion)
     const std::string vert = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
     EXPECT_THAT(CompileMessages(Program(vert + "float f(float x) { return f(x - 1); }\n"
                                                "float4 frag() : SV_Target { return f(1); }")),
-                ElementsAre("t.shader:2:7: error: 'f': to the HLSL compiler it calls itself; HLSL "
-                            "has no recursion"));
+                ElementsAre(Mentions("t.shader:2:7: error: 'f'", "itself", "recursion")));
     EXPECT_THAT(CompileMessages(Program(vert + "float g(float x);\n"
                                                "float f(float x) { return g(x - 1); }\n"
                                                "float g(float x) { return f(x - 1); }\n"
                                                "float4 frag() : SV_Target { return f(1); }")),
-                ElementsAre("t.shader:3:7: error: 'f': to the HLSL compiler it calls itself by way "
-                            "of 'g'; HLSL has no recursion"));
+                ElementsAre(Mentions("t.shader:3:7: error: 'f'", "itself", "'g'", "recursion")));
 }
 
 TEST(ShaderCompilerError, TellsWhereAnEntryFunctionIsOnlyDeclared)
 {
     EXPECT_THAT(CompileMessages(Program("float4 vert(float4 p : POSITION) : SV_Position;\n"
                                         "float4 frag() : SV_Target { return 1; }")),
-                ElementsAre("t.shader:1:1: error: #pragma vertex: the function 'vert' is only "
-                            "declared, at t.shader:1; write its body"));
+                ElementsAre(Mentions("t.shader:1:1: error: #pragma vertex", "'vert'",
+                                     "only declared", "t.shader:1", "body")));
 }
 
 TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
@@ -324,9 +312,8 @@ TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
                                "HLSLPROGRAM\n"
                                "#include_with_pragmas \"entries.hlsl\"\n"
                                "ENDHLSL } } }"),
-                ElementsAre("t.shader:3:1: error: #include_with_pragmas: there is no file "
-                            "\"entries.hlsl\"; limn looks for it beside this file, in the project, "
-                            "its packages and the built-in ShaderLibrary"));
+                ElementsAre(Mentions("t.shader:3:1: error: #include_with_pragmas",
+                                     "no file \"entries.hlsl\"", "ShaderLibrary")));
 }
 
 std::string Repeat(const std::string& text, int count)
@@ -399,12 +386,9 @@ TEST(ShaderCompilerError, IsReportedWhereTheNestingIsTooDeep)
     };
     for (const auto& [name, code] : expressions)
     {
-        EXPECT_THAT(CompileMessages(Program(InFragment(code))),
-                    ElementsAre(testing::AnyOf(
-                        "t.shader:3: error: HLSL: this is nested more than 500 brackets or 2000 "
-                        "operators deep; take it apart",
-                        "t.shader:3: error: HLSL: this is nested more than 500 brackets deep; take "
-                        "it apart")))
+        EXPECT_THAT(
+            CompileMessages(Program(InFragment(code))),
+            ElementsAre(Mentions("t.shader:3: error: HLSL", "more than 500 brackets", "apart")))
             << name;
     }
     const std::pair<const char*, std::string> structs[] = {
@@ -419,9 +403,8 @@ TEST(ShaderCompilerError, IsReportedWhereTheNestingIsTooDeep)
     for (const auto& [name, declarations] : structs)
     {
         EXPECT_THAT(CompileMessages(Program(InFragment("", declarations))),
-                    ElementsAre(testing::MatchesRegex(
-                        "t.shader:102:[0-9]+: error: HLSL: this is nested more than 100 structs "
-                        "deep; take it apart")))
+                    ElementsAre(Mentions("t.shader:102:", ": error: HLSL", "more than 100 structs",
+                                         "apart")))
             << name;
     }
 }
@@ -433,24 +416,23 @@ TEST(ShaderCompilerError, IsReportedWhereThePreprocessorWouldGoTooDeep)
     {
         return Repeat(open, k_Many) + "1" + Repeat(")", k_Many);
     };
-    const std::string isTooDeep = "HLSL: this is nested more than 500 brackets deep; take it apart";
     for (const std::string& condition :
          {nested("("), Repeat("!", k_Many) + "1", Repeat("- ", k_Many) + "1", nested("defined(")})
     {
         EXPECT_THAT(CompileMessages(Program("\n#if " + condition + "\n#endif\n")),
-                    ElementsAre("t.shader:2: error: " + isTooDeep));
+                    ElementsAre(Mentions("t.shader:2: error: HLSL", "more than 500 brackets")));
     }
     EXPECT_THAT(CompileMessages(Program("#define F(x) x\n\n" + nested("F(") + ";")),
-                ElementsAre("t.shader:3: error: " + isTooDeep));
+                ElementsAre(Mentions("t.shader:3: error: HLSL", "more than 500 brackets")));
     EXPECT_THAT(CompileMessages(Program(Repeat("#if 1\n", k_Many) + Repeat("#endif\n", k_Many))),
-                ElementsAre("t.shader:66: error: '#if': maximum nesting depth exceeded"));
+                ElementsAre(Mentions("t.shader:66: error: '#if'", "nesting depth")));
     test::TemporaryFolder folder;
     folder.Write("deep.hlsl", "\n#if " + nested("(") + "\n#endif\n");
     PassProgram program = Program("#include \"deep.hlsl\"\n");
     program.file = folder.path().generic_string() + "/t.shader";
     EXPECT_THAT(CompileMessages(program),
-                ElementsAre(program.file + ":1: error: #include: \"deep.hlsl\" is nested more than "
-                                           "500 brackets deep in its line 2; take it apart"));
+                ElementsAre(Mentions(program.file + ":1: error: #include", "\"deep.hlsl\"",
+                                     "500 brackets", "line 2")));
 }
 
 TEST(ShaderCompiler, TakesWhatIsLongAndNotDeep)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "hlsl/DialectTestSupport.h"
 
 #include <limn/shaderlab/UnsupportedProgramError.h>
@@ -137,12 +138,10 @@ TEST(HlslOldForms, ReadsOverSamplerStatesWithAWarning)
         {
             return tex2D(_A, i.uv) + tex2D(_B, i.uv) + _V.Sample(_S, i.uv);
         })");
-    const std::string reason =
-        "': the state written here has no effect; filter and wrap modes come "
-        "from the texture, or from the name of a SamplerState";
     EXPECT_THAT(Messages(pass->diagnostics),
-                ElementsAre("8:19: warning: '_A" + reason, "9:17: warning: '_B" + reason,
-                            "10:22: warning: '_S" + reason));
+                ElementsAre(test::Mentions("8:19: warning: '_A'", "no effect", "SamplerState"),
+                            test::Mentions("9:17: warning: '_B'", "no effect", "SamplerState"),
+                            test::Mentions("10:22: warning: '_S'", "no effect", "SamplerState")));
     EXPECT_EQ(pass->layout.textures.size(), 3u);
     ASSERT_EQ(pass->layout.samplers.size(), 1u);
     EXPECT_EQ(pass->layout.samplers[0].name, "_S");
@@ -201,10 +200,8 @@ TEST(HlslOldForms, RefusesTexturesAndBuffersThatItWouldWriteTo)
         catch (const UnsupportedProgramError& error)
         {
             ASSERT_EQ(error.diagnostics().size(), 1u);
-            EXPECT_EQ(error.diagnostics()[0].message,
-                      "'_B': a " + type +
-                          " can be written to, but limn allows that in compute shaders only; in a "
-                          "pass, read a texture or buffer");
+            EXPECT_THAT(error.diagnostics()[0].message,
+                        test::Mentions("'_B'", type, "written to", "compute shaders"));
             EXPECT_EQ(error.diagnostics()[0].location.line, 7);
             EXPECT_GT(error.diagnostics()[0].location.column, 1);
         }
@@ -220,10 +217,10 @@ TEST(HlslOldForms, LetsMacrosBeDefinedAnewWithAWarning)
         #define UNITY_SAMPLE_DEPTH(name) 0.375
         float4 frag(v2f i) : SV_Target { return float4(A(0.25, 0.125), UNITY_SAMPLE_DEPTH(a), B, 1); })",
                                   ProgramLanguage::Cg);
-    EXPECT_THAT(Messages(pass->diagnostics),
-                ElementsAre("8:17: warning: 'A': this #define changes its meaning, from here on",
-                            "11:17: warning: 'UNITY_SAMPLE_DEPTH': this #define changes "
-                            "its meaning, from here on"));
+    EXPECT_THAT(
+        Messages(pass->diagnostics),
+        ElementsAre(test::Mentions("8:17: warning: 'A'", "#define", "changes"),
+                    test::Mentions("11:17: warning: 'UNITY_SAMPLE_DEPTH'", "#define", "changes")));
     EXPECT_THAT(Disassemble(pass->fragmentSpirv),
                 HasSubstr("%v4float %float_0_5 %float_0_375 %float_7 %float_1"));
     // A mistake elsewhere is still one.
@@ -253,7 +250,7 @@ TEST(HlslOldForms, SaysWhatIsWrongWhereAnArgumentDoesNotFitEither)
 {
     EXPECT_THAT(CompileMessages(Program(k_Vertex + R"(float f(float3x3 m) { return m[0].x; }
         float4 frag(v2f i) : SV_Target { return f(i.uv) + f((float4x4)1); })")),
-                ElementsAre("t.shader:8:49: error: 'f': no matching overloaded function found"));
+                ElementsAre(test::Mentions("t.shader:8:49: error: 'f'", "no matching")));
 }
 
 } // namespace

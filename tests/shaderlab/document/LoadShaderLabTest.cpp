@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 namespace limn
@@ -29,31 +30,32 @@ TEST(LoadShaderLab, ReadsAFile)
 
 TEST(LoadShaderLab, SaysThatAFileIsMissing)
 {
-    EXPECT_EQ(LoadMessage("/nowhere/a.shader"), "/nowhere/a.shader: error: there is no such file");
+    EXPECT_THAT(LoadMessage("/nowhere/a.shader"),
+                test::Mentions("/nowhere/a.shader: error", "no such file"));
 }
 
 TEST(LoadShaderLab, SaysThatAFileIsEmpty)
 {
     test::TemporaryFolder folder;
     const auto path = folder.Write("a.shader", "");
-    EXPECT_EQ(LoadMessage(path),
-              path.string() + ": error: file: it is empty; a shader starts with Shader \"name\"");
+    EXPECT_THAT(LoadMessage(path),
+                test::Mentions(path.string() + ": error: file", "empty", "Shader \"name\""));
 }
 
 TEST(LoadShaderLab, SaysThatAFileIsBinary)
 {
     test::TemporaryFolder folder;
     const auto path = folder.Write("a.shader", std::string_view("Shader\0x", 8));
-    EXPECT_EQ(LoadMessage(path),
-              path.string() + ": error: file: it is binary; a shader is a text file in UTF-8");
+    EXPECT_THAT(LoadMessage(path),
+                test::Mentions(path.string() + ": error: file", "binary", "UTF-8"));
 }
 
 TEST(LoadShaderLab, SaysThatAFileIsInUtf16)
 {
     test::TemporaryFolder folder;
     const auto path = folder.Write("a.shader", std::string_view("\xFF\xFES\0h\0", 6));
-    EXPECT_EQ(LoadMessage(path),
-              path.string() + ": error: file: it is in UTF-16; save it in UTF-8");
+    EXPECT_THAT(LoadMessage(path),
+                test::Mentions(path.string() + ": error: file", "UTF-16", "UTF-8"));
 }
 
 TEST(LoadShaderLab, GivesWarningsAndErrorsBesideTheDocument)
@@ -72,8 +74,8 @@ TEST(LoadShaderLab, GivesWarningsAndErrorsBesideTheDocument)
 TEST(LoadShaderLab, SaysThatAFolderCannotBeRead)
 {
     test::TemporaryFolder folder;
-    EXPECT_EQ(LoadMessage(folder.path()),
-              folder.path().string() + ": error: is a folder; a file is expected");
+    EXPECT_THAT(LoadMessage(folder.path()),
+                test::Mentions(folder.path().string() + ": error", "is a folder"));
 }
 
 TEST(LoadShaderLab, ThrowsAllErrorsOfTheFile)
@@ -81,9 +83,9 @@ TEST(LoadShaderLab, ThrowsAllErrorsOfTheFile)
     test::TemporaryFolder folder;
     const auto path =
         folder.Write("a.shader", "Shader \"A\" { SubShader { Pass {\nCull Bak\nZWrite Onn\n} } }");
-    EXPECT_EQ(LoadMessage(path),
-              path.string() + ":2:6: error: Cull: unknown value 'Bak'; did you mean 'Back'?\n" +
-                  path.string() + ":3:8: error: ZWrite: unknown value 'Onn'; did you mean 'On'?");
+    EXPECT_THAT(LoadMessage(path),
+                test::Mentions(path.string() + ":2:6: error: Cull", "'Bak'", "'Back'",
+                               "\n" + path.string() + ":3:8: error: ZWrite", "'Onn'", "'On'"));
 }
 
 } // namespace

@@ -1,3 +1,5 @@
+#include "Mentions.h"
+
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
@@ -51,17 +53,17 @@ TEST(ResolveShader, UsePassTakesTheLastOfEqualNamesInItsPlace)
 TEST(ResolveShader, UsePassOfAnUnknownShaderOrACycleIsAnError)
 {
     const ShaderDatabase database = BaseDatabase();
-    for (const auto& [use, message] :
-         {std::pair("Lib/Bas/ONE", "UsePass: unknown shader 'Lib/Bas'; did you mean 'Lib/Base'?"),
-          std::pair("Lib/Base/BACK", "leads back to itself; name a pass with a program")})
+    using Parts = std::vector<std::string>;
+    for (const auto& [use, parts] :
+         {std::pair("Lib/Bas/ONE", Parts{"UsePass", "unknown shader 'Lib/Bas'", "'Lib/Base'"}),
+          std::pair("Lib/Base/BACK", Parts{"back to itself", "with a program"})})
     {
         const auto user =
             Parse(("Shader \"U\" { SubShader { UsePass \"" + std::string(use) + "\" Pass { } } }")
                       .c_str());
         const ResolvedShader resolved = ResolveShader(*user, &database);
         ASSERT_EQ(resolved.errors.size(), 1U) << use;
-        EXPECT_NE(resolved.errors[0].message.find(message), std::string::npos)
-            << resolved.errors[0].message;
+        EXPECT_THAT(resolved.errors[0].message, test::MentionsInOrder(parts));
     }
 }
 
@@ -80,12 +82,9 @@ TEST(ResolveShader, TakesTheFirstSubShaderOfAPipelineThatSuits)
 
 TEST(ResolveShader, PassesOverATagThatIsOnlyLikeThePipelines)
 {
-    const std::pair<const char*, const char*> cases[] = {
-        {"UniversalPipelin", "; did you mean 'UniversalPipeline'?"},
-        {"universalpipeline", "; did you mean 'UniversalPipeline'?"},
-        {"UniversalPipeline2", "; did you mean 'UniversalPipeline'?"},
-        {"HDRenderPipeline", ""}};
-    for (const auto& [tag, advice] : cases)
+    for (const auto& [tag, isNear] :
+         {std::pair("UniversalPipelin", true), std::pair("universalpipeline", true),
+          std::pair("UniversalPipeline2", true), std::pair("HDRenderPipeline", false)})
     {
         const auto user = Parse(("Shader \"U\" { SubShader { Tags { \"RenderPipeline\" = \"" +
                                  std::string(tag) + "\" } Pass { } } SubShader { Pass { } } }")
@@ -93,9 +92,10 @@ TEST(ResolveShader, PassesOverATagThatIsOnlyLikeThePipelines)
         const ResolvedShader resolved = ResolveShader(*user, nullptr);
         EXPECT_EQ(resolved.subShaderIndex, 1) << tag;
         ASSERT_EQ(resolved.notes.size(), 1U) << tag;
-        EXPECT_EQ(resolved.notes[0].message,
-                  std::string("SubShader 0 is passed over: its RenderPipeline is '") + tag + "'" +
-                      advice);
+        EXPECT_THAT(resolved.notes[0].message,
+                    test::Mentions("SubShader 0", "RenderPipeline", "'" + std::string(tag) + "'"));
+        EXPECT_EQ(resolved.notes[0].message.find("'UniversalPipeline'") != std::string::npos,
+                  isNear);
     }
 }
 
@@ -161,8 +161,9 @@ TEST(ResolveShader, AnUnknownFallbackIsNotedAtItsPlace)
     catch (const AssetError& error)
     {
         ASSERT_EQ(error.diagnostics().size(), 2U);
-        EXPECT_EQ(ToString(error.diagnostics()[1]), "u.shader:3:3: note: Fallback: unknown shader "
-                                                    "'Lib/Bas'; did you mean 'Lib/Base'?");
+        EXPECT_THAT(
+            ToString(error.diagnostics()[1]),
+            test::Mentions("u.shader:3:3: note: Fallback", "unknown", "'Lib/Bas'", "'Lib/Base'"));
     }
 }
 
@@ -186,8 +187,8 @@ TEST(ResolveShader, PassesOverASubShaderAboveTheMaximumLod)
     const ResolvedShader resolved = ResolveShader(*user, nullptr, criteria);
     EXPECT_EQ(resolved.subShaderIndex, 1);
     ASSERT_EQ(resolved.notes.size(), 1U);
-    EXPECT_EQ(resolved.notes[0].message,
-              "SubShader 0 is passed over: its LOD 300 is above the maximum, 200");
+    EXPECT_THAT(resolved.notes[0].message,
+                test::Mentions("SubShader 0", "LOD 300", "maximum", "200"));
 }
 
 TEST(ResolveShader, PassesOverASubShaderWhosePackageRequirementsDoNotHold)
@@ -215,10 +216,8 @@ TEST(ResolveShader, UsePassOfAMissingPassIsAnErrorThatNamesTheNearest)
     const auto user = Parse("Shader \"U\" { SubShader { UsePass \"Lib/Base/ONEE\" Pass { } } }");
     const ResolvedShader resolved = ResolveShader(*user, &database);
     ASSERT_EQ(resolved.errors.size(), 1U);
-    EXPECT_EQ(resolved.errors[0].message.find(
-                  "UsePass: shader 'Lib/Base' has no pass named 'ONEE'; did you mean "),
-              0U)
-        << resolved.errors[0].message;
+    EXPECT_THAT(resolved.errors[0].message,
+                test::Mentions("UsePass", "'Lib/Base'", "no pass", "'ONEE'", "did you mean"));
 }
 
 TEST(ResolveShader, ThrowsWhereFallbacksRunInACircleOrAreOff)

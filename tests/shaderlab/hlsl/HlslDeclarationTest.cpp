@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
@@ -8,8 +9,8 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 const std::string k_PlainVertex = "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n";
 
@@ -104,19 +105,17 @@ TEST(HlslDeclaration, OfAUniformWithATakenNameIsAnError)
         return test::CompileMessages(test::Program(k_PlainVertex + declarations +
                                                    "\nfloat4 frag() : SV_Target { return 1; }"));
     };
-    const std::string message =
-        "error: '_A': this is a redefinition; something else has this name already";
-    EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
-    EXPECT_THAT(messages("Texture2D _A;\nfloat3 _A;"), ElementsAre("t.shader:3:8: " + message));
-    EXPECT_THAT(messages("struct _A { float a; };\nfloat3 _A;"),
-                ElementsAre("t.shader:3:8: " + message));
-    EXPECT_THAT(messages("static float4 _A = 1;\nfloat4 _A;"),
-                ElementsAre("t.shader:3:8: " + message));
-    EXPECT_THAT(messages("float4 _A, _B;\nfloat _A[2], _C;"),
-                ElementsAre("t.shader:3:7: " + message));
-    EXPECT_THAT(messages("cbuffer C { float4 _A; };\nfloat3 _A;"),
-                ElementsAre("t.shader:3:8: " + message));
-    EXPECT_THAT(messages("float4 _A[2];\nfloat4 _A, _B;"), ElementsAre("t.shader:3:8: " + message));
+    const auto redefined = [](const std::string& place)
+    {
+        return ElementsAre(Mentions(place + ": error: '_A'", "redefinition"));
+    };
+    EXPECT_THAT(messages("float4 _A;\nfloat3 _A;"), redefined("t.shader:3:8"));
+    EXPECT_THAT(messages("Texture2D _A;\nfloat3 _A;"), redefined("t.shader:3:8"));
+    EXPECT_THAT(messages("struct _A { float a; };\nfloat3 _A;"), redefined("t.shader:3:8"));
+    EXPECT_THAT(messages("static float4 _A = 1;\nfloat4 _A;"), redefined("t.shader:3:8"));
+    EXPECT_THAT(messages("float4 _A, _B;\nfloat _A[2], _C;"), redefined("t.shader:3:7"));
+    EXPECT_THAT(messages("cbuffer C { float4 _A; };\nfloat3 _A;"), redefined("t.shader:3:8"));
+    EXPECT_THAT(messages("float4 _A[2];\nfloat4 _A, _B;"), redefined("t.shader:3:8"));
 }
 
 TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
@@ -125,8 +124,7 @@ TEST(HlslDeclaration, OfAMethodCannotBeCalledOnAResult)
                     k_PlainVertex + "struct S { float a; float Get() { return a; } };\n"
                                     "S Make() { S s; s.a = 1; return s; }\n"
                                     "float4 frag() : SV_Target { return Make().Get(); }")),
-                ElementsAre("t.shader:4:43: error: 'Get': a method of what a function returns "
-                            "cannot be called; keep the result in a variable first"));
+                ElementsAre(Mentions("t.shader:4:43: error: 'Get'", "a method", "in a variable")));
     CompileDeclarations("struct S { float a; float Get() { return a; } };\n"
                         "S Make() { S s; s.a = 1; return s; }\n"
                         "float4 frag() : SV_Target { S s = Make(); return s.Get(); }");
@@ -162,9 +160,7 @@ TEST(HlslDeclaration, ByAnUnknownMacroIsAnErrorAtItsLine)
     const std::string hash = "\nuint hash(uint x) { return x; }";
     const auto message = [](const std::string& place, const std::string& name)
     {
-        return "t.shader:" + place + ": error: '" + name +
-               "': unknown macro; a declaration is expected here, so define it or include the file "
-               "that does";
+        return Mentions("t.shader:" + place + ": error: '" + name + "'", "unknown macro");
     };
     EXPECT_THAT(test::CompileMessages(
                     test::Program(k_PlainVertex + hash + "\n UNKNOWN(_A);\nOTHER(_B, (1))" + frag)),
@@ -176,34 +172,33 @@ TEST(HlslDeclaration, ByAnUnknownMacroIsAnErrorAtItsLine)
 
 TEST(HlslDeclaration, OfATemplateIsAnError)
 {
-    const std::string message = "error: 'template': limn reads no templates of HLSL 2021; write "
-                                "the function or struct once "
-                                "for each type";
-    EXPECT_THAT(test::CompileMessages(test::Program(
-                    k_PlainVertex + "float4 _Tint;\n"
-                                    "template<typename T> void Set(inout T x) { x = 2; }\n"
-                                    " template <class T> struct Pair { T a; T b; };\n"
-                                    "float4 frag() : SV_Target { Set(_Tint); return _Tint; }")),
-                ElementsAre("t.shader:3:1: " + message, "t.shader:4:2: " + message));
+    EXPECT_THAT(
+        test::CompileMessages(test::Program(
+            k_PlainVertex + "float4 _Tint;\n"
+                            "template<typename T> void Set(inout T x) { x = 2; }\n"
+                            " template <class T> struct Pair { T a; T b; };\n"
+                            "float4 frag() : SV_Target { Set(_Tint); return _Tint; }")),
+        ElementsAre(Mentions("t.shader:3:1: error: 'template'", "no templates", "each type"),
+                    Mentions("t.shader:4:2: error: 'template'", "no templates", "each type")));
 }
 
 TEST(HlslDeclaration, OfAnInterfaceIsAnError)
 {
-    EXPECT_THAT(test::CompileMessages(test::Program(
-                    k_PlainVertex + "interface I { float F(float x); };\n"
-                                    "class A : I { float F(float x) { return x; } };\n"
-                                    "float4 frag() : SV_Target { A a; return a.F(1); }")),
-                ElementsAre("t.shader:2:1: error: 'interface': limn has no interfaces of HLSL; "
-                            "write their functions as methods of the structs that have them"));
+    EXPECT_THAT(
+        test::CompileMessages(test::Program(k_PlainVertex +
+                                            "interface I { float F(float x); };\n"
+                                            "class A : I { float F(float x) { return x; } };\n"
+                                            "float4 frag() : SV_Target { A a; return a.F(1); }")),
+        ElementsAre(Mentions("t.shader:2:1: error: 'interface'", "no interfaces", "methods")));
 }
 
 TEST(HlslDeclaration, OfAMatrixOfBoolIsAnErrorWhereItIsUsed)
 {
     const std::string fill = "float Fill(int n) { return ((bool2x2)n)[0].x ? 1 : 0; }\n";
-    EXPECT_THAT(test::CompileMessages(test::Program(
-                    k_PlainVertex + fill + "float4 frag() : SV_Target { return Fill(1); }")),
-                ElementsAre("t.shader:2:30: error: 'bool2x2': limn has no matrices of bool; use "
-                            "'float2x2'"));
+    EXPECT_THAT(
+        test::CompileMessages(
+            test::Program(k_PlainVertex + fill + "float4 frag() : SV_Target { return Fill(1); }")),
+        ElementsAre(Mentions("t.shader:2:30: error: 'bool2x2'", "matrices of bool", "'float2x2'")));
     CompileDeclarations(fill + "float4 frag() : SV_Target { return 1; }");
 }
 
@@ -212,10 +207,8 @@ TEST(HlslDeclaration, OfAMatrixOfOneRowOrColumnIsAnErrorWhereItIsUsed)
     EXPECT_THAT(test::CompileMessages(test::Program(
                     k_PlainVertex + "float4x1 _Unused; matrix<int, 1, 3> _M;\n"
                                     "float4 frag() : SV_Target { return _M[0].xyzz; }")),
-                ElementsAre("t.shader:2:1: error: 'float4x1': limn has no matrices of one row or "
-                            "column; use 'float4'",
-                            "t.shader:2:19: error: 'matrix': limn has no matrices of one row or "
-                            "column; use 'int3'"));
+                ElementsAre(Mentions("t.shader:2:1: error: 'float4x1'", "one row", "'float4'"),
+                            Mentions("t.shader:2:19: error: 'matrix'", "one row", "'int3'")));
 }
 
 TEST(HlslDeclaration, OfClipSpaceFunctionsNeedsNoIncludeInCg)

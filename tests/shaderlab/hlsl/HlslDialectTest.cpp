@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "hlsl/DialectTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -118,8 +119,8 @@ TEST(HlslDialect, GivesZeroAndAWarningForWhatTheVertexFunctionDoesNotWrite)
         "float4 frag(float2 uv : TEXCOORD1) : SV_Target { return uv.xyxy + 0.25; }");
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
     EXPECT_THAT(test::Messages(pass->diagnostics),
-                ElementsAre("1:1: warning: frag: it reads 'TEXCOORD1', which the vertex function "
-                            "does not write; it is 0"));
+                ElementsAre(test::Mentions("1:1: warning: frag", "'TEXCOORD1'", "vertex function",
+                                           "not write")));
     const std::string spirv = test::Disassemble(pass->fragmentSpirv);
     EXPECT_THAT(spirv, testing::Not(HasSubstr("OpLoad")));
     EXPECT_THAT(spirv, HasSubstr("%float_0_25"));
@@ -382,7 +383,7 @@ TEST(HlslDialect, RefusesListsInListsWithNothingInThem)
     EXPECT_THAT(
         test::CompileMessages(test::Program(
             k_Vertex + "float4 frag(v2f i) : SV_Target { float4 v = {{}, {3, 4}}; return v; }")),
-        ElementsAre(HasSubstr("error: '{': this inner list is empty; write its values")));
+        ElementsAre(test::Mentions("error: '{'", "empty")));
 }
 
 TEST(HlslDialect, TakesConstantObjects)
@@ -452,12 +453,8 @@ TEST(HlslDialect, RefusesGathersThatCannotCompare)
                        "float4 frag(v2f i) : SV_Target\n{\n"
                        "float4 a = _Sky.GatherCmp(sampler_Map, float3(0, 1, 0), 0.5);\n"
                        "return a + _Map.GatherCmpGreen(sampler_Map, i.uv, 0.5);\n}")),
-        ElementsAre(
-            HasSubstr("'GatherCmp': limn cannot compare four texels of a cube at once; use "
-                      "'SampleCmpLevelZero' for each"),
-            HasSubstr(
-                "'GatherCmpGreen': a device compares only the first component of a texel; use "
-                "'GatherCmpRed'")));
+        ElementsAre(test::Mentions("'GatherCmp'", "a cube", "'SampleCmpLevelZero'"),
+                    test::Mentions("'GatherCmpGreen'", "first component", "'GatherCmpRed'")));
 }
 
 TEST(HlslDialect, RefusesTexturesOfOneDimension)
@@ -465,8 +462,7 @@ TEST(HlslDialect, RefusesTexturesOfOneDimension)
     EXPECT_THAT(test::CompileMessages(test::Program(
                     k_Vertex + "Texture1D _T;\nSamplerState sampler_T;\nfloat4 frag(v2f i) : "
                                "SV_Target { return _T.Sample(sampler_T, i.uv.x); }")),
-                ElementsAre("t.shader:1:1: error: '_T': only textures of 2D, 3D and cube kind, and "
-                            "arrays of them, are supported"));
+                ElementsAre(test::Mentions("t.shader:1:1: error: '_T'", "2D, 3D and cube")));
 }
 
 } // namespace

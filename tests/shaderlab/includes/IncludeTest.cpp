@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -8,6 +9,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -196,21 +198,18 @@ TEST_F(Include, TakesBackslashesAndNamesThatDifferInCase)
 TEST_F(Include, StaysInTheFoldersItMayReadFrom)
 {
     const std::string secret = folder.Write("secret.hlsl", "#define VALUE 1\n").string();
-    const std::string refusal =
-        "is outside the folders that includes may lie in; move it into the project, or name its "
-        "folder by --root DIR";
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
-                ElementsAre("1: error: #include: \"../../../secret.hlsl\" " + refusal));
-    EXPECT_THAT(
-        Compile("#include \"" + secret + "\""),
-        ElementsAre(
-            "1: error: #include: \"" + secret +
-            "\" is an absolute path; write the path from this file or from the project's folder"));
+                ElementsAre(Mentions("1: error: #include: \"../../../secret.hlsl\"",
+                                     "outside the folders", "--root")));
+    EXPECT_THAT(Compile("#include \"" + secret + "\""),
+                ElementsAre(Mentions("1: error: #include: \"" + secret + "\"", "absolute path",
+                                     "project")));
     EXPECT_THAT(Compile("#include \"C:\\x.hlsl\"").at(0), HasSubstr("is an absolute path"));
     std::filesystem::create_directories(Path("project/Assets/Shaders"));
     std::filesystem::create_symlink(secret, Path("project/Assets/Shaders/link.hlsl"));
     EXPECT_THAT(Compile("#include \"link.hlsl\""),
-                ElementsAre("1: error: #include: \"link.hlsl\" " + refusal));
+                ElementsAre(Mentions("1: error: #include: \"link.hlsl\"", "outside the folders",
+                                     "--root")));
     ShaderCompilerOptions options;
     options.includeFolders = {folder.path()};
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\"", options), ElementsAre());
@@ -243,7 +242,7 @@ TEST_F(Include, StaysThereWhereverTheProgramWasStarted)
     const std::vector<std::string> below = Compile("#include \"secret.hlsl\"");
     std::filesystem::current_path(before);
     ASSERT_EQ(up.size(), 1u);
-    EXPECT_THAT(up[0], HasSubstr("is outside the folders that includes may lie in"));
+    EXPECT_THAT(up[0], HasSubstr("outside the folders"));
     ASSERT_EQ(below.size(), 1u);
     EXPECT_THAT(below[0], HasSubstr("there is no file \"secret.hlsl\""));
 }
@@ -266,12 +265,10 @@ TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"b.hlsl\"\n#include \"b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/b.hlsl", "\n#include \"a.hlsl\"\n");
     const std::vector<std::string> messages = Compile("#define VALUE 1\n#include \"a.hlsl\"");
-    ASSERT_EQ(messages.size(), 1u);
     const std::string a = Path("project/Assets/Shaders/a.hlsl");
     const std::string b = Path("project/Assets/Shaders/b.hlsl");
-    EXPECT_THAT(messages[0], HasSubstr("a circle of includes, "));
-    EXPECT_THAT(messages[0], HasSubstr(a + " -> " + b + " -> " + a));
-    EXPECT_THAT(messages[0], HasSubstr("; write '#pragma once' at the top of these files"));
+    EXPECT_THAT(messages,
+                ElementsAre(Mentions("circle", a + " -> " + b + " -> " + a, "'#pragma once'")));
     folder.Write("project/Assets/Shaders/a.hlsl",
                  "#ifndef A\n#define A\n#include \"b.hlsl\"\n#define VALUE 1\n#endif\n");
     EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre());
@@ -290,7 +287,7 @@ TEST_F(Include, MayBeNestedDeeplyButNotWithoutEnd)
     folder.Write("project/Assets/Shaders/70.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"20.hlsl\""), ElementsAre());
     EXPECT_THAT(Compile("#define VALUE 1\n#include \"0.hlsl\"").at(0),
-                HasSubstr("is nested more than 64 files deep; include less"));
+                HasSubstr("more than 64 files"));
 }
 
 } // namespace

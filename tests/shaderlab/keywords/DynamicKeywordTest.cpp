@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 namespace limn
@@ -87,9 +88,9 @@ TEST(DynamicKeywords, GiveAWarningWhereThePreprocessorIsAskedForThem)
                                                      condition + "\nreturn 1;\n#endif\nreturn 0;"))
                                   ->diagnostics);
     };
-    EXPECT_THAT(warnings("  #ifdef WET"),
-                ElementsAre("4:3: warning: #ifdef: 'WET' is a keyword of a dynamic_branch: a "
-                            "variable, which no preprocessor condition sees; write 'if (WET)'"));
+    EXPECT_THAT(
+        warnings("  #ifdef WET"),
+        ElementsAre(test::Mentions("4:3: warning: #ifdef: 'WET'", "dynamic_branch", "'if (WET)'")));
     EXPECT_THAT(warnings("#if 0\n#elif defined(WET) || MOSS"),
                 ElementsAre(HasSubstr("5:1: warning: #elif: 'WET' is"),
                             HasSubstr("5:1: warning: #elif: 'MOSS' is")));

@@ -1,6 +1,7 @@
 #include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -10,6 +11,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -141,28 +143,22 @@ TEST(ProgramPragma, RequiresTheFeaturesOfItsShaderModel)
 
 TEST(ProgramPragma, RefusesWhatLimnDoesNotDoInOneSentence)
 {
-    EXPECT_EQ(Reason("\n#pragma surface surf Lambert\n"),
-              "t.shader:2:1: error: #pragma surface: surface shaders are not supported; write a "
-              "vertex and a fragment function");
-    EXPECT_EQ(Reason("\n#pragma raytracing hit\n"),
-              "t.shader:2:1: error: #pragma raytracing: ray tracing is not supported; limn draws "
-              "with a vertex and a fragment function");
-    EXPECT_EQ(
-        Reason("\n#pragma kernel main\n"),
-        "t.shader:2:1: error: #pragma kernel: a pass of a .shader file draws with a vertex and "
-        "a fragment function; kernels stand in a .compute file");
-    EXPECT_EQ(Reason("\n#pragma domain d\n"),
-              "t.shader:2:1: error: #pragma domain: tessellation is not supported; leave the hull "
-              "and domain functions out");
-    EXPECT_EQ(Reason("\n#pragma geometry g\n", {"geometry"}),
-              "t.shader:1:33: error: program: it requires 'geometry', which this device does not "
-              "have");
-    EXPECT_EQ(Reason("\n#pragma require framebufferfetch\n"),
-              "t.shader:1:33: error: program: it requires 'framebufferfetch', which limn does not "
-              "offer");
-    EXPECT_EQ(Reason("\n#pragma target 4.0\n", {"geometry"}),
-              "t.shader:1:33: error: program: it requires 'geometry', which this device does not "
-              "have");
+    EXPECT_THAT(
+        Reason("\n#pragma surface surf Lambert\n"),
+        Mentions("t.shader:2:1: error: #pragma surface", "not supported", "fragment function"));
+    EXPECT_THAT(
+        Reason("\n#pragma raytracing hit\n"),
+        Mentions("t.shader:2:1: error: #pragma raytracing", "not supported", "fragment function"));
+    EXPECT_THAT(Reason("\n#pragma kernel main\n"),
+                Mentions("t.shader:2:1: error: #pragma kernel", ".compute file"));
+    EXPECT_THAT(Reason("\n#pragma domain d\n"),
+                Mentions("t.shader:2:1: error: #pragma domain", "tessellation", "not supported"));
+    EXPECT_THAT(Reason("\n#pragma geometry g\n", {"geometry"}),
+                Mentions("t.shader:1:33: error: program", "'geometry'", "device"));
+    EXPECT_THAT(Reason("\n#pragma require framebufferfetch\n"),
+                Mentions("t.shader:1:33: error: program", "'framebufferfetch'", "limn"));
+    EXPECT_THAT(Reason("\n#pragma target 4.0\n", {"geometry"}),
+                Mentions("t.shader:1:33: error: program", "'geometry'", "device"));
     EXPECT_EQ(Reason("\n#pragma target 4.0\n"), "");
 }
 
@@ -174,20 +170,19 @@ TEST(ProgramPragma, GlslIsReadAndRefused)
     EXPECT_EQ(program.language, ProgramLanguage::Glsl);
     EXPECT_EQ(program.chunks.at(0).text, "\nA ");
     EXPECT_EQ(program.chunks.at(1).text, " } {\n");
-    EXPECT_EQ(ToString(ReasonNotSupported(program).value()),
-              "t.shader:2:30: error: GLSLPROGRAM: it is not supported; write the pass in HLSL");
+    EXPECT_THAT(ToString(ReasonNotSupported(program).value()),
+                Mentions("t.shader:2:30: error: GLSLPROGRAM", "not supported", "HLSL"));
 }
 
 TEST(ProgramPragma, LetsVulkanDecideOverRenderers)
 {
     EXPECT_EQ(Reason("\n#pragma exclude_renderers gles d3d11_9x\n"), "");
     EXPECT_EQ(Reason("\n#pragma only_renderers d3d11 Vulkan metal\n"), "");
-    EXPECT_EQ(Reason("\n#pragma exclude_renderers gles vulkan\n"),
-              "t.shader:2:1: error: #pragma exclude_renderers: Vulkan is not among the renderers "
-              "that this program is for; remove 'vulkan'");
-    EXPECT_EQ(Reason("\n#pragma only_renderers d3d11 ps4\n"),
-              "t.shader:2:1: error: #pragma only_renderers: Vulkan is not among the renderers that "
-              "this program is for; add 'vulkan'");
+    EXPECT_THAT(
+        Reason("\n#pragma exclude_renderers gles vulkan\n"),
+        Mentions("t.shader:2:1: error: #pragma exclude_renderers", "Vulkan", "remove 'vulkan'"));
+    EXPECT_THAT(Reason("\n#pragma only_renderers d3d11 ps4\n"),
+                Mentions("t.shader:2:1: error: #pragma only_renderers", "Vulkan", "add 'vulkan'"));
 }
 
 TEST(ProgramPragma, IsRefusedByTheCompilerAsUnsupported)
@@ -199,8 +194,7 @@ TEST(ProgramPragma, IsRefusedByTheCompilerAsUnsupported)
     EXPECT_THAT(
         test::CompileMessages(test::Program(
             "\n#include \"Packages/com.unity.render-pipelines.high-definition/Runtime/X.hlsl\"")),
-        ElementsAre("t.shader:1:1: error: program: it is for the High Definition Render Pipeline, "
-                    "which limn does not stand in for"));
+        ElementsAre(Mentions("t.shader:1:1: error: program", "High Definition")));
 }
 
 TEST(ProgramPragma, IsQuestionedWhereNobodyKnowsIt)
@@ -212,17 +206,13 @@ TEST(ProgramPragma, IsQuestionedWhereNobodyKnowsIt)
         "#pragma editor_sync_compilation\n#pragma warning (disable : 3206)\n");
     EXPECT_THAT(
         test::Messages(CheckPragmas(program)),
-        ElementsAre("2:1: warning: #pragma multi_compile_fgo: there is no such pragma; did you "
-                    "mean 'multi_compile_fog'?",
-                    "3:1: warning: #pragma fragmnet: there is no such pragma; did you mean "
-                    "'fragment'?",
-                    "4:1: warning: #pragma zzz: there is no such pragma; it has no effect",
-                    "5:1: warning: #pragma target: 'high' is no shader model; write a number from "
-                    "2.0 to 5.0",
-                    "6:1: warning: #pragma require: there is no feature 'cubearay'; did you mean "
-                    "'cubearray'?",
-                    "7:1: warning: #pragma only_renderers: there is no renderer 'vulcan'; did you "
-                    "mean 'vulkan'?"));
+        ElementsAre(Mentions("2:1: warning: #pragma multi_compile_fgo", "no such pragma",
+                             "'multi_compile_fog'"),
+                    Mentions("3:1: warning: #pragma fragmnet", "no such pragma", "'fragment'"),
+                    Mentions("4:1: warning: #pragma zzz", "no such pragma", "no effect"),
+                    Mentions("5:1: warning: #pragma target", "'high'", "2.0 to 5.0"),
+                    Mentions("6:1: warning: #pragma require", "'cubearay'", "'cubearray'"),
+                    Mentions("7:1: warning: #pragma only_renderers", "'vulcan'", "'vulkan'")));
 }
 
 TEST(ProgramPragma, ReachesTheCallerAsAWarningTogetherWithWarningDirectives)
@@ -239,8 +229,7 @@ TEST(ProgramPragma, ReachesTheCallerAsAWarningTogetherWithWarningDirectives)
     {
         ShaderCompiler compiler(options);
         EXPECT_THAT(test::Messages(compiler.Compile(program)->diagnostics),
-                    ElementsAre("9:1: warning: #pragma zzz: there is no such pragma; it has no "
-                                "effect",
+                    ElementsAre(Mentions("9:1: warning: #pragma zzz", "no such pragma"),
                                 "4: warning: '#warning': mind the gap"));
         EXPECT_EQ(compiler.statistics().loadedFromCache, i);
     }

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
@@ -11,6 +12,7 @@ namespace
 {
 
 using test::CompileHlsl;
+using test::Mentions;
 
 constexpr const char* k_Vertex = "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n";
 
@@ -241,8 +243,7 @@ TEST(PropertyLayout, RefusesMatricesThatItCannotUpload)
                     std::string(k_Vertex) + "struct S { row_major float4x4 m; };\n"
                                             "cbuffer C { S _S; };\n"
                                             "float4 frag() : SV_Target { return _S.m[0]; }")),
-                testing::ElementsAre("t.shader:1:1: error: C: '_S.m' is row_major; limn uploads "
-                                     "column-major matrices only"));
+                testing::ElementsAre(Mentions("t.shader:1:1: error: C: '_S.m'", "row_major")));
 }
 
 TEST(PropertyLayout, RefusesBuffersThatAreTooLargeBeforeTheyTakeMemory)
@@ -263,9 +264,8 @@ TEST(PropertyLayout, RefusesBuffersThatAreTooLargeBeforeTheyTakeMemory)
           std::pair("A _S[4096];", "_S[1].x[1]")})
     {
         EXPECT_THAT(test::CompileMessages(test::Program(program(members, read))),
-                    testing::ElementsAre("t.shader:1:1: error: constant buffer 'C' has more than "
-                                         "65536 bytes, which are the most that it may have; make "
-                                         "it smaller, or use a StructuredBuffer"))
+                    testing::ElementsAre(Mentions("t.shader:1:1: error: constant buffer 'C'",
+                                                  "65536 bytes", "StructuredBuffer")))
             << members;
     }
 }

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -7,6 +8,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -19,26 +21,24 @@ std::vector<std::string> PassMessages(const std::string& commands)
 TEST(ShaderLabError, SuggestsTheCommandThatWasMeant)
 {
     EXPECT_THAT(PassMessages("ZWrit Off"),
-                ElementsAre(StartsWith("4:1: error: Pass: unknown command 'ZWrit'; did you mean "
-                                       "'ZWrite'?")));
+                ElementsAre(Mentions("4:1: error: Pass", "command 'ZWrit'", "'ZWrite'")));
 }
 
 TEST(ShaderLabError, SuggestsTheValueThatWasMeant)
 {
     EXPECT_THAT(PassMessages("Cull Bakc"),
-                ElementsAre("4:6: error: Cull: unknown value 'Bakc'; did you mean 'Back'?"));
+                ElementsAre(Mentions("4:6: error: Cull", "value 'Bakc'", "'Back'")));
     EXPECT_THAT(PassMessages("Stencil { Comp Allways }"),
-                ElementsAre(StartsWith("4:16: error: Comp: unknown value 'Allways'; did you mean "
-                                       "'Always'?")));
+                ElementsAre(Mentions("4:16: error: Comp", "value 'Allways'", "'Always'")));
 }
 
 TEST(ShaderLabError, GoesOnBehindAMaskThatIsNone)
 {
-    const std::string rest = " is no mask; write letters of RGBA, 0 or [_Property]";
-    EXPECT_THAT(PassMessages("ColorMask"), ElementsAre("5:1: error: ColorMask: '}'" + rest));
+    EXPECT_THAT(PassMessages("ColorMask"),
+                ElementsAre(Mentions("5:1: error: ColorMask: '}'", "RGBA")));
     EXPECT_THAT(PassMessages("ColorMask Cull Bakc"),
-                ElementsAre("4:11: error: ColorMask: 'Cull'" + rest,
-                            "4:16: error: Cull: unknown value 'Bakc'; did you mean 'Back'?"));
+                ElementsAre(Mentions("4:11: error: ColorMask: 'Cull'", "RGBA"),
+                            Mentions("4:16: error: Cull", "value 'Bakc'", "'Back'")));
 }
 
 TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
@@ -48,10 +48,8 @@ TEST(ShaderLabError, ReportsEveryMistakeOfAFileInOrder)
     EXPECT_THAT(messages,
                 ElementsAre(StartsWith("4:1: error: Pass: unknown command 'Cul'"),
                             StartsWith("5:7: error: ZTest: unknown value 'Foo'"),
-                            "7:1: error: Blend: value is missing before 'ZWrite'; write a name or "
-                            "[_Property]",
-                            "8:15: warning: Ref: 300 does not fit into 8 bits, so only its lowest "
-                            "8 count; write 0...255",
+                            Mentions("7:1: error: Blend", "missing before 'ZWrite'", "[_Property]"),
+                            Mentions("8:15: warning: Ref: 300", "8 bits", "0...255"),
                             StartsWith("8:19: error: Stencil: unknown command 'Pas'")));
 }
 
@@ -68,29 +66,26 @@ TEST(ShaderLabError, KeepsWhatIsRightBesideAMistake)
 TEST(ShaderLabError, NamesTheBraceThatIsNeverClosed)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" {\n SubShader {\n  Pass {\n  }\n"),
-                ElementsAre("5:1: error: SubShader: '{' of line 2 is never closed; add '}'"));
+                ElementsAre(Mentions("5:1: error: SubShader: '{' of line 2", "never closed")));
 }
 
 TEST(ShaderLabError, NoticesAMissingBraceAtTheNextOuterCommand)
 {
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" {\nSubShader {\nPass {\nCull Off\nPass { }\n}\n}"),
-        ElementsAre("5:1: error: Pass: '}' is missing before 'Pass'; the '{' of line 3 is "
-                    "still open"));
+        ElementsAre(Mentions("5:1: error: Pass: '}'", "missing before 'Pass'", "line 3")));
 }
 
 TEST(ShaderLabError, ReportsTextBehindTheShader)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" { } }"),
-                ElementsAre("1:16: error: file: '}' behind the closing '}' of the shader; remove "
-                            "it"));
+                ElementsAre(Mentions("1:16: error: file: '}'", "behind", "remove")));
 }
 
 TEST(ShaderLabError, ReportsAFileThatIsNoShader)
 {
     EXPECT_THAT(test::ParseMessages("float4 x;"),
-                ElementsAre("1:1: error: file: it must start with Shader \"name\", not with "
-                            "'float4'"));
+                ElementsAre(Mentions("1:1: error: file", "Shader \"name\"", "'float4'")));
 }
 
 TEST(ShaderLabError, ShowsWhatATerminalCannotAsItsNumber)
@@ -105,8 +100,7 @@ TEST(ShaderLabError, ReportsABadPropertyAndReadsTheNext)
                        "pi / 180.0\n_C (\"c\", Color) = (1,1\n_D (\"d\", Int) = 4\n} }",
                        "t.shader");
     EXPECT_THAT(test::Messages(result.diagnostics),
-                ElementsAre(StartsWith("2:10: error: _A: unknown property type 'Flaot'; did you "
-                                       "mean 'Float'?"),
+                ElementsAre(Mentions("2:10: error: _A", "type 'Flaot'", "'Float'"),
                             "3:19: error: _B: a number is missing before 'pi'",
                             "5:1: error: _C: ')' is missing before '_D'"));
 }
@@ -120,83 +114,72 @@ TEST(ShaderLabError, ReportsABlockThatNoKeywordCloses)
 TEST(ShaderLabError, ReportsATextWithoutItsClosingQuote)
 {
     EXPECT_THAT(PassMessages("Name \"abc"),
-                ElementsAre("4:6: error: string: '\"' is never closed; close it where the text "
-                            "ends",
+                ElementsAre(Mentions("4:6: error: string: '\"'", "never closed"),
                             StartsWith("7:2: error: Pass: '{' of line 3 is never closed")));
 }
 
 TEST(ShaderLabError, ReportsTargetsAndOperationsThatDoNotExist)
 {
-    EXPECT_THAT(
-        PassMessages("Blend 8 One One\nBlendOp LogicalXorr\nColorMask RGX\nOffset 1"),
-        ElementsAre("4:7: error: Blend: target 8 does not exist; a target is 0...7",
-                    StartsWith("5:9: error: BlendOp: unknown value 'LogicalXorr'; did you mean "
-                               "'LogicalXor'?"),
-                    "6:11: error: ColorMask: 'RGX' is no mask; write letters of RGBA, 0 "
-                    "or [_Property]",
-                    "8:1: error: Offset: ',' is missing before '}'"));
+    EXPECT_THAT(PassMessages("Blend 8 One One\nBlendOp LogicalXorr\nColorMask RGX\nOffset 1"),
+                ElementsAre(Mentions("4:7: error: Blend: target 8", "0...7"),
+                            Mentions("5:9: error: BlendOp", "value 'LogicalXorr'", "'LogicalXor'"),
+                            Mentions("6:11: error: ColorMask: 'RGX'", "RGBA"),
+                            "8:1: error: Offset: ',' is missing before '}'"));
 }
 
 TEST(ShaderLabError, ReportsAReferenceWithoutAName)
 {
     EXPECT_THAT(PassMessages("Cull [ ]\nZTest [_A (junk)]"),
-                ElementsAre("4:6: error: Cull: '[' needs the name of a property and ']', as in "
-                            "[_Name]",
-                            "5:7: warning: ZTest: what follows the name in '[_A (junk)]' is "
-                            "ignored"));
+                ElementsAre(Mentions("4:6: error: Cull: '['", "name of a property", "[_Name]"),
+                            Mentions("5:7: warning: ZTest", "'[_A (junk)]'", "ignored")));
 }
 
 TEST(ShaderLabError, RefusesAUsePassWithoutAPassName)
 {
-    EXPECT_THAT(test::ParseMessages("Shader \"T\" { SubShader {\nUsePass \"A\"\n } }"),
-                ElementsAre("2:9: error: UsePass: the name of a pass is missing; write \"shader "
-                            "name/PASS NAME\""));
+    EXPECT_THAT(
+        test::ParseMessages("Shader \"T\" { SubShader {\nUsePass \"A\"\n } }"),
+        ElementsAre(Mentions("2:9: error: UsePass", "missing", "\"shader name/PASS NAME\"")));
 }
 
 TEST(ShaderLabError, SaysWhereACommandBelongs)
 {
-    EXPECT_THAT(test::ParseMessages("Shader \"T\" {\nZWrite Off\nSubShader { Comp Less } }"),
-                ElementsAre("2:1: error: Shader: 'ZWrite' does not belong here; it is a command of "
-                            "a Pass",
-                            "3:13: error: SubShader: 'Comp' does not belong here; it is a command "
-                            "of a Stencil block"));
+    EXPECT_THAT(
+        test::ParseMessages("Shader \"T\" {\nZWrite Off\nSubShader { Comp Less } }"),
+        ElementsAre(Mentions("2:1: error: Shader: 'ZWrite'", "not belong", "a Pass"),
+                    Mentions("3:13: error: SubShader: 'Comp'", "not belong", "a Stencil block")));
 }
 
 TEST(ShaderLabError, ReportsAProgramThatAnotherKeywordCloses)
 {
     EXPECT_THAT(PassMessages("CGPROGRAM\nENDHLSL } Pass { CGPROGRAM\nENDCG"),
-                ElementsAre("4:1: error: CGPROGRAM: ENDHLSL stands at its end; write ENDCG"));
+                ElementsAre(Mentions("4:1: error: CGPROGRAM: ENDHLSL", "ENDCG")));
 }
 
 TEST(ShaderLabError, WarnsOfAProgramThatEndsInAComment)
 {
-    EXPECT_THAT(
-        PassMessages("CGPROGRAM\nx // ENDCG\n} Pass { CGPROGRAM\nENDCG"),
-        ElementsAre("4:1: warning: CGPROGRAM: the ENDCG that closes it stands in a comment; "
-                    "put it on a line of its own"));
+    EXPECT_THAT(PassMessages("CGPROGRAM\nx // ENDCG\n} Pass { CGPROGRAM\nENDCG"),
+                ElementsAre(Mentions("4:1: warning: CGPROGRAM", "ENDCG", "in a comment")));
 }
 
 TEST(ShaderLabError, WarnsOfAProgramInsideAnother)
 {
     EXPECT_THAT(PassMessages("CGPROGRAM\nx // GLSLPROGRAM\nHlslProgram y\nENDCG"),
-                ElementsAre("4:1: warning: CGPROGRAM: 'HlslProgram' stands inside it; is an ENDCG "
-                            "missing before that?"));
+                ElementsAre(Mentions("4:1: warning: CGPROGRAM: 'HlslProgram'", "inside", "ENDCG")));
 }
 
 TEST(ShaderLabError, WarnsOfACommentThatAnIncludeBlockLeavesOpen)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" {\nCGINCLUDE\na /* b */ // /*\nENDCG\n"
                                     "HLSLINCLUDE\n /* c\nENDHLSL\nSubShader { Pass { } } }"),
-                ElementsAre("5:1: warning: HLSLINCLUDE: a comment in it is not closed; write */ "
-                            "before ENDHLSL"));
+                ElementsAre(Mentions("5:1: warning: HLSLINCLUDE", "comment", "not closed")));
 }
 
 TEST(ShaderLabError, ReportsAnUnclosedPropertiesBlockAtTheNextCommand)
 {
     EXPECT_THAT(test::ParseMessages("Shader \"T\" { Properties {\n_A(\"a\", Int) = 1\nSubShader { "
                                     "} }"),
-                ElementsAre("3:1: error: Properties: '}' is missing before 'SubShader'; the '{' of "
-                            "line 1 is still open"));
+                ElementsAre(Mentions("3:1: error: Properties: '}'", "missing before 'SubShader'",
+                                     "line 1")));
 }
 
 TEST(ShaderLabError, WarnsOfPropertiesWithTheSameNameAndKeepsThem)
@@ -206,8 +189,7 @@ TEST(ShaderLabError, WarnsOfPropertiesWithTheSameNameAndKeepsThem)
         "Int) = 2\n_A(\"d\", Int) = 3 } }",
         "t.shader");
     EXPECT_THAT(test::Messages(result.diagnostics),
-                ElementsAre("4:1: warning: _A: a property of this name stands in line 2 already; "
-                            "materials have the first one"));
+                ElementsAre(Mentions("4:1: warning: _A", "line 2", "first one")));
     EXPECT_EQ(result.document.properties.size(), 4u);
 }
 
@@ -218,31 +200,23 @@ TEST(ShaderLabError, WarnsOfTagsThatAreNearlyRight)
                             "\"UniversalPipline\" \"Quue\" = \"Geometry\" } Pass {\nTags { "
                             "\"LightMode\" = \"UniversalForwad\" } } Pass { Tags { \"LightMode\" = "
                             "\"Outline\" \"MyKey\" = \"x\" } } } }"),
-        ElementsAre(
-            "1:52: warning: Tags: \"UniversalPipline\" is no name that Unity knows; did you "
-            "mean \"UniversalPipeline\"?",
-            "1:71: warning: Tags: \"Quue\" is no name that Unity knows; did you mean "
-            "\"Queue\"?",
-            "2:22: warning: Tags: \"UniversalForwad\" is no name that Unity knows; did you "
-            "mean \"UniversalForward\"?"));
+        ElementsAre(Mentions("1:52: warning: Tags: \"UniversalPipline\"", "\"UniversalPipeline\""),
+                    Mentions("1:71: warning: Tags: \"Quue\"", "\"Queue\""),
+                    Mentions("2:22: warning: Tags: \"UniversalForwad\"", "\"UniversalForward\"")));
 }
 
 TEST(ShaderLabError, ReportsATagOfWhichOneHalfIsInQuotes)
 {
-    EXPECT_THAT(
-        PassMessages("Tags { LightMode = \"Meta\" }"),
-        ElementsAre(
-            "4:8: error: Tags: only one of key and value is in quotes; put both in quotes"));
+    EXPECT_THAT(PassMessages("Tags { LightMode = \"Meta\" }"),
+                ElementsAre(Mentions("4:8: error: Tags", "both in quotes")));
     EXPECT_THAT(PassMessages("Tags { LightMode = Meta }"), ElementsAre());
 }
 
 TEST(ShaderLabError, WarnsOfNumbersThatUnityDoesNotWrite)
 {
     EXPECT_THAT(PassMessages("Offset +1, 1e3f"),
-                ElementsAre("4:8: warning: Offset: '+1' is no plain number; write digits, '.' and "
-                            "'-' only, within the limits of a float",
-                            "4:12: warning: Offset: '1e3f' is no plain number; write digits, '.' "
-                            "and '-' only, within the limits of a float"));
+                ElementsAre(Mentions("4:8: warning: Offset: '+1'", "no plain number"),
+                            Mentions("4:12: warning: Offset: '1e3f'", "no plain number")));
 }
 
 TEST(ShaderLabError, ShowsAHundredErrorsAndTellsHowManyMoreThereAre)
@@ -255,7 +229,7 @@ TEST(ShaderLabError, ShowsAHundredErrorsAndTellsHowManyMoreThereAre)
     const std::vector<std::string> messages = PassMessages(commands);
     ASSERT_EQ(messages.size(), 101u);
     EXPECT_THAT(messages[99], StartsWith("103:6: error: Cull: unknown value 'Bak'"));
-    EXPECT_EQ(messages[100], " error: file: 150 more errors are not shown");
+    EXPECT_THAT(messages[100], Mentions(" error: file: 150 more"));
 }
 
 TEST(ShaderLabError, LimitsHowManyPropertiesAFileDeclares)
@@ -270,8 +244,7 @@ TEST(ShaderLabError, LimitsHowManyPropertiesAFileDeclares)
     }
     const ShaderLabParseResult result = ParseShaderLab(head + properties + tail, "t.shader");
     ASSERT_TRUE(result.hasErrors());
-    EXPECT_THAT(ToString(result.diagnostics.back()),
-                testing::HasSubstr("file: it declares more than limn can hold (1048576 "));
+    EXPECT_THAT(ToString(result.diagnostics.back()), Mentions("file", "declares more", "1048576"));
     EXPECT_EQ(result.document.properties.size(), k_Most);
 }
 
@@ -283,8 +256,7 @@ TEST(ShaderLabError, LimitsTheDepthOfCategories)
         text += "Category {";
     }
     EXPECT_THAT(test::ParseMessages(text + std::string(34, '}')),
-                ElementsAre("2:321: error: Category: they are nested more than 32 deep; remove "
-                            "some of the braces"));
+                ElementsAre(Mentions("2:321: error: Category", "more than 32")));
 }
 
 TEST(ShaderLabError, ShowsBytesThatAreNoLettersAsNumbers)
@@ -348,7 +320,7 @@ TEST(ShaderLabError, KnowsNothingOfWhatFollowsTheTextThatItWasGiven)
     const std::string_view more = "Shader \"T\" { SubShader { Pass { } } } /* a */";
     const ShaderLabParseResult result = ParseShaderLab(more.substr(0, more.size() - 1), "t.shader");
     EXPECT_THAT(test::Messages(result.diagnostics),
-                ElementsAre("1:39: error: comment: '/*' is never closed; close it with '*/'"));
+                ElementsAre(Mentions("1:39: error: comment: '/*'", "never closed")));
 }
 
 } // namespace

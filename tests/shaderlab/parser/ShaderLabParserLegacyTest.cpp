@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 
 #include <gmock/gmock.h>
@@ -9,7 +10,6 @@ namespace
 
 using testing::ElementsAre;
 using testing::IsEmpty;
-using testing::StartsWith;
 
 std::vector<std::string> TextsOf(const ShaderLabPass& pass)
 {
@@ -93,16 +93,15 @@ TEST(ShaderLabLegacy, IsNotedAsIgnoredBesideAProgramAndAsNotSynthesisedWithoutOn
         test::ParseMessages("Shader \"T\" { SubShader {\nPass { Lighting Off Fog { Mode Off "
                             "} HLSLPROGRAM ENDHLSL }\nPass { Color (1,1,1,1) Color (0,0,0,0) "
                             "} Pass { } } }"),
-        ElementsAre("2:8: note: Lighting, Fog: it is ignored, since the pass has a program",
-                    "3:8: note: Color: limn makes no program of fixed-function commands, so the "
-                    "pass draws nothing; write an HLSLPROGRAM"));
+        ElementsAre(test::Mentions("2:8: note: Lighting, Fog", "ignored", "has a program"),
+                    test::Mentions("3:8: note: Color", "fixed-function", "HLSLPROGRAM")));
 }
 
 TEST(ShaderLabLegacy, IsNotedOnceForAllPassesThatACommandHoldsFor)
 {
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Lighting Off Pass { } Pass { } } }"),
-        ElementsAre(StartsWith("1:26: note: Lighting: limn makes no program of fixed-function")));
+        ElementsAre(test::Mentions("1:26: note: Lighting", "fixed-function")));
 }
 
 TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
@@ -110,10 +109,10 @@ TEST(ShaderLabLegacy, ReportsMistakesAndGoesOn)
     EXPECT_THAT(
         test::ParseMessages("Shader \"T\" { SubShader { Pass {\nFog { Mod Off }\nSetTexture { "
                             "}\nSetTexture [_A] { Combine texure }\nColor (1,\nZWrite Off } } }"),
-        ElementsAre(StartsWith("2:1: note: Fog, SetTexture: limn makes no program"),
-                    "2:7: error: Fog: unknown command 'Mod'; did you mean 'Mode'?",
-                    "3:12: error: SetTexture: the texture is missing before '{'; write [_Property]",
-                    "4:27: error: Combine: unknown value 'texure'; did you mean 'Texture'?",
+        ElementsAre(test::Mentions("2:1: note: Fog, SetTexture", "no program"),
+                    test::Mentions("2:7: error: Fog", "command 'Mod'", "'Mode'"),
+                    test::Mentions("3:12: error: SetTexture", "missing before '{'", "[_Property]"),
+                    test::Mentions("4:27: error: Combine", "value 'texure'", "'Texture'"),
                     "6:1: error: Color: a number is missing before 'ZWrite'"));
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "ShaderTestSupport.h"
 #include "SpirvTestSupport.h"
 
@@ -8,6 +9,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -185,8 +187,7 @@ TEST(GeometryStage, ChoosesTheLayerThatItDrawsInto)
                 HasSubstr("BuiltIn Layer"));
     EXPECT_THAT(test::CompileMessages(
                     GeometryProgram(k_Stages + layered + "SV_GSInstanceID; };" + geometry)),
-                ElementsAre(HasSubstr("geom: 'layer': semantic 'SV_GSInstanceID' is not possible "
-                                      "at this place")));
+                ElementsAre(Mentions("geom: 'layer'", "'SV_GSInstanceID'", "not possible")));
 }
 
 TEST(GeometryStage, KnowsItsStage)
@@ -231,43 +232,37 @@ v2g vert(float4 p : POSITION) { v2g o; o.pos = p; return o; }
 float4 frag(g2f i, float2 uv : TEXCOORD3) : SV_Target { return uv.x; })"));
     EXPECT_THAT(
         test::Messages(pass->diagnostics),
-        ElementsAre("1:5: warning: geom: it reads 'COLOR', which the vertex function does not "
-                    "write; it is 0",
-                    "1:1: warning: frag: it reads 'TEXCOORD3', which the geometry function does "
-                    "not write; it is 0"));
+        ElementsAre(
+            Mentions("1:5: warning: geom", "'COLOR'", "vertex function", "not write"),
+            Mentions("1:1: warning: frag", "'TEXCOORD3'", "geometry function", "not write")));
 }
 
 TEST(GeometryStage, IsToldWhatItsSignatureLacks)
 {
-    const std::string needs =
-        "t.shader:6:25: error: geom: a geometry function needs [maxvertexcount(N)] before it, an "
-        "array of vertices as in 'triangle v2g input[3]', and a stream as in 'inout "
-        "TriangleStream<g2f> stream'";
     EXPECT_THAT(test::CompileMessages(GeometryProgram(
                     k_Stages + "                   void geom(triangle v2g v[3], inout "
                                "TriangleStream<g2f> s) { }")),
-                ElementsAre(needs));
+                ElementsAre(Mentions("t.shader:6:25: error: geom", "[maxvertexcount(N)]",
+                                     "'triangle v2g input[3]'", "TriangleStream<g2f>")));
     EXPECT_THAT(test::CompileMessages(GeometryProgram(
                     k_Stages + "[maxvertexcount(3)] void geom(triangle v2g v[3]) { }")),
-                ElementsAre(HasSubstr("a geometry function needs [maxvertexcount(N)]")));
+                ElementsAre(Mentions("[maxvertexcount(N)]")));
     EXPECT_THAT(test::CompileMessages(GeometryProgram(
                     k_Stages + "[maxvertexcount(3)] void geom(triangle v2g v[2], inout "
                                "TriangleStream<g2f> s) { }")),
-                ElementsAre(HasSubstr("geom: 'v': 'triangle' needs an array of 3")));
+                ElementsAre(Mentions("geom: 'v'", "'triangle'", "array of 3")));
     EXPECT_THAT(
         test::CompileMessages(GeometryProgram(
             k_Stages + "[maxvertexcount(3)] void geom(point v2g v[1], inout PointStream<g2f> a, "
                        "inout PointStream<g2f> b) { }")),
-        ElementsAre(HasSubstr("geom: 'b': a geometry function with more than one stream is not "
-                              "supported")));
+        ElementsAre(Mentions("geom: 'b'", "more than one")));
+    EXPECT_THAT(test::CompileMessages(GeometryProgram(
+                    k_Stages + "[maxvertexcount(3)] void geom(point v2g v[1], line v2g w[2], "
+                               "inout PointStream<g2f> a) { }")),
+                ElementsAre(Mentions("geom: 'w'", "'line'", "'point'", "one primitive")));
     EXPECT_THAT(
-        test::CompileMessages(GeometryProgram(
-            k_Stages + "[maxvertexcount(3)] void geom(point v2g v[1], line v2g w[2], "
-                       "inout PointStream<g2f> a) { }")),
-        ElementsAre(HasSubstr("geom: 'w': 'line' after an array of 'point'; a geometry function "
-                              "takes one primitive")));
-    EXPECT_THAT(test::CompileMessages(GeometryProgram(k_Stages)),
-                ElementsAre("t.shader:1:5: error: #pragma geometry: there is no function 'geom'"));
+        test::CompileMessages(GeometryProgram(k_Stages)),
+        ElementsAre(Mentions("t.shader:1:5: error: #pragma geometry", "no function 'geom'")));
 }
 
 TEST(GeometryStage, LeavesVariablesOfItsWordsAlone)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/ThrownMessage.h"
 #include <device/DeviceSelection.h>
 #include <limn/vulkan/VulkanError.h>
@@ -33,18 +34,16 @@ std::string Refusal(const std::vector<VulkanDeviceInfo>& devices, std::string_vi
 TEST(ChooseDevice, TakesTheFirstUsableGpuByDefault)
 {
     EXPECT_EQ(2u, ChooseDevice(k_Devices, "").index);
-    EXPECT_EQ("drawing on 2: 'Intel UHD' (integrated GPU), Vulkan 1.3.230, driver 1.0: the first "
-              "usable GPU",
-              ChooseDevice(k_Devices, "").sentence);
+    EXPECT_THAT(ChooseDevice(k_Devices, "").sentence,
+                Mentions("2: 'Intel UHD'", "integrated GPU", "1.3.230", "1.0", "first"));
 }
 
 TEST(ChooseDevice, FallsBackToSoftware)
 {
     const std::vector<VulkanDeviceInfo> devices = {k_Devices[1], k_Devices[0]};
     EXPECT_EQ(1u, ChooseDevice(devices, "").index);
-    EXPECT_EQ("drawing on 1: 'llvmpipe (LLVM 15)' (software), Vulkan 1.3.230, driver 1.0: no "
-              "usable GPU, so the software device",
-              ChooseDevice(devices, "").sentence);
+    EXPECT_THAT(ChooseDevice(devices, "").sentence,
+                Mentions("1: 'llvmpipe (LLVM 15)'", "software", "1.3.230", "1.0", "no usable GPU"));
 }
 
 TEST(ChooseDevice, TakesSoftwareWhereAskedFor)
@@ -60,41 +59,32 @@ TEST(ChooseDevice, TakesAPosition)
 TEST(ChooseDevice, TakesPartOfANameInAnyCase)
 {
     EXPECT_EQ(3u, ChooseDevice(k_Devices, "geforce").index);
-    EXPECT_EQ("drawing on 3: 'GeForce RTX' (discrete GPU), Vulkan 1.3.230, driver 1.0: 'geforce' "
-              "was asked for",
-              ChooseDevice(k_Devices, "geforce").sentence);
+    EXPECT_THAT(ChooseDevice(k_Devices, "geforce").sentence,
+                Mentions("3: 'GeForce RTX'", "discrete GPU", "1.3.230", "1.0", "'geforce'"));
 }
 
 TEST(ChooseDevice, RefusesAnUnusableDeviceWithItsReasons)
 {
-    const std::string expected = "no usable Vulkan device is 'radeon'; there are:\n"
-                                 "  0: 'llvmpipe (LLVM 15)' (software): usable\n"
-                                 "  1: 'Old Radeon' (discrete GPU)\n"
-                                 "    it supports Vulkan 1.2.0, but limn needs 1.3\n"
-                                 "  2: 'Intel UHD' (integrated GPU): usable\n"
-                                 "  3: 'GeForce RTX' (discrete GPU): usable";
-    EXPECT_EQ(expected, Refusal(k_Devices, "radeon"));
+    EXPECT_THAT(Refusal(k_Devices, "radeon"),
+                Mentions("no usable", "'radeon'", "0: 'llvmpipe (LLVM 15)'", "usable",
+                         "1: 'Old Radeon'", "1.2.0", "1.3", "2: 'Intel UHD'", "usable",
+                         "3: 'GeForce RTX'", "usable"));
 }
 
 TEST(ChooseDevice, RefusesAPositionPastTheEnd)
 {
-    EXPECT_EQ(0u, Refusal(k_Devices, "4").find("no usable Vulkan device is '4'; there are:"));
+    EXPECT_THAT(Refusal(k_Devices, "4"), Mentions("no usable", "'4'", "there are"));
 }
 
 TEST(ChooseDevice, SaysWhyNoDeviceIsUsable)
 {
-    EXPECT_EQ("no usable Vulkan device:\n"
-              "  0: 'Old Radeon' (discrete GPU)\n"
-              "    it supports Vulkan 1.2.0, but limn needs 1.3",
-              Refusal({k_Devices[1]}, ""));
+    EXPECT_THAT(Refusal({k_Devices[1]}, ""),
+                Mentions("no usable", "0: 'Old Radeon'", "1.2.0", "1.3"));
 }
 
 TEST(ChooseDevice, SaysWhatToInstallWhereThereIsNone)
 {
-    const std::string message = Refusal({}, "");
-    EXPECT_EQ(0u, message.find("no Vulkan device: the loader found no driver"));
-    EXPECT_NE(std::string::npos,
-              message.find("; install mesa-vulkan-drivers for the software one"));
+    EXPECT_THAT(Refusal({}, ""), Mentions("no Vulkan device", "no driver", "mesa-vulkan-drivers"));
 }
 
 } // namespace limn::test

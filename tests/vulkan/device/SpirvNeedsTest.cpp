@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/ThrownMessage.h"
 #include <device/SpirvNeeds.h>
 #include <gmock/gmock.h>
@@ -72,12 +73,11 @@ TEST(SpirvNeeds, AreNamedBeforeTheDriverIsGivenTheModule)
     const auto missing = MissingCapabilities(FeatureChain{OptionalExtensions{}}, 0);
     EXPECT_NO_THROW(RequireCapabilities(Module({k_Shader}), missing));
     EXPECT_NO_THROW(RequireCapabilities(Module({k_Geometry}), {}));
-    EXPECT_EQ(ThrownMessage<DrawError>(
-                  [&] {
-                      RequireCapabilities(Module({k_Shader, k_Float16}), missing);
-                  }),
-              "a program needs shaderFloat16, which the device lacks; a compiler that is given the "
-              "device's missingShaderFeatures() takes the shader's next SubShader instead");
+    EXPECT_THAT(ThrownMessage<DrawError>(
+                    [&] {
+                        RequireCapabilities(Module({k_Shader, k_Float16}), missing);
+                    }),
+                Mentions("shaderFloat16", "device lacks", "missingShaderFeatures()"));
 }
 
 } // namespace limn::test

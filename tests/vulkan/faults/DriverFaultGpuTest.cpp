@@ -1,5 +1,6 @@
 #include "EverythingScene.h"
 #include "GpuTestFrame.h"
+#include "Mentions.h"
 #include "core/ThrownMessage.h"
 #include "faults/FaultyLoader.h"
 
@@ -116,13 +117,13 @@ bool TellsOf(const std::string& message, const std::string& function, const std:
     if ((function == "vkCreateInstance" && result == "VK_ERROR_INCOMPATIBLE_DRIVER") ||
         (function == "vkEnumeratePhysicalDevices" && result == "VK_ERROR_INITIALIZATION_FAILED"))
     {
-        return message.starts_with("no Vulkan device: the loader found no driver");
+        return message.starts_with("no Vulkan device");
     }
     if (result == "VK_ERROR_FORMAT_NOT_SUPPORTED")
     {
         return (message.starts_with("texture '") &&
                 message.find("': the device cannot use format ") != std::string::npos) ||
-               message.starts_with("the camera is drawn with 1 samples per texel in place of 4");
+               testing::Value(message, Mentions("1 sample", "place of 4"));
     }
     return message.starts_with(function + " failed") &&
            message.find(": " + result) != std::string::npos;
@@ -498,11 +499,9 @@ TEST_F(DriverFaults, OfTwoKindsInOneLifeLeaveNothingBehind)
 TEST_F(DriverFaults, NameWhatThereIsNoMemoryFor)
 {
     FailFunction("vkBindImageMemory", VK_ERROR_OUT_OF_DEVICE_MEMORY);
-    EXPECT_EQ(
-        "vkBindImageMemory failed for '_MainLightShadowmapTexture': "
-        "VK_ERROR_OUT_OF_DEVICE_MEMORY, the device has no memory left; a smaller picture needs "
-        "less",
-        ThrownMessage<VulkanError>([&] { Live(); }));
+    EXPECT_THAT(ThrownMessage<VulkanError>([&] { Live(); }),
+                Mentions("vkBindImageMemory failed", "'_MainLightShadowmapTexture'",
+                         "VK_ERROR_OUT_OF_DEVICE_MEMORY", "smaller picture"));
 }
 
 TEST_F(DriverFaults, DoNotHideWhatIsWrongWithAFrame)
@@ -514,8 +513,8 @@ TEST_F(DriverFaults, DoNotHideWhatIsWrongWithAFrame)
     wrong.passes[0].commands.emplace_back(SetViewportCommand{{0, 0, 0, 0}});
     const std::map<std::string, int> before = LiveObjects();
     FailFunction("vkResetCommandPool", VK_ERROR_OUT_OF_HOST_MEMORY, 1);
-    EXPECT_EQ("pass 'test pass': the viewport has the size 0x0; it must be positive",
-              ThrownMessage<ContractError>([&] { device.Execute(wrong); }));
+    EXPECT_THAT(ThrownMessage<ContractError>([&] { device.Execute(wrong); }),
+                Mentions("'test pass'", "viewport", "0x0", "positive"));
     FailNothing();
     EXPECT_EQ(0u, device.statistics().images);
     EXPECT_EQ(0u, device.statistics().meshes);
@@ -529,8 +528,8 @@ TEST_F(DriverFaults, ALostDeviceIsReplacedUnderItsPipeline)
 {
     Live();
     FailFunction("vkQueueSubmit2", VK_ERROR_DEVICE_LOST);
-    EXPECT_EQ("vkQueueSubmit2 failed: VK_ERROR_DEVICE_LOST, the device has stopped",
-              ThrownMessage<VulkanError>([&] { Draw(); }));
+    EXPECT_THAT(ThrownMessage<VulkanError>([&] { Draw(); }),
+                Mentions("vkQueueSubmit2 failed", "VK_ERROR_DEVICE_LOST"));
     FailNothing();
     EXPECT_EQ("VK_ERROR_DEVICE_LOST", ResultOf([&] { Draw(); }));
     m_Device.reset();

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "compute/ComputeRun.h"
 
 #include <cstring>
@@ -123,26 +124,22 @@ TEST_F(IntegerTextureGpu, IsWrittenByKernels)
 
 TEST_F(IntegerTextureGpu, IsRefusedWhereItIsTakenForSomethingElse)
 {
-    EXPECT_EQ(
-        ErrorOf(Make(GraphicsFormat::R32_SInt), MakeMaterial("", "float4", "1")),
-        "shader 'Test/Integers', pass 0: it draws into 'Target' of R32_SInt, which takes int, "
-        "but its SV_Target0 is float");
-    EXPECT_EQ(ErrorOf(Make(GraphicsFormat::R8_UNorm), MakeMaterial("", "uint", "1")),
-              "shader 'Test/Integers', pass 0: it draws into 'Target' of R8_UNorm, which takes "
-              "float, but its SV_Target0 is uint");
-    EXPECT_EQ(
+    EXPECT_THAT(ErrorOf(Make(GraphicsFormat::R32_SInt), MakeMaterial("", "float4", "1")),
+                Mentions("'Test/Integers', pass 0", "'Target' of R32_SInt", "takes int",
+                         "SV_Target0 is float"));
+    EXPECT_THAT(ErrorOf(Make(GraphicsFormat::R8_UNorm), MakeMaterial("", "uint", "1")),
+                Mentions("'Test/Integers', pass 0", "'Target' of R8_UNorm", "takes float",
+                         "SV_Target0 is uint"));
+    EXPECT_THAT(
         ErrorOf(Make(GraphicsFormat::R32_UInt), MakeMaterial("", "uint", "1", "Blend One One")),
-        "shader 'Test/Integers', pass 0: it draws into 'Target' of R32_UInt and blends; "
-        "integers are not blended, write Blend Off");
+        Mentions("'Test/Integers', pass 0", "'Target' of R32_UInt", "blends", "Blend Off"));
     const auto reader = MakeMaterial("Texture2D<float4> _Map;", "float4", "_Map.Load(0)");
     reader->SetTexture("_Map", Make(GraphicsFormat::R32_SInt, "Map"));
-    EXPECT_EQ(ErrorOf(Make(GraphicsFormat::R8_UNorm), reader),
-              "material 'Test/Integers': property '_Map' is a texture of float in the shader, but "
-              "'Map' of R32_SInt is one of int");
-    EXPECT_EQ(ErrorOf(Make(GraphicsFormat::R8_UNorm),
-                      MakeMaterial("Texture2D<uint> _Ids;", "float4", "_Ids.Load(0)")),
-              "material 'Test/Integers': texture '_Ids' is not set, and nothing is global under "
-              "that name");
+    EXPECT_THAT(ErrorOf(Make(GraphicsFormat::R8_UNorm), reader),
+                Mentions("'Test/Integers'", "'_Map'", "of float", "'Map' of R32_SInt", "of int"));
+    EXPECT_THAT(ErrorOf(Make(GraphicsFormat::R8_UNorm),
+                        MakeMaterial("Texture2D<uint> _Ids;", "float4", "_Ids.Load(0)")),
+                Mentions("'Test/Integers'", "'_Ids'", "not set", "global"));
 }
 
 } // namespace limn::test

@@ -348,15 +348,15 @@ TEST_F(TextureDimensions, NameATextureOfMoreSlicesThanTheDeviceMakes)
     MapDraw array("Texture2DArray _Map;", "_Map.Load(int4(0, 0, 0, 0))");
     array.Set(std::make_shared<Texture2DArray>(
         "stack", 1, 1, k_R8, std::vector<std::vector<std::byte>>(tooMany, Bytes({0}))));
-    EXPECT_THAT(ThrownMessage<DrawError>([&] { array.At({}); }),
-                testing::MatchesRegex("texture 'stack': it is 1x1x131072 2DArray; the device makes "
-                                      "at most [0-9]+x[0-9]+x[0-9]+ of that kind"));
+    EXPECT_THAT(
+        ThrownMessage<DrawError>([&] { array.At({}); }),
+        testing::MatchesRegex(".*'stack'.* 1x1x131072 2DArray.* at most [0-9]+x[0-9]+x[0-9]+ .*"));
     MapDraw volume("Texture3D _Map;", "_Map.Load(int4(0, 0, 0, 0))");
     volume.Set(
         std::make_shared<Texture3D>("tower", 1, 1, tooMany, k_R8, std::vector<std::byte>(tooMany)));
-    EXPECT_THAT(ThrownMessage<DrawError>([&] { volume.At({}); }),
-                testing::MatchesRegex("texture 'tower': it is 1x1x131072 3D; the device makes at "
-                                      "most [0-9]+x[0-9]+x[0-9]+ of that kind"));
+    EXPECT_THAT(
+        ThrownMessage<DrawError>([&] { volume.At({}); }),
+        testing::MatchesRegex(".*'tower'.* 1x1x131072 3D.* at most [0-9]+x[0-9]+x[0-9]+ .*"));
 }
 
 } // namespace limn::test

@@ -1,5 +1,6 @@
 #include "GpuTestDevice.h"
 #include "GpuTestFrame.h"
+#include "Mentions.h"
 #include "compute/ComputeRun.h"
 #include "core/ThrownMessage.h"
 #include "faults/FaultyLoader.h"
@@ -138,18 +139,15 @@ TEST_F(LoweredLimits, OfOneStageAreNamedBeforeTheDriverIsAsked)
         const char* noun;
     };
     const Case cases[] = {
-        {16, "sampler2D _T#;", "tex2D(_T#, 0.5)", "a function of the shader reads 17 samplers"},
-        {17, "Texture2D<float4> _T#;", "_T#.Load(0)",
-         "a function of the shader reads 19 targets, textures and buffers"}, // with the target
-        {11, "cbuffer B# { float4 _V#; };", "_V#",
-         "the functions of the shader read 12 uniform buffers"}};
+        {16, "sampler2D _T#;", "tex2D(_T#, 0.5)", "reads 17 samplers"},
+        {17, "Texture2D<float4> _T#;", "_T#.Load(0)", "reads 19 targets"}, // with the target
+        {11, "cbuffer B# { float4 _V#; };", "_V#", "read 12 uniform buffers"}};
     for (const Case& each : cases)
     {
         const auto [fitting, sum] = Many(each.drawn, each.declaration, each.read);
         EXPECT_EQ(k_White, Draw({MakeMaterial(fitting, sum)})) << each.noun;
         const auto [larger, largerSum] = Many(each.drawn + 1, each.declaration, each.read);
-        EXPECT_EQ(0u, Refusal({MakeMaterial(larger, largerSum)}).find(each.noun))
-            << Refusal({MakeMaterial(larger, largerSum)});
+        EXPECT_THAT(Refusal({MakeMaterial(larger, largerSum)}), testing::HasSubstr(each.noun));
     }
 }
 
@@ -157,20 +155,18 @@ TEST_F(LoweredLimits, OfFeaturesAreNamedBeforeTheDriverIsAsked)
 {
     Make("geometryShader=0,portability=1");
     EXPECT_EQ(k_White, Draw({Biased(0.0f)}));
-    EXPECT_EQ("a texture is read with a mipMapBias, which needs samplerMipLodBias of "
-              "VK_KHR_portability_subset; the device lacks it",
-              Refusal({Biased(0.5f)}));
-    EXPECT_EQ("a texture is read by a SamplerComparisonState, which needs "
-              "mutableComparisonSamplers of VK_KHR_portability_subset; the device lacks it",
-              Refusal({MakeMaterial("Texture2D _S; SamplerComparisonState sampler_S;",
-                                    "return _S.SampleCmpLevelZero(sampler_S, 0.5, 0.5).x;")}));
-    EXPECT_EQ(
-        "a program needs geometryShader, which the device lacks; a compiler that is given "
-        "the device's missingShaderFeatures() takes the shader's next SubShader instead",
+    EXPECT_THAT(Refusal({Biased(0.5f)}),
+                Mentions("mipMapBias", "samplerMipLodBias", "VK_KHR_portability_subset", "lacks"));
+    EXPECT_THAT(Refusal({MakeMaterial("Texture2D _S; SamplerComparisonState sampler_S;",
+                                      "return _S.SampleCmpLevelZero(sampler_S, 0.5, 0.5).x;")}),
+                Mentions("SamplerComparisonState", "mutableComparisonSamplers",
+                         "VK_KHR_portability_subset", "lacks"));
+    EXPECT_THAT(
         Refusal({MakeMaterial(
             "struct P { float4 p : SV_POSITION; };\n[maxvertexcount(3)] void G(triangle P i[3], "
             "inout TriangleStream<P> o) { for (int k = 0; k < 3; ++k) o.Append(i[k]); }",
-            "return 1;", "#pragma geometry G")}));
+            "return 1;", "#pragma geometry G")}),
+        Mentions("geometryShader", "device lacks", "missingShaderFeatures()"));
 }
 
 TEST_F(LoweredLimits, OfSamplersHoldHoweverOftenABiasChanges)
@@ -190,9 +186,7 @@ TEST_F(LoweredLimits, OfSamplersHoldHoweverOftenABiasChanges)
     {
         materials.push_back(Biased(-static_cast<float>(i) / 64.0f));
     }
-    EXPECT_EQ("the frame reads textures in more than 16 ways (filter, wrap mode and mip bias), "
-              "which is as many samplers as the device has; share samplers between textures",
-              Refusal(materials));
+    EXPECT_THAT(Refusal(materials), Mentions("more than 16", "samplers"));
     materials.pop_back();
     for (int i = 0; i < 3; ++i)
     {
