@@ -153,7 +153,8 @@ void UnityExpansion::AddInstance(
         if (m_Missing.insert(prefab.guid).second)
         {
             Note(scope, header.line,
-                 "a prefab is left out: no file of the project has its guid " + prefab.guid);
+                 "a prefab is left out: the file with its guid " + prefab.guid +
+                     " is not in the project, or it cannot be read");
         }
         return;
     }

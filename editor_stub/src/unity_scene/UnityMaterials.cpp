@@ -282,6 +282,20 @@ std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& mater
     return known;
 }
 
+std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference& material,
+                                                           const UnityReader& user)
+{
+    const std::string path = "m_SkyboxMaterial";
+    if (FindKnownAsset(material).kind != UnityPackageAsset::Material &&
+        m_Database.Find(material.guid) == nullptr)
+    {
+        user.Note(path, AbsenceOf(material, m_Database, "the material's guid") +
+                            ", so the background is the camera's colour");
+        return nullptr;
+    }
+    return Load(material, user, path);
+}
+
 std::shared_ptr<const Material> UnityMaterials::Magenta()
 {
     if (!m_Magenta)

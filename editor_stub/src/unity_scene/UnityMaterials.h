@@ -33,6 +33,9 @@ public:
     /// @param path  the path of the reference in `user`
     std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
+    /// Loads the material of the sky. Returns null and adds a note at `user` if it does not exist.
+    std::shared_ptr<const Material> LoadSkybox(const UnityReference& material,
+                                               const UnityReader& user);
 
 private:
     const Model* LoadModelOf(const std::string& guid);

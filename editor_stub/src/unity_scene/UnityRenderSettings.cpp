@@ -111,7 +111,7 @@ void ReadUnityRenderSettings(const UnityReader& reader, UnityMaterials& material
     const UnityTarget skybox = reader.Reference("m_SkyboxMaterial");
     if (!skybox.asset.isNull())
     {
-        settings.skybox = materials.Load(skybox.asset, reader, "m_SkyboxMaterial");
+        settings.skybox = materials.LoadSkybox(skybox.asset, reader);
     }
     ReadAmbient(reader, settings);
     ReadReflections(reader, settings);

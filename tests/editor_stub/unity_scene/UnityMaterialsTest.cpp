@@ -84,12 +84,12 @@ protected:
         throw std::runtime_error("the box is not there");
     }
     /// What is said of the material.
-    std::vector<std::string> Notes() const
+    std::vector<std::string> Notes(const std::string& file = "A.mat") const
     {
         std::vector<std::string> notes;
         for (const Diagnostic& note : m_Asset->notes)
         {
-            if (note.file.ends_with("A.mat"))
+            if (note.file.ends_with(file))
             {
                 notes.push_back(note.message);
             }
@@ -255,7 +255,7 @@ TEST_F(MaterialOfAProject, OfTheBuiltInPipelinesShaderIsMagentaAndSaysSo)
                        std::string("Shader \"Old\" { SubShader {\n") + content + "\n} }\n");
         const Material& material = Load("{fileID: 4800000, guid: " + guid + ", type: 3}", "");
         EXPECT_EQ(material.shader()->name(), "Hidden/Core/FallbackError");
-        EXPECT_THAT(Notes(), ElementsAre(Mentions(word, "magenta")));
+        EXPECT_THAT(Notes("Old.shader"), ElementsAre(Mentions(word, "magenta")));
     }
 }
 

@@ -81,6 +81,14 @@ TEST_F(UnityRenderSettings, HaveOneColorWhereThereIsNoSky)
     EXPECT_EQ((Color{0.5f, 0.25f, 0.0f, 1.0f}), scene.ambientLight);
 }
 
+TEST_F(UnityRenderSettings, HaveNoSkyWhereItsMaterialIsMissing)
+{
+    const Scene& scene = Load("  m_SkyboxMaterial: {fileID: 2100000, guid: "
+                              "cccccccccccccccccccccccccccccccc, type: 2}\n");
+    EXPECT_EQ(nullptr, scene.skybox);
+    EXPECT_THAT(Notes(), ElementsAre(HasSubstr("background")));
+}
+
 TEST_F(UnityRenderSettings, HaveThreeColorsOrOneByTheMode)
 {
     const std::string colors = "  m_AmbientSkyColor: {r: 0.5, g: 0.25, b: 0, a: 1}\n"
