@@ -253,6 +253,7 @@ TEST_F(MaterialOfAProject, OfTheBuiltInPipelinesShaderIsMagentaAndSaysSo)
     {
         m_Folder.Write("Assets/Old.shader",
                        std::string("Shader \"Old\" { SubShader {\n") + content + "\n} }\n");
+        m_Assets.Forget(m_Folder / "Assets/Old.shader");
         const Material& material = Load("{fileID: 4800000, guid: " + guid + ", type: 3}", "");
         EXPECT_EQ(material.shader()->name(), "Hidden/Core/FallbackError");
         EXPECT_THAT(Notes("Old.shader"), ElementsAre(Mentions(word, "magenta")));
