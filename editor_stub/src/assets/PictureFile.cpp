@@ -173,6 +173,25 @@ Image ReadTiff(const std::filesystem::path& path, std::string_view bytes)
     return image;
 }
 
+/// Returns the usual ending of the format that the first bytes tell, since public projects have
+/// files with the name of another format. TGA has no such bytes; then the name decides.
+std::string FormatOf(const std::filesystem::path& path, std::string_view bytes)
+{
+    using namespace std::string_view_literals;
+    for (const auto& [magic, ending] :
+         {std::pair("\x89PNG"sv, ".png"), std::pair("II*\0"sv, ".tif"),
+          std::pair("MM\0*"sv, ".tif"), std::pair("\x76\x2f\x31\x01"sv, ".exr"),
+          std::pair("#?"sv, ".hdr"), std::pair("\xff\xd8\xff"sv, ".jpg"),
+          std::pair("8BPS"sv, ".psd"), std::pair("BM"sv, ".bmp")})
+    {
+        if (bytes.starts_with(magic))
+        {
+            return ending;
+        }
+    }
+    return EndingOf(path);
+}
+
 Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
 {
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
@@ -218,7 +237,7 @@ bool IsPictureFile(const std::filesystem::path& path)
 
 Image DecodePicture(const std::filesystem::path& path, std::string_view bytes)
 {
-    const std::string ending = EndingOf(path);
+    const std::string ending = FormatOf(path, bytes);
     if (ending == ".png")
     {
         return DecodePng(bytes, path.generic_string());

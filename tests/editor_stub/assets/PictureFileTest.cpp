@@ -168,5 +168,15 @@ TEST(PictureFile, IsRefusedWithASentenceWhereItIsCutOff)
     }
 }
 
+TEST(PictureFile, OfAnotherFormatThanItsNameIsReadAllTheSame)
+{
+    const std::string tiff = TiffBytesOf<std::uint8_t>(2, 1, 4, {1, 2, 3, 4, 5, 6, 7, 8});
+    EXPECT_EQ(DecodePicture("a.png", tiff), DecodePicture("a.tif", tiff));
+    const std::string exr = ExrBytesOf(2, 1, "ABGR", k_ExrHalves);
+    EXPECT_EQ(DecodePicture("a.jpg", exr), DecodePicture("a.exr", exr));
+    const std::string hdr = HdrBytesOf(1, 2, {128, 64, 0, 129, 0, 0, 0, 0});
+    EXPECT_EQ(DecodePicture("a.tga", hdr), DecodePicture("a.hdr", hdr));
+}
+
 } // namespace
 } // namespace limn::test

@@ -55,7 +55,8 @@ const WordList* FindUrpComponent(std::string_view name)
 
 bool isHeaderField(std::string_view name)
 {
-    return isUnityHeaderField(name) || name == "active";
+    return isUnityHeaderField(name) || name == "active" ||
+           name == "m_AdvancedMode"; // of the inspector alone, until URP 11
 }
 
 void ReadParameter(const YamlEntry& entry, const std::string& subject, VolumeParameter& parameter,
