@@ -14,7 +14,6 @@ namespace limn::test
 namespace
 {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 /// A selected cube in the middle, half hidden by another one.
