@@ -1,5 +1,6 @@
 #include "assets/Importer.h"
 
+#include "Mentions.h"
 #include "TemporaryFolder.h"
 
 #include <fstream>
@@ -119,12 +120,10 @@ TEST_F(ImporterTest, ImportsWhereNothingCanBeKept)
 TEST_F(ImporterTest, SurvivesAnImportThatCrashesOrNeverEnds)
 {
     const Importer importer = Make(true, 200ms);
-    EXPECT_EQ(ProblemOf(importer, "abort"),
-              "a.thing: error: the thing cannot be read: the importer stopped on it: Aborted "
-              "(signal 6); the file may be damaged; export it again");
-    EXPECT_EQ(ProblemOf(importer, "endless"),
-              "a.thing: error: the thing cannot be read: the importer takes longer than 200 ms; "
-              "make it smaller");
+    EXPECT_THAT(ProblemOf(importer, "abort"),
+                Mentions("a.thing:", "importer stopped", "Aborted", "signal 6"));
+    EXPECT_THAT(ProblemOf(importer, "endless"),
+                Mentions("a.thing:", "longer than 200 ms", "smaller"));
     EXPECT_EQ(Import(importer, "abc"), "abc+s");
 }
 
@@ -153,9 +152,9 @@ TEST_F(ImporterTest, NamesAPointerOfGitLfsAndAnEmptyFile)
         }
         return std::string();
     };
-    EXPECT_EQ(problemOf("version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 3\n"),
-              "this is a pointer of Git LFS in place of the thing; run 'git lfs pull'");
-    EXPECT_EQ(problemOf(""), "the file is empty; a thing is expected");
+    EXPECT_THAT(problemOf("version https://git-lfs.github.com/spec/v1\noid sha256:1\nsize 3\n"),
+                Mentions("Git LFS", "thing", "'git lfs pull'"));
+    EXPECT_THAT(problemOf(""), Mentions("empty", "a thing"));
     EXPECT_EQ(problemOf("x"), "");
     EXPECT_THROW(ReadForImport(k_Thing, m_Folder / "none.thing"), AssetError);
 }

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
@@ -264,43 +265,44 @@ TEST_F(CheckCommand, ComparesWhatIsLeftOut)
 
 TEST_F(CheckCommand, NamesEveryProblemOfTheFileAtOnce)
 {
-    EXPECT_EQ(
-        "e.yaml:2:3: error: unknown feature 'Outlin'; did you mean 'Outline'?\n"
-        "e.yaml:4:13: error: features.Outline.drawn: unknown object with a mesh 'Lampp'; did you "
-        "mean 'Lamp'?\n"
-        "e.yaml:4:20: error: features.Outline.drawn: unknown object with a mesh 'Sofa/Seatt'; did "
-        "you mean 'Sofa/Seat'?\n"
-        "e.yaml:5:5: error: features.Outline: unknown key 'notdrawn'; did you mean 'notDrawn'?\n"
-        "e.yaml:6:19: error: features.Outline.drawnAtLeast: found 'Sofa'; a list is expected, such "
-        "as [Sofa, Lamp], or [] for none\n"
-        "e.yaml:10:5: error: values[0]: unknown parameter 'm_OutlineWidht'; did you mean "
-        "'m_OutlineWidth'?\n"
-        "e.yaml:11:5: error: values[0]: unknown volume component 'ScreenSpaceOutlin'; did you mean "
-        "'ScreenSpaceOutline'?\n"
-        "e.yaml:12:40: error: values[0].ScreenSpaceOutline.m_OutlineWidth: 400 is outside [1, 10]\n"
-        "e.yaml:13:5: error: values[0]: unknown key 'tolerence'; did you mean 'tolerance'?; values "
-        "are 'Component.parameter: value'\n"
-        "e.yaml:14:9: error: values[1].at: found 'kamera'; camera or {x: 0, y: 1, z: 0} is "
-        "expected\n"
-        "e.yaml:15:26: error: textures.limn_Output: unknown key 'sise'; did you mean 'size'?\n"
-        "e.yaml:16:1: error: expectations: unknown key 'ordr'; did you mean 'order'?\n",
-        Printed("features:\n"
-                "  Outlin: {drawn: [Sofa]}\n"
-                "  Outline:\n"
-                "    drawn: [Lampp, not Sofa/Seatt]\n"
-                "    notdrawn: [Rug]\n"
-                "    drawnAtLeast: Sofa\n"
-                "    passes: {Outlines: {}}\n"
-                "values:\n"
-                "  - at: camera\n"
-                "    ScreenSpaceOutline.m_OutlineWidht: 4\n"
-                "    ScreenSpaceOutlin.m_OutlineWidth: 4\n"
-                "    ScreenSpaceOutline.m_OutlineWidth: 400\n"
-                "    tolerence: 3\n"
-                "  - at: kamera\n"
-                "textures: {limn_Output: {sise: 1x1}}\n"
-                "ordr: []\n",
-                1));
+    EXPECT_THAT(
+        LinesOf(Printed("features:\n"
+                        "  Outlin: {drawn: [Sofa]}\n"
+                        "  Outline:\n"
+                        "    drawn: [Lampp, not Sofa/Seatt]\n"
+                        "    notdrawn: [Rug]\n"
+                        "    drawnAtLeast: Sofa\n"
+                        "    passes: {Outlines: {}}\n"
+                        "values:\n"
+                        "  - at: camera\n"
+                        "    ScreenSpaceOutline.m_OutlineWidht: 4\n"
+                        "    ScreenSpaceOutlin.m_OutlineWidth: 4\n"
+                        "    ScreenSpaceOutline.m_OutlineWidth: 400\n"
+                        "    tolerence: 3\n"
+                        "  - at: kamera\n"
+                        "textures: {limn_Output: {sise: 1x1}}\n"
+                        "ordr: []\n",
+                        1)),
+        testing::ElementsAre(
+            Mentions("e.yaml:2:3:", "unknown feature", "'Outlin'", "'Outline'"),
+            Mentions("e.yaml:4:13:", "features.Outline.drawn", "unknown object", "'Lampp'",
+                     "'Lamp'"),
+            Mentions("e.yaml:4:20:", "features.Outline.drawn", "unknown object", "'Sofa/Seatt'",
+                     "'Sofa/Seat'"),
+            Mentions("e.yaml:5:5:", "features.Outline", "unknown key", "'notdrawn'", "'notDrawn'"),
+            Mentions("e.yaml:6:19:", "features.Outline.drawnAtLeast", "'Sofa'", "list",
+                     "[Sofa, Lamp]"),
+            Mentions("e.yaml:10:5:", "values[0]", "unknown parameter", "'m_OutlineWidht'",
+                     "'m_OutlineWidth'"),
+            Mentions("e.yaml:11:5:", "values[0]", "unknown volume component", "'ScreenSpaceOutlin'",
+                     "'ScreenSpaceOutline'"),
+            Mentions("e.yaml:12:40:", "values[0].ScreenSpaceOutline.m_OutlineWidth", "400",
+                     "outside", "[1, 10]"),
+            Mentions("e.yaml:13:5:", "values[0]", "unknown key", "'tolerence'", "'tolerance'",
+                     "'Component.parameter: value'"),
+            Mentions("e.yaml:14:9:", "values[1].at", "'kamera'", "camera or {x: 0, y: 1, z: 0}"),
+            Mentions("e.yaml:15:26:", "textures.limn_Output", "unknown key", "'sise'", "'size'"),
+            Mentions("e.yaml:16:1:", "unknown key", "'ordr'", "'order'")));
 }
 
 TEST_F(CheckCommand, FailsForPassesAndTexturesThatTheFrameDoesNotHave)
@@ -319,19 +321,18 @@ TEST_F(CheckCommand, FailsForPassesAndTexturesThatTheFrameDoesNotHave)
     EXPECT_THAT(Printed(text, 1, {"--update"}), HasSubstr("e.yaml:3:25: error: "));
     EXPECT_EQ(text, ReadText(m_Folder / "e.yaml"));
     EXPECT_THAT(Printed("passes: {Blur: {drawn: []}}\n", 1, {"--update"}),
-                HasSubstr("e.yaml:1:17: error: passes.Blur.drawn: cannot be written anew; "));
+                Mentions("e.yaml:1:17:", "passes.Blur.drawn", "written"));
 }
 
 TEST_F(CheckCommand, RefusesFilesThatExpectNothingOrAreNone)
 {
-    EXPECT_THAT(Printed("features: {}\n", 1), HasSubstr("e.yaml:1:1: error: the file expects "
-                                                        "nothing"));
+    EXPECT_THAT(Printed("features: {}\n", 1), Mentions("e.yaml:1:1:", "expects nothing"));
     EXPECT_THAT(Printed("", 1), HasSubstr("e.yaml: error: the file is empty"));
     EXPECT_THAT(Printed("features: [a\n", 1), HasSubstr("e.yaml:"));
     EXPECT_THAT(Printed("values: {at: camera}\n", 1),
-                HasSubstr("e.yaml:1:9: error: values: found a map; a list is expected"));
+                Mentions("e.yaml:1:9:", "values", "map", "list"));
     EXPECT_THAT(Printed("values: [{ScreenSpaceOutline.m_OutlineWidth: 4}]\n", 1),
-                HasSubstr("e.yaml:1:10: error: values[0]: key 'at' is missing"));
+                Mentions("e.yaml:1:10:", "values[0]", "'at'", "missing"));
     EXPECT_THAT(Printed("order: [a]\n---\norder: []\n", 1), HasSubstr("a second document"));
     std::filesystem::remove(m_Folder / "e.yaml");
     EXPECT_THAT(Check().err, HasSubstr("e.yaml: error: there is no such file\n"));

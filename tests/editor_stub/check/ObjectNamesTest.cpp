@@ -1,5 +1,6 @@
 #include "check/ObjectNames.h"
 
+#include "Mentions.h"
 #include <gmock/gmock.h>
 #include <random>
 
@@ -130,9 +131,9 @@ TEST(ObjectNamesOfAScene, AreDescribedInGroups)
 TEST(ObjectNamesOfAScene, AreSuggestedForMisspeltOnes)
 {
     const ObjectNames names({Object({"Room", "Sofa", "Seat"}), Object({"Lamp"})});
-    EXPECT_EQ("'Sofaa'; did you mean 'Sofa'?", names.UnknownSentence("Sofaa"));
-    EXPECT_EQ("'Sofa/Saet'; did you mean 'Sofa/Seat'?", names.UnknownSentence("not Sofa/Saet"));
-    EXPECT_EQ("'Xylophone' (known: Lamp, Room)", names.UnknownSentence("Xylophone"));
+    EXPECT_THAT(names.UnknownSentence("Sofaa"), Mentions("'Sofaa'", "'Sofa'"));
+    EXPECT_THAT(names.UnknownSentence("not Sofa/Saet"), Mentions("'Sofa/Saet'", "'Sofa/Seat'"));
+    EXPECT_THAT(names.UnknownSentence("Xylophone"), Mentions("'Xylophone'", "Lamp, Room"));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
 
@@ -27,11 +28,18 @@ protected:
         return RunCommand(args);
     }
 
-    /// The run failed with these lines, wrote nothing to stdout and left no file but `inputs`.
-    void ExpectRefusal(const CommandRun& run, const std::string& lines, int inputs) const
+    /// The run failed with lines that mention these parts each, wrote nothing to stdout and left no
+    /// file but `inputs`.
+    void ExpectRefusal(const CommandRun& run, const std::vector<std::vector<std::string>>& lines,
+                       int inputs) const
     {
         EXPECT_EQ(1, run.exitCode);
-        EXPECT_EQ(lines, run.err);
+        const std::vector<std::string> written = LinesOf(run.err);
+        ASSERT_EQ(lines.size(), written.size()) << run.err;
+        for (std::size_t i = 0; i < lines.size(); ++i)
+        {
+            EXPECT_THAT(written[i], MentionsInOrder(lines[i]));
+        }
         EXPECT_EQ("", run.out);
         EXPECT_EQ(inputs, folder.fileCount());
     }
@@ -46,15 +54,14 @@ constexpr const char* k_Camera = "camera: {}\n";
 TEST_F(BadInput, AMissingSceneIsNamed)
 {
     ExpectRefusal(RunCommand({"render", Path("no.scene.yaml"), "-o", Path("out.png")}),
-                  Path("no.scene.yaml") + ": error: there is no such file\n", 0);
+                  {{Path("no.scene.yaml") + ":", "no such file"}}, 0);
 }
 
 TEST_F(BadInput, AnUnknownKeyComesWithASuggestion)
 {
     ExpectRefusal(Render("camera: {}\nambientLigth: red\n"),
-                  Path("s.scene.yaml") +
-                      ":2:1: error: scene: unknown key 'ambientLigth'; did you mean "
-                      "'ambientLight'?\n",
+                  {{Path("s.scene.yaml") + ":2:1:", "scene", "unknown key", "'ambientLigth'",
+                    "'ambientLight'"}},
                   1);
 }
 
@@ -62,35 +69,30 @@ TEST_F(BadInput, AWidthOf14IsOutsideItsRange)
 {
     folder.Write("w.profile.yaml", "ScreenSpaceOutline:\n  m_OutlineWidth: 14\n");
     ExpectRefusal(Render(k_Camera, {"--profile", "w.profile.yaml"}),
-                  Path("w.profile.yaml") +
-                      ":2:19: error: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]\n",
+                  {{Path("w.profile.yaml") + ":2:19:", "ScreenSpaceOutline.m_OutlineWidth", "14",
+                    "outside", "[1, 10]"}},
                   2);
 }
 
 TEST_F(BadInput, NanIsNoNumber)
 {
     ExpectRefusal(Render("camera: {fieldOfView: .nan}\n"),
-                  Path("s.scene.yaml") +
-                      ":1:23: error: camera.fieldOfView: '.nan' is not a finite number; a number "
-                      "such as 0.5 is expected\n",
-                  1);
+                  {{Path("s.scene.yaml") + ":1:23:", "camera.fieldOfView", "'.nan'", "finite"}}, 1);
 }
 
 TEST_F(BadInput, ADuplicateKeyIsNamedWithItsFirstPlace)
 {
-    ExpectRefusal(
-        Render("camera: {}\ncamera: {}\n"),
-        Path("s.scene.yaml") + ":2:1: error: duplicate key 'camera'; it is already at 1:1\n", 1);
+    ExpectRefusal(Render("camera: {}\ncamera: {}\n"),
+                  {{Path("s.scene.yaml") + ":2:1:", "duplicate", "'camera'", "1:1"}}, 1);
 }
 
 TEST_F(BadInput, AMissingShaderFileIsNamed)
 {
-    ExpectRefusal(Render("camera: {}\nmaterials: {a: {shader: no.shader}}\n"),
-                  Path("s.scene.yaml") +
-                      ":2:25: error: material 'a'.shader: 'no.shader' cannot be used; see the "
-                      "errors of that file\n" +
-                      Path("no.shader") + ": error: there is no such file\n",
-                  1);
+    ExpectRefusal(
+        Render("camera: {}\nmaterials: {a: {shader: no.shader}}\n"),
+        {{Path("s.scene.yaml") + ":2:25:", "material 'a'.shader", "'no.shader'", "cannot be used"},
+         {Path("no.shader") + ":", "no such file"}},
+        1);
 }
 
 TEST_F(BadInput, AnHlslErrorIsReportedAtItsLineOfTheShaderFile)
@@ -119,58 +121,50 @@ TEST_F(BadInput, AnHlslErrorIsReportedAtItsLineOfTheShaderFile)
     ExpectRefusal(Render("camera: {}\n"
                          "materials: {a: {shader: bad.shader}}\n"
                          "objects: [{name: A, mesh: cube, material: a}]\n"),
-                  Path("bad.shader") + ":16:24: error: 'missing': unknown variable\n", 2);
+                  {{Path("bad.shader") + ":16:24:", "'missing': unknown variable"}}, 2);
 }
 
 TEST_F(BadInput, AMissingMeshIsNamed)
 {
-    ExpectRefusal(Render("camera: {}\nobjects: [{name: A, mesh: no.glb}]\n"),
-                  Path("s.scene.yaml") +
-                      ":2:27: error: object 'A'.mesh: 'no.glb' cannot be used; see the errors of "
-                      "that file\n" +
-                      Path("no.glb") + ": error: there is no such file\n",
-                  1);
+    ExpectRefusal(
+        Render("camera: {}\nobjects: [{name: A, mesh: no.glb}]\n"),
+        {{Path("s.scene.yaml") + ":2:27:", "object 'A'.mesh", "'no.glb'", "cannot be used"},
+         {Path("no.glb") + ":", "no such file"}},
+        1);
 }
 
 TEST_F(BadInput, AnUnknownLayerComesWithTheKnownOnes)
 {
     ExpectRefusal(Render("camera: {}\nlayers: {6: Furniture}\nobjects: [{name: A, layer: Sofa}]\n"),
-                  Path("s.scene.yaml") +
-                      ":3:28: error: object 'A'.layer: unknown layer 'Sofa' (known: Default, "
-                      "Furniture)\n",
+                  {{Path("s.scene.yaml") + ":3:28:", "object 'A'.layer", "unknown layer", "'Sofa'",
+                    "Default, Furniture"}},
                   1);
 }
 
 TEST_F(BadInput, AnEmptySceneSaysSo)
 {
-    ExpectRefusal(Render(""),
-                  Path("s.scene.yaml") +
-                      ": error: the file is empty; write a name and a colon first, 'name:'\n",
-                  1);
+    ExpectRefusal(Render(""), {{Path("s.scene.yaml") + ":", "empty", "'name:'"}}, 1);
 }
 
 TEST_F(BadInput, ABinarySceneSaysSo)
 {
     ExpectRefusal(Render(std::string("camera\0: {}", 11)),
-                  Path("s.scene.yaml") + ":1:7: error: here is a NUL byte, so this is a binary "
-                                         "file or UTF-16; UTF-8 text is expected\n",
-                  1);
+                  {{Path("s.scene.yaml") + ":1:7:", "NUL", "binary", "UTF-16"}}, 1);
 }
 
 TEST_F(BadInput, ASetOutsideItsRangeNamesTheOption)
 {
     ExpectRefusal(Render(k_Camera, {"--set", "ScreenSpaceOutline.m_OutlineWidth=14"}),
-                  "--set ScreenSpaceOutline.m_OutlineWidth=14: error: "
-                  "ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]\n",
+                  {{"--set ScreenSpaceOutline.m_OutlineWidth=14:",
+                    "ScreenSpaceOutline.m_OutlineWidth", "14", "outside", "[1, 10]"}},
                   1);
 }
 
 TEST_F(BadInput, ACacheFolderThatCannotBeMadeIsNamed)
 {
     folder.Write("file", "");
-    ExpectRefusal(
-        Render(k_Camera, {"--cache-dir", Path("file/cache")}),
-        Path("file/cache") + ": error: the cache folder cannot be made: Not a directory\n", 2);
+    ExpectRefusal(Render(k_Camera, {"--cache-dir", Path("file/cache")}),
+                  {{Path("file/cache") + ":", "cache folder", "Not a directory"}}, 2);
 }
 
 // None of these files is one that render draws.
@@ -184,10 +178,9 @@ TEST_F(BadInput, AProfileInPlaceOfASceneIsToldApart)
     for (const std::string& file : {profile, renamed})
     {
         ExpectRefusal(RunCommand({"render", file, "-o", Path("out.png")}),
-                      file +
-                          ": error: 'render' cannot take it: this is a volume profile; 'limn "
-                          "render SCENE -o out.png --profile " +
-                          file + "' draws with it, 'limn inspect " + file + "' shows it\n",
+                      {{file + ":", "'render'", "volume profile",
+                        "'limn render SCENE -o out.png --profile " + file + "'",
+                        "'limn inspect " + file + "'"}},
                       2);
     }
 }
@@ -195,49 +188,41 @@ TEST_F(BadInput, AProfileInPlaceOfASceneIsToldApart)
 TEST_F(BadInput, AShaderIsNothingToInspect)
 {
     folder.Write("a.shader", "Shader \"A\" {}");
-    const std::string sentence =
-        "' cannot take it: this is a shader; 'limn shader " + Path("a.shader") + "' describes it\n";
-    ExpectRefusal(RunCommand({"inspect", Path("a.shader")}),
-                  Path("a.shader") + ": error: 'inspect" + sentence, 1);
-    ExpectRefusal(RunCommand({"explain", Path("a.shader")}),
-                  Path("a.shader") + ": error: 'explain" + sentence, 1);
+    for (const std::string verb : {"inspect", "explain"})
+    {
+        ExpectRefusal(RunCommand({verb, Path("a.shader")}),
+                      {{Path("a.shader") + ":", "'" + verb + "'", "a shader",
+                        "'limn shader " + Path("a.shader") + "'"}},
+                      1);
+    }
 }
 
 TEST_F(BadInput, ASceneIsNothingToCompile)
 {
     const std::string scene = folder.Write("s.scene.yaml", k_Camera).generic_string();
     ExpectRefusal(RunCommand({"shader", scene}),
-                  scene + ": error: 'shader' cannot take it: this is a scene; 'limn render " +
-                      scene + " -o out.png' draws it\n",
+                  {{scene + ":", "'shader'", "a scene", "'limn render " + scene + " -o out.png'"}},
                   1);
 }
 
 TEST_F(BadInput, ASceneIsNoProfile)
 {
     const std::string scene = Path("s.scene.yaml");
-    ExpectRefusal(Render(k_Camera, {"--profile", scene}),
-                  scene + ": error: '--profile' cannot take it: this is a scene; 'limn render " +
-                      scene + " -o out.png' draws it\n",
-                  1);
+    ExpectRefusal(
+        Render(k_Camera, {"--profile", scene}),
+        {{scene + ":", "'--profile'", "a scene", "'limn render " + scene + " -o out.png'"}}, 1);
 }
 
 TEST_F(BadInput, ASceneOfUnitysIsReadInItsProject)
 {
     const std::string scene = folder.Write("Main.unity", "%YAML 1.1\n").generic_string();
     ExpectRefusal(RunCommand({"render", scene, "-o", Path("out.png")}),
-                  scene + ": error: a .unity file is read within its project; no folder above it "
-                          "has an Assets folder\n",
-                  1);
+                  {{scene + ":", ".unity", "project", "Assets folder"}}, 1);
     const std::string prefab = folder.Write("Box.prefab", "%YAML 1.1\n").generic_string();
     ExpectRefusal(RunCommand({"render", prefab, "-o", Path("out.png")}),
-                  prefab + ": error: 'render' cannot take it: this is a Unity prefab, which is "
-                           "drawn where a .unity scene holds it\n",
-                  2);
+                  {{prefab + ":", "'render'", "Unity prefab", ".unity"}}, 2);
     ExpectRefusal(RunCommand({"render", folder.path().string(), "-o", Path("out.png")}),
-                  folder.path().string() +
-                      ": error: this folder is no Unity project, which has a folder Assets; name a "
-                      "scene file or the project's folder\n",
-                  2);
+                  {{folder.path().string() + ":", "no Unity project", "Assets"}}, 2);
 }
 
 TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
@@ -247,27 +232,25 @@ TEST_F(BadInput, WhatIsNoFileOfLimnsIsToldAsSuch)
     for (const char* name : {"README.md", "notes"})
     {
         const std::string file = Path(name);
-        const auto expectNo = [&](const std::vector<std::string>& args, const std::string& sentence)
+        const auto expectNo = [&](const std::vector<std::string>& args, const std::string& kinds,
+                                  const std::string& names)
         {
             ExpectRefusal(RunCommand(args),
-                          file + ": error: '" + args[0] + "' cannot take it: this is no " +
-                              sentence + " file is expected\n",
-                          2);
+                          {{file + ":", "'" + args[0] + "'", "no " + kinds, names}}, 2);
         };
-        const std::string scene = "scene or Unity scene; a *.scene.yaml or *.unity";
-        expectNo({"render", file, "-o", Path("out.png")}, scene);
-        expectNo({"watch", file, "-o", Path("out.png")}, scene);
-        expectNo({"explain", file}, scene);
-        expectNo({"inspect", file}, "scene or volume profile or Unity scene; a *.scene.yaml "
-                                    "or *.profile.yaml or *.unity");
-        expectNo({"set", file, "A.b=1"},
-                 "scene or volume profile; a *.scene.yaml or *.profile.yaml");
-        expectNo({"shader", file}, "shader; a *.shader");
+        const std::string scene = "scene or Unity scene";
+        const std::string names = "*.scene.yaml or *.unity";
+        expectNo({"render", file, "-o", Path("out.png")}, scene, names);
+        expectNo({"watch", file, "-o", Path("out.png")}, scene, names);
+        expectNo({"explain", file}, scene, names);
+        expectNo({"inspect", file}, "scene or volume profile or Unity scene",
+                 "*.scene.yaml or *.profile.yaml or *.unity");
+        expectNo({"set", file, "A.b=1"}, "scene or volume profile",
+                 "*.scene.yaml or *.profile.yaml");
+        expectNo({"shader", file}, "shader", "*.shader");
     }
     ExpectRefusal(Render(k_Camera, {"--profile", Path("notes")}),
-                  Path("notes") + ": error: '--profile' cannot take it: this is no volume profile; "
-                                  "a *.profile.yaml file is expected\n",
-                  3);
+                  {{Path("notes") + ":", "'--profile'", "no volume profile", "*.profile.yaml"}}, 3);
 }
 
 TEST_F(BadInput, ANameInAFileCannotForgeAMessage)
@@ -280,10 +263,8 @@ TEST_F(BadInput, ANameInAFileCannotForgeAMessage)
         known += (known.empty() ? "" : ", ") + std::string(name);
     }
     ExpectRefusal(RunCommand({"inspect", Path("w.profile.yaml")}),
-                  Path("w.profile.yaml") +
-                      ":1:1: error: unknown volume component 'x\\n/etc/passwd:1:1: error: "
-                      "\\x1B[31mhello' (known: " +
-                      known + ")\n",
+                  {{Path("w.profile.yaml") + ":1:1:", "unknown volume component",
+                    "'x\\n/etc/passwd:1:1: error: \\x1B[31mhello'", known}},
                   1);
 }
 
@@ -300,9 +281,9 @@ TEST(Machine, WithoutAnyDriverEndsWith3AndSaysWhatToInstall)
                      "' --no-cache -o '" + (folder / "out.png").string() + "'" + suffix)
                         .c_str());
     EXPECT_EQ(3, WEXITSTATUS(render));
-    EXPECT_EQ("error: no Vulkan device: the loader found no driver (VK_DRIVER_FILES is set to "
-              "'/nowhere/driver.json'); install mesa-vulkan-drivers for the software one\n",
-              ReadText(folder / "err"));
+    EXPECT_THAT(LinesOf(ReadText(folder / "err")),
+                testing::ElementsAre(Mentions("no Vulkan device", "VK_DRIVER_FILES",
+                                              "'/nowhere/driver.json'", "mesa-vulkan-drivers")));
     EXPECT_EQ("", ReadText(folder / "out"));
     EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
 

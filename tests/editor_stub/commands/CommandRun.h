@@ -155,6 +155,18 @@ inline std::string RunInPipe(const std::string& command)
     return text;
 }
 
+/// Returns the lines of a text, without their ends.
+inline std::vector<std::string> LinesOf(const std::string& text)
+{
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);)
+    {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
 inline std::string ReadText(const std::filesystem::path& path)
 {
     std::ifstream stream(path, std::ios::binary);

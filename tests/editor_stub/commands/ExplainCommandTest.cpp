@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
 
@@ -297,7 +298,8 @@ TEST_F(ExplainCommand, CountsTheFiltersOfFeaturesThatDoNotDrawByDrawRenderers)
     ASSERT_TRUE(json.is_object());
     EXPECT_EQ(4u, json["idleFeatures"].size());
     EXPECT_EQ("Off", json["idleFeatures"][3]["name"]);
-    EXPECT_EQ("it is not drawn; the feature is inactive", json["idleFeatures"][3]["why"]);
+    EXPECT_THAT(json["idleFeatures"][3]["why"].get<std::string>(),
+                Mentions("not drawn", "inactive"));
     EXPECT_EQ("rendering layer mask", json["objects"][0]["draws"][3]["rule"]);
 }
 
@@ -350,8 +352,7 @@ TEST_F(ExplainCommand, RefusesAnObjectThatIsNotThere)
     const CommandRun run = Explain({"--object", "Sen"});
     EXPECT_EQ(1, run.exitCode);
     EXPECT_EQ("", run.out);
-    EXPECT_THAT(run.err, HasSubstr("s.scene.yaml: error: unknown object with a mesh 'Sen'; did you "
-                                   "mean 'Seen'?"));
+    EXPECT_THAT(run.err, Mentions("s.scene.yaml:", "unknown object", "'Sen'", "'Seen'"));
 }
 
 TEST_F(ExplainCommand, GivesTheSameToProgramsAsJson)
@@ -382,10 +383,10 @@ TEST_F(ExplainCommand, NamesWhatIsWrongWithAShapeAndItsWeight)
             "    weight: .nan\n    colliders: [{type: spher}, {type: capsule, direction: w}]\n");
     EXPECT_EQ(1, run.exitCode);
     EXPECT_THAT(run.err, HasSubstr("volume 'V'.weight: '.nan' is not a finite number"));
-    EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[0].type: unknown shape 'spher'; did you "
-                                   "mean 'sphere'?"));
-    EXPECT_THAT(run.err, HasSubstr("volume 'V'.colliders[1].direction: 'w' is no axis; x, y or z "
-                                   "is expected"));
+    EXPECT_THAT(run.err,
+                Mentions("volume 'V'.colliders[0].type:", "unknown shape", "'spher'", "'sphere'"));
+    EXPECT_THAT(run.err,
+                Mentions("volume 'V'.colliders[1].direction:", "'w'", "no axis", "x, y or z"));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
 #include "limits/Lowered.h"
@@ -13,7 +14,6 @@ namespace limn::test
 namespace
 {
 
-using testing::EndsWith;
 using testing::HasSubstr;
 
 /// A selected cube in the middle, half hidden by another one.
@@ -207,18 +207,16 @@ TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
     folder.Write("s.scene.yaml", "size: [8, 8]\ncamera: {}\nmaterials: {m: {shader: s.shader}}\n"
                                  "objects: [{name: a, mesh: cube, material: m, "
                                  "position: [0, 0, 3]}]\n");
-    for (const auto& [shader, error] :
-         {std::pair(shaderOf(buffers, sum), "error: a function of the shader reads 40 uniform "
-                                            "buffers; the device binds at most [0-9]+\n"),
-          {shaderOf("cbuffer B { float4 _A[70000]; };", "_A[5]"),
-           ".*s.shader:1:[0-9]+: error: constant buffer 'B' has more than 65536 bytes, which are "
-           "the "
-           "most that it may have; make it smaller, or use a StructuredBuffer\n"}})
+    const std::pair<std::string, std::vector<std::string>> cases[] = {
+        {shaderOf(buffers, sum), {"40 uniform buffers", "at most"}},
+        {shaderOf("cbuffer B { float4 _A[70000]; };", "_A[5]"),
+         {"s.shader:1:", "constant buffer 'B'", "65536 bytes", "StructuredBuffer"}}};
+    for (const auto& [shader, parts] : cases)
     {
         folder.Write("s.shader", shader);
         const CommandRun run = Draw({});
         EXPECT_EQ(run.err.empty() ? 0 : 1, run.exitCode);
-        EXPECT_THAT(run.err, testing::AnyOf("", testing::MatchesRegex(error)));
+        EXPECT_THAT(run.err, testing::AnyOf("", MentionsInOrder(parts)));
     }
 }
 
@@ -234,34 +232,33 @@ TEST_F(Render, RefusesASizeThatIsTooLargeOnceItIsScaled)
     folder.Write("s.scene.yaml", std::string("renderScale: 2\n") + k_Scene);
     const CommandRun run = Draw({"--size", "16384x10"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, HasSubstr("s.scene.yaml: error: renderScale: it makes 32768x20 of "
-                                   "16384x10 pixels"));
+    EXPECT_THAT(run.err, Mentions("s.scene.yaml:", "renderScale:", "32768x20", "16384x10"));
 }
 
 TEST_F(Render, WithoutAVolumeSaysWhyThereIsNoOutline)
 {
     const CommandRun run = Draw({});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ(
-        "note: Outline: it is not drawn; no volume at the camera sets ScreenSpaceOutline.m_Enable, "
-        "which is false by default\n",
-        run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions("note: Outline:", "not drawn", "no volume",
+                                              "ScreenSpaceOutline.m_Enable", "false by default")));
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
 TEST_F(Render, WithADisabledVolumeComponentSaysSo)
 {
     const CommandRun run = Draw({"--profile", "off.profile.yaml"});
-    EXPECT_EQ(
-        "note: Outline: it is not drawn; a volume sets ScreenSpaceOutline.m_Enable to false\n",
-        run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions("note: Outline:", "not drawn", "a volume",
+                                              "ScreenSpaceOutline.m_Enable to false")));
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
 TEST_F(Render, WithAnInactiveFeatureSaysSo)
 {
     const CommandRun run = Draw({"--profile", "on.profile.yaml", "--set", "Outline.active=false"});
-    EXPECT_EQ("note: Outline: it is not drawn; the feature is inactive\n", run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions("note: Outline:", "not drawn", "inactive")));
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
@@ -269,8 +266,9 @@ TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
 {
     const CommandRun run =
         Draw({"--profile", "on.profile.yaml", "--set", "Outline.m_RenderingLayerMask=9"});
-    EXPECT_EQ("note: Outline: 0 of 2 renderers drawn: 1 layer mask, 1 rendering layer mask\n",
-              run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions("note: Outline:", "0 of 2", "1 layer mask",
+                                              "1 rendering layer mask")));
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
@@ -429,8 +427,7 @@ TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
     const int before = folder.fileCount();
     const CommandRun run = Draw({}, "no/out.png");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, EndsWith(Path("no/out.png") +
-                                  ": error: cannot be written: No such file or directory\n"));
+    EXPECT_THAT(run.err, Mentions(Path("no/out.png") + ":", "written", "No such file"));
     EXPECT_EQ("", run.out);
     EXPECT_EQ(before, folder.fileCount());
 }
@@ -446,8 +443,7 @@ TEST_F(Render, RefusesToWriteOverWhatItReads)
         const CommandRun run = Draw({"--profile", "on.profile.yaml"}, output);
         EXPECT_EQ(1, run.exitCode);
         EXPECT_THAT(run.err,
-                    EndsWith(Path(output) + ": error: cannot be written: the scene is drawn from " +
-                             Path(input) + ", which is this file; give another name\n"));
+                    Mentions(Path(output) + ":", "drawn from " + Path(input), "another name"));
         EXPECT_EQ(before, ReadText(folder / output));
     }
     const CommandRun stats = Draw({"--stats", Path("s.scene.yaml")});
@@ -460,8 +456,7 @@ TEST_F(Render, RefusesToWriteOneFileTwice)
 {
     const CommandRun run = Draw({"--stats", Path("o.json"), "--trace", Path("./o.json")});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, EndsWith(Path("o.json") + ": error: is to be written twice; give each "
-                                                   "output a name of its own\n"));
+    EXPECT_THAT(run.err, Mentions(Path("o.json") + ":", "twice"));
     EXPECT_FALSE(std::filesystem::exists(folder / "o.json"));
     EXPECT_EQ(0, Draw({"--stats", "/dev/null", "--trace", "/dev/null"}).exitCode);
 }
@@ -498,8 +493,7 @@ TEST_F(Render, AnUnknownDeviceEndsWith3)
 {
     const CommandRun run = Draw({"--device", "no such device"});
     EXPECT_EQ(3, run.exitCode);
-    EXPECT_THAT(run.err,
-                HasSubstr("error: no usable Vulkan device is 'no such device'; there are:"));
+    EXPECT_THAT(run.err, Mentions("no usable Vulkan device", "'no such device'", "there are"));
     EXPECT_FALSE(std::filesystem::exists(folder / "out.png"));
 }
 
@@ -519,10 +513,10 @@ TEST_F(Render, DoctorSaysWhatTheDeviceLacksAndWhatThatCosts)
     const CommandRun run = RunCommand(OnSharedDevice({"doctor"}));
     EXPECT_EQ(0, run.exitCode);
     EXPECT_THAT(run.out, HasSubstr("usable; what it lacks, and what that costs:\n"));
-    EXPECT_THAT(run.out, HasSubstr("- no geometryShader: geometry functions are refused, and "
-                                   "SV_PrimitiveID in fragment functions\n"));
-    EXPECT_THAT(run.out, HasSubstr("- maxPerStageDescriptorSamplers is 9: 9 samplers are the most "
-                                   "that a function of a shader can use\n"));
+    EXPECT_THAT(LinesOf(run.out),
+                testing::Contains(Mentions("no geometryShader", "SV_PrimitiveID")));
+    EXPECT_THAT(LinesOf(run.out),
+                testing::Contains(Mentions("maxPerStageDescriptorSamplers is 9", "9 samplers")));
 }
 
 } // namespace limn::test

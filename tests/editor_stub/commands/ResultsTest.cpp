@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "commands/CommandRun.h"
 
@@ -34,9 +35,8 @@ TEST(Results, ThatDoNotGoOutEndWith3)
     {
         EXPECT_EQ(0, ExitCodeOf(verb + " > /dev/null")) << verb;
         EXPECT_EQ(3, ExitCodeOf(verb + " > /dev/full 2> '" + errors + "'")) << verb;
-        EXPECT_EQ("error: the results cannot be written to standard output: its disk is full, or "
-                  "nobody reads it\n",
-                  ReadText(errors))
+        EXPECT_THAT(LinesOf(ReadText(errors)),
+                    testing::ElementsAre(Mentions("results", "standard output", "disk is full")))
             << verb;
     }
 }
@@ -50,22 +50,21 @@ TEST(RawMessages, AreSentencesWithAPlace)
         const std::string error = RunCommand({"explain", path}).err;
         return error.substr(std::min(error.size(), path.size()));
     };
-    EXPECT_EQ(":1:39: error: camera.lookAt: this is the camera's own position; a point in front of "
-              "it is expected\n",
-              errorOf("camera: {position: [0, 0, 0], lookAt: [1.0e-30, 0, 0]}\n"));
-    EXPECT_EQ(":2:10: error: the key here is longer than 1024 characters, which is the most that "
-              "YAML allows\n",
-              errorOf("camera: {}\nlayers: {" + std::string(1100, 'a') + ": 3}\n"));
-    EXPECT_EQ(":2:10: error: the key here is longer than 1024 characters, which is the most that "
-              "YAML allows\n",
-              errorOf("camera: {}\nlayers: {'" + std::string(1100, 'a') + "': 3}\n"));
+    EXPECT_THAT(LinesOf(errorOf("camera: {position: [0, 0, 0], lookAt: [1.0e-30, 0, 0]}\n")),
+                testing::ElementsAre(Mentions(":1:39:", "camera.lookAt", "own position")));
+    EXPECT_THAT(LinesOf(errorOf("camera: {}\nlayers: {" + std::string(1100, 'a') + ": 3}\n")),
+                testing::ElementsAre(Mentions(":2:10:", "key", "longer than 1024")));
+    EXPECT_THAT(LinesOf(errorOf("camera: {}\nlayers: {'" + std::string(1100, 'a') + "': 3}\n")),
+                testing::ElementsAre(Mentions(":2:10:", "key", "longer than 1024")));
     std::filesystem::create_symlink("circle.scene.yaml", folder / "circle.scene.yaml");
     std::filesystem::create_symlink("circle.shader", folder / "circle.shader");
-    const std::string circle = ": error: is a link that leads back to itself\n";
-    EXPECT_EQ((folder / "circle.scene.yaml").string() + circle,
-              RunCommand({"explain", (folder / "circle.scene.yaml").string()}).err);
-    EXPECT_EQ((folder / "circle.shader").string() + circle,
-              RunCommand({"shader", (folder / "circle.shader").string()}).err);
+    for (const auto& [verb, name] :
+         {std::pair("explain", "circle.scene.yaml"), std::pair("shader", "circle.shader")})
+    {
+        const std::string path = (folder / name).string();
+        EXPECT_THAT(LinesOf(RunCommand({verb, path}).err),
+                    testing::ElementsAre(Mentions(path + ":", "link", "itself")));
+    }
 }
 
 TEST(RawMessages, AreNoneForNamesThatAreNotUtf8)
@@ -105,33 +104,32 @@ TEST(Input, ThatCannotBeDrawnIsNoBugOfLimns)
                 "m_LayerMask: Everything, m_ScreenSpaceOutlineShader: one.shader");
     const std::string camera = "camera: {position: [0, 0, -4]}\n";
     const std::string ortho = "camera: {orthographic: true, nearClipPlane: -20}\n";
-    const std::string range = " is outside [-1000000000, 1000000000]\n";
-    const std::pair<std::string, std::string> cases[] = {
-        {"camera: {position: [3e38, 0, 0]}\n", ":1:21: error: camera.position[0]: 3e38" + range},
-        {"camera: {lookAt: [0, 1e30, 0]}\n", ":1:22: error: camera.lookAt[1]: 1e30" + range},
+    const std::string range = "[-1000000000, 1000000000]";
+    const std::pair<std::string, std::vector<std::string>> cases[] = {
+        {"camera: {position: [3e38, 0, 0]}\n",
+         {"s.scene.yaml:1:21:", "camera.position[0]", "3e38", "outside", range}},
+        {"camera: {lookAt: [0, 1e30, 0]}\n",
+         {"s.scene.yaml:1:22:", "camera.lookAt[1]", "1e30", "outside", range}},
         {"camera: {backgroundColor: [1e30, 0, 0]}\n",
-         ":1:28: error: camera.backgroundColor[0]: 1e30" + range},
+         {"s.scene.yaml:1:28:", "camera.backgroundColor[0]", "1e30", "outside", range}},
         {camera + "ambientLight: {r: 0, g: 0, b: -1e30}\n",
-         ":2:31: error: scene.ambientLight.b: -1e30" + range},
+         {"s.scene.yaml:2:31:", "scene.ambientLight.b", "-1e30", "outside", range}},
         {camera + feature("RenderObjects", "filterSettings: {PassNames: [" + names + "]}"),
-         ":2:23: error: renderer.features[0]: F: filterSettings.PassNames has 17 names; at most 16 "
-         "are drawn\n"},
+         {"s.scene.yaml:2:23:", "renderer.features[0]", "filterSettings.PassNames", "17", "16"}},
         {camera + feature("RenderObjects", "cameraSettings: {offset: [0, 0, 3e38, 0]}"),
-         ":2:23: error: renderer.features[0]: F: cameraSettings.offset is more than 1e9 m; no "
-         "picture shows objects so far away\n"},
+         {"s.scene.yaml:2:23:", "renderer.features[0]", "cameraSettings.offset", "1e9 m"}},
         {camera + outline,
-         ":2:23: error: renderer.features[0]: F: m_ScreenSpaceOutlineShader: the shader 'One' has "
-         "1 of the three passes for mask, edge and composite; Hidden/ScreenSpaceOutline has "
-         "them\n"},
+         {"s.scene.yaml:2:23:", "renderer.features[0]", "m_ScreenSpaceOutlineShader", "'One'",
+          "1 of the three", "Hidden/ScreenSpaceOutline"}},
         {ortho + feature("RenderObjects", "passTag: P, cameraSettings: {overrideCamera: true}"),
-         "error: P: cameraSettings.overrideCamera: its own camera has perspective, but the scene's "
-         "has the nearClipPlane -20.000000; more than 0 is needed\n"}};
-    for (const auto& [text, error] : cases)
+         {"P:", "cameraSettings.overrideCamera", "perspective", "nearClipPlane -20",
+          "more than 0"}}};
+    for (const auto& [text, parts] : cases)
     {
         const std::string scene = folder.Write("s.scene.yaml", text).string();
         const CommandRun run = RunCommand({"explain", scene});
         EXPECT_EQ(1, run.exitCode) << text;
-        EXPECT_EQ((error[0] == ':' ? scene : "") + error, run.err);
+        EXPECT_THAT(LinesOf(run.err), testing::ElementsAre(MentionsInOrder(parts)));
     }
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
@@ -43,9 +44,10 @@ TEST(LimnSet, LeavesTheFileIfOneOfTheValuesIsWrong)
     const CommandRun run = RunCommand({"set", file.string(), "ScreenSpaceOutline.enable=false",
                                        "ScreenSpaceOutline.outlineWidth=14"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ("ScreenSpaceOutline.outlineWidth=14: error: ScreenSpaceOutline.m_OutlineWidth: 14 is "
-              "outside [1, 10]\n",
-              run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions(
+                    "ScreenSpaceOutline.outlineWidth=14:", "ScreenSpaceOutline.m_OutlineWidth",
+                    "14", "outside", "[1, 10]")));
     EXPECT_EQ(text, ReadText(file));
 }
 
@@ -110,8 +112,8 @@ TEST(LimnSchema, OfScenesHoldsTheFeaturesSettings)
     const auto& settings = feature["allOf"][index]["then"]["properties"];
     EXPECT_TRUE(settings.contains("m_LayerMask"));
     EXPECT_TRUE(settings.contains("layerMask"));
-    EXPECT_EQ("Basic Settings: The event of the frame at which the outline is drawn",
-              settings["m_RenderPassEvent"]["description"]);
+    EXPECT_THAT(settings["m_RenderPassEvent"]["description"].get<std::string>(),
+                Mentions("Basic Settings:", "event"));
 }
 
 TEST(LimnSchema, OfMaterialsIsWhatAScenesMaterialsHave)

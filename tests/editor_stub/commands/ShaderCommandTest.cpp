@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
@@ -85,7 +86,7 @@ TEST_F(ShaderCommand, CompilesTheKernelsOfComputeFiles)
     {
         const CommandRun run = RunCommand({"shader", path, other});
         EXPECT_EQ(2, run.exitCode) << other;
-        EXPECT_THAT(run.err, HasSubstr("error: shader: .compute files are checked on their own"));
+        EXPECT_THAT(run.err, Mentions("shader:", ".compute", "on their own"));
     }
     const CommandRun none = RunCommand({"shader", Write("none.compute", "void Fill() { }\n")});
     EXPECT_EQ(1, none.exitCode);
@@ -144,8 +145,8 @@ TEST_F(ShaderCommand, DescribesASingleFile)
                                    "      multi_compile: (none) FOG\n"
                                    "      2 variants\n"
                                    "      SPIR-V: vertex "));
-    EXPECT_THAT(run.out, HasSubstr("SRP Batcher: not compatible, the property _Tint is in $Global, "
-                                   "not in the cbuffer UnityPerMaterial\n"));
+    EXPECT_THAT(LinesOf(run.out), testing::Contains(Mentions("SRP Batcher: not compatible", "_Tint",
+                                                             "$Global", "UnityPerMaterial")));
     EXPECT_THAT(run.out, HasSubstr("float4 _Tint @0"));
     EXPECT_THAT(run.out, HasSubstr("vertex input float4 POSITION, location 0\n"));
 }
@@ -157,8 +158,7 @@ TEST_F(ShaderCommand, ReportsEveryErrorOfAllFilesAndSumsUp)
     Write("notes.txt", "no shader");
     const CommandRun run = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, HasSubstr("b.shader:2:14: error: SubShader: unknown command 'Pas'; did "
-                                   "you mean 'Pass'?"));
+    EXPECT_THAT(run.err, Mentions("b.shader:2:14:", "unknown command", "'Pas'", "'Pass'"));
     EXPECT_THAT(run.err, HasSubstr("\n SubShader { Pas { } } }\n             ^\n"));
     EXPECT_EQ("2 files: 1 parsed (50.0 %), 1 error; 1 of 1 pass compiled (100.0 %)\n", run.out);
 }
@@ -196,8 +196,8 @@ TEST_F(ShaderCommand, GivesTheSameAsJson)
     EXPECT_EQ("2", pass["variants"]);
     EXPECT_EQ("FOG", pass["keywords"][0]["keywords"][1]);
     EXPECT_EQ("POSITION", pass["layout"]["vertexInputs"][0]["semantic"]);
-    EXPECT_EQ("the property _Tint is in $Global, not in the cbuffer UnityPerMaterial",
-              pass["srpBatcherProblem"]);
+    EXPECT_THAT(pass["srpBatcherProblem"].get<std::string>(),
+                Mentions("_Tint", "$Global", "UnityPerMaterial"));
     EXPECT_TRUE(files[0]["diagnostics"].empty());
     EXPECT_EQ(false, files[1]["parsed"]);
     EXPECT_EQ(1, files[1]["diagnostics"][0]["line"]);
@@ -223,13 +223,12 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
                                        "\"HDRenderPipeline\" }"));
     const CommandRun run = RunCommand({"shader", (folder / "").string(), "-j", "2"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ("5 files: 5 parsed (100.0 %), 2 errors; 1 of 2 passes compiled (50.0 %), 1 failed, "
-              "2 refused, 1 with a missing include\n",
-              run.out);
-    EXPECT_THAT(run.err, HasSubstr("note: program: its SubShader is for the HDRenderPipeline, "
-                                   "which limn does not stand in for\n"));
-    EXPECT_THAT(run.err,
-                HasSubstr("include.shader:18: error: #include: there is no file \"nosuch.hlsl\""));
+    EXPECT_THAT(LinesOf(run.out), testing::ElementsAre(Mentions(
+                                      "5 files", "5 parsed", "2 errors", "1 of 2 passes",
+                                      "1 failed", "2 refused", "1 with a missing include")));
+    EXPECT_THAT(LinesOf(run.err),
+                testing::Contains(Mentions("note:", "SubShader", "HDRenderPipeline")));
+    EXPECT_THAT(run.err, Mentions("include.shader:18:", "#include", "\"nosuch.hlsl\""));
 }
 
 TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
@@ -247,11 +246,11 @@ TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
     const CommandRun text = RunCommand({"shader", path, "-j", "2"});
     const CommandRun json = RunCommand({"shader", path, "-j", "2", "--json"});
     unsetenv("LIMN_TEST_ABORT");
-    const std::string reason = "program: the HLSL compiler crashes on it: Aborted (signal 6)";
     EXPECT_EQ(1, text.exitCode);
-    EXPECT_EQ("4 files: 4 parsed (100.0 %), 1 error; 3 of 4 passes compiled (75.0 %), 1 failed\n",
-              text.out);
-    EXPECT_THAT(text.err, HasSubstr("dies.shader:14:13: error: " + reason + "\n"));
+    EXPECT_THAT(LinesOf(text.out), testing::ElementsAre(Mentions("4 files", "4 parsed", "1 error",
+                                                                 "3 of 4 passes", "1 failed")));
+    EXPECT_THAT(text.err,
+                Mentions("dies.shader:14:13:", "compiler crashes", "Aborted", "signal 6"));
     EXPECT_EQ(1, json.exitCode);
     const nlohmann::json files = nlohmann::json::parse(json.out)["files"];
     ASSERT_EQ(4u, files.size());
@@ -260,7 +259,9 @@ TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
         const bool dies = file["file"].get<std::string>().ends_with("dies.shader");
         const nlohmann::json& pass = file["subShaders"][0]["passes"][0];
         EXPECT_EQ(dies ? "failed" : "compiled", pass["outcome"]) << file["file"];
-        EXPECT_EQ(dies ? reason : "", pass.value("reason", ""));
+        EXPECT_THAT(pass.value("reason", ""),
+                    testing::Conditional(dies, Mentions("compiler crashes", "signal 6"),
+                                         testing::IsEmpty()));
     }
 }
 
@@ -278,16 +279,16 @@ TEST_F(ShaderCommand, RefusesAGrabPassByName)
     std::string text = k_Good;
     text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
     const std::string path = Write("good.shader", text);
-    const std::string reason =
-        "GrabPass: it is not supported, as in URP; read _CameraOpaqueTexture instead";
     const CommandRun run = RunCommand({"shader", path, "--json"});
     EXPECT_EQ(0, run.exitCode);
     const nlohmann::json passes =
         nlohmann::json::parse(run.out)["files"][0]["subShaders"][0]["passes"];
     EXPECT_EQ("refused", passes[0]["outcome"]);
-    EXPECT_EQ(reason, passes[0]["reason"]);
+    EXPECT_THAT(passes[0]["reason"].get<std::string>(),
+                Mentions("GrabPass", "not supported", "_CameraOpaqueTexture"));
     EXPECT_EQ("compiled", passes[1]["outcome"]);
-    EXPECT_THAT(run.err, HasSubstr("good.shader:6:9: note: " + reason + "\n"));
+    EXPECT_THAT(run.err, Mentions("good.shader:6:9:", "note", "GrabPass", "not supported",
+                                  "_CameraOpaqueTexture"));
 }
 
 TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)
@@ -418,7 +419,7 @@ TEST_F(ShaderCommand, NamesAFolderWithoutShaders)
     const std::string path = (folder / "").string();
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(path + ": error: the folder has no .shader file in it\n", run.err);
+    EXPECT_THAT(LinesOf(run.err), testing::ElementsAre(Mentions(path + ":", "no .shader file")));
 }
 
 TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
@@ -434,11 +435,9 @@ TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
         Write("baked.shader", "Shader \"My/Baked\" { SubShader {\n" + pass + pass + "} }");
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(0, run.exitCode);
-    EXPECT_EQ(path +
-                  ": note: uses light cookies, which limn does not have: lights shine white "
-                  "through them\n" +
-                  path + ": note: uses light maps, which limn does not have: they are white\n",
-              run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions(path + ":", "note", "light cookies", "white"),
+                                     Mentions(path + ":", "note", "light maps", "white")));
 }
 
 TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
@@ -454,10 +453,10 @@ TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
     }
     const CommandRun run = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(0, run.exitCode);
-    const std::string message = "note: uses light maps, which limn does not have: they are white\n";
-    EXPECT_EQ((folder / "a.shader").string() + ": " + message +
-                  "note: in 2 more files: " + message.substr(6),
-              run.err);
+    EXPECT_THAT(
+        LinesOf(run.err),
+        testing::ElementsAre(Mentions((folder / "a.shader").string() + ":", "note", "light maps"),
+                             Mentions("note", "2 more files", "light maps")));
 }
 
 TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
@@ -465,16 +464,13 @@ TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
     std::string surface = k_Good;
     surface.replace(surface.find("#pragma fragment F"), 18, "#pragma surface F");
     const std::string path = Write("surface.shader", surface);
-    const std::string sentence =
-        "error: nothing was compiled: limn refuses 1 pass, for the reasons above\n";
     const CommandRun single = RunCommand({"shader", path});
     EXPECT_EQ(1, single.exitCode);
-    EXPECT_THAT(single.err, testing::EndsWith(sentence));
+    EXPECT_THAT(single.err, Mentions("error:", "nothing was compiled", "1 pass,"));
     Write("second.shader", surface);
     const CommandRun all = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(1, all.exitCode);
-    EXPECT_THAT(all.err, testing::EndsWith("error: nothing was compiled: limn refuses 2 passes, "
-                                           "for the reasons above\n"));
+    EXPECT_THAT(all.err, Mentions("error:", "nothing was compiled", "2 passes"));
     EXPECT_EQ("2 files: 2 parsed (100.0 %); 0 of 0 passes compiled, 2 refused\n", all.out);
     EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
     Write("good.shader", k_Good);
@@ -486,10 +482,10 @@ TEST_F(ShaderCommand, WarnsOfKeywordsThatNoPassDeclares)
     const std::string path = Write("good.shader", k_Good);
     const CommandRun near = RunCommand({"shader", path, "--keywords", "FOG,FOGG"});
     EXPECT_EQ(0, near.exitCode);
-    EXPECT_EQ("warning: --keywords: no pass declares the keyword 'FOGG'; did you mean 'FOG'?\n",
-              near.err);
-    EXPECT_EQ("warning: --keywords: no pass declares the keyword '_SHADOWS' (known: FOG)\n",
-              RunCommand({"shader", path, "--keywords", "_SHADOWS"}).err);
+    EXPECT_THAT(LinesOf(near.err),
+                testing::ElementsAre(Mentions("warning: --keywords:", "'FOGG'", "'FOG'")));
+    EXPECT_THAT(LinesOf(RunCommand({"shader", path, "--keywords", "_SHADOWS"}).err),
+                testing::ElementsAre(Mentions("warning: --keywords:", "'_SHADOWS'", "FOG")));
     EXPECT_EQ("", RunCommand({"shader", path, "--keywords", "FOG"}).err);
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 #include "commands/WorkingFolder.h"
 
@@ -14,20 +15,21 @@ namespace
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-/// The second line of every complaint about the arguments.
-const std::string k_LimnUsage = "usage: limn VERB [OPTIONS]; see 'limn help'\n";
-const std::string k_RenderUsage =
-    "usage: limn render SCENE -o FILE [OPTIONS]; see 'limn help render'\n";
-const std::string k_ExplainUsage = "usage: limn explain SCENE [OPTIONS]; see 'limn help explain'\n";
-const std::string k_ShaderUsage =
-    "usage: limn shader FILE|DIR ... [OPTIONS]; see 'limn help shader'\n";
+/// What the second line of every complaint about the arguments mentions.
+const Arguments k_LimnUsage{"usage: limn VERB", "'limn help'"};
+const Arguments k_RenderUsage{"usage: limn render SCENE -o FILE", "'limn help render'"};
+const Arguments k_ExplainUsage{"usage: limn explain SCENE", "'limn help explain'"};
+const Arguments k_ShaderUsage{"usage: limn shader FILE|DIR ...", "'limn help shader'"};
 
-/// `limn` ends with 2, this on stderr and nothing on stdout.
-void ExpectWrongUsage(const Arguments& args, const std::string& text)
+/// `limn` ends with 2, an error on stderr that mentions these parts, then its usage, and nothing on
+/// stdout.
+void ExpectWrongUsage(const Arguments& args, const Arguments& usage, Arguments parts)
 {
+    parts.insert(parts.begin(), "error:");
     const CommandRun run = RunCommand(args);
-    EXPECT_EQ(2, run.exitCode) << text;
-    EXPECT_EQ(text, run.err);
+    EXPECT_EQ(2, run.exitCode) << run.err;
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(MentionsInOrder(parts), MentionsInOrder(usage)));
     EXPECT_EQ("", run.out);
 }
 
@@ -132,83 +134,64 @@ TEST(Usage, HelpOfAVerbTellsItsArgumentsAndOptions)
 
 TEST(Usage, AWrongOptionIsNamedWithTheNearest)
 {
-    ExpectWrongUsage({"--frob"}, "error: unknown option '--frob'\n" + k_LimnUsage);
-    ExpectWrongUsage({"--versoin"},
-                     "error: unknown option '--versoin'; did you mean '--version'?\n" +
-                         k_LimnUsage);
-    ExpectWrongUsage(Render({"--sise", "3x3"}),
-                     "error: unknown option '--sise'; did you mean '--size'?\n" + k_RenderUsage);
-    ExpectWrongUsage({"render", "--frob=1"}, "error: unknown option '--frob'\n" + k_RenderUsage);
-    ExpectWrongUsage(Render({"--verbos"}),
-                     "error: unknown option '--verbos'; did you mean '--verbose'?\n" +
-                         k_RenderUsage);
-    ExpectWrongUsage(Render({"--" + std::string(100, 'x') + "\n\x1B[2J"}),
-                     "error: unknown option '--" + std::string(46, 'x') + "…" +
-                         std::string(11, 'x') + "\\n\\x1B[2J'\n" + k_RenderUsage);
+    ExpectWrongUsage({"--frob"}, k_LimnUsage, {"unknown option", "'--frob'"});
+    ExpectWrongUsage({"--versoin"}, k_LimnUsage, {"unknown option", "'--versoin'", "'--version'"});
+    ExpectWrongUsage(Render({"--sise", "3x3"}), k_RenderUsage,
+                     {"unknown option", "'--sise'", "'--size'"});
+    ExpectWrongUsage({"render", "--frob=1"}, k_RenderUsage, {"unknown option", "'--frob'"});
+    ExpectWrongUsage(Render({"--verbos"}), k_RenderUsage,
+                     {"unknown option", "'--verbos'", "'--verbose'"});
+    ExpectWrongUsage(Render({"--" + std::string(100, 'x') + "\n\x1B[2J"}), k_RenderUsage,
+                     {"unknown option",
+                      "'--" + std::string(46, 'x') + "…" + std::string(11, 'x') + "\\n\\x1B[2J'"});
 }
 
 TEST(Usage, AWrongVerbIsNamedWithTheNearest)
 {
-    ExpectWrongUsage({"rendr", "s"},
-                     "error: unknown verb 'rendr'; did you mean 'render'?\n" + k_LimnUsage);
-    ExpectWrongUsage(
-        {"-v", "frobnicate"},
-        "error: unknown verb 'frobnicate' (known: render, watch, inspect, explain, check, "
-        "report, set, schema, shader, new, port, doctor, completion, complete, help, version)\n" +
-            k_LimnUsage);
-    ExpectWrongUsage({"help", "rendr"},
-                     "error: unknown verb 'rendr'; did you mean 'render'?\n"
-                     "usage: limn help [VERB] [OPTIONS]; see 'limn help help'\n");
-    ExpectWrongUsage({"-v"}, "error: a verb is missing\n" + k_LimnUsage);
+    const std::string verbs = "render, watch, inspect, explain, check, report, set, schema, "
+                              "shader, new, port, doctor, completion, complete, help, version";
+    ExpectWrongUsage({"rendr", "s"}, k_LimnUsage, {"unknown verb", "'rendr'", "'render'"});
+    ExpectWrongUsage({"-v", "frobnicate"}, k_LimnUsage, {"unknown verb", "'frobnicate'", verbs});
+    ExpectWrongUsage({"no.scene.yaml"}, k_LimnUsage, {"unknown verb", "'no.scene.yaml'", verbs});
+    ExpectWrongUsage({"help", "rendr"}, {"usage: limn help [VERB]", "'limn help help'"},
+                     {"unknown verb", "'rendr'", "'render'"});
+    ExpectWrongUsage({"-v"}, k_LimnUsage, {"a verb", "missing"});
 }
 
 TEST(Usage, AFileInThePlaceOfTheVerbIsOfferedTheVerbThatTakesIt)
 {
     const WorkingFolder working;
     WriteProject(working.folder);
-    ExpectWrongUsage({"s.scene.yaml"},
-                     "error: 's.scene.yaml' is no verb but a scene; 'limn render s.scene.yaml -o "
-                     "out.png' draws it\n" +
-                         k_LimnUsage);
-    ExpectWrongUsage({"a.shader", "-v"},
-                     "error: 'a.shader' is no verb but a shader; 'limn shader a.shader' describes "
-                     "it\n" +
-                         k_LimnUsage);
-    ExpectWrongUsage({"no.scene.yaml"},
-                     "error: unknown verb 'no.scene.yaml' (known: render, watch, inspect, explain, "
-                     "check, report, set, schema, shader, new, port, doctor, completion, complete, "
-                     "help, version)\n" +
-                         k_LimnUsage);
+    ExpectWrongUsage({"s.scene.yaml"}, k_LimnUsage,
+                     {"'s.scene.yaml'", "a scene", "'limn render s.scene.yaml -o out.png'"});
+    ExpectWrongUsage({"a.shader", "-v"}, k_LimnUsage,
+                     {"'a.shader'", "a shader", "'limn shader a.shader'"});
 }
 
 TEST(Usage, WhatIsMissingOrTooMuchIsNamed)
 {
-    ExpectWrongUsage({"render"}, "error: SCENE and -o FILE are missing\n" + k_RenderUsage);
-    ExpectWrongUsage({"render", "s"}, "error: -o FILE is missing\n" + k_RenderUsage);
-    ExpectWrongUsage({"shader"}, "error: FILE|DIR is missing\n" + k_ShaderUsage);
-    ExpectWrongUsage(Render({"t"}), "error: unexpected argument 't'\n" + k_RenderUsage);
-    ExpectWrongUsage(Render({"--size"}), "error: --size needs a value: WxH\n" + k_RenderUsage);
-    ExpectWrongUsage({"render", "s", "-o", "--validate"},
-                     "error: --output needs a value: FILE; '--validate' is an option\n" +
-                         k_RenderUsage);
-    ExpectWrongUsage(Render({"--size", "1x1", "--size", "2x2"}),
-                     "error: --size is given 2 times, and takes one value\n" + k_RenderUsage);
-    ExpectWrongUsage(Render({"--validate=yes"}),
-                     "error: --validate takes no value\n" + k_RenderUsage);
+    ExpectWrongUsage({"render"}, k_RenderUsage, {"SCENE and -o FILE", "missing"});
+    ExpectWrongUsage({"render", "s"}, k_RenderUsage, {"-o FILE is", "missing"});
+    ExpectWrongUsage({"shader"}, k_ShaderUsage, {"FILE|DIR", "missing"});
+    ExpectWrongUsage(Render({"t"}), k_RenderUsage, {"unexpected argument", "'t'"});
+    ExpectWrongUsage(Render({"--size"}), k_RenderUsage, {"--size", "needs a value", "WxH"});
+    ExpectWrongUsage({"render", "s", "-o", "--validate"}, k_RenderUsage,
+                     {"--output", "needs a value", "FILE", "'--validate'", "an option"});
+    ExpectWrongUsage(Render({"--size", "1x1", "--size", "2x2"}), k_RenderUsage,
+                     {"--size", "2 times", "one value"});
+    ExpectWrongUsage(Render({"--validate=yes"}), k_RenderUsage, {"--validate", "no value"});
 }
 
 TEST(Usage, OptionsThatDoNotGoTogetherAreNamed)
 {
-    ExpectWrongUsage({"shader", "s", "--emit", "glsl"},
-                     "error: --emit needs --output beside it\n" + k_ShaderUsage);
-    ExpectWrongUsage({"shader", "s", "--emit", "glsl", "-o", "o", "--variants"},
-                     "error: --emit and --variants exclude each other\n" + k_ShaderUsage);
-    ExpectWrongUsage(Render({"-q", "-v"}),
-                     "error: --quiet and --verbose exclude each other\n" + k_RenderUsage);
-    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--object", "A"},
-                     "error: --object and --pixel exclude each other\n" + k_ExplainUsage);
-    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--graph", "a.svg"},
-                     "error: --pixel and --graph exclude each other\n" + k_ExplainUsage);
+    ExpectWrongUsage({"shader", "s", "--emit", "glsl"}, k_ShaderUsage, {"--emit needs --output"});
+    ExpectWrongUsage({"shader", "s", "--emit", "glsl", "-o", "o", "--variants"}, k_ShaderUsage,
+                     {"--emit and --variants", "exclude"});
+    ExpectWrongUsage(Render({"-q", "-v"}), k_RenderUsage, {"--quiet and --verbose", "exclude"});
+    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--object", "A"}, k_ExplainUsage,
+                     {"--object and --pixel", "exclude"});
+    ExpectWrongUsage({"explain", "s", "--pixel", "1,1", "--graph", "a.svg"}, k_ExplainUsage,
+                     {"--pixel and --graph", "exclude"});
 }
 
 TEST(Usage, FlagsAreWrittenAsGnuHasThem)
@@ -228,11 +211,9 @@ TEST(Usage, FlagsAreWrittenAsGnuHasThem)
     }
     EXPECT_THAT(RunCommand({"inspect", "--", "--json"}).err,
                 testing::StartsWith("--json: error: there is no such file"));
-    ExpectWrongUsage(Render({"-qv"}),
-                     "error: --quiet and --verbose exclude each other\n" + k_RenderUsage);
-    ExpectWrongUsage(Render({"-qz"}), "error: unknown option '-z'\n" + k_RenderUsage);
-    ExpectWrongUsage({"shader", "-qj0", "s"},
-                     "error: --jobs: '0' is no number from 1 to 256\n" + k_ShaderUsage);
+    ExpectWrongUsage(Render({"-qv"}), k_RenderUsage, {"--quiet and --verbose", "exclude"});
+    ExpectWrongUsage(Render({"-qz"}), k_RenderUsage, {"unknown option", "'-z'"});
+    ExpectWrongUsage({"shader", "-qj0", "s"}, k_ShaderUsage, {"--jobs:", "'0'", "1 to 256"});
 }
 
 TEST(Usage, HelpIsGivenWhateverElseIsWrong)
@@ -240,63 +221,53 @@ TEST(Usage, HelpIsGivenWhateverElseIsWrong)
     const std::string help = RunCommand({"help", "render"}).out;
     EXPECT_EQ(help, RunCommand({"-h", "render"}).out);
     EXPECT_EQ(help, RunCommand({"render", "--frob", "--size", "x", "-qh"}).out);
-    ExpectWrongUsage({"render", "--help=1"}, "error: --help takes no value\n" + k_RenderUsage);
+    ExpectWrongUsage({"render", "--help=1"}, k_RenderUsage, {"--help", "no value"});
 }
 
 TEST(Usage, APixelIsTwoWholeNumbers)
 {
     for (const char* text : {"", "3", "3,", ",3", "3,4,5", "3x4", "a,b", "1.5,2", "3,4@1", "3, 4"})
     {
-        ExpectWrongUsage({"explain", "s", "--pixel", text},
-                         "error: --pixel: '" + std::string(text) +
-                             "' is no pixel; X,Y from the top left is expected: 640,360\n" +
-                             k_ExplainUsage);
+        ExpectWrongUsage({"explain", "s", "--pixel", text}, k_ExplainUsage,
+                         {"--pixel:", "'" + std::string(text) + "'", "no pixel", "X,Y"});
     }
 }
 
 TEST(Usage, AValueThatCannotBeIsNamedWithWhatCan)
 {
-    const std::vector<std::pair<Arguments, std::string>> cases{
-        {{"--size", "3"}, "--size: '3' is no size; WxH is expected, 1...16384 each: 1280x720"},
-        {{"--size", "0x4"}, "--size: '0x4' is no size; WxH is expected, 1...16384 each: 1280x720"},
-        {{"--time", "nan"}, "--time: 'nan' is no time; seconds are expected: 1.5"},
-        {{"--frames", "0"}, "--frames: '0' is no number from 1 to 100000"},
-        {{"--frames", "3x"}, "--frames: '3x' is no number from 1 to 100000"},
-        {{"--package", "core"},
-         "--package: 'core' is no package; a folder with a package.json is expected, or NAME=DIR: "
-         "com.unity.render-pipelines.core=DIR"},
+    const std::pair<Arguments, Arguments> cases[] = {
+        {{"--size", "3"}, {"--size:", "'3'", "WxH", "1...16384"}},
+        {{"--size", "0x4"}, {"--size:", "'0x4'", "WxH", "1...16384"}},
+        {{"--time", "nan"}, {"--time:", "'nan'", "seconds"}},
+        {{"--frames", "0"}, {"--frames:", "'0'", "1 to 100000"}},
+        {{"--frames", "3x"}, {"--frames:", "'3x'", "1 to 100000"}},
+        {{"--package", "core"}, {"--package:", "'core'", "package.json", "NAME=DIR"}},
         {{"--set", "foo"},
-         "--set: 'foo': NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4"},
-        {{"--color", "alway"}, "--color: unknown word 'alway'; did you mean 'always'?"},
+         {"--set:", "'foo'", "NAME.path=value", "ScreenSpaceOutline.m_OutlineWidth=4"}},
+        {{"--color", "alway"}, {"--color:", "unknown word", "'alway'", "'always'"}},
     };
-    for (const auto& [more, message] : cases)
+    for (const auto& [more, parts] : cases)
     {
-        ExpectWrongUsage(Render(more), "error: " + message + "\n" + k_RenderUsage);
+        ExpectWrongUsage(Render(more), k_RenderUsage, parts);
     }
-    ExpectWrongUsage({"shader", "s", "-o", "o", "--emit", "gls"},
-                     "error: --emit: unknown word 'gls'; did you mean 'glsl'?\n" + k_ShaderUsage);
-    ExpectWrongUsage({"render", "s", "-o", ""},
-                     "error: --output: '' is no name of a file or folder\n" + k_RenderUsage);
+    ExpectWrongUsage({"shader", "s", "-o", "o", "--emit", "gls"}, k_ShaderUsage,
+                     {"--emit:", "unknown word", "'gls'", "'glsl'"});
+    ExpectWrongUsage({"render", "s", "-o", ""}, k_RenderUsage, {"--output:", "''", "no name"});
     ExpectWrongUsage({"schema", "shader"},
-                     "error: unknown word 'shader' (known: scene, profile, material)\n"
-                     "usage: limn schema scene|profile|material [OPTIONS]; see 'limn help "
-                     "schema'\n");
+                     {"usage: limn schema scene|profile|material", "'limn help schema'"},
+                     {"unknown word", "'shader'", "scene, profile, material"});
     ExpectWrongUsage({"set", "f", "foo"},
-                     "error: 'foo': NAME.path=value is expected, "
-                     "ScreenSpaceOutline.m_OutlineWidth=4\n"
-                     "usage: limn set FILE NAME.path=VALUE ... [OPTIONS]; see 'limn help "
-                     "set'\n");
+                     {"usage: limn set FILE NAME.path=VALUE ...", "'limn help set'"},
+                     {"'foo'", "NAME.path=value", "ScreenSpaceOutline.m_OutlineWidth=4"});
 }
 
 TEST(Usage, APictureIsAPngByItsName)
 {
-    ExpectWrongUsage({"render", "s", "-o", "x.jpg"},
-                     "error: --output: 'x.jpg' is no name of a PNG, and limn writes PNG only: "
-                     "a.png, or - for stdout\n" +
-                         k_RenderUsage);
+    ExpectWrongUsage({"render", "s", "-o", "x.jpg"}, k_RenderUsage,
+                     {"--output:", "'x.jpg'", "PNG only", "stdout"});
     ExpectWrongUsage({"watch", "s", "-o", "-"},
-                     "error: --output: stdout holds one picture only; name a file\n"
-                     "usage: limn watch SCENE -o FILE [OPTIONS]; see 'limn help watch'\n");
+                     {"usage: limn watch SCENE -o FILE", "'limn help watch'"},
+                     {"--output:", "stdout", "one picture"});
     for (const char* name : {"x.PNG", "/dev/null", "-", "folder.d/x"})
     {
         EXPECT_EQ(1, RunCommand({"render", "nosuch.scene.yaml", "-o", name}).exitCode) << name;
@@ -312,8 +283,9 @@ TEST(Usage, AFileMayHaveAVerbsName)
 
 TEST(Usage, ColourIsUsedWhereItIsAskedFor)
 {
-    EXPECT_EQ("\033[31merror\033[0m: unknown option '--frob'\n" + k_RenderUsage,
-              RunCommand({"render", "--color", "always", "--frob"}).err);
+    EXPECT_THAT(LinesOf(RunCommand({"render", "--color", "always", "--frob"}).err),
+                testing::ElementsAre(Mentions("\033[31merror\033[0m:", "'--frob'"),
+                                     MentionsInOrder(k_RenderUsage)));
     EXPECT_THAT(RunCommand({"--color=always", "inspect", "set"}).err,
                 testing::StartsWith("set: \033[31merror\033[0m: there is no such file"));
     EXPECT_THAT(RunCommand({"--color=never", "inspect", "set"}).err,
@@ -322,14 +294,13 @@ TEST(Usage, ColourIsUsedWhereItIsAskedFor)
 
 TEST(ExitCode, IsThatOfABugForAnythingButBadInputAndBadMachines)
 {
-    const std::string report = "; please report it with the command line and the files\n";
     const CommandRun contract = RunInto(ContractError("DrawMesh needs a mesh"));
     EXPECT_EQ(70, contract.exitCode);
-    EXPECT_EQ("error: this is a bug in limn: DrawMesh needs a mesh" + report, contract.err);
+    EXPECT_THAT(contract.err, Mentions("error:", "bug in limn", "DrawMesh needs a mesh", "report"));
     EXPECT_EQ(70, RunInto(std::runtime_error("json.exception")).exitCode);
     const CommandRun other = RunInto(7);
     EXPECT_EQ(70, other.exitCode);
-    EXPECT_EQ("error: this is a bug in limn: an exception without a name" + report, other.err);
+    EXPECT_THAT(other.err, Mentions("error:", "bug in limn", "without a name", "report"));
 }
 
 TEST(ExitCode, IsThatOfBadInputForWhatCannotBeDrawn)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/WatchTest.h"
 
 #include <atomic>
@@ -27,8 +28,11 @@ constexpr const char* k_WatchedScene =
     "materials: {black: {_BaseColor: \"#000000\"}}\n"
     "objects: [{name: Piece, mesh: cube, material: black, renderingLayerMask: [Selected]}]\n";
 
-constexpr const char* k_NoResults = "error: the results cannot be written to standard output: its "
-                                    "disk is full, or nobody reads it\n";
+/// Matches what a run says whose lines do not go out.
+auto SaysThatNothingGoesOut()
+{
+    return testing::ElementsAre(Mentions("results", "standard output", "disk is full"));
+}
 
 std::string Profile(const std::string& color)
 {
@@ -121,14 +125,12 @@ TEST_F(Watch, GoesOnWhenTheCompilerDies)
     const std::string color = "_BaseColor: \"#000000\"";
     scene.replace(scene.find(color), color.size(), "shader: dies.shader");
     folder.Write("s.scene.yaml", scene);
-    EXPECT_TRUE(WaitFor(
-        [&]
-        {
-            return ReadText(folder / "err")
-                       .find("dies.shader:1:36: error: program: the HLSL compiler crashes on it: "
-                             "Aborted (signal 6)\n") != std::string::npos;
-        }))
-        << ReadText(folder / "err");
+    const auto err = [&]
+    {
+        return ReadText(folder / "err");
+    };
+    EXPECT_TRUE(WaitFor([&] { return err().find("signal 6") != std::string::npos; })) << err();
+    EXPECT_THAT(err(), Mentions("dies.shader:1:36:", "compiler crashes", "Aborted", "signal 6"));
     folder.Write("p.profile.yaml", Profile("#00ff00"));
     folder.Write("s.scene.yaml", k_WatchedScene);
     EXPECT_TRUE(WaitForOutline(1)) << ReadText(folder / "err");
@@ -231,7 +233,7 @@ TEST_F(Watch, EndsWith3WhereItsLinesDoNotGoOut)
     {
         Start(arguments, out);
         EXPECT_EQ(3, End()) << out;
-        EXPECT_EQ(k_NoResults, ReadText(folder / "err")) << out;
+        EXPECT_THAT(LinesOf(ReadText(folder / "err")), SaysThatNothingGoesOut()) << out;
     }
 }
 
@@ -248,7 +250,7 @@ TEST_F(Watch, EndsWith3OnceNobodyReadsItsLines)
     close(reader);
     folder.Write("p.profile.yaml", Profile("#00ff00"));
     EXPECT_EQ(3, End());
-    EXPECT_EQ(k_NoResults, ReadText(folder / "err"));
+    EXPECT_THAT(LinesOf(ReadText(folder / "err")), SaysThatNothingGoesOut());
 }
 
 TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)
@@ -258,8 +260,8 @@ TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)
     EXPECT_EQ(Path("no.scene.yaml") + ": error: there is no such file\n", noScene.err);
     const CommandRun noFolder = RunCommand({"watch", Path("s.scene.yaml"), "-o", Path("no/o.png")});
     EXPECT_EQ(1, noFolder.exitCode);
-    EXPECT_EQ(Path("no/o.png") + ": error: cannot be written: No such file or directory\n",
-              noFolder.err);
+    EXPECT_THAT(LinesOf(noFolder.err),
+                testing::ElementsAre(Mentions(Path("no/o.png") + ":", "written", "No such file")));
     EXPECT_EQ(2, RunCommand({"watch"}).exitCode);
 }
 

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 #include "core/ThrownMessage.h"
 
@@ -54,10 +55,8 @@ TEST(CacheLimit, RefusesAnythingElseAndSaysWhatIsRight)
                                    "12m", "18446744073709551616", "17179869184G"})
     {
         const LimitVariable variable(text.c_str());
-        EXPECT_EQ("LIMN_CACHE_LIMIT: error: '" + text +
-                      "' is no size of a cache; write a number of bytes, with K, M or G behind it "
-                      "if need be, such as 512M, or 0 for no limit",
-                  ThrownMessage<AssetError>([] { CacheLimit(12345); }));
+        EXPECT_THAT(ThrownMessage<AssetError>([] { CacheLimit(12345); }),
+                    Mentions("LIMN_CACHE_LIMIT:", "'" + text + "'", "K, M or G", "512M"));
     }
 }
 

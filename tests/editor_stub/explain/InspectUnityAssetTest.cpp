@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "TemporaryFolder.h"
 #include "commands/CommandRun.h"
 #include "volume/Problems.h"
@@ -122,7 +123,7 @@ TEST_F(InspectAsset, OfARendererShowsItsMasksAndItsFeatures)
                             "  postProcessData: {fileID: 0}\n");
     EXPECT_THAT(text, testing::StartsWith("renderer 'Forward': UniversalRendererData\n"));
     EXPECT_THAT(text, ContainsRegex("m_OpaqueLayerMask +55 "));
-    EXPECT_THAT(text, ContainsRegex("m_RenderingMode +1 .*limn draws all of them forward"));
+    EXPECT_THAT(text, ContainsRegex("m_RenderingMode +1 .*forward"));
     EXPECT_THAT(text, ContainsRegex("m_DefaultStencilState +0 "));
     EXPECT_THAT(text, ContainsRegex("postProcessData +none +no post-processing"));
     EXPECT_THAT(text, HasSubstr("feature 'Mask': RenderObjects\n"));
@@ -158,13 +159,13 @@ TEST_F(InspectAsset, OfAMaterialWithUrpsLitSaysThatLimnHasOneOfItsOwn)
                                                       "  m_Shader: {fileID: 4800000, guid: "
                                                       "933532a4fcc9baf4fa0491de14d08ed7, type: 3}\n"
                                                       "  m_ShaderKeywords: _EMISSION _ON\n");
-    EXPECT_THAT(text, ContainsRegex("m_Shader +Universal Render Pipeline/Lit +limn's own of this"));
+    EXPECT_THAT(text, ContainsRegex("m_Shader +Universal Render Pipeline/Lit +limn's own"));
     EXPECT_THAT(text, ContainsRegex("keywords +._EMISSION _ON.\n"));
     const std::string unknown =
         Text("Complex.mat", k_Head + "--- !u!21 &2100000\nMaterial:\n  m_Name: A\n"
                                      "  m_Shader: {fileID: 4800000, guid: "
                                      "ee7e4c9a5f6364b688a332c67fc32cca, type: 3}\n");
-    EXPECT_THAT(unknown, ContainsRegex("Complex Lit +limn has none of this name\n"));
+    EXPECT_THAT(unknown, ContainsRegex("Complex Lit +limn has none"));
 }
 
 TEST_F(InspectAsset, OfAnyOtherKindSaysWhatItIs)
@@ -172,8 +173,8 @@ TEST_F(InspectAsset, OfAnyOtherKindSaysWhatItIs)
     const auto path = folder.Write("Assets/G.asset", k_Behaviour + "  m_Name: GlobalSettings\n");
     const CommandRun run = RunCommand({"inspect", path.string()});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, HasSubstr("no volume profile, renderer, render pipeline or material in "
-                                   "this Unity asset; it holds MonoBehaviour 'GlobalSettings'"));
+    EXPECT_THAT(run.err,
+                Mentions("no volume profile", "Unity asset", "MonoBehaviour 'GlobalSettings'"));
 }
 
 } // namespace limn::test

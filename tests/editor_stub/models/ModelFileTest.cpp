@@ -1,5 +1,6 @@
 #include "models/ModelFile.h"
 
+#include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
 #include <fstream>
@@ -273,9 +274,9 @@ TEST_F(ModelOfAnFbx, CostsOnlyItselfWhereTheImporterCrashesOnIt)
     const Importer importer = Isolated();
     unsetenv("LIMN_TEST_ABORT");
     EXPECT_THAT(ProblemOf("x", importer),
-                HasSubstr("the model cannot be read: the importer stopped on it: Aborted (signal"));
+                Mentions("model", "importer stopped", "Aborted", "signal"));
     EXPECT_EQ(LoadModel(m_File, {}, importer).meshes.size(), 1u);
-    EXPECT_EQ(ProblemOf("", Importer()), "the file is empty; a model is expected")
+    EXPECT_THAT(ProblemOf("", Importer()), Mentions("empty", "a model"))
         << "assimp ends the program on it";
 }
 

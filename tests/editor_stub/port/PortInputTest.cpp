@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "port/Ported.h"
 
 #include <gmock/gmock.h>
@@ -52,10 +53,8 @@ void ExpectTooDeep(const std::string& text, const std::string& place)
     working.folder.Write("a.cs", text);
     const CommandRun run = RunCommand({"port", "a.cs", "-o", "out"});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(
-        "a.cs:" + place +
-            ": error: brackets or types are nested more than 100 deep here; limn reads no deeper\n",
-        run.err);
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(Mentions("a.cs:" + place + ":", "nested", "100 deep")));
 }
 
 } // namespace
@@ -319,9 +318,8 @@ TEST(PortInput, OneBranchOfAConditionIsPorted)
     EXPECT_THAT(ported.source, Not(HasSubstr("New();")));
     EXPECT_THAT(ported.source, Not(HasSubstr("Old();")));
     EXPECT_THAT(ported.source, Not(HasSubstr("#if")));
-    EXPECT_THAT(ported.run.err,
-                HasSubstr("the C# is read for Unity 2022.3 (URP 14): 'UNITY_6000_0_OR_NEWER' is "
-                          "false, 'URP_14_0_OR_NEWER' is true"));
+    EXPECT_THAT(ported.run.err, Mentions("Unity 2022.3", "'UNITY_6000_0_OR_NEWER' is false",
+                                         "'URP_14_0_OR_NEWER' is true"));
 }
 
 TEST(PortInput, CSharpOfALaterUnityIsReadForIt)

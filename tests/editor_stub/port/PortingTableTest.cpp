@@ -1,4 +1,5 @@
 #include "port/PortingTable.h"
+#include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
 #include "port/HeaderWords.h"
@@ -117,13 +118,12 @@ TEST(PortingTable, ReadsKeysWordsAndResults)
 
 TEST(PortingTable, RefusesWhatItCannotRead)
 {
-    for (const auto& [text, problem] :
-         {std::pair("same A\nsmae B\n", "porting.txt:2: same, differs, refused or missing, and a "
-                                        "name are expected"),
-          std::pair("differs A\n", "porting.txt:1: how it differs is expected behind ' : '"),
-          std::pair("missing A\n\nsame {A,B}\n",
-                    "porting.txt:3: 'A' stands in two rows; keep one of them"),
-          std::pair("| A |\n", "porting.txt:1: '| Unity | limn |' is expected")})
+    const std::pair<const char*, std::vector<std::string>> cases[] = {
+        {"same A\nsmae B\n", {"porting.txt:2:", "same, differs, refused", "name"}},
+        {"differs A\n", {"porting.txt:1:", "how it differs", "' : '"}},
+        {"missing A\n\nsame {A,B}\n", {"porting.txt:3:", "'A'", "two rows"}},
+        {"| A |\n", {"porting.txt:1:", "'| Unity | limn |'"}}};
+    for (const auto& [text, parts] : cases)
     {
         try
         {
@@ -132,7 +132,7 @@ TEST(PortingTable, RefusesWhatItCannotRead)
         }
         catch (const ContractError& error)
         {
-            EXPECT_EQ(std::string(problem), error.what());
+            EXPECT_THAT(error.what(), MentionsInOrder(parts));
         }
     }
 }

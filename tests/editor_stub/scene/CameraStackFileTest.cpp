@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 #include "explain/Explanation.h"
 
@@ -44,15 +45,15 @@ TEST(CameraStackFile, ACameraHasOverlaysInItsStack)
 TEST(CameraStackFile, SaysWhatIsWrongWithAnOverlay)
 {
     SceneFolder folder;
-    EXPECT_THAT(folder.ProblemsOf("camera:\n"
-                                  "  cameraStack:\n"
-                                  "  - {clearDepth: 2, farClipPlane: 0.1}\n"
-                                  "  - {backgroundColor: [1, 1, 1]}\n"),
-                ElementsAre(HasSubstr("3:18: camera.cameraStack[0].clearDepth"),
-                            HasSubstr("3:35: camera.cameraStack[0].farClipPlane: 0.1 is not "
-                                      "greater than nearClipPlane"),
-                            HasSubstr("4:6: camera.cameraStack[1]: unknown key "
-                                      "'backgroundColor'")));
+    EXPECT_THAT(
+        folder.ProblemsOf("camera:\n"
+                          "  cameraStack:\n"
+                          "  - {clearDepth: 2, farClipPlane: 0.1}\n"
+                          "  - {backgroundColor: [1, 1, 1]}\n"),
+        ElementsAre(HasSubstr("3:18: camera.cameraStack[0].clearDepth"),
+                    Mentions("3:35: camera.cameraStack[0].farClipPlane:", "0.1", "nearClipPlane"),
+                    HasSubstr("4:6: camera.cameraStack[1]: unknown key "
+                              "'backgroundColor'")));
     EXPECT_THAT(folder.ProblemsOf("camera: {cameraStack: weapon}\n"),
                 ElementsAre(HasSubstr("camera.cameraStack: found")));
 }

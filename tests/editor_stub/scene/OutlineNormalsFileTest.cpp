@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 
 #include <gtest/gtest.h>
@@ -5,8 +6,6 @@
 
 namespace limn::test
 {
-
-using Lines = std::vector<std::string>;
 
 TEST(OutlineNormalsInAScene, AreBakedOnceForEachMeshThatAsksForThem)
 {
@@ -33,15 +32,15 @@ TEST(OutlineNormalsInAScene, AreBakedOnceForEachMeshThatAsksForThem)
 TEST(OutlineNormalsInAScene, NeedAWidthThatIsANumberInItsRange)
 {
     SceneFolder folder;
-    EXPECT_EQ(
-        (Lines{"2:69: material 'a'._OutlineWidth: '.nan' is not a finite number; a number such as "
-               "0.5 is expected",
-               "3:59: material 'b'._OutlineWidth: 1e4 is outside [0, 10]",
-               "4:59: material 'c'._OutlineWidth: -1 is outside [0, 10]"}),
+    EXPECT_THAT(
         folder.ProblemsOf("camera: {}\nmaterials: "
                           "{a: {shader: Limn/TranslucentOutlineHull, _OutlineWidth: .nan},\n"
                           "  b: {shader: Limn/TranslucentOutlineHull, _OutlineWidth: 1e4},\n"
-                          "  c: {shader: Limn/TranslucentOutlineHull, _OutlineWidth: -1}}\n"));
+                          "  c: {shader: Limn/TranslucentOutlineHull, _OutlineWidth: -1}}\n"),
+        testing::ElementsAre(
+            Mentions("2:69: material 'a'._OutlineWidth:", "'.nan'", "finite"),
+            Mentions("3:59: material 'b'._OutlineWidth:", "1e4", "outside", "[0, 10]"),
+            Mentions("4:59: material 'c'._OutlineWidth:", "-1", "outside", "[0, 10]")));
 }
 
 } // namespace limn::test

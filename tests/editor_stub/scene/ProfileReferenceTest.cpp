@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 #include "scene/ProfileContext.h"
 
@@ -95,14 +96,14 @@ TEST_F(ProfileReference, RefusesAMissingFileAndOneOfAnotherKind)
     folder.Write("bad.material.yaml", "renderQueue: 9999\nshader: None/Such\n");
     EXPECT_THAT(ProblemsOf("Paint:\n  ramp: none.png\n  material: art/ramp.png\n"),
                 ElementsAre(HasSubstr("2:9: Paint.m_Ramp: none.png: "),
-                            "3:13: Paint.m_Material: art/ramp.png: is no material; a "
-                            ".material.yaml file is expected"));
-    EXPECT_THAT(ProblemsOf("Paint: {ramp: on.profile.yaml}\n"),
-                ElementsAre("1:15: Paint.m_Ramp: on.profile.yaml: is no texture; a .png file is "
-                            "expected"));
+                            Mentions("3:13: Paint.m_Material:", "art/ramp.png", "no material",
+                                     ".material.yaml")));
+    EXPECT_THAT(
+        ProblemsOf("Paint: {ramp: on.profile.yaml}\n"),
+        ElementsAre(Mentions("1:15: Paint.m_Ramp:", "on.profile.yaml", "no texture", ".png")));
     EXPECT_THAT(ProblemsOf("Paint: {material: bad.material.yaml}\n"),
-                ElementsAre(HasSubstr("1:19: Paint.m_Material: bad.material.yaml:2:9: material "
-                                      "'bad'.shader: unknown shader 'None/Such'")));
+                ElementsAre(Mentions("1:19: Paint.m_Material:", "bad.material.yaml:2:9",
+                                     "material 'bad'.shader", "unknown shader", "'None/Such'")));
 }
 
 TEST_F(ProfileReference, FollowsUnitysGuidsThroughTheProject)
@@ -118,10 +119,9 @@ TEST_F(ProfileReference, FollowsUnitysGuidsThroughTheProject)
     };
     EXPECT_NE(nullptr, Read(text("abc123", "def456"), "Assets/p.yaml").ramp.value().asset);
     EXPECT_THAT(Texts(Load(text("0000", "def456"), "Assets/p.yaml").notes),
-                ElementsAre("2:9: Paint.m_Ramp: it stays without a texture: no .meta file of the "
-                            "project has the guid '0000'",
-                            "3:13: Paint.m_Material: it stays without a material: 'red.mat' is "
-                            "Unity's and is not read; a .material.yaml file can be"));
+                ElementsAre(Mentions("2:9: Paint.m_Ramp:", "without a texture", ".meta", "'0000'"),
+                            Mentions("3:13: Paint.m_Material:", "without a material", "'red.mat'",
+                                     ".material.yaml")));
 }
 
 TEST_F(ProfileReference, KnowsTheLayersOfTheScene)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 
 #include <limn/core/Material.h>
@@ -80,34 +81,35 @@ TEST(RenderObjectsInAScene, TakesEverySettingUnderUnitysName)
 TEST(RenderObjectsInAScene, ReportsWhatIsWrongWithItsSettingsAllAtOnce)
 {
     SceneFolder folder;
-    EXPECT_EQ(
-        (Lines{
-            "5:23: renderer.features[0].filterSettings: unknown key 'LayerMaks'; did you mean "
-            "'LayerMask'?",
-            "6:26: renderer.features[0].overrideMaterial: unknown material 'nosuch' (known: flat)",
-            "7:44: renderer.features[0].stencilSettings.stencilReference: 256 is outside [0, "
-            "255]",
-            "8:38: renderer.features[0].stencilSettings.failOperation: unknown value 'Keeep'; did "
-            "you mean 'Keep'?"}),
-        folder.ProblemsOf("camera: {}\n"
-                          "materials: {flat: {}}\n"
-                          "renderer: {features: [\n"
-                          "  {type: RenderObjects,\n"
-                          "     filterSettings: {LayerMaks: 1},\n"
-                          "     overrideMaterial:   nosuch,\n"
-                          "     stencilSettings: {stencilReference:   256,\n"
-                          "                      failOperation: Keeep}}]}\n"));
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
+                                  "materials: {flat: {}}\n"
+                                  "renderer: {features: [\n"
+                                  "  {type: RenderObjects,\n"
+                                  "     filterSettings: {LayerMaks: 1},\n"
+                                  "     overrideMaterial:   nosuch,\n"
+                                  "     stencilSettings: {stencilReference:   256,\n"
+                                  "                      failOperation: Keeep}}]}\n"),
+                testing::ElementsAre(
+                    Mentions("5:23: renderer.features[0].filterSettings:", "unknown key",
+                             "'LayerMaks'", "'LayerMask'"),
+                    Mentions("6:26: renderer.features[0].overrideMaterial:", "unknown material",
+                             "'nosuch'", "flat"),
+                    Mentions("7:44: renderer.features[0].stencilSettings.stencilReference:", "256",
+                             "outside", "[0, 255]"),
+                    Mentions("8:38: renderer.features[0].stencilSettings.failOperation:",
+                             "unknown value", "'Keeep'", "'Keep'")));
 }
 
 TEST(RenderObjectsInAScene, ReportsAPassIndexThatTheMaterialDoesNotHave)
 {
     SceneFolder folder;
-    EXPECT_EQ((Lines{"3:23: renderer.features[0]: RenderObjects: overrideMaterialPassIndex is 4, "
-                     "but the shader 'Universal Render Pipeline/Unlit' has the passes 0...3"}),
-              folder.ProblemsOf("camera: {}\n"
-                                "materials: {flat: {shader: Universal Render Pipeline/Unlit}}\n"
-                                "renderer: {features: [{type: RenderObjects, overrideMaterial: "
-                                "flat, overrideMaterialPassIndex: 4}]}\n"));
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
+                                  "materials: {flat: {shader: Universal Render Pipeline/Unlit}}\n"
+                                  "renderer: {features: [{type: RenderObjects, overrideMaterial: "
+                                  "flat, overrideMaterialPassIndex: 4}]}\n"),
+                testing::ElementsAre(
+                    Mentions("3:23: renderer.features[0]:", "overrideMaterialPassIndex is 4",
+                             "'Universal Render Pipeline/Unlit'", "0...3")));
 }
 
 TEST(FullScreenPassInAScene, TakesEverySettingUnderUnitysName)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 
 #include <gmock/gmock.h>
@@ -115,9 +116,9 @@ TEST(SceneFile, TakesTheSamplesOfUnitysPipelineAsset)
         EXPECT_EQ(samples,
                   folder.LoadWithCamera("renderPipelineAsset: urp.asset\n").msaaSampleCount);
     }
-    EXPECT_EQ(folder.ProblemsOf("camera:\nmsaaSampleCount: 4\nrenderPipelineAsset: urp.asset\n"),
-              std::vector<std::string>{"2:18: msaaSampleCount: the count comes from "
-                                       "renderPipelineAsset already; keep one of them"});
+    EXPECT_THAT(
+        folder.ProblemsOf("camera:\nmsaaSampleCount: 4\nrenderPipelineAsset: urp.asset\n"),
+        testing::ElementsAre(Mentions("2:18: msaaSampleCount:", "renderPipelineAsset", "already")));
     write("  m_MSAA: 3\n");
     EXPECT_THAT(folder.ProblemsOf("camera:\nrenderPipelineAsset: urp.asset\n"),
                 testing::Contains(
@@ -171,8 +172,8 @@ TEST(SceneFile, TakesTheBitsOfUnitysPipelineAsset)
     EXPECT_EQ(_32Bits, load("").hdrColorBufferPrecision) << "URP before 13 has no other";
     EXPECT_THAT(folder.ProblemsOf("camera:\nhdrColorBufferPrecision: 32\n"
                                   "renderPipelineAsset: urp.asset\n"),
-                testing::Contains("2:26: hdrColorBufferPrecision: it comes from "
-                                  "renderPipelineAsset already; keep one of them"));
+                testing::Contains(
+                    Mentions("2:26: hdrColorBufferPrecision:", "renderPipelineAsset", "already")));
 }
 
 TEST(SceneFile, DrawsAtAnotherSize)
@@ -514,10 +515,9 @@ TEST(SceneFile, AGlobalVolumeWithCollidersIsNoted)
     SceneFolder folder;
     const SceneAsset asset =
         folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, colliders: [{}]}]\n");
-    EXPECT_EQ((std::vector<std::string>{
-                  "2:11: volumes[0]: it is global, so its colliders count for nothing; 'isGlobal: "
-                  "false' limits it to them"}),
-              Texts(asset.notes));
+    EXPECT_THAT(Texts(asset.notes),
+                testing::ElementsAre(
+                    Mentions("2:11: volumes[0]:", "is global", "colliders", "'isGlobal: false'")));
 }
 
 TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)
@@ -525,10 +525,8 @@ TEST(SceneFile, ALocalVolumeWithoutColliderIsNoted)
     SceneFolder folder;
     const SceneAsset asset =
         folder.LoadWithCamera("volumes: [{profile: on.profile.yaml, isGlobal: false}]\n");
-    EXPECT_EQ(
-        (std::vector<std::string>{
-            "2:11: volumes[0]: it does nothing, because it is not global and has no colliders"}),
-        Texts(asset.notes));
+    EXPECT_THAT(Texts(asset.notes),
+                testing::ElementsAre(Mentions("2:11: volumes[0]:", "not global", "no colliders")));
 }
 
 } // namespace limn::test

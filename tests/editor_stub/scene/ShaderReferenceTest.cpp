@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "commands/CommandRun.h"
 
 #include <gmock/gmock.h>
@@ -84,8 +85,8 @@ TEST_F(ShaderReference, AnErrorInTheUsedPassIsAnErrorOfItsFileOnly)
     EXPECT_THAT(single.err, HasSubstr(warning));
     const CommandRun both = RunCommand({"shader", Folder()});
     EXPECT_EQ(1, both.exitCode);
-    EXPECT_EQ("2 files: 2 parsed (100.0 %), 1 error; 0 of 1 pass compiled (0.0 %), 1 failed\n",
-              both.out);
+    EXPECT_THAT(LinesOf(both.out), testing::ElementsAre(Mentions("2 files", "2 parsed", "1 error",
+                                                                 "0 of 1 pass", "1 failed")));
 }
 
 TEST_F(ShaderReference, AUsePassThatLeadsNowhereIsAnErrorAsInAScene)
@@ -121,12 +122,12 @@ TEST_F(ShaderReference, UnitysOwnShadersAreANote)
                                      "/SHADOWCASTER\"\nPass { } }\n"
                                      "  Fallback \"" +
                                      name + "\" }");
-        const std::string note =
-            "'" + name + "' is one of Unity's own shaders, which limn does not have\n";
         const CommandRun run = RunCommand({"shader", user});
         EXPECT_EQ(0, run.exitCode) << name;
-        EXPECT_THAT(run.err, HasSubstr(user + ":2:3: note: UsePass: " + note));
-        EXPECT_THAT(run.err, HasSubstr(user + ":4:3: note: Fallback: " + note));
+        EXPECT_THAT(run.err,
+                    Mentions(user + ":2:3:", "note", "UsePass", "'" + name + "'", "Unity's own"));
+        EXPECT_THAT(run.err,
+                    Mentions(user + ":4:3:", "note", "Fallback", "'" + name + "'", "Unity's own"));
     }
 }
 

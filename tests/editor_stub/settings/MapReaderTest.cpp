@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "core/ThrownMessage.h"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,8 @@ TEST(SceneMapReader, RefusesToReadAKeyThatTheListLacks)
 {
     AssetDiagnostics diagnostics("f");
     SceneMapReader map(YamlNode(), "box", k_Keys, diagnostics);
-    EXPECT_EQ("box.height is read, and scene/Keys.h does not have the key",
-              ThrownMessage<ContractError>([&] { map.Find("height"); }));
+    EXPECT_THAT(ThrownMessage<ContractError>([&] { map.Find("height"); }),
+                Mentions("box.height", "is read", "scene/Keys.h"));
 }
 
 TEST(SceneMapReader, RefusesAListWithAKeyThatNothingReads)
@@ -28,8 +29,8 @@ TEST(SceneMapReader, RefusesAListWithAKeyThatNothingReads)
     SceneMapReader map(YamlNode(), "box", k_Keys, diagnostics);
     float width = 0.0f;
     map.Read("width", width);
-    EXPECT_EQ("box.name is in scene/Keys.h, and nothing reads it",
-              ThrownMessage<ContractError>([&] { map.Finish(); }));
+    EXPECT_THAT(ThrownMessage<ContractError>([&] { map.Finish(); }),
+                Mentions("box.name", "scene/Keys.h", "nothing reads"));
 }
 
 } // namespace limn::test

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "SceneFolder.h"
 
@@ -12,6 +13,8 @@ namespace limn::test
 
 namespace
 {
+
+using testing::ElementsAre;
 
 const std::string k_Project = test::SourcePath("tests/editor_stub/data/unity_project");
 
@@ -62,17 +65,17 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
     AssetContext assets;
     const UnityRendererDataLoadResult result =
         LoadUnityRendererData(k_Project + "/Assets/Settings/UniversalRenderer.asset", assets);
-    EXPECT_EQ((std::vector<std::string>{
-                  "18:33: Screem Space Outline.m_Settings.m_ScreenSpaceOutlineShader: "
-                  "ScreenSpaceOutline.shader is not in the project, so Hidden/ScreenSpaceOutline "
-                  "that comes with limn is used",
-                  "19:5: Screem Space Outline.m_Settings.m_DownSampleLevel: it is left out; "
-                  "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "25:5: Screem Space Outline.m_Settings.m_OutlineWidth: it is left out; "
-                  "ScreenSpaceOutlineRenderFeature has no such setting",
-                  "26:5: Screem Space Outline.m_Settings.m_OutlineColor: it is left out; "
-                  "ScreenSpaceOutlineRenderFeature has no such setting"}),
-              Texts(result.notes));
+    EXPECT_THAT(
+        Texts(result.notes),
+        ElementsAre(Mentions("18:33: Screem Space Outline.m_Settings.m_ScreenSpaceOutlineShader:",
+                             "ScreenSpaceOutline.shader", "not in the project",
+                             "Hidden/ScreenSpaceOutline"),
+                    Mentions("19:5: Screem Space Outline.m_Settings.m_DownSampleLevel:", "left out",
+                             "no such setting"),
+                    Mentions("25:5: Screem Space Outline.m_Settings.m_OutlineWidth:", "left out",
+                             "no such setting"),
+                    Mentions("26:5: Screem Space Outline.m_Settings.m_OutlineColor:", "left out",
+                             "no such setting")));
 }
 
 // URP 13 and the samples from before gave the script another guid than URP 14 does.
@@ -140,10 +143,8 @@ TEST(UnityRendererData, ReadsAmbientOcclusionOfUrp14WithoutAWord)
     EXPECT_EQ(Settings::AOSampleOption::High, settings.Samples);
     EXPECT_EQ(Settings::BlurQualityOptions::Low, settings.BlurQuality);
     EXPECT_EQ(40.0f, settings.Falloff);
-    EXPECT_EQ(
-        std::vector<std::string>{
-            "30:5: m_RendererFeatures: a feature is left out; it is not in this file"},
-        Texts(result.notes))
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre(Mentions("30:5: m_RendererFeatures:", "left out", "this file")))
         << "the helper's own second reference, and nothing else";
 }
 
@@ -200,9 +201,8 @@ TEST(UnityRendererData, FindsScriptAndShaderOfTheProjectByGuid)
     EXPECT_EQ("Mine", feature.settings().m_ScreenSpaceOutlineShader->name());
     EXPECT_EQ(LayerMask(3), result.renderer.opaqueLayerMask);
     EXPECT_EQ(LayerMask(4), result.renderer.transparentLayerMask);
-    EXPECT_EQ((std::vector<std::string>{
-                  "15:5: m_RendererFeatures: a feature is left out; it is not in this file"}),
-              Texts(result.notes));
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre(Mentions("15:5: m_RendererFeatures:", "left out", "this file")));
 }
 
 TEST(UnityRendererData, LeavesOutAFeatureWhoseScriptIsUnknown)
@@ -216,13 +216,12 @@ TEST(UnityRendererData, LeavesOutAFeatureWhoseScriptIsUnknown)
                                                     "  m_Name: Dither\n"));
     const auto known = LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
     EXPECT_TRUE(known.renderer.features.empty());
-    EXPECT_EQ("4:1: Dither: it is left out; limn has no feature FullScreenPass",
-              Texts(known.notes).at(0));
+    EXPECT_THAT(Texts(known.notes).at(0),
+                Mentions("4:1: Dither:", "left out", "no feature FullScreenPass"));
     const auto unknown = LoadUnityRendererData(folder / "Assets/s.asset", folder.assets);
     EXPECT_TRUE(unknown.renderer.features.empty());
-    EXPECT_EQ(
-        "4:1: Dither: it is left out; no .cs.meta file of the project has the script's guid 'dd'",
-        Texts(unknown.notes).at(0));
+    EXPECT_THAT(Texts(unknown.notes).at(0),
+                Mentions("4:1: Dither:", "left out", ".cs.meta", "guid 'dd'"));
 }
 
 TEST(UnityRendererData, ReportsASettingOutsideItsRange)
@@ -252,22 +251,19 @@ TEST(UnityRendererData, ReportsSettingsThatCannotBeDrawnWith)
                                     "6b3d386ba5cd94485973aee1479b272e, type: 3}\n"
                                     "  m_Name: R\n  settings: {filterSettings: {PassNames: [" +
                                     names + "]}}\n"));
-    EXPECT_EQ((std::vector<std::string>{
-                  "4:1: R: filterSettings.PassNames has 17 names; at most 16 are drawn"}),
-              Problems([&] { LoadUnityRendererData(path, folder.assets); }));
+    EXPECT_THAT(Problems([&] { LoadUnityRendererData(path, folder.assets); }),
+                ElementsAre(Mentions("4:1: R:", "filterSettings.PassNames", "17", "16")));
 }
 
 TEST(UnityRendererData, RefusesAnotherKindOfAsset)
 {
     AssetContext assets;
-    EXPECT_EQ(
-        (std::vector<std::string>{"no renderer in this Unity asset; one is a MonoBehaviour with a "
-                                  "list 'm_RendererFeatures'"}),
-        Problems(
-            [&] {
-                LoadUnityRendererData(k_Project + "/Assets/Scenes/SampleSceneProfile.asset",
-                                      assets);
-            }));
+    EXPECT_THAT(Problems(
+                    [&] {
+                        LoadUnityRendererData(k_Project + "/Assets/Scenes/SampleSceneProfile.asset",
+                                              assets);
+                    }),
+                ElementsAre(Mentions("no renderer", "Unity asset", "'m_RendererFeatures'")));
 }
 
 TEST(UnityRendererData, IsASceneFilesRenderer)
@@ -299,21 +295,16 @@ TEST(UnityRendererData, ThatCannotBeASceneFilesRendererIsNamedWithItsKey)
     SceneFolder folder;
     folder.Write("p.asset", "%YAML 1.1\n--- !u!114 &1\nMonoBehaviour:\n  components: []\n");
     const std::string camera = "camera: {}\n";
-    EXPECT_EQ((std::vector<std::string>{"2:11: renderer: 'x.yaml' is no renderer of Unity's; an "
-                                        ".asset file is expected"}),
-              folder.ProblemsOf(camera + "renderer: x.yaml\n"));
-    EXPECT_EQ((std::vector<std::string>{
-                  "2:11: renderer: 'x.asset' cannot be used; see the errors of that file",
-                  "there is no such file"}),
-              folder.ProblemsOf(camera + "renderer: x.asset\n"));
-    EXPECT_EQ((std::vector<std::string>{
-                  "2:11: renderer: 'p.asset' cannot be used; see the errors of that file",
-                  "no renderer in this Unity asset; one is a MonoBehaviour with a list "
-                  "'m_RendererFeatures'"}),
-              folder.ProblemsOf(camera + "renderer: p.asset\n"));
-    EXPECT_EQ((std::vector<std::string>{"2:11: renderer: found a sequence; a map with one 'key: "
-                                        "value' per line is expected"}),
-              folder.ProblemsOf(camera + "renderer: [x.asset]\n"));
+    EXPECT_THAT(folder.ProblemsOf(camera + "renderer: x.yaml\n"),
+                ElementsAre(Mentions("2:11: renderer:", "'x.yaml'", "no renderer", ".asset")));
+    EXPECT_THAT(folder.ProblemsOf(camera + "renderer: x.asset\n"),
+                ElementsAre(Mentions("2:11: renderer:", "'x.asset'", "cannot be used"),
+                            "there is no such file"));
+    EXPECT_THAT(folder.ProblemsOf(camera + "renderer: p.asset\n"),
+                ElementsAre(Mentions("2:11: renderer:", "'p.asset'", "cannot be used"),
+                            Mentions("no renderer", "Unity asset", "'m_RendererFeatures'")));
+    EXPECT_THAT(folder.ProblemsOf(camera + "renderer: [x.asset]\n"),
+                ElementsAre(Mentions("2:11: renderer:", "sequence", "a map")));
 }
 
 } // namespace limn::test

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "unity_scene/UnityScene.h"
 
 #include "Mentions.h"
@@ -213,10 +214,9 @@ TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
     EXPECT_EQ(first.shader()->name(), "Universal Render Pipeline/Lit");
     EXPECT_EQ(TextureOf(first, "_BaseMap"), "rust.png") << "the graph's first";
     EXPECT_EQ(first.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.5f, 0, 1}));
-    EXPECT_THAT(Notes(),
-                ElementsAre("its shader is the graph Paint.shadergraph, which limn does not read; "
-                            "Universal Render Pipeline/Lit with its Color_7 as _BaseColor and its "
-                            "Texture2D_2 as _BaseMap is used"));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("graph Paint.shadergraph", "not read",
+                                              "Universal Render Pipeline/Lit",
+                                              "Color_7 as _BaseColor", "Texture2D_2 as _BaseMap")));
 
     m_Folder.Write("Assets/Paint.shadergraph", // as it was until 2019: JSON in strings of JSON
                    "{\"JSONnodeData\": \"{\\n \\\"m_Name\\\": \\\"Texture2D_1\\\"}\"}\n"

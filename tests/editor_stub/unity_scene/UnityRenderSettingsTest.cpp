@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "unity_scene/UnityScene.h"
 
 #include "TemporaryFolder.h"
@@ -105,8 +106,7 @@ TEST_F(UnityRenderSettings, HaveThreeColorsOrOneByTheMode)
     EXPECT_THAT(Notes(), IsEmpty());
     Load("  m_AmbientMode: 4\n" + colors);
     EXPECT_EQ(AmbientMode::Flat, m_Asset->scene.ambientMode);
-    EXPECT_THAT(Notes(), ElementsAre(HasSubstr("m_AmbientMode: custom light is in a file that "
-                                               "limn does not read")));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_AmbientMode:", "custom light", "not read")));
 }
 
 TEST_F(UnityRenderSettings, HaveFogOfThreeModes)
@@ -151,12 +151,12 @@ TEST_F(UnityRenderSettings, KeepWhatIsOutOfRangeAsItIs)
     EXPECT_EQ(DefaultReflectionMode::Skybox, scene.defaultReflectionMode);
     EXPECT_EQ(128, scene.defaultReflectionResolution);
     EXPECT_EQ(8u, Notes().size());
-    EXPECT_THAT(Notes(), Contains("RenderSettings.m_AmbientMode: 2 is none of 0, 1, 3, 4, so it is "
-                                  "left at 0"));
-    EXPECT_THAT(Notes(), Contains("RenderSettings.m_FogMode: 0 is none of 1, 2, 3, so it is left "
-                                  "at 3"));
-    EXPECT_THAT(Notes(), Contains("RenderSettings.m_DefaultReflectionResolution: 100 is no power "
-                                  "of two from 1 to 2048, so it is left at 128"));
+    EXPECT_THAT(Notes(), Contains(Mentions("RenderSettings.m_AmbientMode:", "2", "0, 1, 3, 4",
+                                           "left at 0")));
+    EXPECT_THAT(Notes(),
+                Contains(Mentions("RenderSettings.m_FogMode:", "0", "1, 2, 3", "left at 3")));
+    EXPECT_THAT(Notes(), Contains(Mentions("RenderSettings.m_DefaultReflectionResolution:", "100",
+                                           "power of two", "2048", "left at 128")));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 
 #include <limn/editor_stub/Overrides.h>
@@ -103,17 +104,17 @@ TEST_F(Overrides, FindAShaderFileBesideTheScene)
 
 TEST_F(Overrides, ThatAreWrongAreAllReported)
 {
-    EXPECT_EQ(
-        (std::vector<std::string>{
-            "NAME.path=value is expected, ScreenSpaceOutline.m_OutlineWidth=4",
-            "unknown name 'My Outlin'; did you mean 'My Outline'?",
-            "ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
-            "ScreenSpaceOutline: unknown parameter 'outlneColor'; did you mean 'outlineColor'?",
-            "My Outline: unknown setting 'm_LayerMsk'; did you mean 'm_LayerMask'?",
-            "My Outline.m_RenderingLayerMask: 32 is outside [0, 31]"}),
+    EXPECT_THAT(
         ProblemsOf({"nonsense", "My Outlin.active=true", "ScreenSpaceOutline.m_OutlineWidth=14",
                     "ScreenSpaceOutline.outlneColor=white", "My Outline.m_LayerMsk=Nothing",
-                    "My Outline.m_RenderingLayerMask=32"}));
+                    "My Outline.m_RenderingLayerMask=32"}),
+        testing::ElementsAre(
+            Mentions("NAME.path=value", "ScreenSpaceOutline.m_OutlineWidth=4"),
+            Mentions("unknown name", "'My Outlin'", "'My Outline'"),
+            Mentions("ScreenSpaceOutline.m_OutlineWidth:", "14", "outside", "[1, 10]"),
+            Mentions("ScreenSpaceOutline:", "unknown parameter", "'outlneColor'", "'outlineColor'"),
+            Mentions("My Outline:", "unknown setting", "'m_LayerMsk'", "'m_LayerMask'"),
+            Mentions("My Outline.m_RenderingLayerMask:", "32", "outside", "[0, 31]")));
 }
 
 TEST_F(Overrides, ThatDoNotFitEachOtherAreAnErrorOfTheirs)
@@ -121,18 +122,17 @@ TEST_F(Overrides, ThatDoNotFitEachOtherAreAnErrorOfTheirs)
     folder.Write("one.shader", "Shader \"One\" { SubShader { Pass { } } }");
     asset = folder.Load("camera: {}\nrenderer: {features: [{type: RenderObjects, name: R, "
                         "overrideMode: Shader, overrideShader: one.shader}]}\n");
-    EXPECT_EQ((std::vector<std::string>{"R: overrideShaderPassIndex is 9, but the shader 'One' has "
-                                        "the passes 0...0"}),
-              ProblemsOf({"R.overrideShaderPassIndex=9"}));
+    EXPECT_THAT(
+        ProblemsOf({"R.overrideShaderPassIndex=9"}),
+        testing::ElementsAre(Mentions("R:", "overrideShaderPassIndex is 9", "'One'", "0...0")));
     EXPECT_NO_THROW(Apply({"R.overrideShaderPassIndex=9", "R.overrideMode=None"}));
 }
 
 TEST_F(Overrides, NeedACameraThatLooksAtVolumes)
 {
     asset.camera.volumeLayerMask = LayerMask::Nothing();
-    EXPECT_EQ((std::vector<std::string>{
-                  "the camera's volumeLayerMask is Nothing, so no volume has an effect"}),
-              ProblemsOf({"ScreenSpaceOutline.m_OutlineWidth=4"}));
+    EXPECT_THAT(ProblemsOf({"ScreenSpaceOutline.m_OutlineWidth=4"}),
+                testing::ElementsAre(Mentions("volumeLayerMask is Nothing", "no volume")));
 }
 
 TEST_F(Overrides, AProfileReplacesThatOfGlobalVolumes)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "blending/VolumeScene.h"
 
 #include <cmath>
@@ -11,6 +12,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using test::Mixed;
 using test::ScreenSpaceOutline;
 using test::VolumeScene;
@@ -54,20 +56,18 @@ TEST_F(LocalVolume, SaysWhyItChangesNothing)
         return WhyIdle(m_Volume, trigger, layers);
     };
     EXPECT_EQ("", why({5.0f, 0.0f, 0.0f}));
-    EXPECT_EQ("the camera is 21 m outside of its colliders, and it fades within 4 m",
-              why({22.0f, 0.0f, 0.0f}));
+    EXPECT_THAT(why({22.0f, 0.0f, 0.0f}), Mentions("21 m", "collider", "4 m"));
     m_Volume.layer = 9;
-    EXPECT_EQ("its layer, 9, is not among the camera's volume layers",
-              why(glm::vec3(0.0f), LayerMask::FromIndex(0)));
+    EXPECT_THAT(why(glm::vec3(0.0f), LayerMask::FromIndex(0)), Mentions("layer", "9", "camera"));
     m_Volume.weight = 0.0f;
     EXPECT_EQ("its weight is 0", why(glm::vec3(0.0f)));
     m_Volume.weight = 1.0f;
     Box(0).enabled = false;
-    EXPECT_EQ("it is not global, and it has no collider that is on", why(glm::vec3(0.0f)));
+    EXPECT_THAT(why(glm::vec3(0.0f)), Mentions("not global", "no collider"));
     m_Volume.isGlobal = true;
     EXPECT_EQ("", why(glm::vec3(0.0f)));
     m_Volume.sharedProfile = std::make_shared<VolumeProfile>();
-    EXPECT_EQ("no component of its profile is active", why(glm::vec3(0.0f)));
+    EXPECT_THAT(why(glm::vec3(0.0f)), Mentions("no component", "active"));
     m_Volume.sharedProfile = nullptr;
     EXPECT_EQ("it has no profile", why(glm::vec3(0.0f)));
     m_Volume.enabled = false;

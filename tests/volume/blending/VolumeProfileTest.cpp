@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "TestComponents.h"
 
 #include <core/ThrownMessage.h>
@@ -10,6 +11,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using test::Mixed;
 using test::ScreenSpaceOutline;
 
@@ -31,8 +33,8 @@ TEST(VolumeProfile, RefusesASecondComponentOfOneType)
     VolumeProfile profile;
     profile.name = "hero";
     profile.Add<Mixed>();
-    EXPECT_EQ(test::ThrownMessage<ContractError>([&] { profile.Add<Mixed>(); }),
-              "the volume profile 'hero' has a component of type test::Mixed already");
+    EXPECT_THAT(test::ThrownMessage<ContractError>([&] { profile.Add<Mixed>(); }),
+                Mentions("'hero'", "test::Mixed", "already"));
     EXPECT_EQ(test::ThrownMessage<ContractError>([&] { profile.Add(nullptr); }),
               "VolumeProfile::Add got no component");
 }

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Problems.h"
 #include "parameters/AllParameters.h"
 
@@ -11,6 +12,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
 
 struct References : VolumeComponent
@@ -111,12 +113,10 @@ TEST(ProfileContext, NotesAReferenceThatStaysUnloaded)
                            "x.yaml", k_Registry, scene);
     EXPECT_THAT(
         test::Texts(result.notes),
-        ElementsAre("2:9: References.m_Ramp: stays without a texture, nobody knows the "
-                    "guid",
-                    "3:8: References.m_Sky: it stays without a texture: a Cubemap cannot be "
-                    "loaded from a file; only flat textures can",
-                    "4:11: References.m_Target: it stays without a texture: a RenderTexture "
-                    "cannot be loaded from a file; only flat textures can"));
+        ElementsAre(
+            Mentions("2:9: References.m_Ramp", "nobody knows the guid"),
+            Mentions("3:8: References.m_Sky", "without a texture", "Cubemap", "flat"),
+            Mentions("4:11: References.m_Target", "without a texture", "RenderTexture", "flat")));
     EXPECT_EQ("a.png", In(result).sky.value().location.path);
 }
 
@@ -152,11 +152,11 @@ TEST(ProfileContext, SaysWhatTheNamesOfLayersMean)
     EXPECT_EQ(LayerMask(64), read("Furniture", scene));
     EXPECT_EQ(LayerMask(32), read("UI", {}));
     EXPECT_THAT(test::Problems([&] { read("[1, Furnitur]", scene); }),
-                ElementsAre("1:26: References.m_Layers: unknown layer 'Furnitur'; did you mean "
-                            "'Furniture'?"));
+                ElementsAre(Mentions("1:26: References.m_Layers", "unknown layer", "'Furnitur'",
+                                     "'Furniture'")));
     EXPECT_THAT(test::Problems([&] { read("Furniture", {}); }),
-                ElementsAre("1:22: References.m_Layers: unknown layer 'Furniture' (known: Default, "
-                            "TransparentFX, Ignore Raycast, Water, UI)"));
+                ElementsAre(Mentions("1:22: References.m_Layers", "unknown layer", "'Furniture'",
+                                     "Default, TransparentFX, Ignore Raycast, Water, UI")));
 }
 
 } // namespace

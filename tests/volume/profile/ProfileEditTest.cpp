@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "Problems.h"
 #include "TestComponents.h"
@@ -127,14 +128,14 @@ TEST(EditVolumeProfile, ChangesTheValueAndNotTheStateInAUnityAsset)
 
 TEST(EditVolumeProfile, RefusesNamesAndValuesThatAreWrongAllAtOnce)
 {
-    EXPECT_THAT(ProblemsOf(k_Text, {k_Outline + "outlineWidth=14", k_Outline + "outlneWidth=4",
-                                    "ScreenSpaceOutlin.outlineWidth=4", "Mixed.flag=maybe"}),
-                ElementsAre("ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
-                            "ScreenSpaceOutline: unknown parameter 'outlneWidth'; did you mean "
-                            "'outlineWidth'?",
-                            "unknown volume component 'ScreenSpaceOutlin'; did you mean "
-                            "'ScreenSpaceOutline'?",
-                            "Mixed.flag: found 'maybe'; true or false is expected"));
+    EXPECT_THAT(
+        ProblemsOf(k_Text, {k_Outline + "outlineWidth=14", k_Outline + "outlneWidth=4",
+                            "ScreenSpaceOutlin.outlineWidth=4", "Mixed.flag=maybe"}),
+        ElementsAre(
+            Mentions("ScreenSpaceOutline.m_OutlineWidth", "14", "outside", "[1, 10]"),
+            Mentions("ScreenSpaceOutline", "unknown parameter", "'outlneWidth'", "'outlineWidth'"),
+            Mentions("unknown volume component", "'ScreenSpaceOutlin'", "'ScreenSpaceOutline'"),
+            Mentions("Mixed.flag", "'maybe'", "true or false")));
 }
 
 TEST(EditVolumeProfile, AddsWhatTheFileLacksInItsOwnStyle)
@@ -161,7 +162,7 @@ TEST(EditVolumeProfile, AddsNothingToAFileOfUnitys)
     const std::string text =
         ContentOf(test::SourcePath("tests/volume/data/SampleSceneProfile.asset"));
     EXPECT_THAT(ProblemsOf(text, {"Mixed.whole=3"}),
-                ElementsAre(testing::HasSubstr("Mixed.whole: the file does not have it; Unity")));
+                ElementsAre(Mentions("Mixed.whole", "does not have it", "Unity")));
 }
 
 TEST(EditVolumeProfile, ChangesOneNumberOfAColour)
@@ -187,28 +188,26 @@ TEST(EditVolumeProfile, StartsFromTheNumberThatThereIs)
     EXPECT_THAT(
         ProblemsOf(k_Text,
                    {k_Outline + "m_OutlineWidth*=9", k_Outline + "enable+=1", "Mixed.number+=x"}),
-        ElementsAre("ScreenSpaceOutline.m_OutlineWidth: 36 is outside [1, 10]",
-                    "+= needs numbers; the value is true", "+= needs numbers; the value is 'x'"));
+        ElementsAre(Mentions("ScreenSpaceOutline.m_OutlineWidth", "36", "outside", "[1, 10]"),
+                    Mentions("+=", "numbers", "true"), Mentions("+=", "numbers", "'x'")));
 }
 
 TEST(EditVolumeProfile, RefusesWhatAnAliasRepeats)
 {
-    const std::string message = ": other values repeat this one by an alias (*), and would change "
-                                "as well; change it by hand";
     const std::string text = "Mixed: {number: &n 4}\nTestVolume: {param: *n}\n";
-    EXPECT_THAT(ProblemsOf(text, {"Mixed.number=5"}), ElementsAre("1:17: Mixed.number" + message));
+    EXPECT_THAT(ProblemsOf(text, {"Mixed.number=5"}),
+                ElementsAre(Mentions("1:17: Mixed.number", "alias", "by hand")));
     EXPECT_THAT(ProblemsOf(text, {"TestVolume.param=5"}),
-                ElementsAre("1:17: TestVolume.param" + message));
+                ElementsAre(Mentions("1:17: TestVolume.param", "alias", "by hand")));
     EXPECT_EQ("Mixed: {number: &n 5}\n", Edit("Mixed: {number: &n 4}\n", {"Mixed.number=5"}));
 }
 
 TEST(EditVolumeProfile, RefusesAFormThatCannotHoldTheNewValue)
 {
     EXPECT_THAT(ProblemsOf("Mixed: {tint: [0, 0, 0]}\n", {"Mixed.tint=[0, 0, 0, 0.5]"}),
-                ElementsAre("1:15: Mixed.tint: the file has a list of 3 here, 4 are needed; change "
-                            "it by hand"));
+                ElementsAre(Mentions("1:15: Mixed.tint", "list of 3", "4", "by hand")));
     EXPECT_THAT(ProblemsOf("Mixed: {tint: {r: 0, g: 0, b: 0}}\n", {"Mixed.tint=[0, 0, 0, 0.5]"}),
-                ElementsAre("1:15: Mixed.tint: 'a' is missing here; add 'a: 0.5' by hand"));
+                ElementsAre(Mentions("1:15: Mixed.tint", "'a'", "missing", "'a: 0.5'")));
 }
 
 TEST(SetScalars, ReplacesTheFileBehindALinkAndKeepsItsPermissions)
@@ -281,10 +280,8 @@ TEST(ReplaceContent, RefusesAFileThatChangedMeanwhile)
 {
     const TemporaryFolder folder;
     const auto file = folder.Write("a.profile.yaml", "new: 1\n");
-    EXPECT_THAT(
-        Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
-        ElementsAre(
-            "has been changed by another program meanwhile, so limn does not write it; try again"));
+    EXPECT_THAT(Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
+                ElementsAre(Mentions("changed", "another program", "try again")));
     EXPECT_EQ("new: 1\n", ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
 }
@@ -327,7 +324,7 @@ TEST(EditVolumeProfile, ReachesIntoAnObject)
     EXPECT_EQ("Nested: {m_Object: {m_Size: 2}}\n",
               EditNested("Nested: {}\n", "Nested.object.size=2"));
     EXPECT_THAT(Problems([] { EditNested("Nested: {}\n", "Nested.object.sze=2"); }),
-                ElementsAre("Nested.m_Object: unknown parameter 'sze'; did you mean 'size'?"));
+                ElementsAre(Mentions("Nested.m_Object", "unknown parameter", "'sze'", "'size'")));
 }
 
 TEST(EditVolumeProfile, ReplacesACurveInBracketsThatGetsAnotherNumberOfKeys)
@@ -341,8 +338,7 @@ TEST(EditVolumeProfile, ReplacesACurveInBracketsThatGetsAnotherNumberOfKeys)
     EXPECT_THAT(
         Problems(
             [] { EditNested("Nested:\n  curve:\n  - {time: 0, value: 1}\n", "Nested.curve=[]"); }),
-        ElementsAre("3:3: Nested.m_Curve: the file has a list of 1 here, 0 are needed; "
-                    "change it by hand"));
+        ElementsAre(Mentions("3:3: Nested.m_Curve", "list of 1", "0", "by hand")));
 }
 
 TEST(EditVolumeProfile, LeavesACurveInBracketsOverSeveralLinesToItsAuthor)
@@ -351,15 +347,14 @@ TEST(EditVolumeProfile, LeavesACurveInBracketsOverSeveralLinesToItsAuthor)
         Problems(
             []
             { EditNested("Nested:\n  curve: [\n    {time: 0, value: 1}]\n", "Nested.curve=[]"); }),
-        ElementsAre("2:10: Nested.m_Curve: the file has a list of 1 here, 0 are needed; "
-                    "change it by hand"));
+        ElementsAre(Mentions("2:10: Nested.m_Curve", "list of 1", "0", "by hand")));
 }
 
 TEST(EditVolumeProfile, LeavesATextOverSeveralLinesToItsAuthor)
 {
     EXPECT_THAT(
         Problems([] { EditNested("Nested:\n  ramp: \"a\n    b.png\"\n", "Nested.ramp=c.png"); }),
-        ElementsAre("2:9: Nested.m_Ramp: the value is not on one line; change it by hand"));
+        ElementsAre(Mentions("2:9: Nested.m_Ramp", "one line", "by hand")));
 }
 
 TEST(EditVolumeProfile, ChangesOneNumberOfACurveThatKeepsItsKeys)
@@ -379,11 +374,9 @@ TEST(EditVolumeProfile, SetsAndClearsTexts)
     EXPECT_EQ("Nested: {ramp: \"b.png\" }\n",
               EditNested("Nested: {ramp: }\n", "Nested.ramp=b.png"));
     EXPECT_THAT(Problems([] { EditNested("Nested: {ramp: ~}\n", "Nested.ramp=b.png"); }),
-                ElementsAre("1:10: Nested.m_Ramp: the file has nothing here, which cannot become "
-                            "\"b.png\"; change it by hand"));
-    EXPECT_THAT(
-        ProblemsOf("Mixed: {number: 1}\n", {"Mixed.number="}),
-        ElementsAre("Mixed.number: found '' in quotes, which is text; a number is expected"));
+                ElementsAre(Mentions("1:10: Nested.m_Ramp", "nothing", "\"b.png\"", "by hand")));
+    EXPECT_THAT(ProblemsOf("Mixed: {number: 1}\n", {"Mixed.number="}),
+                ElementsAre(Mentions("Mixed.number", "''", "quotes", "number")));
 }
 
 TEST(EditVolumeProfile, LetsTheLayersOfASceneBe)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Paths.h"
 #include "Problems.h"
 #include "TestComponents.h"
@@ -12,6 +13,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using test::Problems;
 using test::ScreenSpaceOutline;
 using test::Texts;
@@ -107,12 +109,10 @@ TEST_F(LoadUnityProfile, NotesParametersAndReferencesThatItDoesNotKnow)
                              "    m_OverrideState: 1\n"
                              "    m_Value: {fileID: 0}\n" +
                              Profile("\n  - {fileID: 0}\n  - {fileID: 7}\n  - {fileID: 8}"));
-    EXPECT_THAT(
-        Texts(result.notes),
-        ElementsAre(
-            "7:3: TestVolume.extra: it is left out; no such parameter is known",
-            "14:5: components: a component is left out; there is no object 0 in this file",
-            "16:5: components: a component is left out; there is no object 8 in this file"));
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre(Mentions("7:3: TestVolume.extra", "left out", "parameter"),
+                            Mentions("14:5: components", "left out", "object 0"),
+                            Mentions("16:5: components", "left out", "object 8")));
     EXPECT_TRUE(result.profile->Has<test::TestVolume>());
 }
 
@@ -135,12 +135,10 @@ TEST_F(LoadUnityProfile, NotesOnceAComponentWhatUrpHasAndLimnDoesNot)
              "--- !u!114 &2\n" + head + "FilmGrain\n" + parameter("intensity", "1") +
              "--- !u!114 &3\n" + head + "MotionBlur\n" + parameter("intensity", "0") +
              Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - {fileID: 3}"));
-    EXPECT_THAT(
-        Texts(result.notes),
-        ElementsAre("4:1: Tonemapping: limn does not draw what URP does with minNits, "
-                    "paperWhite",
-                    "19:3: Tonemapping.papperWhite: it is left out; no such parameter is known",
-                    "23:1: FilmGrain: it is left out; limn does not draw this component of URP"));
+    EXPECT_THAT(Texts(result.notes),
+                ElementsAre(Mentions("4:1: Tonemapping", "URP", "minNits, paperWhite"),
+                            Mentions("19:3: Tonemapping.papperWhite", "left out", "parameter"),
+                            Mentions("23:1: FilmGrain", "left out", "URP")));
     EXPECT_EQ(1, result.profile->TryGet<Tonemapping>()->mode.value());
 }
 
@@ -159,29 +157,28 @@ TEST_F(LoadUnityProfile, RefusesBadValuesOfKnownParameters)
                            "    m_OverrideState: 1\n"
                            "    m_Value: {r: 0, g: 0, a: 1}\n" +
                            Profile("\n  - {fileID: 7}")),
-                ElementsAre("6:11: ScreenSpaceOutline.active: found '3'; true or false is expected",
-                            "8:3: ScreenSpaceOutline.m_Enable: m_OverrideState or m_Value is "
-                            "missing; Unity writes both for a parameter",
-                            "10:22: ScreenSpaceOutline.m_OutlineWidth.m_OverrideState: found '2'; "
-                            "true or false is expected",
+                ElementsAre(Mentions("6:11: ScreenSpaceOutline.active", "'3'", "true or false"),
+                            Mentions("8:3: ScreenSpaceOutline.m_Enable", "m_OverrideState",
+                                     "m_Value", "missing"),
+                            Mentions("10:22: ScreenSpaceOutline.m_OutlineWidth.m_OverrideState",
+                                     "'2'", "true or false"),
                             "11:14: ScreenSpaceOutline.m_OutlineWidth: 14 is outside [1, 10]",
                             "14:14: ScreenSpaceOutline.m_OutlineColor: key 'b' is missing"));
 }
 
 TEST_F(LoadUnityProfile, RefusesTwoComponentsOfOneType)
 {
-    EXPECT_THAT(ProblemsIn("--- !u!114 &1\nMonoBehaviour:\n  m_Name: Mixed\n"
-                           "--- !u!114 &2\nMonoBehaviour:\n  m_Name: Mixed\n" +
-                           Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - Mixed")),
-                ElementsAre("7:1: Mixed: the profile has two components of this type",
-                            "15:5: components: found 'Mixed'; a reference is expected, {fileID: "
-                            "11400000}"));
+    EXPECT_THAT(
+        ProblemsIn("--- !u!114 &1\nMonoBehaviour:\n  m_Name: Mixed\n"
+                   "--- !u!114 &2\nMonoBehaviour:\n  m_Name: Mixed\n" +
+                   Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - Mixed")),
+        ElementsAre(Mentions("7:1: Mixed", "two components", "type"),
+                    Mentions("15:5: components", "'Mixed'", "reference", "{fileID: 11400000}")));
 }
 
 TEST_F(LoadUnityProfile, RefusesAnAssetWithoutAProfile)
 {
-    const std::string message = "no volume profile in this Unity asset; one is a MonoBehaviour "
-                                "with a list 'components'";
+    const auto message = Mentions("no volume profile", "MonoBehaviour", "'components'");
     EXPECT_THAT(ProblemsIn("--- !u!78 &1\nTagManager:\n  tags: []\n"), ElementsAre(message));
     EXPECT_THAT(ProblemsIn(Profile(" {a: 1}")), ElementsAre(message));
     EXPECT_THAT(ProblemsIn(Profile(" text")), ElementsAre(message));

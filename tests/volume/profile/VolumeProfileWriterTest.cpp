@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "TestComponents.h"
 
 #include <core/ThrownMessage.h>
@@ -169,10 +170,9 @@ TEST(WriteVolumeProfile, RefusesAComponentThatIsNotRegistered)
     VolumeProfile profile;
     profile.Add<Rich>();
     const TestRegistry registry;
-    EXPECT_EQ("a profile with a component whose type is not registered cannot be written; register "
-              "it under the name that files shall call it",
-              ThrownMessage<ContractError>(
-                  [&] { WriteVolumeProfile(profile, registry, YamlForm::Limn); }));
+    EXPECT_THAT(ThrownMessage<ContractError>(
+                    [&] { WriteVolumeProfile(profile, registry, YamlForm::Limn); }),
+                Mentions("profile", "not registered", "written"));
 }
 
 } // namespace

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Problems.h"
 
 #include <gmock/gmock.h>
@@ -71,8 +72,7 @@ TEST(ValueAssignment, RefusesATextOfAnotherForm)
     for (const char* text : {"", "a=1", "a.b", ".b=1", "a.=1", "a=b.c"})
     {
         EXPECT_THAT(Problems([text] { ValueAssignment::Parse(text, text); }),
-                    ElementsAre("NAME.path=value is expected, "
-                                "ScreenSpaceOutline.m_OutlineWidth=4"))
+                    ElementsAre(Mentions("NAME.path=value", "ScreenSpaceOutline.m_OutlineWidth=4")))
             << text;
     }
 }

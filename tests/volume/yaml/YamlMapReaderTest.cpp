@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Problems.h"
 
 #include <gmock/gmock.h>
@@ -9,6 +10,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using test::Texts;
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -71,8 +73,9 @@ TEST(YamlMapReader, KeepsTheOldValueAndNamesTheKeyWhereTheNewOneIsBad)
     EXPECT_FALSE(map.Read("mask", camera.mask));
     EXPECT_EQ(camera.fieldOfView, 60.0f);
     EXPECT_EQ(camera.mask, 1u);
-    EXPECT_THAT(reading.problems(), ElementsAre("1:14: camera.fieldOfView: 200 is outside [1, 179]",
-                                                "2:7: camera.mask: -1 is outside [0, 4294967295]"));
+    EXPECT_THAT(reading.problems(),
+                ElementsAre(Mentions("1:14: camera.fieldOfView", "200", "outside", "[1, 179]"),
+                            Mentions("2:7: camera.mask", "-1", "outside", "[0, 4294967295]")));
 }
 
 TEST(YamlMapReader, ReportsEveryUnknownKeyWithTheNearestKnownOne)
@@ -84,8 +87,8 @@ TEST(YamlMapReader, ReportsEveryUnknownKeyWithTheNearestKnownOne)
     map.Read("name", camera.name);
     map.Finish();
     EXPECT_THAT(reading.problems(),
-                ElementsAre("1:1: camera: unknown key 'fieldOfVew'; did you mean 'fieldOfView'?",
-                            "3:1: camera: unknown key 'zzz' (known: fieldOfView, name)"));
+                ElementsAre(Mentions("1:1: camera", "unknown key", "'fieldOfVew'", "'fieldOfView'"),
+                            Mentions("3:1: camera", "unknown key", "'zzz'", "fieldOfView, name")));
 }
 
 TEST(YamlMapReader, FindsASerialisedNameUnderBothSpellings)
@@ -108,10 +111,10 @@ TEST(YamlMapReader, SuggestsInTheSpellingOfTheWriter)
     YamlMapReader map = reading.Map();
     map.Read("m_FieldOfView", camera.fieldOfView);
     map.Finish();
-    EXPECT_THAT(reading.problems(),
-                ElementsAre("1:1: camera: unknown key 'm_FeldOfView'; did you mean "
-                            "'m_FieldOfView'?",
-                            "2:1: camera: unknown key 'feldOfView'; did you mean 'fieldOfView'?"));
+    EXPECT_THAT(
+        reading.problems(),
+        ElementsAre(Mentions("1:1: camera", "unknown key", "'m_FeldOfView'", "'m_FieldOfView'"),
+                    Mentions("2:1: camera", "unknown key", "'feldOfView'", "'fieldOfView'")));
 }
 
 TEST(YamlMapReader, RefusesBothSpellingsOfOneKeyAtOnce)
@@ -122,9 +125,8 @@ TEST(YamlMapReader, RefusesBothSpellingsOfOneKeyAtOnce)
     map.Read("m_FieldOfView", camera.fieldOfView);
     map.Find("m_FieldOfView");
     map.Finish();
-    EXPECT_THAT(reading.problems(),
-                ElementsAre("2:1: camera: 'm_FieldOfView' is the same key as 'fieldOfView' at 1:1; "
-                            "keep one of them"));
+    EXPECT_THAT(reading.problems(), ElementsAre(Mentions("2:1: camera", "'m_FieldOfView'",
+                                                         "same key", "'fieldOfView'", "1:1")));
 }
 
 TEST(YamlMapReader, ReportsARequiredKeyThatIsMissing)
@@ -151,8 +153,7 @@ TEST(YamlMapReader, RefusesWhatIsNoMap)
     YamlMapReader map = reading.Map();
     EXPECT_EQ(map.Require("name"), nullptr);
     map.Finish();
-    EXPECT_THAT(reading.problems(), ElementsAre("1:1: camera: found a sequence; a map with one "
-                                                "'key: value' per line is expected"));
+    EXPECT_THAT(reading.problems(), ElementsAre(Mentions("1:1: camera", "sequence", "map")));
 }
 
 TEST(PlainSpelling, DropsUnitysPrefixAndTheCapitalLetterBehindIt)

@@ -1,3 +1,4 @@
+#include "Mentions.h"
 #include "Problems.h"
 
 #include "TemporaryFolder.h"
@@ -11,6 +12,7 @@ namespace limn
 namespace
 {
 
+using test::Mentions;
 using test::Problems;
 using testing::ElementsAre;
 
@@ -93,46 +95,39 @@ TEST(ParseYaml, RepeatsAnAnchorsValueForItsAliases)
 TEST(ParseYaml, ReportsEveryDuplicateKeyWithBothPlaces)
 {
     EXPECT_THAT(ProblemsIn("a: 1\nb: {c: 1, c: 2}\na: 2\na: 3\n"),
-                ElementsAre("2:11: duplicate key 'c'; it is already at 2:5",
-                            "3:1: duplicate key 'a'; it is already at 1:1",
-                            "4:1: duplicate key 'a'; it is already at 1:1"));
+                ElementsAre(Mentions("2:11:", "duplicate", "'c'", "2:5"),
+                            Mentions("3:1:", "duplicate", "'a'", "1:1"),
+                            Mentions("4:1:", "duplicate", "'a'", "1:1")));
 }
 
 TEST(ParseYaml, RefusesKeysThatAreNotText)
 {
     EXPECT_THAT(ProblemsIn("? [a]\n: 1\nnull: 2\n"),
-                ElementsAre("1:3: the key is a sequence; a key is plain text, 'key: value'",
-                            "3:1: the key is nothing; a key is plain text, 'key: value'"));
+                ElementsAre(Mentions("1:3:", "key is a sequence", "plain text"),
+                            Mentions("3:1:", "key is nothing", "plain text")));
 }
 
 TEST(ParseYaml, PointsAtSyntaxErrors)
 {
-    EXPECT_THAT(
-        ProblemsIn("a:\n  b: 1\n c: 2\n"),
-        ElementsAre("3:2: this is not valid YAML: this line does not belong to what is above it; "
-                    "check its indentation"));
-    EXPECT_THAT(
-        ProblemsIn("a: b: c\n"),
-        ElementsAre("1:5: this is not valid YAML: a ':' is out of place; check the indentation and "
-                    "the line above, or put the text in quotes"));
+    EXPECT_THAT(ProblemsIn("a:\n  b: 1\n c: 2\n"),
+                ElementsAre(Mentions("3:2:", "YAML", "does not belong", "indentation")));
+    EXPECT_THAT(ProblemsIn("a: b: c\n"),
+                ElementsAre(Mentions("1:5:", "YAML", "':'", "out of place", "quotes")));
     EXPECT_THAT(ProblemsIn("a: 1\nb: [1,\nc: 2\n"),
-                ElementsAre("2:4: this is not valid YAML: the '[' here is not closed by a ']'"));
-    EXPECT_THAT(ProblemsIn("a: {b: 1\n"),
-                ElementsAre("1:4: this is not valid YAML: the '{' here is not closed by a '}'"));
-    EXPECT_THAT(
-        ProblemsIn("a: 1\n\tb: 2\n"),
-        ElementsAre(
-            "2:1: this is not valid YAML: a tab indents this line; YAML takes spaces only"));
+                ElementsAre(Mentions("2:4:", "YAML", "'['", "']'")));
+    EXPECT_THAT(ProblemsIn("a: {b: 1\n"), ElementsAre(Mentions("1:4:", "YAML", "'{'", "'}'")));
+    EXPECT_THAT(ProblemsIn("a: 1\n\tb: 2\n"),
+                ElementsAre(Mentions("2:1:", "YAML", "tab", "spaces")));
     EXPECT_THAT(ProblemsIn("a: *nobody\n"),
-                ElementsAre("1:4: this is not valid YAML: the referenced anchor is not defined"));
+                ElementsAre(Mentions("1:4:", "YAML", "anchor", "not defined")));
 }
 
 TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
 {
     EXPECT_THAT(ProblemsIn("a: 1\nb: \"x\nc: 3\n"),
-                ElementsAre("2:4: this is not valid YAML: the quote is never closed"));
+                ElementsAre(Mentions("2:4:", "YAML", "quote", "never closed")));
     EXPECT_THAT(ProblemsIn("b: &anchor 'it''s\n"),
-                ElementsAre("1:4: this is not valid YAML: the quote is never closed"));
+                ElementsAre(Mentions("1:4:", "YAML", "quote", "never closed")));
     EXPECT_EQ(ParseYaml("a: 'it''s'\nb: \"say \\\"x\\\"\"\n", "x.yaml").front().Find("b")->scalar(),
               "say \"x\"");
 }
@@ -140,15 +135,14 @@ TEST(ParseYaml, RefusesAQuoteThatIsNeverClosed)
 TEST(ParseYaml, RefusesTextBehindTheEndOfADocument)
 {
     EXPECT_THAT(ProblemsIn("- 1\na: 2\n"),
-                ElementsAre("2:1: text follows the end of the document; another document begins "
-                            "with a line '---'"));
-    EXPECT_THAT(ProblemsIn("{a: 1} b\n"), ElementsAre("1:8: text follows the end of the document; "
-                                                      "another document begins with a line '---'"));
+                ElementsAre(Mentions("2:1:", "end of the document", "'---'")));
+    EXPECT_THAT(ProblemsIn("{a: 1} b\n"),
+                ElementsAre(Mentions("1:8:", "end of the document", "'---'")));
 }
 
 TEST(ParseYaml, RefusesEmptyTexts)
 {
-    const std::string message = "the file is empty; write a name and a colon first, 'name:'";
+    const auto message = Mentions("empty", "'name:'");
     EXPECT_THAT(ProblemsIn(""), ElementsAre(message));
     EXPECT_THAT(ProblemsIn("# only a comment\n\n"), ElementsAre(message));
     EXPECT_THAT(ProblemsIn("---\n"), ElementsAre(message));
@@ -156,14 +150,12 @@ TEST(ParseYaml, RefusesEmptyTexts)
 
 TEST(ParseYaml, RefusesWhatIsNotUtf8Text)
 {
-    EXPECT_THAT(
-        ProblemsIn(std::string("a: 1\nb\0c", 8)),
-        ElementsAre(
-            "2:2: here is a NUL byte, so this is a binary file or UTF-16; UTF-8 text is expected"));
-    const std::string notUtf8 = "the bytes here are not UTF-8; save the file as UTF-8 text";
-    EXPECT_THAT(ProblemsIn("a: \xE4\n"), ElementsAre("1:4: " + notUtf8));         // Latin-1
-    EXPECT_THAT(ProblemsIn("a: \xC0\xAF\n"), ElementsAre("1:4: " + notUtf8));     // overlong
-    EXPECT_THAT(ProblemsIn("a: \xED\xA0\x80\n"), ElementsAre("1:4: " + notUtf8)); // surrogate
+    EXPECT_THAT(ProblemsIn(std::string("a: 1\nb\0c", 8)),
+                ElementsAre(Mentions("2:2:", "NUL", "binary", "UTF-16")));
+    const auto notUtf8 = Mentions("1:4:", "not UTF-8", "save");
+    EXPECT_THAT(ProblemsIn("a: \xE4\n"), ElementsAre(notUtf8));         // Latin-1
+    EXPECT_THAT(ProblemsIn("a: \xC0\xAF\n"), ElementsAre(notUtf8));     // overlong
+    EXPECT_THAT(ProblemsIn("a: \xED\xA0\x80\n"), ElementsAre(notUtf8)); // surrogate
     EXPECT_EQ(
         ParseYaml("a: \xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80\n", "x").front().Find("a")->scalar(),
         "\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80");
@@ -176,10 +168,8 @@ TEST(ParseYaml, RefusesMoreThan64Levels)
         return std::string(levels, '[') + std::string(levels, ']');
     };
     EXPECT_EQ(ParseYaml(nested(64), "x.yaml").size(), 1u);
-    EXPECT_THAT(ProblemsIn(nested(65)),
-                ElementsAre("1:65: values are nested more than 64 levels deep"));
-    EXPECT_THAT(ProblemsIn(nested(100000)),
-                ElementsAre("1:65: values are nested more than 64 levels deep"));
+    EXPECT_THAT(ProblemsIn(nested(65)), ElementsAre(Mentions("1:65:", "nested", "64 levels")));
+    EXPECT_THAT(ProblemsIn(nested(100000)), ElementsAre(Mentions("1:65:", "nested", "64 levels")));
 }
 
 TEST(ParseYaml, CountsLevelsThroughAliases)
@@ -191,13 +181,13 @@ TEST(ParseYaml, CountsLevelsThroughAliases)
         const std::string name = std::to_string(i);
         text += "a" + name + ": &a" + name + " [*a" + before + "]\n";
     }
-    EXPECT_THAT(ProblemsIn(text), ElementsAre("64:12: values are nested more than 64 levels deep"));
+    EXPECT_THAT(ProblemsIn(text), ElementsAre(Mentions("64:12:", "nested", "64 levels")));
 }
 
 TEST(ParseYaml, RefusesAnAliasInsideItsOwnAnchor)
 {
     EXPECT_THAT(ProblemsIn("a: &x [1, *x]\n"),
-                ElementsAre("1:11: the alias refers to a value that contains it"));
+                ElementsAre(Mentions("1:11:", "alias", "contains it")));
 }
 
 TEST(ParseYaml, RefusesAliasesThatMultiplyWithoutEnd)
@@ -214,10 +204,7 @@ TEST(ParseYaml, RefusesAliasesThatMultiplyWithoutEnd)
         }
         text += "]\n";
     }
-    const std::vector<std::string> problems = ProblemsIn(text);
-    ASSERT_EQ(problems.size(), 1u);
-    EXPECT_THAT(problems[0], testing::EndsWith("the file's aliases repeat more than 1000000 "
-                                               "values"));
+    EXPECT_THAT(ProblemsIn(text), ElementsAre(Mentions("aliases", "1000000")));
 }
 
 TEST(ParseYaml, CountsOnlyAliasesAgainstTheLimitOfWhatTheyRepeat)
@@ -236,29 +223,26 @@ TEST(ParseYaml, RefusesMoreThanTheLimits)
     EXPECT_EQ(5'000'000u, YamlLimits{}.values);
     EXPECT_EQ(ParseYaml("[1, 2, 3]\n", "x.yaml", {.values = 4}).front().items().size(), 3u);
     EXPECT_THAT(problems("[1, 2, 3, 4]\n", {.values = 4}),
-                ElementsAre("1:11: the file has more than 4 values"));
+                ElementsAre(Mentions("1:11:", "more than 4 values")));
     EXPECT_THAT(problems("[[[1]]]\n", {.depth = 2}),
-                ElementsAre("1:3: values are nested more than 2 levels deep"));
+                ElementsAre(Mentions("1:3:", "nested", "2 levels")));
     EXPECT_THAT(problems("a: &x [1, 2]\nb: *x\nc: *x\n", {.repeatedValues = 5}),
-                ElementsAre("3:4: the file's aliases repeat more than 5 values"));
+                ElementsAre(Mentions("3:4:", "aliases", "5")));
     EXPECT_THAT(problems("a: [1, 2]\n", {.flowBytes = 5}),
-                ElementsAre("1:4: the list or map in brackets here is longer than 5 bytes; put its "
-                            "items on lines of their own, behind '- '"));
+                ElementsAre(Mentions("1:4:", "brackets", "5 bytes", "'- '")));
 }
 
 TEST(ParseYaml, RefusesAListInBracketsAbove8MiBBeforeItReadsIt)
 {
     const std::size_t limit = std::size_t{8} * 1024 * 1024;
-    const std::string message =
-        "the list or map in brackets here is longer than 8388608 bytes; put its items on "
-        "lines of their own, behind '- '";
+    const auto message = Mentions("2:7:", "brackets", "8388608 bytes", "'- '");
     std::string list = "a: 1\nb: &x [";
     while (list.size() < limit + 20)
     {
         list += "1,";
     }
-    EXPECT_THAT(ProblemsIn(list + "1]\n"), ElementsAre("2:7: " + message));
-    EXPECT_THAT(ProblemsIn(list), ElementsAre("2:7: " + message));
+    EXPECT_THAT(ProblemsIn(list + "1]\n"), ElementsAre(message));
+    EXPECT_THAT(ProblemsIn(list), ElementsAre(message));
 }
 
 TEST(ParseYaml, FindsNoListInsideTextAndComments)
@@ -278,8 +262,8 @@ TEST(LoadYamlFile, NamesTheFileInEveryProblem)
 {
     const test::TemporaryFolder folder;
     const auto path = folder.Write("broken.yaml", "a: 1\na: 2\n");
-    EXPECT_EQ(test::ThrownMessage<AssetError>([&] { LoadYamlFile(path); }),
-              path.generic_string() + ":2:1: error: duplicate key 'a'; it is already at 1:1");
+    EXPECT_THAT(test::ThrownMessage<AssetError>([&] { LoadYamlFile(path); }),
+                Mentions(path.generic_string() + ":2:1:", "duplicate", "'a'", "1:1"));
 }
 
 TEST(LoadYamlFile, SaysWhatIsWrongWithTheFileItself)
@@ -300,8 +284,7 @@ TEST(LoadYamlFile, RefusesAFileWithoutContentAndOneThatIsNoFile)
 {
     const test::TemporaryFolder folder;
     const auto empty = folder.Write("empty.yaml", "");
-    EXPECT_THAT(Problems([&] { LoadYamlFile(empty); }),
-                ElementsAre("the file is empty; write a name and a colon first, 'name:'"));
+    EXPECT_THAT(Problems([&] { LoadYamlFile(empty); }), ElementsAre(Mentions("empty", "'name:'")));
     EXPECT_THAT(Problems([] { LoadYamlFile("/dev/null"); }),
                 ElementsAre("is a device; a file is expected"));
 }

@@ -1,5 +1,6 @@
 #include "report/measure/StudyFiles.h"
 
+#include "Mentions.h"
 #include "commands/WorkingFolder.h"
 
 #include <cmath>
@@ -13,6 +14,7 @@ namespace limn::study
 namespace
 {
 
+using test::Mentions;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -126,7 +128,7 @@ TEST_F(StudyFiles, SayWhichLineIsNoCell)
     }
     catch (const AssetError& error)
     {
-        EXPECT_THAT(error.what(), HasSubstr("cells.jsonl:2:1: error: cell: key 'id' is missing"));
+        EXPECT_THAT(error.what(), Mentions("cells.jsonl:2:1:", "cell", "'id'", "missing"));
     }
     EXPECT_THROW(ReadStudy(m_Working.folder / "nothing"), AssetError);
 }

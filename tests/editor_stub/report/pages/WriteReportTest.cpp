@@ -1,4 +1,5 @@
 #include "report/pages/WriteReport.h"
+#include "Mentions.h"
 #include "TemporaryFolder.h"
 #include "report/pages/ReportText.h"
 #include "report/pages/SampleStudy.h"
@@ -103,8 +104,7 @@ TEST(Report, WithoutGnuplotSaysSoAndHasAllElse)
     folder.Write("plots/time_objects.png", "an earlier study's");
     const NoPrograms none;
     const study::ReportFiles files = WriteReport(FullSample(), folder.path());
-    EXPECT_THAT(files.noPlots, HasSubstr("the program 'gnuplot' draws plots, and cannot be started "
-                                         "(Debian: apt install gnuplot-nox)"));
+    EXPECT_THAT(files.noPlots, Mentions("'gnuplot'", "cannot be started", "gnuplot-nox"));
     EXPECT_THAT(BytesOf(folder / "report.html"), HasSubstr("There are no plots: the program"));
     EXPECT_THAT(BytesOf(folder / "report.md"), Not(HasSubstr("](plots/")));
     for (const std::string plot : k_Plots)
@@ -130,7 +130,7 @@ TEST(Report, OfNothingIsOneToo)
 {
     const TemporaryFolder folder;
     const study::ReportFiles files = WriteReport(EmptySample(), folder.path());
-    EXPECT_EQ("No technique has both an error and a time to choose by.", files.recommendation);
+    EXPECT_THAT(files.recommendation, Mentions("No technique", "error", "time"));
     EXPECT_THAT(BytesOf(folder / "report.html"), HasSubstr(files.recommendation));
 }
 
@@ -294,9 +294,8 @@ TEST(ReportOfStability, BeginsWithWhoPassed)
     const study::ReportText report = ReportOf(sample, Compare(sample), {});
     EXPECT_THAT(report.recommendation,
                 testing::StartsWith("Strokes, Separable, Jump flood, Auto, Inflated, Rim, "));
-    EXPECT_THAT(
-        report.recommendation,
-        HasSubstr("passed all checks. Checks failed: Screen space 3 of 20, Selection 3 of"));
+    EXPECT_THAT(report.recommendation,
+                Mentions("passed all checks", "failed", "Screen space 3 of 20", "Selection 3 of"));
     EXPECT_EQ("extremes", report.sections.front().id);
     EXPECT_THAT(report.plots, testing::IsEmpty());
 }
