@@ -201,4 +201,11 @@ TEST_F(Inspect, OffersTheNearestFile)
                 testing::HasSubstr("did you mean '" + (folder / "on.profile.yaml").string()));
 }
 
+/// Every short stem is near to every other, so only the rest of the name may differ.
+TEST_F(Inspect, OffersAFileOfTheSameShortNameAndAnotherEnding)
+{
+    EXPECT_THAT(Run("on.profil.yaml").err, Mentions("did you mean", "on.profile.yaml"));
+    EXPECT_THAT(Run("an.profile.yaml").err, testing::Not(testing::HasSubstr("did you mean")));
+}
+
 } // namespace limn::test

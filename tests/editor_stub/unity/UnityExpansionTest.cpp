@@ -136,7 +136,7 @@ TEST(UnityExpansion, LeavesOutWhatIsRemovedOrMissing)
         EXPECT_NE(object->classID, UnityClass::GameObject);
     }
     ASSERT_EQ(expansion->notes().size(), 1u);
-    EXPECT_THAT(expansion->notes()[0].message, Mentions("no file", "guid gone"));
+    EXPECT_THAT(expansion->notes()[0].message, Mentions("guid gone", "not in the project"));
 }
 
 TEST(UnityExpansion, RefusesAPrefabThatHoldsItself)

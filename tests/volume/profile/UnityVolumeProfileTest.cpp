@@ -129,16 +129,16 @@ TEST_F(LoadUnityProfile, NotesOnceAComponentWhatUrpHasAndLimnDoesNot)
     };
     const std::string head = "MonoBehaviour:\n  active: 1\n  m_Name: ";
     const auto result =
-        Load("--- !u!114 &1\n" + head + "Tonemapping\n" + parameter("mode", "1") +
-             parameter("acesPreset", "0") + parameter("minNits", "1") +
+        Load("--- !u!114 &1\n" + head + "Tonemapping\n  m_AdvancedMode: 0\n" +
+             parameter("mode", "1") + parameter("acesPreset", "0") + parameter("minNits", "1") +
              parameter("paperWhite", "1") + parameter("papperWhite", "0") + //
              "--- !u!114 &2\n" + head + "FilmGrain\n" + parameter("intensity", "1") +
              "--- !u!114 &3\n" + head + "MotionBlur\n" + parameter("intensity", "0") +
              Profile("\n  - {fileID: 1}\n  - {fileID: 2}\n  - {fileID: 3}"));
     EXPECT_THAT(Texts(result.notes),
                 ElementsAre(Mentions("4:1: Tonemapping", "URP", "minNits, paperWhite"),
-                            Mentions("19:3: Tonemapping.papperWhite", "left out", "parameter"),
-                            Mentions("23:1: FilmGrain", "left out", "URP")));
+                            Mentions("20:3: Tonemapping.papperWhite", "left out", "parameter"),
+                            Mentions("24:1: FilmGrain", "left out", "URP")));
     EXPECT_EQ(1, result.profile->TryGet<Tonemapping>()->mode.value());
 }
 

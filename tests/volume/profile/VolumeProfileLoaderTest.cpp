@@ -62,6 +62,8 @@ TEST_F(LoadOwnProfile, NamesTheCauseOfCommonSyntaxErrors)
                 ElementsAre(Mentions("2:1:", "YAML", "tab", "spaces")));
     EXPECT_THAT(ProblemsIn(component + "  m_Enable:true\n  m_OutlineWidth: 4\n"),
                 ElementsAre(Mentions("2:11:", "YAML", "space", "missing", "':'")));
+    EXPECT_THAT(ProblemsIn(component + "  m_Enable:true # on\n  m_OutlineWidth: 4\n"),
+                ElementsAre(Mentions("2:11:", "space", "missing", "':'")));
     // Lines of letters alone, and the last one, have no cause of these.
     for (const char* text : {"ScreenSpaceOutline\n  m_OutlineWidth: 4\n", "a\nb: 1", "a:b\n c: 1"})
     {
