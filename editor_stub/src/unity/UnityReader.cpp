@@ -205,11 +205,6 @@ void UnityReader::ReadParts(const std::string& path, const char* names, float* v
     }
 }
 
-void UnityReader::Read(const std::string& path, glm::vec2& value) const
-{
-    ReadParts(path, "xy", &value.x);
-}
-
 void UnityReader::Read(const std::string& path, glm::vec3& value) const
 {
     ReadParts(path, "xyz", &value.x);
