@@ -1,5 +1,6 @@
 #include "explain/pixel/PixelHistory.h"
 
+#include "console/Json.h"
 #include "console/Texts.h"
 #include "explain/pixel/PassProbe.h"
 
@@ -252,13 +253,10 @@ std::string NotesText(const PixelHistory& history, bool isLong)
 
 Json PixelValueJson(const PixelValue& value)
 {
-    return {{"texture", value.texture},
-            {"x", value.x},
-            {"y", value.y},
-            {"width", value.width},
-            {"height", value.height},
-            {"before", value.before.empty() ? Json() : Json(value.before)},
-            {"after", value.after}};
+    return {
+        {"texture", value.texture}, {"x", value.x},           {"y", value.y},
+        {"width", value.width},     {"height", value.height}, {"before", TextOrNull(value.before)},
+        {"after", value.after}};
 }
 
 Json OptionalJson(const std::optional<PixelValue>& value)
@@ -266,22 +264,17 @@ Json OptionalJson(const std::optional<PixelValue>& value)
     return value ? PixelValueJson(*value) : Json();
 }
 
-Json OrNull(const std::string& text)
-{
-    return text.empty() ? Json() : Json(text);
-}
-
 Json PixelEventJson(const PixelEvent& event)
 {
     return {{"fate", ToString(event.fate)},
-            {"reason", OrNull(event.reason)},
+            {"reason", TextOrNull(event.reason)},
             {"pass", event.pass},
             {"objects", event.objects},
-            {"mesh", OrNull(event.mesh)},
-            {"material", OrNull(event.material)},
-            {"shader", OrNull(event.shader)},
+            {"mesh", TextOrNull(event.mesh)},
+            {"material", TextOrNull(event.material)},
+            {"shader", TextOrNull(event.shader)},
             {"shaderPass", event.shaderPass},
-            {"shaderPassName", OrNull(event.shaderPassName)},
+            {"shaderPassName", TextOrNull(event.shaderPassName)},
             {"run", event.isRun},
             {"colors", JsonList(event.colors, PixelValueJson)},
             {"depth", OptionalJson(event.depth)},
@@ -322,7 +315,7 @@ Json PixelJson(const PixelHistory& history)
     {
         return {{"pass", one.pass},
                 {"shader", one.shader},
-                {"shaderPassName", OrNull(one.shaderPassName)},
+                {"shaderPassName", TextOrNull(one.shaderPassName)},
                 {"count", one.count}};
     };
     const auto elsewhere = [](const PixelElsewhere& one) -> Json
