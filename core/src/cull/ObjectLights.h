@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <limn/core/Light.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <span>

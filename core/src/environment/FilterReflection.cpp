@@ -3,6 +3,7 @@
 #include "support/ParallelFor.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

@@ -3,6 +3,7 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace limn
 {

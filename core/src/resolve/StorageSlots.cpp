@@ -1,5 +1,6 @@
 #include "resolve/StorageSlots.h"
 
+#include <limits>
 
 namespace limn
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limn/core/FixedList.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Light.h>
