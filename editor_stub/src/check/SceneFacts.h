@@ -6,6 +6,7 @@
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeManager.h>
 #include <optional>
+#include <set>
 
 namespace limn
 {

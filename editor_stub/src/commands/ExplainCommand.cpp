@@ -52,7 +52,7 @@ Json ObjectDrawJson(const ExplainedDraw& draw)
 Json ObjectJson(const ExplainedObject& object)
 {
     return {{"name", object.name},
-            {"absence", TextOrNull(object.absence)},
+            {"absence", object.absence.empty() ? Json() : Json(object.absence)},
             {"draws", JsonList(object.draws, ObjectDrawJson)}};
 }
 

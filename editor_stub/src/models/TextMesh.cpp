@@ -1,6 +1,7 @@
 #include "models/TextMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstring>
 #include <glm/gtc/packing.hpp>

@@ -3,6 +3,7 @@
 #include "port/csharp/CSharpFile.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace limn

@@ -4,7 +4,6 @@
 #include "settings/Keys.h"
 
 #include <algorithm>
-#include <limn/base/ParseWhole.h>
 
 namespace limn
 {

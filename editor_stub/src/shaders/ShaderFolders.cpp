@@ -2,6 +2,7 @@
 
 #include "console/Texts.h"
 
+#include <algorithm>
 #include <limn/features/Features.h>
 
 namespace limn

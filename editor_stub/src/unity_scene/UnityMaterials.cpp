@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limn/base/Case.h>
 #include <limn/base/ReadFile.h>
 #include <limn/features/Features.h>
 
@@ -18,9 +17,17 @@ namespace limn
 namespace
 {
 
+std::string EndingOf(const std::filesystem::path& path)
+{
+    std::string ending = path.extension().string();
+    std::ranges::transform(ending, ending.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return ending;
+}
+
 bool IsModelFile(const std::filesystem::path& path)
 {
-    const std::string ending = ToLower(path.extension().string());
+    const std::string ending = EndingOf(path);
     return ending == ".fbx" || ending == ".obj" || ending == ".dae" || ending == ".3ds" ||
            ending == ".ply" || ending == ".stl";
 }
@@ -236,8 +243,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
         user.Note("m_Mesh", AbsenceOf(mesh, m_Database) + ", so nothing is drawn");
         return nullptr;
     }
-    const std::string ending = ToLower(path->extension().string());
-    if (ending == ".asset" || ending == ".mesh" || ending == ".prefab")
+    if (EndingOf(*path) == ".asset" || EndingOf(*path) == ".mesh" || EndingOf(*path) == ".prefab")
     {
         return LoadTextMesh(*path, mesh.fileID, user);
     }
@@ -383,11 +389,11 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {FindByName(standIn ? standIn->shader : known.name, material), std::move(standIn)};
     }
     const std::filesystem::path* path = m_Database.Find(reference.guid);
-    if (path != nullptr && ToLower(path->extension().string()) == ".shader")
+    if (path != nullptr && EndingOf(*path) == ".shader")
     {
         return {m_Assets.LoadShader(*path)};
     }
-    if (path != nullptr && ToLower(path->extension().string()) == ".shadergraph")
+    if (path != nullptr && EndingOf(*path) == ".shadergraph")
     {
         return ReadGraph(*path, saved, material);
     }

@@ -161,8 +161,7 @@ TEST_P(ClickSequences, SelectWhatTheySay)
     SelectController controller(desk.scene, Desk::Settings(GetParam().unit));
     for (const Click& click : GetParam().clicks)
     {
-        GameObject* hit = controller.GetHitObj(desk.camera, 100, 100, click.x, click.y);
-        controller.Click(hit, click.isCtrl, 0.0);
+        controller.Click(desk.camera, 100, 100, click.x, click.y, click.isCtrl, 0.0);
     }
     EXPECT_EQ(GetParam().selected, Names(controller.selected()));
 }

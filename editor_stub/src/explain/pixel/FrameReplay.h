@@ -2,6 +2,7 @@
 
 #include <limn/core/CompiledFrame.h>
 #include <limn/core/GraphicsDevice.h>
+#include <map>
 #include <span>
 
 namespace limn

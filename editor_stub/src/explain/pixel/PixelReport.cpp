@@ -1,6 +1,5 @@
 #include "explain/pixel/PixelHistory.h"
 
-#include "console/Json.h"
 #include "console/Texts.h"
 #include "explain/pixel/PassProbe.h"
 
@@ -253,10 +252,13 @@ std::string NotesText(const PixelHistory& history, bool isLong)
 
 Json PixelValueJson(const PixelValue& value)
 {
-    return {
-        {"texture", value.texture}, {"x", value.x},           {"y", value.y},
-        {"width", value.width},     {"height", value.height}, {"before", TextOrNull(value.before)},
-        {"after", value.after}};
+    return {{"texture", value.texture},
+            {"x", value.x},
+            {"y", value.y},
+            {"width", value.width},
+            {"height", value.height},
+            {"before", value.before.empty() ? Json() : Json(value.before)},
+            {"after", value.after}};
 }
 
 Json OptionalJson(const std::optional<PixelValue>& value)
@@ -264,17 +266,22 @@ Json OptionalJson(const std::optional<PixelValue>& value)
     return value ? PixelValueJson(*value) : Json();
 }
 
+Json OrNull(const std::string& text)
+{
+    return text.empty() ? Json() : Json(text);
+}
+
 Json PixelEventJson(const PixelEvent& event)
 {
     return {{"fate", ToString(event.fate)},
-            {"reason", TextOrNull(event.reason)},
+            {"reason", OrNull(event.reason)},
             {"pass", event.pass},
             {"objects", event.objects},
-            {"mesh", TextOrNull(event.mesh)},
-            {"material", TextOrNull(event.material)},
-            {"shader", TextOrNull(event.shader)},
+            {"mesh", OrNull(event.mesh)},
+            {"material", OrNull(event.material)},
+            {"shader", OrNull(event.shader)},
             {"shaderPass", event.shaderPass},
-            {"shaderPassName", TextOrNull(event.shaderPassName)},
+            {"shaderPassName", OrNull(event.shaderPassName)},
             {"run", event.isRun},
             {"colors", JsonList(event.colors, PixelValueJson)},
             {"depth", OptionalJson(event.depth)},
@@ -315,7 +322,7 @@ Json PixelJson(const PixelHistory& history)
     {
         return {{"pass", one.pass},
                 {"shader", one.shader},
-                {"shaderPassName", TextOrNull(one.shaderPassName)},
+                {"shaderPassName", OrNull(one.shaderPassName)},
                 {"count", one.count}};
     };
     const auto elsewhere = [](const PixelElsewhere& one) -> Json

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <limn/base/ParseWhole.h>
 
 namespace limn
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <limn/features/Technique.h>
 #include <map>
 #include <span>

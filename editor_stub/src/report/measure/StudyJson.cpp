@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <limn/base/ParseWhole.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::study
