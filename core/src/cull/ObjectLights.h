@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <limn/core/Light.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <span>

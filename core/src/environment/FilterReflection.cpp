@@ -3,7 +3,6 @@
 #include "support/ParallelFor.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>

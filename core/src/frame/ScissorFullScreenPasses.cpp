@@ -3,7 +3,6 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace limn
 {

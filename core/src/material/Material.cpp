@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cstring>
-#include <limits>
 #include <type_traits>
 
 #include "support/RequireFinite.h"

@@ -1,6 +1,5 @@
 #include "resolve/StorageSlots.h"
 
-#include <limits>
 
 namespace limn
 {

@@ -138,17 +138,6 @@ glm::dmat4 Projection(const Light& light, double slope, bool usesReversedZBuffer
     return projection;
 }
 
-glm::dmat4 ToTexture(const ViewportRect& tile, double size)
-{
-    const glm::dvec2 scale = glm::dvec2(tile.width, tile.height) / size;
-    const glm::dvec2 offset = glm::dvec2(tile.x, tile.y) / size;
-    glm::dmat4 toTexture(1.0);
-    toTexture[0][0] = 0.5 * scale.x;
-    toTexture[1][1] = 0.5 * scale.y;
-    toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
-    return toTexture;
-}
-
 } // namespace
 
 AdditionalLightsShadowCasterPass::AdditionalLightsShadowCasterPass()
@@ -351,7 +340,7 @@ void AdditionalLightsShadowCasterPass::SetReceiverConstants(
     {
         const Slice& slice = m_Slices[i];
         const Light& light = *renderingData.lightData.additionalLights[slice.light];
-        const glm::dmat4 toShadow = ToTexture(slice.tile, static_cast<double>(size)) *
+        const glm::dmat4 toShadow = ToTexture(slice.tile, glm::dvec2(size)) *
                                     Projection(light, slice.slope, data.usesReversedZBuffer) *
                                     slice.view;
         matrices[i] = glm::mat4(toShadow);

@@ -99,18 +99,6 @@ double NearestOf(const CullingResults& casters, const glm::dmat4& view)
     return nearest;
 }
 
-/// Light space to the shadow map's texture coordinates and depth.
-glm::dmat4 ToTexture(const ShadowCascade& cascade, const glm::ivec2& size, bool usesReversedZBuffer)
-{
-    const glm::dvec2 scale = glm::dvec2(cascade.tile.width, cascade.tile.height) / glm::dvec2(size);
-    const glm::dvec2 offset = glm::dvec2(cascade.tile.x, cascade.tile.y) / glm::dvec2(size);
-    glm::dmat4 toTexture(1.0);
-    toTexture[0][0] = 0.5 * scale.x;
-    toTexture[1][1] = 0.5 * scale.y;
-    toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
-    return toTexture * cascade.Projection(usesReversedZBuffer);
-}
-
 } // namespace
 
 MainLightShadowCasterPass::MainLightShadowCasterPass()
@@ -243,7 +231,8 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
     {
         const ShadowCascade& cascade = m_Cascades[i];
         const glm::dmat4 toShadow =
-            ToTexture(cascade, size, renderingData.cameraData.usesReversedZBuffer) * cascade.view;
+            ToTexture(cascade.tile, glm::dvec2(size)) *
+            cascade.Projection(renderingData.cameraData.usesReversedZBuffer) * cascade.view;
         matrices[i] = glm::mat4(toShadow);
         fromOrigin[i] = glm::vec4(toShadow * glm::dvec4(origin, 1.0));
         centers[i] = glm::vec4(glm::vec3(cascade.center - origin), 0.0f);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <limn/core/FixedList.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/Light.h>

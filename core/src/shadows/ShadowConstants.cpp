@@ -47,6 +47,17 @@ glm::vec2 FadeScaleAndBias(double distance, double border)
                          : glm::vec2(1.0 / (end - begin), -begin / (end - begin));
 }
 
+glm::dmat4 ToTexture(const ViewportRect& tile, const glm::dvec2& size)
+{
+    const glm::dvec2 scale = glm::dvec2(tile.width, tile.height) / size;
+    const glm::dvec2 offset = glm::dvec2(tile.x, tile.y) / size;
+    glm::dmat4 toTexture(1.0);
+    toTexture[0][0] = 0.5 * scale.x;
+    toTexture[1][1] = 0.5 * scale.y;
+    toTexture[3] = glm::dvec4(0.5 * scale + offset, 0.0, 1.0);
+    return toTexture;
+}
+
 void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
                        const CullingResults& plain, const CullingResults& twoSided)
 {

@@ -42,6 +42,10 @@ int ResolutionOf(const Light& light, const glm::ivec3& tiers);
 /// and 1 where they end.
 glm::vec2 FadeScaleAndBias(double distance, double border);
 
+/// Returns the matrix from clip space to the texture coordinates and depth of a tile.
+/// @param size  of the shadow map, texels
+glm::dmat4 ToTexture(const ViewportRect& tile, const glm::dvec2& size);
+
 /// Draws the objects that CullShadowCasters found.
 void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
                        const CullingResults& plain, const CullingResults& twoSided);

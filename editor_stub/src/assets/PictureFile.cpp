@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
+#include <limn/base/Case.h>
 #include <limn/base/Diagnostic.h>
 #include <memory>
 #include <tiffio.h>
@@ -34,14 +35,6 @@ namespace
 {
 
 constexpr int k_MostTexels = 16384;
-
-std::string EndingOf(const std::filesystem::path& path)
-{
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
 
 [[noreturn]] void Fail(const std::filesystem::path& path, const std::string& message)
 {
@@ -189,7 +182,7 @@ std::string FormatOf(const std::filesystem::path& path, std::string_view bytes)
             return ending;
         }
     }
-    return EndingOf(path);
+    return ToLower(path.extension().string());
 }
 
 Image ReadByStb(const std::filesystem::path& path, std::string_view bytes)
@@ -228,7 +221,7 @@ std::uint16_t HalfOf(float value)
 
 bool IsPictureFile(const std::filesystem::path& path)
 {
-    const std::string ending = EndingOf(path);
+    const std::string ending = ToLower(path.extension().string());
     return std::ranges::any_of(std::initializer_list<const char*>{".png", ".tif", ".tiff", ".jpg",
                                                                   ".jpeg", ".tga", ".bmp", ".psd",
                                                                   ".exr", ".hdr"},

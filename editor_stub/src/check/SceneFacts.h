@@ -6,7 +6,6 @@
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeManager.h>
 #include <optional>
-#include <set>
 
 namespace limn
 {

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <limn/base/Case.h>
+#include <limn/base/ParseWhole.h>
 #include <limn/shaderlab/FindPackages.h>
 #include <limn/volume/ProfileEdit.h>
 

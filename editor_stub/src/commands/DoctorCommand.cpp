@@ -154,12 +154,6 @@ Json DeviceJson(const VulkanDeviceInfo& device)
             {"lacks", device.lacks}};
 }
 
-/// Returns null for "".
-Json TextOrNull(const std::string& text)
-{
-    return text.empty() ? Json() : Json(text);
-}
-
 /// Returns the versions of libraries by their names: {"libpng": "1.6.39"}.
 Json LibrariesJson()
 {

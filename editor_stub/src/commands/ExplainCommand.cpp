@@ -52,7 +52,7 @@ Json ObjectDrawJson(const ExplainedDraw& draw)
 Json ObjectJson(const ExplainedObject& object)
 {
     return {{"name", object.name},
-            {"absence", object.absence.empty() ? Json() : Json(object.absence)},
+            {"absence", TextOrNull(object.absence)},
             {"draws", JsonList(object.draws, ObjectDrawJson)}};
 }
 

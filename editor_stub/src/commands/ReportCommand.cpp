@@ -202,7 +202,7 @@ Json ReportJson(const ReportFiles& report)
         {"recommendation", report.recommendation},
         {"remarks", report.sceneRemarks},
         {"warnings", report.warnings},
-        {"noPlots", report.noPlots.empty() ? Json() : Json(report.noPlots)}};
+        {"noPlots", TextOrNull(report.noPlots)}};
 }
 
 void PrintReport(const ReportFiles& report, Console& console)

@@ -19,6 +19,12 @@ inline std::string JsonText(const Json& json)
     return SeveralLines(json.dump(2, ' ', false, Json::error_handler_t::replace)) + "\n";
 }
 
+/// Returns null for "".
+inline Json TextOrNull(const std::string& text)
+{
+    return text.empty() ? Json() : Json(text);
+}
+
 /// Returns the list of what `toJson` makes of each item.
 template <typename Items, typename Make>
 Json JsonList(const Items& items, const Make& toJson)

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <initializer_list>
 #include <iterator>
 #include <limn/base/Text.h>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -45,16 +43,6 @@ std::vector<std::string_view> NamesOf(const Items& items, const NameOf& nameOf)
     std::vector<std::string_view> names;
     std::ranges::transform(items, std::back_inserter(names), nameOf);
     return names;
-}
-
-/// Returns the number that the whole text is, or nothing if it is none.
-template <typename Number>
-std::optional<Number> ParseWhole(std::string_view text)
-{
-    Number number{};
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
 }
 
 /// Returns a count with its noun, plural unless it is 1: "3 cells", "1 cell".

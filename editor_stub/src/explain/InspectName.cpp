@@ -1,7 +1,6 @@
 #include "explain/InspectReport.h"
 #include "shaders/ShaderDescription.h"
 
-#include <algorithm>
 #include <array>
 #include <limn/editor_stub/LayerNames.h>
 #include <limn/features/Features.h>

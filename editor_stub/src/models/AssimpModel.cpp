@@ -7,9 +7,9 @@
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
-#include <cmath>
 #define GLM_ENABLE_EXPERIMENTAL
 #include <glm/gtx/matrix_decompose.hpp>
+#include <limn/base/Case.h>
 #include <limn/base/ModuleFile.h>
 #include <stdexcept>
 
@@ -402,9 +402,7 @@ void FoldTopNode(ModelContent& model)
 ModelContent ReadByAssimp(const std::filesystem::path& path, std::string_view bytes,
                           const std::string& name, const ModelImport& import)
 {
-    std::string extension = path.extension().string();
-    std::ranges::transform(extension, extension.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const std::string extension = ToLower(path.extension().string());
     const bool isFbx = extension == ".fbx";
     const std::unique_ptr<aiPropertyStore, void (*)(aiPropertyStore*)> settings(
         LIMN_ASSIMP(aiCreatePropertyStore)(), LIMN_ASSIMP(aiReleasePropertyStore));

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limn/base/ByteStream.h>
+#include <limn/base/Case.h>
 #include <limn/base/ReadFile.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -186,13 +187,11 @@ Model LoadModel(const std::filesystem::path& path, const ModelImport& import,
 {
     std::string bytes = ReadForImport(k_Model, path);
     std::string name = path.stem().string();
-    std::string ending = path.extension().string(); // it tells how the bytes are read
+    const std::string ending = path.extension().string(); // it tells how the bytes are read
     ByteWriter settings;
     settings.Value(ending);
     TransferModelSettings(settings, name, import);
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    settings.Value(ending == ".obj" ? MaterialFilesOf(path, bytes) : std::string());
+    settings.Value(ToLower(ending) == ".obj" ? MaterialFilesOf(path, bytes) : std::string());
     const FileCache::Entry entry = importer.Import(k_Model, path, settings.bytes(), bytes);
     ModelContent content;
     ByteReader reader(entry.payload());

@@ -1,7 +1,6 @@
 #include "models/TextMesh.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cstring>
 #include <glm/gtc/packing.hpp>

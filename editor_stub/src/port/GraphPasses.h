@@ -3,7 +3,6 @@
 #include "port/csharp/CSharpFile.h"
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace limn

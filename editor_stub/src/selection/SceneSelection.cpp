@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limn/base/Case.h>
+#include <limn/base/ParseWhole.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
 #include <limn/volume/YamlRead.h>
 

@@ -37,12 +37,6 @@ SelectController::SelectController(Scene& scene, SelectSettings settings)
     AdoptMarked();
 }
 
-void SelectController::Click(const Camera& camera, int width, int height, int x, int y, bool isCtrl,
-                             double time)
-{
-    Click(GetHitObj(camera, width, height, x, y), isCtrl, time);
-}
-
 void SelectController::Click(GameObject* hit, bool isCtrl, double time)
 {
     const auto target = FindTarget(m_Targets, hit);

@@ -4,6 +4,7 @@
 #include "settings/Keys.h"
 
 #include <algorithm>
+#include <limn/base/ParseWhole.h>
 
 namespace limn
 {

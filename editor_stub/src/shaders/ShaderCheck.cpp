@@ -258,12 +258,6 @@ private:
 
 } // namespace
 
-bool ShaderCheck::hasErrors() const
-{
-    return std::ranges::any_of(diagnostics,
-                               [](const Diagnostic& d) { return d.severity == Severity::Error; });
-}
-
 ShaderCheck CheckShader(const std::filesystem::path& file, const ShaderCheckOptions& options,
                         ShaderCompiler& compiler)
 {

@@ -66,8 +66,6 @@ struct ShaderCheck
     std::vector<CheckedSubShader> subShaders;
     std::string drawnFallback;           ///< the shader that limn draws with instead; "" = this one
     std::vector<Diagnostic> diagnostics; ///< errors, warnings and notes; refusals are notes
-
-    bool hasErrors() const;
 };
 
 struct ShaderCheckOptions

@@ -2,7 +2,6 @@
 
 #include "console/Texts.h"
 
-#include <algorithm>
 #include <limn/features/Features.h>
 
 namespace limn

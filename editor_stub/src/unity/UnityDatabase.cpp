@@ -134,12 +134,6 @@ std::string UnityDatabase::WhyNotFound(const std::string& guid, std::string_view
                : name + " is not there, though its .meta file is";
 }
 
-std::shared_ptr<const UnityFile> UnityDatabase::Load(const std::string& guid)
-{
-    const std::filesystem::path* path = Find(guid);
-    return path != nullptr ? LoadFile(*path) : nullptr;
-}
-
 std::shared_ptr<const UnityFile> UnityDatabase::LoadFile(const std::filesystem::path& path)
 {
     m_Assets.Reach(path);

@@ -50,7 +50,6 @@ public:
     std::string WhyNotFound(const std::string& guid, std::string_view whose = "its guid") const;
     /// Loads a text asset. Returns null and adds a note if there is none, it is broken or it is
     /// saved as binary.
-    std::shared_ptr<const UnityFile> Load(const std::string& guid);
     std::shared_ptr<const UnityFile> LoadFile(const std::filesystem::path& path);
 
 private:

@@ -4,12 +4,10 @@
 
 #include <cstdint>
 #include <deque>
-#include <filesystem>
 #include <functional>
 #include <limn/volume/UnityAsset.h>
 #include <map>
 #include <memory>
-#include <optional>
 #include <set>
 #include <unordered_map>
 #include <vector>
@@ -37,8 +35,7 @@ enum class UnityClass : int
     SkinnedMeshRenderer = 137,
     LODGroup = 205,
     RectTransform = 224,
-    PrefabInstance = 1001,
-    SceneRoots = 1660057539
+    PrefabInstance = 1001
 };
 
 /// A reference `{fileID: 11400000, guid: 185ced…, type: 2}`. If the guid is empty, it refers to an

@@ -1,22 +1,14 @@
 #include "unity/UnityReader.h"
 
-#include <charconv>
 #include <cmath>
+#include <limn/base/ParseWhole.h>
+#include <optional>
 
 namespace limn
 {
 
 namespace
 {
-
-template <typename Number>
-std::optional<Number> ParseNumber(std::string_view text)
-{
-    Number number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const bool isWhole = error == std::errc{} && end == text.data() + text.size();
-    return isWhole ? std::optional(number) : std::nullopt;
-}
 
 /// Takes "name" or "Array.data[3]" off the front of a path.
 std::string_view TakeStep(std::string_view& path)
@@ -34,7 +26,7 @@ std::optional<std::size_t> ElementIn(std::string_view step)
     {
         return std::nullopt;
     }
-    return ParseNumber<std::size_t>(step.substr(5, step.size() - 6));
+    return ParseWhole<std::size_t>(step.substr(5, step.size() - 6));
 }
 
 } // namespace
@@ -140,7 +132,7 @@ void UnityReader::Read(const std::string& path, float& value) const
 {
     if (const auto text = Text(path))
     {
-        const auto number = ParseNumber<float>(*text);
+        const auto number = ParseWhole<float>(*text);
         if (number && std::isfinite(*number))
         {
             value = *number;
@@ -173,7 +165,7 @@ void UnityReader::Read(const std::string& path, int& value) const
 {
     if (const auto text = Text(path))
     {
-        if (const auto number = ParseNumber<std::int64_t>(*text))
+        if (const auto number = ParseWhole<std::int64_t>(*text))
         {
             value = static_cast<int>(*number); // masks of 32 bits are unsigned
             return;
@@ -203,11 +195,6 @@ void UnityReader::ReadParts(const std::string& path, const char* names, float* v
     {
         Read(path + "." + *names, *values);
     }
-}
-
-void UnityReader::Read(const std::string& path, glm::vec2& value) const
-{
-    ReadParts(path, "xy", &value.x);
 }
 
 void UnityReader::Read(const std::string& path, glm::vec3& value) const
@@ -274,7 +261,7 @@ std::size_t UnityReader::Count(const std::string& path) const
     if (const UnityOverride* size = FindOverride(path + ".Array.size"))
     {
         constexpr std::size_t k_Most = 100'000;
-        count = std::min(ParseNumber<std::size_t>(size->value).value_or(count), k_Most);
+        count = std::min(ParseWhole<std::size_t>(size->value).value_or(count), k_Most);
     }
     return count;
 }

@@ -3,7 +3,6 @@
 #include "unity/UnityObjects.h"
 
 #include <glm/gtc/quaternion.hpp>
-#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
@@ -62,7 +61,6 @@ public:
     void Read(const std::string& path, int& value) const;
     void Read(const std::string& path, bool& value) const;
     void Read(const std::string& path, std::string& value) const;
-    void Read(const std::string& path, glm::vec2& value) const;
     void Read(const std::string& path, glm::vec3& value) const;
     void Read(const std::string& path, glm::quat& value) const;
     void Read(const std::string& path, Color& value) const;     ///< sRGB

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limn/base/Case.h>
 #include <limn/base/ReadFile.h>
 #include <limn/features/Features.h>
 
@@ -17,17 +18,9 @@ namespace limn
 namespace
 {
 
-std::string EndingOf(const std::filesystem::path& path)
-{
-    std::string ending = path.extension().string();
-    std::ranges::transform(ending, ending.begin(),
-                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return ending;
-}
-
 bool IsModelFile(const std::filesystem::path& path)
 {
-    const std::string ending = EndingOf(path);
+    const std::string ending = ToLower(path.extension().string());
     return ending == ".fbx" || ending == ".obj" || ending == ".dae" || ending == ".3ds" ||
            ending == ".ply" || ending == ".stl";
 }
@@ -243,7 +236,8 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
         user.Note("m_Mesh", AbsenceOf(mesh, m_Database) + ", so nothing is drawn");
         return nullptr;
     }
-    if (EndingOf(*path) == ".asset" || EndingOf(*path) == ".mesh" || EndingOf(*path) == ".prefab")
+    const std::string ending = ToLower(path->extension().string());
+    if (ending == ".asset" || ending == ".mesh" || ending == ".prefab")
     {
         return LoadTextMesh(*path, mesh.fileID, user);
     }
@@ -403,11 +397,11 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {FindByName(standIn ? standIn->shader : known.name, material), std::move(standIn)};
     }
     const std::filesystem::path* path = m_Database.Find(reference.guid);
-    if (path != nullptr && EndingOf(*path) == ".shader")
+    if (path != nullptr && ToLower(path->extension().string()) == ".shader")
     {
         return {m_Assets.LoadShader(*path)};
     }
-    if (path != nullptr && EndingOf(*path) == ".shadergraph")
+    if (path != nullptr && ToLower(path->extension().string()) == ".shadergraph")
     {
         return ReadGraph(*path, saved, material);
     }

@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <variant>

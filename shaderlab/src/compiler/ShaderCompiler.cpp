@@ -14,7 +14,6 @@
 #include <atomic>
 #include <cstdio>
 #include <mutex>
-#include <optional>
 
 namespace limn
 {

@@ -7,7 +7,6 @@
 #include <charconv>
 #include <compare>
 #include <optional>
-#include <string>
 
 namespace limn
 {

@@ -2,7 +2,6 @@
 
 #include <limn/shaderlab/RenderState.h>
 
-#include <cstddef>
 #include <span>
 #include <string_view>
 

@@ -3,7 +3,6 @@
 #include "tokens/IntegerExpression.h"
 #include "tokens/Tokens.h"
 
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -2,8 +2,6 @@
 
 #include "hlsl/Globals.h"
 
-#include <cstddef>
-#include <span>
 #include <string_view>
 #include <unordered_map>
 #include <vector>

@@ -2,7 +2,6 @@
 
 #include "tokens/Tokens.h"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>

@@ -4,7 +4,6 @@
 #include <limn/base/Text.h>
 
 #include <algorithm>
-#include <set>
 #include <unordered_map>
 #include <vector>
 

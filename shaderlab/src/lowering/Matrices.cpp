@@ -1,7 +1,6 @@
 #include "lowering/Lowering.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace limn
 {

@@ -129,12 +129,11 @@ private:
     void ReportDuplicateProperties();
 
     // ParserState.cpp, ParserBlend.cpp: fixed-function state into m_Scope.state
-    void ParseCull();
-    void ParseZTest();
-    void ParseZWrite();
-    void ParseZClip();
-    void ParseAlphaToMask();
-    void ParseConservative();
+    template <typename T, StateValue<T> RenderState::*Field, const auto& Names>
+    void ParseState()
+    {
+        ParseEnum<T>(m_Word, Names, m_Scope.state.*Field);
+    }
     void ParseOffset();
     void ParseBlend();
     void ParseBlendOp();
@@ -142,7 +141,6 @@ private:
     std::optional<StateValue<int>> ParseMask();
     std::optional<std::size_t> ParseTargetIndex(std::string_view subject);
     std::span<PassBlendState> TargetsOf(std::optional<std::size_t> index);
-    bool ParseBool(std::string_view subject, StateValue<bool>& target);
     bool ParseFloat(std::string_view subject, StateValue<float>& target);
     bool ParseBlendFactor(StateValue<BlendMode>& target);
     bool ParseBlendOperation(StateValue<BlendOp>& target);
@@ -152,10 +150,8 @@ private:
 
     // ParserStencil.cpp
     void ParseStencil();
-    void ParseStencilRef();
-    void ParseStencilReadMask();
-    void ParseStencilWriteMask();
-    void ParseStencilByte(std::string_view subject, StateValue<int>& target);
+    template <StateValue<int> PassStencilState::*Field>
+    void ParseStencilByte();
     template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>
     void ParseStencilCompare();
     template <StateValue<StencilOp> StencilFaceState::*Field, bool Front, bool Back>

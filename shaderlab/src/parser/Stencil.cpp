@@ -9,9 +9,9 @@ const Parser::CommandTable& Parser::StencilCommands()
 {
     using Face = StencilFaceState;
     static const CommandTable table = {
-        {"Ref", &Parser::ParseStencilRef},
-        {"ReadMask", &Parser::ParseStencilReadMask},
-        {"WriteMask", &Parser::ParseStencilWriteMask},
+        {"Ref", &Parser::ParseStencilByte<&PassStencilState::reference>},
+        {"ReadMask", &Parser::ParseStencilByte<&PassStencilState::readMask>},
+        {"WriteMask", &Parser::ParseStencilByte<&PassStencilState::writeMask>},
         {"Comp", &Parser::ParseStencilCompare<&Face::compare, true, true>},
         {"CompFront", &Parser::ParseStencilCompare<&Face::compare, true, false>},
         {"CompBack", &Parser::ParseStencilCompare<&Face::compare, false, true>},
@@ -36,31 +36,18 @@ void Parser::ParseStencil()
     ParseBlock("Stencil", StencilCommands());
 }
 
-void Parser::ParseStencilRef()
+template <StateValue<int> PassStencilState::*Field>
+void Parser::ParseStencilByte()
 {
-    ParseStencilByte("Ref", m_Scope.state.stencil.reference);
-}
-
-void Parser::ParseStencilReadMask()
-{
-    ParseStencilByte("ReadMask", m_Scope.state.stencil.readMask);
-}
-
-void Parser::ParseStencilWriteMask()
-{
-    ParseStencilByte("WriteMask", m_Scope.state.stencil.writeMask);
-}
-
-void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
-{
+    StateValue<int>& target = m_Scope.state.stencil.*Field;
     if (isPunctuation('['))
     {
-        const auto property = ParseReference(subject);
+        const auto property = ParseReference(m_Word);
         target = property ? StateValue<int>::FromProperty(*property) : target;
         return;
     }
     const Token token = m_Token;
-    const auto number = ParseNumber(subject);
+    const auto number = ParseNumber(m_Word);
     if (!number)
     {
         return;
@@ -68,7 +55,7 @@ void Parser::ParseStencilByte(std::string_view subject, StateValue<int>& target)
     if (*number < 0.0f || *number > 255.0f)
     {
         Report(Severity::Warning, token.location,
-               std::string(subject) + ": " + std::string(token.text) +
+               std::string(m_Word) + ": " + std::string(token.text) +
                    " does not fit into 8 bits, so only its lowest 8 count; write 0...255");
     }
     target = static_cast<int>(std::clamp(*number, -65536.0f, 65536.0f)) & 0xFF;

@@ -102,16 +102,16 @@ const Parser::CommandTable& Parser::PassCommands()
 void Parser::AppendCommonCommands(CommandTable& table)
 {
     const CommandTable common = {
-        {"Cull", &Parser::ParseCull},
-        {"ZTest", &Parser::ParseZTest},
-        {"ZWrite", &Parser::ParseZWrite},
-        {"ZClip", &Parser::ParseZClip},
+        {"Cull", &Parser::ParseState<CullMode, &RenderState::cull, k_CullModes>},
+        {"ZTest", &Parser::ParseState<CompareFunction, &RenderState::zTest, k_DepthTests>},
+        {"ZWrite", &Parser::ParseState<bool, &RenderState::zWrite, k_Bools>},
+        {"ZClip", &Parser::ParseState<bool, &RenderState::zClip, k_Bools>},
         {"Offset", &Parser::ParseOffset},
         {"Blend", &Parser::ParseBlend},
         {"BlendOp", &Parser::ParseBlendOp},
         {"ColorMask", &Parser::ParseColorMask},
-        {"AlphaToMask", &Parser::ParseAlphaToMask},
-        {"Conservative", &Parser::ParseConservative},
+        {"AlphaToMask", &Parser::ParseState<bool, &RenderState::alphaToMask, k_Bools>},
+        {"Conservative", &Parser::ParseState<bool, &RenderState::conservative, k_Bools>},
         {"Stencil", &Parser::ParseStencil},
         {"Lighting", &Parser::ParseLegacySwitch},
         {"SeparateSpecular", &Parser::ParseLegacySwitch},

@@ -161,7 +161,8 @@ TEST_P(ClickSequences, SelectWhatTheySay)
     SelectController controller(desk.scene, Desk::Settings(GetParam().unit));
     for (const Click& click : GetParam().clicks)
     {
-        controller.Click(desk.camera, 100, 100, click.x, click.y, click.isCtrl, 0.0);
+        GameObject* hit = controller.GetHitObj(desk.camera, 100, 100, click.x, click.y);
+        controller.Click(hit, click.isCtrl, 0.0);
     }
     EXPECT_EQ(GetParam().selected, Names(controller.selected()));
 }
@@ -260,7 +261,7 @@ TEST(SelectController, RefusesPixelsOutsideOfThePicture)
 {
     Desk desk;
     SelectController controller(desk.scene, Desk::Settings());
-    EXPECT_THROW(controller.Click(desk.camera, 100, 100, 100, 5, false, 0.0), ContractError);
+    EXPECT_THROW(controller.GetHitObj(desk.camera, 100, 100, 100, 5), ContractError);
 }
 
 } // namespace limn::test

@@ -2,8 +2,6 @@
 
 #include <limn/core/PluginCallSite.h>
 #include <limn/volume/VolumeComponentRegistry.h>
-#include <string>
-#include <typeindex>
 
 namespace limn
 {

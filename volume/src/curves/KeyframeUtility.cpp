@@ -2,7 +2,6 @@
 
 #include "blending/Lerp.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace limn

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <limn/volume/AnimationCurve.h>
 #include <limn/volume/CurveParameters.h>
 #include <limn/volume/ValueParameters.h>

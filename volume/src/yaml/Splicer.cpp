@@ -1,8 +1,10 @@
 #include <limn/volume/YamlSplicer.h>
 
+#include "yaml/Text.h"
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <limn/base/ParseWhole.h>
 #include <optional>
 
 namespace limn
@@ -13,11 +15,7 @@ namespace
 
 std::optional<float> ParseFloat(std::string_view text)
 {
-    float value = 0.0f;
-    text.remove_prefix(!text.empty() && text.front() == '+' ? 1 : 0);
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && rest == end ? std::optional(value) : std::nullopt;
+    return ParseWhole<float>(text.substr(text.starts_with('+') ? 1 : 0));
 }
 
 /// Returns whether both scalars are the same text or the same number.
@@ -248,19 +246,10 @@ std::string_view YamlSplicer::Extent(const YamlNode& scalar) const
         const std::size_t size = scalar.scalar().size();
         return text.substr(0, size) == scalar.scalar() ? text.substr(0, size) : std::string_view();
     }
-    const char quote = text.empty() ? ' ' : text.front();
-    for (std::size_t i = 1; (quote == '"' || quote == '\'') && i < text.size(); ++i)
+    if (const std::size_t end = EndOfQuotes(text); end > 0 && end != text.npos)
     {
-        const bool isDoubled = quote == '\'' && text.substr(i, 2) == "''";
-        if (isDoubled || (quote == '"' && text[i] == '\\'))
-        {
-            ++i;
-        }
-        else if (text[i] == quote)
-        {
-            const std::string_view extent = text.substr(0, i + 1);
-            return extent.find('\n') == std::string_view::npos ? extent : std::string_view();
-        }
+        const std::string_view extent = text.substr(0, end);
+        return extent.find('\n') == text.npos ? extent : std::string_view();
     }
     return {};
 }

@@ -62,18 +62,11 @@ SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLi
     return {static_cast<int>(lines) + firstLine, static_cast<int>(offset - lineStart) + 1};
 }
 
-bool IsQuoteClosed(std::string_view text, std::size_t offset)
+std::size_t EndOfQuotes(std::string_view text)
 {
-    text.remove_prefix(std::min(offset, text.size()));
-    while (!text.empty() && (text.front() == '&' || text.front() == '!'))
+    if (!text.starts_with('"') && !text.starts_with('\''))
     {
-        const std::size_t wordEnd = std::min(text.find_first_of(" \t\r\n"), text.size());
-        text.remove_prefix(wordEnd);
-        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-    }
-    if (text.empty() || (text.front() != '"' && text.front() != '\''))
-    {
-        return true;
+        return 0;
     }
     const char quote = text.front();
     for (std::size_t i = 1; i < text.size(); ++i)
@@ -85,10 +78,22 @@ bool IsQuoteClosed(std::string_view text, std::size_t offset)
         }
         else if (text[i] == quote)
         {
-            return true;
+            return i + 1;
         }
     }
-    return false;
+    return text.npos;
+}
+
+bool IsQuoteClosed(std::string_view text, std::size_t offset)
+{
+    text.remove_prefix(std::min(offset, text.size()));
+    while (!text.empty() && (text.front() == '&' || text.front() == '!'))
+    {
+        const std::size_t wordEnd = std::min(text.find_first_of(" \t\r\n"), text.size());
+        text.remove_prefix(wordEnd);
+        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    }
+    return EndOfQuotes(text) != text.npos;
 }
 
 } // namespace limn

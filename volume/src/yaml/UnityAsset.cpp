@@ -1,7 +1,7 @@
 #include <limn/volume/UnityAsset.h>
 
 #include <algorithm>
-#include <charconv>
+#include <limn/base/ParseWhole.h>
 #include <limn/base/Text.h>
 #include <limn/volume/AssetDiagnostics.h>
 
@@ -16,15 +16,6 @@ constexpr std::string_view k_ObjectMark = "--- !u!";
 constexpr std::string_view k_NoObject =
     "this document is no Unity object; one begins like '--- !u!114 &11400000' and has one map, "
     "'MonoBehaviour:'";
-
-template <typename T>
-std::optional<T> ParseWhole(std::string_view text)
-{
-    T value{};
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, value);
-    return error == std::errc{} && rest == end ? std::optional(value) : std::nullopt;
-}
 
 /// YAML has no place for a word behind the anchor, as "stripped" is; so this is read here.
 std::optional<UnityHeader> ReadHeader(std::string_view line)

@@ -1,7 +1,7 @@
 #include <limn/volume/ProfileEdit.h>
 
 #include <algorithm>
-#include <charconv>
+#include <limn/base/ParseWhole.h>
 #include <limn/volume/YamlRead.h>
 #include <optional>
 
@@ -30,20 +30,12 @@ std::string_view PathBefore(std::string_view text, std::size_t equals)
     return text.substr(0, equals - (hasSign ? 1 : 0));
 }
 
-std::optional<double> NumberIn(const std::string& text)
-{
-    double number = 0.0;
-    const char* end = text.data() + text.size();
-    const auto [rest, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && rest == end ? std::optional(number) : std::nullopt;
-}
-
 /// Returns the number that the assignment's sign makes of the one that there is.
 std::string Sum(const std::string& current, const ValueAssignment& assignment,
                 const std::string& file)
 {
-    const std::optional<double> old = NumberIn(current);
-    const std::optional<double> operand = NumberIn(assignment.value);
+    const std::optional<double> old = ParseWhole<double>(current);
+    const std::optional<double> operand = ParseWhole<double>(assignment.value);
     if (!old || !operand)
     {
         throw AssetError(file, {},
@@ -155,7 +147,7 @@ std::vector<std::string> MembersOfValue(const std::string& valueText)
         const YamlNode value = ParseYaml(valueText, "").front();
         for (const YamlEntry& entry : value.entries())
         {
-            if (!entry.value.isScalar() || !NumberIn(entry.value.scalar()))
+            if (!entry.value.isScalar() || !ParseWhole<double>(entry.value.scalar()))
             {
                 return {};
             }

@@ -2,9 +2,9 @@
 
 #include "device/VulkanInstance.h"
 #include <algorithm>
-#include <charconv>
 #include <functional>
 #include <limn/base/Case.h>
+#include <limn/base/ParseWhole.h>
 
 namespace limn
 {
@@ -98,14 +98,6 @@ DeviceChoice Chosen(const std::vector<VulkanDeviceInfo>& devices, std::size_t in
                        ", " + device.driverName + " " + device.driverInfo + ": " + why};
 }
 
-std::optional<std::size_t> AsIndex(std::string_view request)
-{
-    std::size_t value = 0;
-    const char* end = request.data() + request.size();
-    const auto [stop, error] = std::from_chars(request.data(), end, value);
-    return error == std::errc{} && stop == end ? std::optional{value} : std::nullopt;
-}
-
 bool IsSoftware(std::size_t, const VulkanDeviceInfo& device)
 {
     return device.type == VulkanDeviceType::Software;
@@ -143,7 +135,7 @@ DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::str
     {
         test = IsSoftware;
     }
-    else if (const std::optional<std::size_t> index = AsIndex(request))
+    else if (const std::optional<std::size_t> index = ParseWhole<std::size_t>(request))
     {
         test = [index](std::size_t i, const VulkanDeviceInfo&)
         {

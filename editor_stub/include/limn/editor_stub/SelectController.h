@@ -49,13 +49,11 @@ public:
     /// @lifetime  keeps `scene` by reference
     SelectController(Scene& scene, SelectSettings settings);
 
-    /// Handles a mouse button that goes up over a pixel.
-    /// @param x, y  the column and the row from the top left of the picture
-    /// @throws ContractError as PixelToRay
-    void Click(const Camera& camera, int width, int height, int x, int y, bool isCtrl, double time);
     /// Handles a click on an object that GetHitObj returned, or on nothing if `hit` is null.
     void Click(GameObject* hit, bool isCtrl, double time);
     /// Returns the object that a click on this pixel would select, or null if it would select none.
+    /// @param x, y  the column and the row from the top left of the picture
+    /// @throws ContractError as PixelToRay
     GameObject* GetHitObj(const Camera& camera, int width, int height, int x, int y);
     /// Returns what is seen at this pixel, even if it cannot be selected.
     std::optional<RaycastHit> Raycast(const Camera& camera, int width, int height, int x, int y);

@@ -2,7 +2,6 @@
 
 #include <limn/core/CompiledFrame.h>
 #include <limn/core/GraphicsDevice.h>
-#include <map>
 #include <span>
 
 namespace limn

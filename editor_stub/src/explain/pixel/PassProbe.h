@@ -4,7 +4,6 @@
 #include "explain/pixel/PixelHistory.h"
 
 #include <cstddef>
-#include <functional>
 #include <limn/core/Image.h>
 #include <limn/core/Shader.h>
 #include <limn/vulkan/VulkanDevice.h>

@@ -1,5 +1,6 @@
 #include "explain/pixel/PixelHistory.h"
 
+#include "console/Json.h"
 #include "console/Texts.h"
 #include "explain/pixel/PassProbe.h"
 
@@ -266,22 +267,17 @@ Json OptionalJson(const std::optional<PixelValue>& value)
     return value ? PixelValueJson(*value) : Json();
 }
 
-Json OrNull(const std::string& text)
-{
-    return text.empty() ? Json() : Json(text);
-}
-
 Json PixelEventJson(const PixelEvent& event)
 {
     return {{"fate", ToString(event.fate)},
-            {"reason", OrNull(event.reason)},
+            {"reason", TextOrNull(event.reason)},
             {"pass", event.pass},
             {"objects", event.objects},
-            {"mesh", OrNull(event.mesh)},
-            {"material", OrNull(event.material)},
-            {"shader", OrNull(event.shader)},
+            {"mesh", TextOrNull(event.mesh)},
+            {"material", TextOrNull(event.material)},
+            {"shader", TextOrNull(event.shader)},
             {"shaderPass", event.shaderPass},
-            {"shaderPassName", OrNull(event.shaderPassName)},
+            {"shaderPassName", TextOrNull(event.shaderPassName)},
             {"run", event.isRun},
             {"colors", JsonList(event.colors, PixelValueJson)},
             {"depth", OptionalJson(event.depth)},
@@ -322,7 +318,7 @@ Json PixelJson(const PixelHistory& history)
     {
         return {{"pass", one.pass},
                 {"shader", one.shader},
-                {"shaderPassName", OrNull(one.shaderPassName)},
+                {"shaderPassName", TextOrNull(one.shaderPassName)},
                 {"count", one.count}};
     };
     const auto elsewhere = [](const PixelElsewhere& one) -> Json

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limn/base/ParseWhole.h>
 
 namespace limn
 {

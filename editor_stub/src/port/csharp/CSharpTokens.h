@@ -2,9 +2,7 @@
 
 #include "console/Texts.h"
 
-#include <algorithm>
 #include <cstddef>
-#include <initializer_list>
 #include <limn/base/Diagnostic.h>
 #include <string>
 #include <string_view>

@@ -6,7 +6,6 @@
 #include "report/measure/Techniques.h"
 #include "report/measure/UntidyMesh.h"
 
-#include <span>
 
 namespace limn::study
 {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <limn/features/Technique.h>
 #include <map>
 #include <span>

@@ -1,7 +1,6 @@
 #include "report/measure/StudyFiles.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <limn/base/AppendedFile.h>
 #include <limn/base/FileRoots.h>
 #include <limn/base/ReadFile.h>

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limn/base/ParseWhole.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::study

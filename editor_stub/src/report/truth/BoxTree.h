@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <limits>

@@ -15,8 +15,6 @@ namespace limn
 class ByteWriter
 {
 public:
-    static constexpr bool k_Reading = false;
-
     template <typename T>
     requires std::is_arithmetic_v<T> || std::is_enum_v<T>
     void Value(const T& value) { m_Bytes.append(reinterpret_cast<const char*>(&value), sizeof(T)); }
@@ -109,7 +107,6 @@ public:
             std::memcpy(static_cast<void*>(items.data()), raw.data(), raw.size());
         }
     }
-    bool isAtEnd() const { return m_Bytes.empty(); }
 
 private:
     std::string_view Take(std::size_t size)
