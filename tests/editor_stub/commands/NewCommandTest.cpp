@@ -68,14 +68,14 @@ TEST(NewCommand, WritesOverNothing)
     working.folder.Write("mine.txt", "mine");
     const CommandRun run = RunNewFeature("DepthFog", ".");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(
-        ".: error: holds files already, and limn does not overwrite them; name a new folder\n",
-        run.err);
+    EXPECT_EQ(".: error: the folder holds files already, and limn does not overwrite them; name a "
+              "new folder\n",
+              run.err);
     EXPECT_EQ("mine", ReadText("mine.txt"));
     EXPECT_FALSE(std::filesystem::exists("CMakeLists.txt"));
-    EXPECT_EQ("mine.txt: error: cannot be made: Not a directory\n",
+    EXPECT_EQ("mine.txt: error: the folder cannot be made: Not a directory\n",
               RunNewFeature("DepthFog", "mine.txt").err);
-    EXPECT_EQ("mine.txt/a: error: cannot be made: Not a directory\n",
+    EXPECT_EQ("mine.txt/a: error: the folder cannot be made: Not a directory\n",
               RunNewFeature("DepthFog", "mine.txt/a").err);
 }
 
@@ -96,7 +96,8 @@ TEST(NewCommand, LeavesNothingWhereThereIsNoRoom)
                 const FileSizeLimit limit(2000); // which the first files keep to
                 const CommandRun run = RunCommand(words);
                 EXPECT_EQ(3, run.exitCode);
-                EXPECT_THAT(run.err, testing::HasSubstr("cannot be written: File too large"));
+                EXPECT_THAT(run.err,
+                            testing::HasSubstr("the file cannot be written: File too large"));
                 EXPECT_EQ("", run.out);
             }
             EXPECT_EQ(!isNew, std::filesystem::exists(folder)) << words[0];

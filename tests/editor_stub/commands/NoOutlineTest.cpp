@@ -66,15 +66,17 @@ constexpr const char* k_OnlyDepth =
 const Way k_Ways[] = {
     {.name = "Layer",
      .feature = ", m_LayerMask: Furniture",
-     .told = "Outline: it is not drawn; 0 of 1 renderer drawn: 1 layer mask",
+     .told = "Outline: it is not drawn; 0 of 1 renderer is drawn: the layer mask leaves out 1",
      .toldOfTheObject = "Outline, Plain: left out, layer mask"},
     {.name = "RenderingLayer",
      .feature = ", m_RenderingLayerMask: Chosen",
-     .told = "Outline: it is not drawn; 0 of 1 renderer drawn: 1 rendering layer mask",
+     .told = "Outline: it is not drawn; 0 of 1 renderer is drawn: the rendering layer mask leaves "
+             "out 1",
      .toldOfTheObject = "Outline, Plain: left out, rendering layer mask"},
     {.name = "RenderQueue",
      .feature = ", m_RenderQueueRange: Transparent",
-     .told = "Outline: it is not drawn; 0 of 1 renderer drawn: 1 render queue",
+     .told =
+         "Outline: it is not drawn; 0 of 1 renderer is drawn: the render queue range leaves out 1",
      .toldOfTheObject = "Outline, Plain: left out, render queue"},
     {.name = "VolumeOff",
      .volume = ", enabled: false",
@@ -115,7 +117,8 @@ const Way k_Ways[] = {
      .told = "1 object of 1 is not drawn, its layer is not in the camera's culling mask: Cube",
      .toldOfTheObject = "Cube: it is not drawn; its layer is not in the camera's culling mask"},
     {.name = "LightMode",
-     .told = "Outline: it is not drawn; 0 of 1 renderer drawn: 1 no pass with a wanted LightMode",
+     .told = "Outline: it is not drawn; 0 of 1 renderer is drawn: 1 has no pass with a LightMode "
+             "that is asked for",
      .toldOfTheObject = "Outline, Plain: left out, no pass with a wanted LightMode",
      .shader = "depth.shader"},
     {.name = "FeatureOff",

@@ -178,11 +178,12 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
                  "position: [0, 0, 3]}]\n");
     const CommandRun run = Draw({"--frames", "2"});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ("note: shader 'My/Baked': uses light maps, which limn does not have: they are white\n"
-              "note: shader 'My/Baked' in pass 'Draw Opaque Objects': texture '_Map' is gray: it "
-              "is no property of the shader, "
-              "and neither material 'm' nor anything global sets it\n",
-              run.err);
+    EXPECT_EQ(
+        "note: shader 'My/Baked': it uses light maps, which limn does not have: they are white\n"
+        "note: shader 'My/Baked' in pass 'Draw Opaque Objects': texture '_Map' is gray: it "
+        "is no property of the shader, "
+        "and neither material 'm' nor anything global sets it\n",
+        run.err);
 }
 
 TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
@@ -269,7 +270,8 @@ TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
 {
     const CommandRun run =
         Draw({"--profile", "on.profile.yaml", "--set", "Outline.m_RenderingLayerMask=9"});
-    EXPECT_EQ("note: Outline: 0 of 2 renderers drawn: 1 layer mask, 1 rendering layer mask\n",
+    EXPECT_EQ("note: Outline: 0 of 2 renderers are drawn: the layer mask leaves out 1, and the "
+              "rendering layer mask leaves out 1\n",
               run.err);
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
@@ -429,8 +431,9 @@ TEST_F(Render, AnUnwritablePathIsNamedAndNothingIsLeft)
     const int before = folder.fileCount();
     const CommandRun run = Draw({}, "no/out.png");
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, EndsWith(Path("no/out.png") +
-                                  ": error: cannot be written: No such file or directory\n"));
+    EXPECT_THAT(run.err,
+                EndsWith(Path("no/out.png") +
+                         ": error: the file cannot be written: No such file or directory\n"));
     EXPECT_EQ("", run.out);
     EXPECT_EQ(before, folder.fileCount());
 }
@@ -446,7 +449,8 @@ TEST_F(Render, RefusesToWriteOverWhatItReads)
         const CommandRun run = Draw({"--profile", "on.profile.yaml"}, output);
         EXPECT_EQ(1, run.exitCode);
         EXPECT_THAT(run.err,
-                    EndsWith(Path(output) + ": error: cannot be written: the scene is drawn from " +
+                    EndsWith(Path(output) +
+                             ": error: the file cannot be written: the scene is drawn from " +
                              Path(input) + ", which is this file; give another name\n"));
         EXPECT_EQ(before, ReadText(folder / output));
     }
@@ -460,8 +464,9 @@ TEST_F(Render, RefusesToWriteOneFileTwice)
 {
     const CommandRun run = Draw({"--stats", Path("o.json"), "--trace", Path("./o.json")});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_THAT(run.err, EndsWith(Path("o.json") + ": error: is to be written twice; give each "
-                                                   "output a name of its own\n"));
+    EXPECT_THAT(run.err,
+                EndsWith(Path("o.json") + ": error: the file is to be written twice; give each "
+                                          "output a name of its own\n"));
     EXPECT_FALSE(std::filesystem::exists(folder / "o.json"));
     EXPECT_EQ(0, Draw({"--stats", "/dev/null", "--trace", "/dev/null"}).exitCode);
 }
@@ -519,8 +524,8 @@ TEST_F(Render, DoctorSaysWhatTheDeviceLacksAndWhatThatCosts)
     const CommandRun run = RunCommand(OnSharedDevice({"doctor"}));
     EXPECT_EQ(0, run.exitCode);
     EXPECT_THAT(run.out, HasSubstr("usable; what it lacks, and what that costs:\n"));
-    EXPECT_THAT(run.out, HasSubstr("- no geometryShader: geometry functions are refused, and "
-                                   "SV_PrimitiveID in fragment functions\n"));
+    EXPECT_THAT(run.out, HasSubstr("- it has no geometryShader: geometry functions and "
+                                   "SV_PrimitiveID in fragment functions are refused\n"));
     EXPECT_THAT(run.out, HasSubstr("- maxPerStageDescriptorSamplers is 9: 9 samplers are the most "
                                    "that a function of a shader can use\n"));
 }

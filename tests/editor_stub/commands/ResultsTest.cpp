@@ -61,7 +61,7 @@ TEST(RawMessages, AreSentencesWithAPlace)
               errorOf("camera: {}\nlayers: {'" + std::string(1100, 'a') + "': 3}\n"));
     std::filesystem::create_symlink("circle.scene.yaml", folder / "circle.scene.yaml");
     std::filesystem::create_symlink("circle.shader", folder / "circle.shader");
-    const std::string circle = ": error: is a link that leads back to itself\n";
+    const std::string circle = ": error: this is a link that leads back to itself\n";
     EXPECT_EQ((folder / "circle.scene.yaml").string() + circle,
               RunCommand({"explain", (folder / "circle.scene.yaml").string()}).err);
     EXPECT_EQ((folder / "circle.shader").string() + circle,
@@ -125,7 +125,7 @@ TEST(Input, ThatCannotBeDrawnIsNoBugOfLimns)
          "them\n"},
         {ortho + feature("RenderObjects", "passTag: P, cameraSettings: {overrideCamera: true}"),
          "error: P: cameraSettings.overrideCamera: its own camera has perspective, but the scene's "
-         "has the nearClipPlane -20.000000; more than 0 is needed\n"}};
+         "has the nearClipPlane -20; more than 0 is needed\n"}};
     for (const auto& [text, error] : cases)
     {
         const std::string scene = folder.Write("s.scene.yaml", text).string();

@@ -435,9 +435,9 @@ TEST_F(ShaderCommand, NotesOnceWhatAShaderUsesThatLimnDoesNotHave)
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ(path +
-                  ": note: uses light cookies, which limn does not have: lights shine white "
+                  ": note: it uses light cookies, which limn does not have: lights shine white "
                   "through them\n" +
-                  path + ": note: uses light maps, which limn does not have: they are white\n",
+                  path + ": note: it uses light maps, which limn does not have: they are white\n",
               run.err);
 }
 
@@ -454,7 +454,8 @@ TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
     }
     const CommandRun run = RunCommand({"shader", (folder / "").string()});
     EXPECT_EQ(0, run.exitCode);
-    const std::string message = "note: uses light maps, which limn does not have: they are white\n";
+    const std::string message =
+        "note: it uses light maps, which limn does not have: they are white\n";
     EXPECT_EQ((folder / "a.shader").string() + ": " + message +
                   "note: in 2 more files: " + message.substr(6),
               run.err);

@@ -206,7 +206,8 @@ TEST_F(Watch, DoesNotDrawOverATextureOfItsScene)
     EXPECT_TRUE(WaitFor(
         [&]
         {
-            return ReadText(folder / "err").find(Path("out.png") + ": error: cannot be written") !=
+            return ReadText(folder / "err")
+                       .find(Path("out.png") + ": error: the file cannot be written") !=
                    std::string::npos;
         }))
         << ReadText(folder / "err");
@@ -258,7 +259,7 @@ TEST_F(Watch, WithoutItsSceneOrItsOutputFolderDoesNotStart)
     EXPECT_EQ(Path("no.scene.yaml") + ": error: there is no such file\n", noScene.err);
     const CommandRun noFolder = RunCommand({"watch", Path("s.scene.yaml"), "-o", Path("no/o.png")});
     EXPECT_EQ(1, noFolder.exitCode);
-    EXPECT_EQ(Path("no/o.png") + ": error: cannot be written: No such file or directory\n",
+    EXPECT_EQ(Path("no/o.png") + ": error: the file cannot be written: No such file or directory\n",
               noFolder.err);
     EXPECT_EQ(2, RunCommand({"watch"}).exitCode);
 }

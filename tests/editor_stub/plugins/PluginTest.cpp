@@ -61,7 +61,7 @@ TEST(Plugin, OfASceneThatCannotBeUsedIsAnErrorAtItsPlace)
     EXPECT_THAT(folder.Run("explain s.scene.yaml"),
                 AllOf(HasSubstr("s.scene.yaml:3:11: error: plugins[0]: 'text.so' cannot be used; "
                                 "see the errors of that file\n"),
-                      HasSubstr("text.so: error: cannot be loaded as a plug-in: "),
+                      HasSubstr("text.so: error: the file cannot be loaded as a plug-in: "),
                       EndsWith("exit 1\n")));
     folder.WriteScene("", "plugins: [probe.so]\n"); // the link
     EXPECT_THAT(
@@ -76,19 +76,21 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
     {
         return folder.Run("explain s.scene.yaml --plugin " + module);
     };
-    EXPECT_EQ(Refusal("no.so: error: cannot be loaded as a plug-in: there is no such file"),
-              run("no.so"));
-    EXPECT_THAT(run("text.so"), AllOf(StartsWith("text.so: error: cannot be loaded as a plug-in: "),
-                                      Not(HasSubstr(std::filesystem::current_path().string())),
-                                      EndsWith("\nexit 1\n")));
-    EXPECT_EQ(Refusal("missing_symbol.so: error: cannot be loaded as a plug-in: it uses "
+    EXPECT_EQ(
+        Refusal("no.so: error: the file cannot be loaded as a plug-in: there is no such file"),
+        run("no.so"));
+    EXPECT_THAT(run("text.so"),
+                AllOf(StartsWith("text.so: error: the file cannot be loaded as a plug-in: "),
+                      Not(HasSubstr(std::filesystem::current_path().string())),
+                      EndsWith("\nexit 1\n")));
+    EXPECT_EQ(Refusal("missing_symbol.so: error: the file cannot be loaded as a plug-in: it uses "
                       "probe::Paint(int), which neither it nor limn has; add the source that "
                       "defines it, or build it again with this limn"),
               run("missing_symbol.so"));
-    EXPECT_EQ(
-        Refusal("no_plugin.so: error: is no plug-in of limn: it does not define 'limn_plugin'; "
-                "write LIMN_PLUGIN of <limn/features/Plugin.h> in one of its files"),
-        run("no_plugin.so"));
+    EXPECT_EQ(Refusal("no_plugin.so: error: the file is no plug-in of limn: it does not define "
+                      "'limn_plugin'; "
+                      "write LIMN_PLUGIN of <limn/features/Plugin.h> in one of its files"),
+              run("no_plugin.so"));
     const std::string version = folder.Run("--version"); // "limn 0.1.0\nexit 0\n"
     EXPECT_EQ(Refusal("old_plugin.so: error: this plug-in cannot be used: it was built for limn "
                       "0.0.9, but this is " +
@@ -111,16 +113,17 @@ TEST(Plugin, WhoseFileEndsTooEarlyIsRefusedWhereverThatIs)
                                    whole.size() / 4, std::size_t{4096}, std::size_t{100}})
     {
         folder.Write("half.so", whole.substr(0, size));
-        EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: the file ends too early, "
-                          "after " +
-                          std::to_string(size) +
-                          " bytes; is it being written, or was the linker stopped?"),
-                  folder.Run("explain s.scene.yaml --plugin half.so"));
+        EXPECT_EQ(
+            Refusal(
+                "half.so: error: the file cannot be loaded as a plug-in: the file ends too early, "
+                "after " +
+                std::to_string(size) + " bytes; is it being written, or was the linker stopped?"),
+            folder.Run("explain s.scene.yaml --plugin half.so"));
     }
     for (const std::size_t size : {std::size_t{10}, std::size_t{0}})
     {
         folder.Write("half.so", whole.substr(0, size));
-        EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: file too short"),
+        EXPECT_EQ(Refusal("half.so: error: the file cannot be loaded as a plug-in: file too short"),
                   folder.Run("explain s.scene.yaml --plugin half.so"));
     }
 }
@@ -131,9 +134,11 @@ TEST(Plugin, WhoseFileIsLongEnoughButNotWrittenYetIsRefused)
     std::string half = ReadText(BuiltPlugin("probe.so"));
     std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), '\0');
     folder.Write("half.so", half);
-    EXPECT_EQ(Refusal("half.so: error: cannot be loaded as a plug-in: the end of the file is not "
-                      "there yet; is it being written, or was the linker stopped?"),
-              folder.Run("explain s.scene.yaml --plugin half.so"));
+    EXPECT_EQ(
+        Refusal(
+            "half.so: error: the file cannot be loaded as a plug-in: the end of the file is not "
+            "there yet; is it being written, or was the linker stopped?"),
+        folder.Run("explain s.scene.yaml --plugin half.so"));
 }
 
 TEST(Plugin, ThatThrowsIsNamed)

@@ -127,7 +127,7 @@ TEST_F(WatchPlugin, GoesOnWithTheLastGoodOneWhileTheNewOneCannotBeLoaded)
     StartWithOption();
     ASSERT_TRUE(WaitForShade(Shade::Red)) << ReadText(folder / "err");
     const std::string good = ReadText(BuiltPlugin("probe.so"));
-    const std::string cannot = "FILE: error: cannot be loaded as a plug-in: ";
+    const std::string cannot = "FILE: error: the file cannot be loaded as a plug-in: ";
     const std::string unusable = "FILE: error: this plug-in cannot be used: ";
 
     std::filesystem::remove(folder / "probe.so");
@@ -185,7 +185,8 @@ TEST_F(WatchPlugin, ThatIsBrokenAtFirstIsDrawnOnceItIsMended)
     EXPECT_TRUE(Says("FILE: error: this plug-in cannot be used: its registration threw: nothing "
                      "to sell\n"));
     std::filesystem::remove(folder / "probe.so");
-    EXPECT_TRUE(Says("FILE: error: cannot be loaded as a plug-in: there is no such file\n"));
+    EXPECT_TRUE(
+        Says("FILE: error: the file cannot be loaded as a plug-in: there is no such file\n"));
     folder.Write("probe.so", ReadText(BuiltPlugin("probe.so")));
     EXPECT_TRUE(WaitForShade(Shade::Red)) << ReadText(folder / "err");
     Build(GreenProbe());

@@ -209,7 +209,7 @@ TEST(PortCommand, SaysWhatIsWrongWithAFile)
               ProblemOf("Shader \"X\" { }"));
     EXPECT_EQ("a.cs:1:17: error: a member of 'A' is expected here, not ';'\n",
               ProblemOf("class A { public; }"));
-    EXPECT_EQ("a.cs:2:2: error: is not text: here is a byte of 0; a C# file is expected\n",
+    EXPECT_EQ("a.cs:2:2: error: the file is not text: here is a byte of 0; a C# file is expected\n",
               ProblemOf(std::string("a\nb\0c", 5)));
 }
 
@@ -235,9 +235,9 @@ TEST(PortCommand, LeavesAFolderWithFilesAlone)
     working.folder.Write("mine.txt", "mine");
     const CommandRun run = RunCommand({"port", Sample("BlurOld.cs"), "-o", "."});
     EXPECT_EQ(1, run.exitCode);
-    EXPECT_EQ(
-        ".: error: holds files already, and limn does not overwrite them; name a new folder\n",
-        run.err);
+    EXPECT_EQ(".: error: the folder holds files already, and limn does not overwrite them; name a "
+              "new folder\n",
+              run.err);
 }
 
 } // namespace limn::test

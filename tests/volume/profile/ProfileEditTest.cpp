@@ -236,7 +236,7 @@ TEST(SetScalars, OnAFullDiskLeavesTheOldFileAndNothingBesideIt)
         const FileSizeLimit limit(4096);
         problems = Problems([&] { SetScalars(file, edits, k_Registry); });
     }
-    EXPECT_THAT(problems, ElementsAre("cannot be written: File too large"));
+    EXPECT_THAT(problems, ElementsAre("the file cannot be written: File too large"));
     EXPECT_EQ(text, ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
 }
@@ -281,10 +281,9 @@ TEST(ReplaceContent, RefusesAFileThatChangedMeanwhile)
 {
     const TemporaryFolder folder;
     const auto file = folder.Write("a.profile.yaml", "new: 1\n");
-    EXPECT_THAT(
-        Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
-        ElementsAre(
-            "has been changed by another program meanwhile, so limn does not write it; try again"));
+    EXPECT_THAT(Problems([&] { ReplaceContent(file, "old: 1\n", "mine: 1\n"); }),
+                ElementsAre("the file has been changed by another program meanwhile, so limn does "
+                            "not write it; try again"));
     EXPECT_EQ("new: 1\n", ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
 }

@@ -264,8 +264,9 @@ TEST(UnityAsset, LoadsFromAFile)
     const auto plain = folder.Write("plain.asset", "a: {}\nb: {}\n");
     EXPECT_THAT(Problems([&] { LoadUnityAsset(plain); }),
                 ElementsAre("1:1: " + std::string(k_NotAnObject)));
-    EXPECT_THAT(Problems([] { Read("# nothing\n"); }),
-                ElementsAre("holds no Unity object; one begins like '--- !u!114 &11400000'"));
+    EXPECT_THAT(
+        Problems([] { Read("# nothing\n"); }),
+        ElementsAre("the file holds no Unity object; one begins like '--- !u!114 &11400000'"));
 }
 
 } // namespace

@@ -86,8 +86,9 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
     std::filesystem::create_symlink(secret, "part/pictures/a.png");
     const CommandRun picture = Merge({"part"}, "merged");
     EXPECT_EQ(picture.exitCode, 1);
-    EXPECT_THAT(picture.err, HasSubstr("part/pictures/a.png: error: is a link that leads out of "
-                                       "the study's folder; put the file itself there"));
+    EXPECT_THAT(picture.err,
+                HasSubstr("part/pictures/a.png: error: this is a link that leads out of "
+                          "the study's folder; put the file itself there"));
 
     // A run that goes on would cut the file behind the link to its whole lines: to nothing.
     Study study = TwoCells();
@@ -102,7 +103,7 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
     std::filesystem::create_symlink(secret, "target/report.html");
     const CommandRun page = Merge({"good"}, "target");
     EXPECT_EQ(page.exitCode, 1);
-    EXPECT_THAT(page.err, HasSubstr("target/report.html: error: is a link"));
+    EXPECT_THAT(page.err, HasSubstr("target/report.html: error: this is a link"));
     EXPECT_EQ(ReadText(secret), "precious");
 
     // Nor is what a link leads to made where it is not there yet.
@@ -113,7 +114,7 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
         std::filesystem::create_symlink("../nowhere", "fresh/" + name);
         const CommandRun fresh = Merge({"good"}, "fresh");
         EXPECT_EQ(fresh.exitCode, 1) << name;
-        EXPECT_THAT(fresh.err, HasSubstr("fresh/" + name + ": error: is a link"));
+        EXPECT_THAT(fresh.err, HasSubstr("fresh/" + name + ": error: this is a link"));
         EXPECT_FALSE(std::filesystem::exists("nowhere")) << name;
     }
 }
@@ -139,15 +140,17 @@ TEST_F(ResultsFolder, LosesNothingToAMerge)
     m_Folder.Write("mine/pictures/a.png", "precious");
     const CommandRun picture = Merge({"a"}, "mine");
     EXPECT_EQ(picture.exitCode, 1);
-    EXPECT_THAT(picture.err, HasSubstr("mine/pictures/a.png: error: is another picture than "
-                                       "a/pictures/a.png and is not overwritten"));
+    EXPECT_THAT(picture.err,
+                HasSubstr("mine/pictures/a.png: error: the file is another picture than "
+                          "a/pictures/a.png and is not overwritten"));
     EXPECT_EQ(ReadText("mine/pictures/a.png"), "precious");
 
     WriteCell("b", "B");
     const CommandRun cells = Merge({"a"}, "b");
     EXPECT_EQ(cells.exitCode, 1);
-    EXPECT_THAT(cells.err, HasSubstr("b: error: holds the cell geometry/B/disc/2/64x48, which no "
-                                     "folder that is merged has; name a new folder"));
+    EXPECT_THAT(cells.err,
+                HasSubstr("b: error: the folder holds the cell geometry/B/disc/2/64x48, which no "
+                          "folder that is merged has; name a new folder"));
     EXPECT_EQ(ReadStudy("b").cells.size(), 1u);
 
     const CommandRun itself = Merge({"a", "b"}, "./a");
@@ -163,7 +166,7 @@ TEST_F(ResultsFolder, ThatIsMissingIsSaidToBeMissing)
     for (const auto& [folder, message] :
          {std::pair("nope", "nope: error: there is no such folder\n"),
           std::pair("file",
-                    "file: error: is no folder; one that 'limn report' wrote is expected\n"),
+                    "file: error: this is no folder; one that 'limn report' wrote is expected\n"),
           std::pair("empty", "empty/study.json: error: there is no such file\n")})
     {
         const CommandRun merge = Merge({folder}, "merged");
@@ -186,8 +189,9 @@ TEST_F(ResultsFolder, IsWrittenByOneRunAtATime)
     }
     catch (const AssetError& error)
     {
-        EXPECT_THAT(error.what(), HasSubstr("results: error: is written by another limn now; wait "
-                                            "until it has ended, or name another folder"));
+        EXPECT_THAT(error.what(),
+                    HasSubstr("results: error: the folder is written by another limn now; wait "
+                              "until it has ended, or name another folder"));
     }
 }
 
