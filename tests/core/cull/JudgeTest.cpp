@@ -192,7 +192,7 @@ TEST(Describe, PointsOutAnEmptyMask)
     EXPECT_THAT(
         Describe({0, 0, 0, 5, 0}, FilteringSettings(RenderQueueRange::all, LayerMask::Everything(),
                                                     RenderingLayerMask::Nothing())),
-        Mentions("0 of 5", "5 rendering layer", "renderingLayerMask is 0"));
+        Mentions("0 of 5", "rendering layer mask leaves out 5", "renderingLayerMask is 0"));
 }
 
 } // namespace

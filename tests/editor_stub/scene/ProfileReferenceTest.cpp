@@ -95,11 +95,12 @@ TEST_F(ProfileReference, RefusesAMissingFileAndOneOfAnotherKind)
     folder.Write("bad.material.yaml", "renderQueue: 9999\nshader: None/Such\n");
     EXPECT_THAT(ProblemsOf("Paint:\n  ramp: none.png\n  material: art/ramp.png\n"),
                 ElementsAre(HasSubstr("2:9: Paint.m_Ramp: none.png: "),
-                            "3:13: Paint.m_Material: art/ramp.png: is no material; a "
+                            "3:13: Paint.m_Material: art/ramp.png: the file is no material; a "
                             ".material.yaml file is expected"));
-    EXPECT_THAT(ProblemsOf("Paint: {ramp: on.profile.yaml}\n"),
-                ElementsAre("1:15: Paint.m_Ramp: on.profile.yaml: is no texture; a .png file is "
-                            "expected"));
+    EXPECT_THAT(
+        ProblemsOf("Paint: {ramp: on.profile.yaml}\n"),
+        ElementsAre("1:15: Paint.m_Ramp: on.profile.yaml: the file is no texture; a .png file is "
+                    "expected"));
     EXPECT_THAT(ProblemsOf("Paint: {material: bad.material.yaml}\n"),
                 ElementsAre(HasSubstr("1:19: Paint.m_Material: bad.material.yaml:2:9: material "
                                       "'bad'.shader: unknown shader 'None/Such'")));
