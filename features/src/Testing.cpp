@@ -12,6 +12,21 @@ namespace limn
 namespace
 {
 
+/// Returns why a filter does not take a renderer, as a clause.
+std::string ReasonOf(FilterVerdict verdict)
+{
+    return verdict == FilterVerdict::NoMatchingPass
+               ? "the renderer has no pass with a LightMode that is asked for"
+               : std::string("the filter's ") + ToString(verdict) +
+                     (verdict == FilterVerdict::QueueOutOfRange ? " range" : "") + " leaves it out";
+}
+
+/// Returns a clause with the reason why a feature is idle; "" if it has none.
+std::string WithFeature(const std::string& why)
+{
+    return why.empty() ? why : "the feature draws nothing: " + why;
+}
+
 /// Returns why the filters do not take what the camera sees of an object; "" if one does.
 std::string ReasonOf(const RenderReport& report,
                      const std::vector<const DrawRenderersReport*>& filters,
@@ -27,8 +42,8 @@ std::string ReasonOf(const RenderReport& report,
                 continue;
             }
             const FilterVerdict verdict = Judge(item.filter, filter->filtering, filter->drawing);
-            reason = verdict == FilterVerdict::Drawn ? ObstacleOf(report, *filter)
-                                                     : std::string(ToString(verdict));
+            reason = verdict == FilterVerdict::Drawn ? WithFeature(ObstacleOf(report, *filter))
+                                                     : ReasonOf(verdict);
             if (reason.empty())
             {
                 return "";
@@ -61,8 +76,9 @@ CheckResult Takes(const FilteringSettings& filter, const ARenderer& renderer)
     item.renderingLayerMask = renderer.renderingLayerMask;
     const FilterVerdict verdict = JudgeMasks(item, filter);
     const bool isTaken = verdict == FilterVerdict::Drawn;
-    return {isTaken, "the filter takes " + renderer.name +
-                         (isTaken ? "" : std::string(": it is left out: ") + ToString(verdict))};
+    return {isTaken, isTaken
+                         ? "the filter takes " + renderer.name
+                         : "the filter must take " + renderer.name + ", but " + ReasonOf(verdict)};
 }
 
 TestScene::TestScene()
@@ -135,7 +151,6 @@ CheckResult DrawnBy(const TestFrame& frame, std::string_view feature, std::strin
         }
     }
     const std::string idle = isFeature ? WhyIdle(report, *own) : "";
-    const std::string start = "drawn by " + std::string(feature) + ": " + std::string(renderer);
     bool isFound = false;
     for (const auto& object : frame.scene->objects())
     {
@@ -144,11 +159,12 @@ CheckResult DrawnBy(const TestFrame& frame, std::string_view feature, std::strin
             isFound = true;
             const std::string reason = !filters.empty()
                                            ? ReasonOf(report, filters, frame.seen, *object)
-                                       : idle.empty() ? "it asks for no renderers"
-                                                      : idle;
+                                       : idle.empty() ? "the feature asks for no renderers"
+                                                      : WithFeature(idle);
             if (!reason.empty())
             {
-                return {false, start + " is left out: " + reason};
+                return {false, std::string(feature) + " must draw " + std::string(renderer) +
+                                   ", but " + reason};
             }
         }
     }
@@ -156,7 +172,7 @@ CheckResult DrawnBy(const TestFrame& frame, std::string_view feature, std::strin
     {
         throw ContractError("the scene has no renderer '" + std::string(renderer) + "'");
     }
-    return {true, start};
+    return {true, std::string(feature) + " draws " + std::string(renderer)};
 }
 
 } // namespace limn

@@ -58,9 +58,9 @@ wait_for "Paint.shader is compiled into $plugin; the picture shows the change on
 echo '#error stop' >>"$paint/PaintRendererFeature.cpp"
 if cmake --build "$paint/build" >/dev/null 2>&1; then fail "what has an error was built"; fi
 rm -f "$plugin" # as some builds leave it
-wait_for "Paint.so: error: cannot be loaded as a plug-in: there is no such file" "$paint/errors"
+wait_for "Paint.so: error: the file cannot be loaded as a plug-in: there is no such file" "$paint/errors"
 cp "$paint/half.so" "$plugin"
-wait_for "Paint.so: error: cannot be loaded as a plug-in: the file ends too early" "$paint/errors"
+wait_for "Paint.so: error: the file cannot be loaded as a plug-in: the file ends too early" "$paint/errors"
 cmp "$paint/watched.png" "$paint.png"
 
 # Another colour, and two ways to fail.

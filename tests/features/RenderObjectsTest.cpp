@@ -116,8 +116,9 @@ TEST_F(RenderObjectsFeature, DrawsNothingUntilLayersAreChosenAndSaysSo)
     settings.filterSettings.LayerMask = LayerMask::Nothing();
     const RenderResult result = Render();
     EXPECT_THAT(Draws(result), IsEmpty());
-    EXPECT_THAT(result.report.notes, ElementsAre(Mentions("RenderObjectsFeature", "0 of 2",
-                                                          "2 layer mask", "layerMask is 0")));
+    EXPECT_THAT(result.report.notes,
+                ElementsAre(Mentions("RenderObjectsFeature", "0 of 2", "layer mask leaves out 2",
+                                     "layerMask is 0")));
 }
 
 TEST_F(RenderObjectsFeature, DrawsThePassesOfTheNamesItIsGiven)

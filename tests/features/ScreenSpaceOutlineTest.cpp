@@ -308,9 +308,9 @@ TEST(ScreenSpaceOutlineRenderFeature, SaysWhyWhenNothingPassesTheFilter)
     ScreenSpaceOutlineSettings settings = Settings();
     settings.m_LayerMask = LayerMask::Nothing(); // the article's default
     AddOutline(r.renderer, settings);
-    EXPECT_THAT(
-        r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
-        ElementsAre(Mentions("Screen Space Outline", "0 of 3", "3 layer mask", "layerMask is 0")));
+    EXPECT_THAT(r.Render(&r.volumes.With(true, Color::green, 4.0f)).report.notes,
+                ElementsAre(Mentions("Screen Space Outline", "0 of 3", "layer mask leaves out 3",
+                                     "layerMask is 0")));
 }
 
 TEST(ScreenSpaceOutlineRenderFeature, SaysThatItHasNoShader)

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limn/base/NumberText.h>
 #include <limn/core/FrameCommands.h>
 #include <limn/core/GraphicsDevice.h>
+#include <utility>
 
 namespace limn
 {
@@ -22,17 +24,40 @@ constexpr int k_MostStride = 2048; // Direct3D's
     throw ContractError("GraphicsBuffer: " + message);
 }
 
+/// Fails with the buffer's name in front, if it was given one.
+[[noreturn]] void Fail(const GraphicsBuffer& buffer, const std::string& message)
+{
+    static const std::string k_Type = "GraphicsBuffer";
+    const bool isNamed = !buffer.name().empty() && buffer.name() != k_Type;
+    throw ContractError(k_Type + (isNamed ? " '" + buffer.name() + "'" : "") + ": " + message);
+}
+
+/// Returns the names of the targets to which limn binds no buffer.
+std::string NameOf(Target target)
+{
+    constexpr std::pair<Target, const char*> k_Names[] = {
+        {Target::Vertex, "Vertex"},
+        {Target::Index, "Index"},
+        {Target::CopySource, "CopySource"},
+        {Target::CopyDestination, "CopyDestination"}};
+    std::string names;
+    for (const auto& [one, name] : k_Names)
+    {
+        const bool isIn = (static_cast<int>(target) & static_cast<int>(one)) != 0;
+        names += isIn ? (names.empty() ? "" : " | ") + std::string(name) : "";
+    }
+    return names.empty() ? std::to_string(static_cast<int>(target)) : names;
+}
+
 void Expect(const GraphicsBuffer& buffer)
 {
     constexpr Target k_Bound = Target::Structured | Target::Raw | Target::Append | Target::Counter |
                                Target::IndirectArguments | Target::Constant;
     if (!buffer.Has(k_Bound))
     {
-        Fail("target " + std::to_string(static_cast<int>(buffer.target())) +
+        Fail("a buffer with the target " + NameOf(buffer.target()) +
              " cannot be bound to a shader; limn supports Structured, Raw, Append, Counter, "
-             "IndirectArguments "
-             "and "
-             "Constant");
+             "IndirectArguments and Constant");
     }
     if (buffer.count() < 1 || buffer.stride() < 1)
     {
@@ -105,7 +130,7 @@ void GraphicsBuffer::ExpectPart(int from, int to, int count, std::size_t availab
     }
     if (static_cast<std::size_t>(from) + static_cast<std::size_t>(count) > available)
     {
-        Fail(text + "; there are only " + std::to_string(available) + " elements");
+        Fail(text + "; the data has only " + CountText(available, "element"));
     }
 }
 
@@ -114,9 +139,9 @@ void GraphicsBuffer::Set(const Part& part)
     const auto& [bytes, offset] = part;
     if (offset > size() || bytes.size() > size() - offset)
     {
-        Fail("'" + m_Name + "': SetData writes " + std::to_string(bytes.size()) +
-             " bytes from byte " + std::to_string(offset) + "; the buffer has " +
-             std::to_string(size()));
+        Fail(*this, "SetData writes " + CountText(bytes.size(), "byte") + " from byte " +
+                        std::to_string(offset) + " on; the buffer has " +
+                        CountText(size(), "byte"));
     }
     Put(bytes, offset);
 }
@@ -125,8 +150,8 @@ void GraphicsBuffer::SetCounterValue(std::uint32_t counterValue)
 {
     if (!hasCounter())
     {
-        Fail("'" + m_Name +
-             "': SetCounterValue: the buffer has no counter; give it the target Append or Counter");
+        Fail(*this,
+             "SetCounterValue: the buffer has no counter; give it the target Append or Counter");
     }
     Put(std::as_bytes(std::span(&counterValue, 1)), counterOffset());
 }
@@ -135,7 +160,7 @@ void GraphicsBuffer::Put(std::span<const std::byte> bytes, std::size_t offset)
 {
     if (m_IsReleased)
     {
-        Fail("'" + m_Name + "' is released; make another one");
+        Fail(*this, "the buffer is released; make another one");
     }
     if (bytes.empty())
     {

@@ -1,6 +1,7 @@
 #include "scene/RendererTable.h"
 
 #include <algorithm>
+#include <limn/base/NumberText.h>
 #include <limn/core/Culling.h>
 #include <limn/core/Material.h>
 #include <limn/core/Shader.h>
@@ -18,6 +19,19 @@ constexpr int k_CountBits = 12;
 constexpr std::size_t k_MostCounted = (1 << k_CountBits) - 1;
 static_assert(k_CountBits * k_FilterVerdictCount <= 64 &&
               static_cast<int>(FilterVerdict::Drawn) == 0);
+
+/// "the layer mask leaves out 2"
+std::string RuleText(FilterVerdict verdict, int count)
+{
+    const std::string number = std::to_string(count);
+    if (verdict == FilterVerdict::NoMatchingPass)
+    {
+        return number + (count == 1 ? " has" : " have") +
+               " no pass with a LightMode that is asked for";
+    }
+    return std::string("the ") + ToString(verdict) +
+           (verdict == FilterVerdict::QueueOutOfRange ? " range" : "") + " leaves out " + number;
+}
 
 } // namespace
 
@@ -107,17 +121,20 @@ JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering
 std::string Describe(const FilterCounts& counts, const FilteringSettings& filtering)
 {
     const int total = std::accumulate(counts.begin(), counts.end(), 0);
-    std::string text = std::to_string(counts[0]) + " of " + std::to_string(total) +
-                       (total == 1 ? " renderer drawn" : " renderers drawn");
-    const char* separator = ": ";
+    std::string text = std::to_string(counts[0]) + " of " +
+                       CountText(static_cast<std::size_t>(total), "renderer") +
+                       (total == 1 || counts[0] == 1 ? " is drawn" : " are drawn");
+    std::vector<std::string> rules;
     for (std::size_t i = 1; i < counts.size(); ++i)
     {
         if (counts[i] != 0)
         {
-            text += separator + std::to_string(counts[i]) + ' ' +
-                    ToString(static_cast<FilterVerdict>(i));
-            separator = ", ";
+            rules.push_back(RuleText(static_cast<FilterVerdict>(i), counts[i]));
         }
+    }
+    for (std::size_t i = 0; i < rules.size(); ++i)
+    {
+        text += (i == 0 ? ": " : i + 1 < rules.size() ? ", " : ", and ") + rules[i];
     }
     if (total == 0)
     {

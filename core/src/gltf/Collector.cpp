@@ -2,6 +2,7 @@
 
 #include "gltf/Accessor.h"
 #include "gltf/Primitive.h"
+#include "mesh/MeshProblems.h"
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
@@ -140,7 +141,7 @@ const tinygltf::Node* GltfCollector::Enter(int index)
     if (index < 0 || i >= m_Visited.size() || m_Visited[i])
     {
         m_Problems.push_back("node " + std::to_string(index) +
-                             ": does not exist or has two parents; nodes form a tree");
+                             ": it does not exist or has two parents; nodes form a tree");
         return nullptr;
     }
     m_Visited[i] = true;
@@ -151,26 +152,32 @@ void GltfCollector::CollectMesh(int index, const glm::dmat4& matrix)
 {
     if (static_cast<std::size_t>(index) >= m_Model.meshes.size())
     {
-        m_Problems.push_back("mesh " + std::to_string(index) + ": does not exist; the file has " +
+        m_Problems.push_back("mesh " + std::to_string(index) +
+                             ": it does not exist; the number of meshes is " +
                              std::to_string(m_Model.meshes.size()));
         return;
     }
     const tinygltf::Mesh& mesh = m_Model.meshes[static_cast<std::size_t>(index)];
     for (std::size_t i = 0; i < mesh.primitives.size(); ++i)
     {
+        const std::string subject =
+            "mesh '" + mesh.name + "' primitive " + std::to_string(i) + ": ";
         try
         {
             MeshData part = ReadGltfPrimitive(m_Model, mesh.primitives[i]);
             if (!part.triangles.empty())
             {
                 TransformPart(part, matrix);
+                for (const std::string& problem : MeshProblems(part))
+                {
+                    m_Problems.push_back(subject + problem);
+                }
                 m_Parts.push_back(std::move(part));
             }
         }
         catch (const GltfProblem& problem)
         {
-            m_Problems.push_back("mesh '" + mesh.name + "' primitive " + std::to_string(i) + ": " +
-                                 problem.what());
+            m_Problems.push_back(subject + problem.what());
         }
     }
 }

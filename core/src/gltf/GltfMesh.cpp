@@ -1,7 +1,6 @@
 #include <limn/core/GltfMesh.h>
 
 #include "gltf/Collector.h"
-#include "mesh/MeshProblems.h"
 #include <algorithm>
 #include <cstdio>
 #include <limn/base/Diagnostic.h>
@@ -38,7 +37,7 @@ AssetError ParseFailure(const std::filesystem::path& path, std::string error)
     {
         error.erase(0, end + 2);
     }
-    return AssetError(path.string(), location, "is not glTF 2.0: " + error);
+    return AssetError(path.string(), location, "the file is not glTF 2.0: " + error);
 }
 
 /// Pictures are no part of a mesh, so none is read and none that is missing matters.
@@ -163,7 +162,7 @@ tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& ro
     const std::string bytes = ReadFile(path, k_MaxDataBytes);
     if (bytes.empty())
     {
-        throw AssetError(path.string(), {}, "is empty; a glTF 2.0 file is expected");
+        throw AssetError(path.string(), {}, "the file is empty; a glTF 2.0 file is expected");
     }
     const char* text = bytes.data();
     const auto length = static_cast<unsigned int>(bytes.size());
@@ -236,10 +235,10 @@ std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path, cons
     MeshData data = collector.TakeMesh();
     if (data.triangles.empty())
     {
-        throw AssetError(path.string(), {},
-                         "holds no triangles; at least one node of its scene must have a mesh");
+        throw AssetError(
+            path.string(), {},
+            "the file holds no triangles; at least one node of its scene must have a mesh");
     }
-    ThrowIfAny(path, MeshProblems(data));
     return std::make_shared<const Mesh>(path.stem().string(), std::move(data));
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <limn/base/NumberText.h>
 #include <limn/core/UniversalRenderer.h>
 
 namespace limn
@@ -35,8 +36,14 @@ glm::ivec2 SizeForCamera(const TextureDesc& desc)
 std::string Describe(const RenderTexture& texture)
 {
     return "'" + texture.name() + "' is " + texture.DescribeSize() + " " +
-           ToString(texture.graphicsFormat()) + " of " +
-           std::to_string(texture.descriptor().msaaSamples) + " samples per texel";
+           ToString(texture.graphicsFormat()) + " with " +
+           CountText(static_cast<std::size_t>(texture.descriptor().msaaSamples), "sample") +
+           " per texel";
+}
+
+std::string QuotedOr(const char* nameless, const std::string& name)
+{
+    return name.empty() ? nameless : "'" + name + "'";
 }
 
 /// The data of a blit's render function.
@@ -137,8 +144,8 @@ void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const RenderGraphC
     if (texture.m_Frame != m_State->frame || m_State->Find(*texture.rt()) == nullptr)
     {
         throw ContractError(
-            subject.text() + ": '" + texture.rt()->name() +
-            "' is a handle of an earlier frame; a handle is valid in one camera's frame only");
+            subject.text() + ": " + QuotedOr("the texture", texture.rt()->name()) +
+            " is a handle of an earlier frame; a handle is valid in one camera's frame only");
     }
 }
 
@@ -151,8 +158,8 @@ void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const RenderGraphCal
     if (buffer.m_Frame != m_State->frame || m_State->Find(*buffer.buffer()) == nullptr)
     {
         throw ContractError(
-            subject.text() + ": '" + buffer.buffer()->name() +
-            "' is a handle of an earlier frame; a handle is valid in one camera's frame only");
+            subject.text() + ": " + QuotedOr("the buffer", buffer.buffer()->name()) +
+            " is a handle of an earlier frame; a handle is valid in one camera's frame only");
     }
 }
 

@@ -3,6 +3,7 @@
 #include "graph/RenderGraphRun.h"
 #include "passes/MakeDrawingSettings.h"
 #include "passes/RunPassCode.h"
+#include <limn/base/NumberText.h>
 
 namespace limn
 {
@@ -20,8 +21,8 @@ bool HaveOneSize(const RenderTexture& a, const RenderTexture& b)
 
 std::string SizeOf(const RTHandle& texture)
 {
-    return texture.rt()->DescribeSize() + " of " +
-           std::to_string(texture.rt()->descriptor().msaaSamples) + " samples per texel";
+    const auto samples = static_cast<std::size_t>(texture.rt()->descriptor().msaaSamples);
+    return texture.rt()->DescribeSize() + " with " + CountText(samples, "sample") + " per texel";
 }
 
 } // namespace

@@ -1,5 +1,7 @@
 #include <limn/core/CoreUtils.h>
 
+#include "record/Arguments.h"
+
 namespace limn
 {
 
@@ -88,6 +90,7 @@ std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath)
 void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties, int shaderPassId)
 {
+    ExpectMaterial("DrawFullScreen", material);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), shaderPassId, k_TriangleVertices,
                        properties);
 }
@@ -134,6 +137,7 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
                  std::shared_ptr<const Material> material, int passIndex)
 {
     ExpectSource(source);
+    ExpectMaterial("BlitTexture", material);
     if (!source.rt())
     {
         BlitTexture(cmd, source.nameID(), scaleBias, std::move(material), passIndex);
@@ -150,6 +154,7 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
 void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
+    ExpectMaterial("BlitTexture", material);
     cmd.SetGlobalTexture(_BlitTexture, std::move(source));
     BlitTexture(cmd, scaleBias, std::move(material), passIndex);
 }
@@ -157,6 +162,7 @@ void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::v
 void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
+    ExpectMaterial("BlitTexture", material);
     MaterialPropertyBlock properties;
     properties.SetVector(_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,

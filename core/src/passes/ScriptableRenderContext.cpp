@@ -254,8 +254,8 @@ void ScriptableRenderContext::GenerateMips(const RenderTexture& texture)
             return;
         }
     }
-    m_Report->notes.push_back("GenerateMips of '" + texture.name() +
-                              "': nothing has drawn into it in this frame, so they stay");
+    m_Report->notes.push_back("GenerateMips of '" + m_Identified->NameOf(texture) +
+                              "': nothing has drawn into it in this frame, so its mip levels stay");
 }
 
 RendererList ScriptableRenderContext::CreateRendererList(const RendererListParams& param) const

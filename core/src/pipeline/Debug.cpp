@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limn/base/Diagnostic.h>
+#include <limn/base/NumberText.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/RenderReport.h>
 #include <limn/core/RenderingData.h>
@@ -89,9 +90,9 @@ std::string Placed(std::string_view format, std::string_view place,
     const auto [rest, error] = std::from_chars(place.data(), end, index);
     if (error != std::errc() || index >= arguments.size())
     {
-        throw ContractError("LogFormat '" + std::string(format) + "': {" + std::string(place) +
-                            "} stands for none of its " + std::to_string(arguments.size()) +
-                            " values");
+        throw ContractError("LogFormat '" + std::string(format) + "': there is no value {" +
+                            std::string(place) + "}; the call has " +
+                            CountText(arguments.size(), "value") + ", counted from 0");
     }
     const detail::LogArgument& argument = arguments[index];
     const std::size_t colon = place.find(':');

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/base/NumberText.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
@@ -41,7 +42,7 @@ void ExpectRenderable(const RenderRequest& request)
     }
     if (!(std::abs(request.time) <= k_MaxTime))
     {
-        throw ContractError("RenderSingleCamera: the time is " + std::to_string(request.time) +
+        throw ContractError("RenderSingleCamera: the time is " + NumberText(request.time) +
                             " s; shaders get three times that as a float, so at most 1e38");
     }
     for (std::size_t i = 0; i < request.alsoReadBack.size(); ++i)
@@ -67,8 +68,8 @@ void ExpectRenderScale(float scale)
 {
     if (!(scale >= 0.1f && scale <= 2.0f))
     {
-        throw ContractError("UniversalRenderPipeline: renderScale is " + std::to_string(scale) +
-                            "; it must be from 0.1 to 2");
+        throw ContractError("UniversalRenderPipeline: renderScale is " +
+                            NumberText(static_cast<double>(scale)) + "; it must be from 0.1 to 2");
     }
 }
 
@@ -172,10 +173,11 @@ RenderTextureDescriptor CameraTargetDescriptor(const RenderRequest& request, flo
     descriptor.msaaSamples = SupportedSampleCount(device, descriptor);
     if (descriptor.msaaSamples != msaaSampleCount)
     {
-        report.notes.push_back("the camera is drawn with " +
-                               std::to_string(descriptor.msaaSamples) +
-                               " samples per texel in place of " + std::to_string(msaaSampleCount) +
-                               " (msaaSampleCount): the device supports no more for its format");
+        report.notes.push_back(
+            "the camera is drawn with " +
+            CountText(static_cast<std::size_t>(descriptor.msaaSamples), "sample") +
+            " per texel in place of " + std::to_string(msaaSampleCount) +
+            " (msaaSampleCount): the device supports no more for its format");
     }
     return descriptor;
 }
@@ -312,9 +314,10 @@ std::vector<RenderResult> UniversalRenderPipeline::Render(UniversalRenderer& ren
                                                           std::span<const Camera* const> cameras)
 {
     std::vector<const Camera*> sorted(cameras.begin(), cameras.end());
-    if (std::ranges::find(sorted, nullptr) != sorted.end())
+    if (const auto null = std::ranges::find(sorted, nullptr); null != sorted.end())
     {
-        throw ContractError("Render: one of the cameras is null");
+        throw ContractError("Render: cameras[" + std::to_string(null - sorted.begin()) +
+                            "] is null");
     }
     std::erase_if(sorted, [](const Camera* camera)
                   { return camera->renderType != CameraRenderType::Base; });

@@ -5,18 +5,17 @@
 namespace limn
 {
 
-void ExpectMaterial(const std::shared_ptr<const Material>& material)
+void ExpectMaterial(const char* call, const std::shared_ptr<const Material>& material)
 {
     if (!material)
     {
-        throw ContractError("a draw needs a material, but it is null");
+        throw ContractError(std::string(call) + " needs a material, but it is null");
     }
 }
 
 void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
                     const glm::mat4& matrix)
 {
-    ExpectMaterial(material);
     if (shaderPass < 0 || shaderPass >= material->passCount())
     {
         throw ContractError("material '" + material->name() + "': shader '" +

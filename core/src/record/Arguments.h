@@ -9,16 +9,16 @@ namespace limn
 
 inline constexpr int k_AllPasses = -1;
 
-// These check a draw or dispatch when it is recorded. All throw ContractError.
+// These check a draw or dispatch when it is recorded. All throw ContractError. `call` is the name
+// of the command, for messages.
 
-void ExpectMaterial(const std::shared_ptr<const Material>& material);
-/// Requires a material, this pass of it, and a finite matrix.
+void ExpectMaterial(const char* call, const std::shared_ptr<const Material>& material);
+/// Requires this pass of the material, which must not be null, and a finite matrix.
 void ExpectDrawable(const std::shared_ptr<const Material>& material, int shaderPass,
                     const glm::mat4& matrix);
 void ExpectSubMesh(const Mesh& mesh, int subMesh);
 
 /// Returns the place of an indirect command's arguments.
-/// @param call   the name of the command, for messages
 /// @param count  the number of uint
 /// @throws ContractError if the buffer is null or made for something else, or they do not lie in it
 ///     at a multiple of 4 bytes

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <limn/base/NumberText.h>
 #include <limn/core/CommandBuffer.h>
 
 #include "record/MatrixIds.h"
@@ -21,7 +22,7 @@ void ExpectSameSize(const RenderTexture& first, const RenderTexture& other)
         {
             return "'" + t.name() + "' is " + std::to_string(t.width()) + "x" +
                    std::to_string(t.height()) + " with " +
-                   std::to_string(t.descriptor().msaaSamples) + " samples";
+                   CountText(static_cast<std::size_t>(t.descriptor().msaaSamples), "sample");
         };
         throw ContractError(
             "SetRenderTarget: all targets must have one size and sample count, but " + text(first) +
@@ -152,7 +153,8 @@ void CommandBuffer::ClearRenderTarget(ClearFlag flags, const Color& color, float
 {
     if (!(depth >= 0.0f && depth <= 1.0f))
     {
-        throw ContractError("ClearRenderTarget: the depth is " + std::to_string(depth) +
+        throw ContractError("ClearRenderTarget: the depth is " +
+                            NumberText(static_cast<double>(depth)) +
                             "; it must be from 0 (near) to 1 (far)");
     }
     if (!isFinite(color))
@@ -189,8 +191,9 @@ void CommandBuffer::SetGlobalDepthBias(float bias, float slopeBias)
 {
     if (!std::isfinite(bias) || !std::isfinite(slopeBias))
     {
-        throw ContractError("SetGlobalDepthBias: the bias is " + std::to_string(bias) + ", " +
-                            std::to_string(slopeBias) + "; both must be finite");
+        throw ContractError("SetGlobalDepthBias: the bias is " +
+                            NumberText(static_cast<double>(bias)) + ", " +
+                            NumberText(static_cast<double>(slopeBias)) + "; both must be finite");
     }
     m_Commands.emplace_back(SetGlobalDepthBiasCommand{bias, slopeBias});
 }

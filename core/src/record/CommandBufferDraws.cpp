@@ -39,7 +39,7 @@ void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTextur
             "Blit: '" + source->name() +
             "' is both source and destination; copy it first, and draw from the copy");
     }
-    ExpectMaterial(material);
+    ExpectMaterial("Blit", material);
     if (pass != k_AllPasses)
     {
         ExpectDrawable(material, pass, glm::mat4(1.0f));
@@ -67,6 +67,7 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
                              std::shared_ptr<const Material> material, int subMesh, int shaderPass,
                              const MaterialPropertyBlock& properties)
 {
+    ExpectMaterial("DrawMesh", material);
     ExpectDrawable(material, shaderPass, matrix);
     if (!mesh)
     {
@@ -126,7 +127,7 @@ void CommandBuffer::DrawMeshInstanced(const std::shared_ptr<const Mesh>& mesh, i
         throw ContractError("DrawMeshInstanced: it was given " + std::to_string(matrices.size()) +
                             " matrices; a call takes at most " + std::to_string(k_Most));
     }
-    ExpectMaterial(material);
+    ExpectMaterial("DrawMeshInstanced", material);
     const bool isEach = shaderPass == k_AllPasses;
     const int end = isEach ? material->passCount() : shaderPass + 1;
     for (int pass = isEach ? 0 : shaderPass; pass < end; ++pass)
@@ -150,6 +151,7 @@ void CommandBuffer::DrawRenderer(const GameObject& object,
     {
         return;
     }
+    ExpectMaterial("DrawRenderer", material);
     ExpectSubMesh(*object.renderer->mesh, submeshIndex);
     RecordedDraw draw;
     draw.mesh = object.renderer->mesh;
@@ -211,7 +213,6 @@ void CommandBuffer::DrawBlit(const std::shared_ptr<const Texture>& source,
 /// Draws with the pass of the material that the draw names, or with each of them.
 void CommandBuffer::DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties)
 {
-    ExpectMaterial(draw.material);
     const bool isEach = draw.shaderPass == k_AllPasses;
     const int first = isEach ? 0 : draw.shaderPass;
     const int end = isEach ? draw.material->passCount() : first + 1;
@@ -235,7 +236,7 @@ void CommandBuffer::DrawRendererList(const RendererList& rendererList)
 void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest,
                          std::shared_ptr<const Material> material, int pass)
 {
-    ExpectMaterial(material);
+    ExpectMaterial("Blit", material);
     if (pass != k_AllPasses)
     {
         ExpectDrawable(material, pass, glm::mat4(1.0f));

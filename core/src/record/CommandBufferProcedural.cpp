@@ -25,6 +25,7 @@ RecordedDraw MeshDraw(const char* call, const std::shared_ptr<const Mesh>& mesh,
     {
         throw ContractError(std::string(call) + " needs a mesh, but it is null");
     }
+    ExpectMaterial(call, material);
     ExpectSubMesh(*mesh, submeshIndex);
     RecordedDraw draw;
     draw.mesh = mesh;
@@ -50,8 +51,9 @@ void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
                                    MeshTopology topology, int vertexCount, int instanceCount,
                                    const MaterialPropertyBlock& properties)
 {
-    ExpectDrawable(material, shaderPass, matrix);
     constexpr const char* k_Call = "DrawProcedural";
+    ExpectMaterial(k_Call, material);
+    ExpectDrawable(material, shaderPass, matrix);
     ExpectCount(k_Call, "vertex", vertexCount);
     ExpectCount(k_Call, "instance", instanceCount);
     if (instanceCount == 0 || (topology == MeshTopology::Quads && vertexCount < 4))
@@ -75,6 +77,7 @@ void CommandBuffer::DrawProceduralIndirect(
     int argsOffset, const MaterialPropertyBlock& properties)
 {
     constexpr const char* k_Call = "DrawProceduralIndirect";
+    ExpectMaterial(k_Call, material);
     ExpectDrawable(material, shaderPass, matrix);
     if (topology == MeshTopology::Quads)
     {

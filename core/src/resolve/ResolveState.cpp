@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limn/base/NumberText.h>
 #include <limn/core/DrawError.h>
 #include <limn/core/Material.h>
 
@@ -30,8 +31,8 @@ public:
         if (!(number >= lowest && number <= highest))
         {
             Fail(value.property, command,
-                 "is " + Text(number) + ", which is outside " + std::to_string(lowest) + "..." +
-                     std::to_string(highest));
+                 "is " + NumberText(number) + ", which is outside " + std::to_string(lowest) +
+                     "..." + std::to_string(highest));
         }
         return static_cast<Enum>(static_cast<int>(number));
     }
@@ -95,13 +96,6 @@ private:
         const std::string file = pass->program ? pass->program->file : document.file;
         return "; the pass is at " + file + ":" + std::to_string(pass->location.line) + ":" +
                std::to_string(pass->location.column);
-    }
-
-    static std::string Text(double number)
-    {
-        return number == std::floor(number) && std::abs(number) < 1e9
-                   ? std::to_string(static_cast<long long>(number))
-                   : std::to_string(number);
     }
 
     const RenderState& m_State;

@@ -1,6 +1,5 @@
 #include "resolve/StorageSlots.h"
 
-
 namespace limn
 {
 
@@ -137,8 +136,8 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
 {
     if (!arguments.buffer->IsValid())
     {
-        throw DrawError(sources.Subject() + ": the buffer of its arguments, '" +
-                        arguments.buffer->name() + "', is released");
+        throw DrawError(sources.Subject() + ": its arguments come from buffer '" +
+                        arguments.buffer->name() + "', which is released");
     }
     return {k_ArgumentsBinding,
             arguments.buffer,

@@ -4,6 +4,7 @@
 #include <glm/vector_relational.hpp>
 #include <limits>
 #include <limn/base/Diagnostic.h>
+#include <limn/base/NumberText.h>
 #include <limn/core/Camera.h>
 #include <limn/core/TargetOrientation.h>
 
@@ -17,8 +18,8 @@ void Expect(bool condition, const char* field, double value, const char* range)
 {
     if (!condition || !std::isfinite(value))
     {
-        throw ContractError("camera: " + std::string(field) + " is " + std::to_string(value) +
-                            ", it must be " + range);
+        throw ContractError("camera: " + std::string(field) + " is " + NumberText(value) +
+                            "; it must be " + range);
     }
 }
 
@@ -42,9 +43,9 @@ glm::dmat4 CheckedProjection(const Camera& camera)
             const double value = (*camera.projectionMatrix)[column][row];
             if (!(std::abs(value) <= std::numeric_limits<float>::max()))
             {
-                throw ContractError("camera: projectionMatrix has " + std::to_string(value) +
+                throw ContractError("camera: projectionMatrix has " + NumberText(value) +
                                     " in row " + std::to_string(row) + ", column " +
-                                    std::to_string(column) + ": no finite float");
+                                    std::to_string(column) + "; it must be a finite float");
             }
         }
     }

@@ -222,8 +222,10 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
     if (leftOut > 0)
     {
         renderingData.report->notes.push_back(
-            std::to_string(leftOut) + " lights throw no shadows: shaders have room for " +
-            std::to_string(k_MostSlices) + " squares; a spot takes 1 and a point 6");
+            (leftOut == 1 ? "1 light throws no shadows: shaders"
+                          : std::to_string(leftOut) + " lights throw no shadows: shaders") +
+            " have room for " + std::to_string(k_MostSlices) +
+            " squares; a spot takes 1 and a point 6");
     }
 }
 

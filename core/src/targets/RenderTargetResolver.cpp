@@ -3,6 +3,7 @@
 #include "targets/CopyKernel.h"
 
 #include <algorithm>
+#include <limn/base/NumberText.h>
 #include <limn/core/TargetOrientation.h>
 
 namespace limn
@@ -30,10 +31,18 @@ int SizeOf(int asked, int camera)
     return asked < 0 ? std::max(camera / -asked, 1) : asked;
 }
 
+int SamplesOf(const Texture& texture)
+{
+    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
+    return target != nullptr ? target->descriptor().msaaSamples : 1;
+}
+
 std::string Describe(const Texture& texture)
 {
+    const int samples = SamplesOf(texture);
     return "'" + texture.name() + "' is " + std::to_string(texture.width()) + "x" +
-           std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat());
+           std::to_string(texture.height()) + " " + ToString(texture.graphicsFormat()) +
+           (samples > 1 ? " with " + std::to_string(samples) + " samples per texel" : "");
 }
 
 void ExpectCopyable(const Texture& source, const RenderTexture& dest)
@@ -41,14 +50,12 @@ void ExpectCopyable(const Texture& source, const RenderTexture& dest)
     if (source.width() != dest.width() || source.height() != dest.height() ||
         source.graphicsFormat() != dest.graphicsFormat())
     {
-        throw ContractError("CopyTexture: the textures are " + Describe(source) + " and " +
-                            Describe(dest) + "; size and format must be the same");
+        throw ContractError("CopyTexture: " + Describe(source) + ", and " + Describe(dest) +
+                            "; size and format must be the same");
     }
-    const auto* target = dynamic_cast<const RenderTexture*>(&source);
-    const bool hasSamples = target != nullptr && target->descriptor().msaaSamples > 1;
-    if (IsDepthFormat(dest.graphicsFormat()) || dest.descriptor().msaaSamples > 1 || hasSamples)
+    if (IsDepthFormat(dest.graphicsFormat()) || SamplesOf(dest) > 1 || SamplesOf(source) > 1)
     {
-        throw ContractError("CopyTexture: the source is " + Describe(source) +
+        throw ContractError("CopyTexture: " + Describe(SamplesOf(dest) > 1 ? dest : source) +
                             "; limn copies only colours with one sample per texel");
     }
 }
@@ -317,9 +324,10 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyDrawCommand& comman
     }
     if (!(command.mipLevel >= 0.0f && command.mipLevel < static_cast<float>(source->mipmapCount())))
     {
-        throw ContractError("BlitTexture: there is no mip level " +
-                            std::to_string(command.mipLevel) + " of '" + source->name() +
-                            "'; it has " + std::to_string(source->mipmapCount()));
+        throw ContractError("BlitTexture: '" + source->name() + "' has no mip level " +
+                            NumberText(static_cast<double>(command.mipLevel)) +
+                            "; the number of its levels is " +
+                            std::to_string(source->mipmapCount()));
     }
     MaterialPropertyBlock properties;
     properties.SetVector(_BlitScaleBias, command.scaleBias);
@@ -350,11 +358,19 @@ RenderTargetResolver::Resolve(const GenerateMipsCommand& command) const
     auto texture = std::dynamic_pointer_cast<const RenderTexture>(found);
     if (!texture || texture->mipmapCount() == 1)
     {
-        throw ContractError("GenerateMips: '" + (found ? found->name() : "None") +
-                            "' is no render texture with mip levels; a descriptor with useMipMap "
+        throw ContractError("GenerateMips: " + (found ? "'" + NameOf(*found) + "'" : "None") +
+                            " is no render texture with mip levels; a descriptor with useMipMap "
                             "makes one");
     }
     return texture;
+}
+
+std::string RenderTargetResolver::NameOf(const Texture& texture) const
+{
+    const auto named =
+        std::ranges::find_if(m_Temporaries, [&](const auto& temporary)
+                             { return temporary.second.handle().rt().get() == &texture; });
+    return named != m_Temporaries.end() ? named->first.name() : texture.name();
 }
 
 /// Sets the target of a blit with the depth that belongs to it.

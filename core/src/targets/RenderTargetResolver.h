@@ -34,6 +34,10 @@ public:
     std::shared_ptr<const RenderTexture> Resolve(const GenerateMipsCommand& command) const;
     const CommandBuffer& Resolve(const SetComputeTextureCommand& command);
 
+    /// Returns the name under which commands ask for the texture: a temporary one has a name of its
+    /// own beside that.
+    std::string NameOf(const Texture& texture) const;
+
     /// Returns the kernel for DrawRecorder::Copy, which the renderer's compiler compiles.
     const std::shared_ptr<const ComputeShader>& CopyKernel(std::string_view call);
 

@@ -4,6 +4,7 @@
 #include <limn/core/GraphicsBuffer.h>
 #include <limn/core/GraphicsDevice.h>
 #include <limn/core/RenderTexture.h>
+#include <new>
 #include <utility>
 
 namespace limn
@@ -101,6 +102,11 @@ void PendingReadback::Finish(bool waits)
         }
         Wait();
         m_Result.texels = Take();
+    }
+    catch (const std::bad_alloc&)
+    {
+        m_Error = "there is not enough memory for a copy of it";
+        m_HasError = true;
     }
     catch (const std::exception& error)
     {

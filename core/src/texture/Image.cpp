@@ -75,7 +75,7 @@ std::string SizeProblem(const png_image& header, std::string_view file)
     const std::string size = std::to_string(header.width) + "x" + std::to_string(header.height);
     if (header.width > k_MaxSide || header.height > k_MaxSide)
     {
-        return "is " + size + "; limn reads at most " + std::to_string(k_MaxSide) +
+        return "the picture is " + size + "; limn reads at most " + std::to_string(k_MaxSide) +
                " texels either way";
     }
     constexpr std::uint64_t maxRatio = 1032;
@@ -84,7 +84,7 @@ std::string SizeProblem(const png_image& header, std::string_view file)
     const auto type = static_cast<std::size_t>(file[25]);
     const std::uint64_t bits = std::uint64_t{header.width} * header.height * depth * channels[type];
     return bits / 8 > maxRatio * file.size()
-               ? "is no readable PNG: a file of " + std::to_string(file.size()) +
+               ? "the file is no readable PNG: a file of " + std::to_string(file.size()) +
                      " bytes cannot hold its picture of " + size
                : std::string();
 }
@@ -178,7 +178,7 @@ std::vector<std::byte> EncodePng(const Image& image)
     writer.bytes.reserve(filtered + filtered / 256 + 4096); // deflate stores what does not shrink
     if (!Write(writer, image, colorType))
     {
-        throw AssetError("PNG", {}, "cannot be made: " + writer.error);
+        throw AssetError("PNG", {}, "the picture cannot be made: " + writer.error);
     }
     return std::move(writer.bytes);
 }
@@ -199,7 +199,7 @@ Image DecodePng(std::string_view bytes, const std::string& name)
     PngImage png;
     const auto fail = [&]
     {
-        return AssetError(name, {}, std::string("is no readable PNG: ") + png->message);
+        return AssetError(name, {}, std::string("the file is no readable PNG: ") + png->message);
     };
 
     if (png_image_begin_read_from_memory(png.get(), bytes.data(), bytes.size()) == 0)

@@ -1,6 +1,7 @@
 #include <limn/core/RenderTexture.h>
 
 #include <limn/base/Diagnostic.h>
+#include <limn/base/NumberText.h>
 #include <utility>
 
 namespace limn
@@ -146,7 +147,8 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
         (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format)))
     {
         throw ContractError("texture '" + this->name() + "': enableRandomWrite is true, with " +
-                            std::to_string(samples) + " samples of " + ToString(format) +
+                            CountText(static_cast<std::size_t>(samples), "sample") + " of " +
+                            ToString(format) +
                             "; kernels can write only to colours of one sample that are not sRGB");
     }
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <limn/base/NumberText.h>
 #include <limn/core/RenderTargetIdentifier.h>
 
 namespace limn
@@ -145,7 +146,7 @@ const std::shared_ptr<const RenderTexture>& ScaledTexture::texture()
 
 static std::string SubjectOf(const char* call, std::string_view name)
 {
-    return std::string(call) + " '" + std::string(name) + "'";
+    return std::string(call) + (name.empty() ? "" : " '" + std::string(name) + "'");
 }
 
 RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::string_view name)
@@ -153,7 +154,8 @@ RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::str
     if (!(factor.x > 0.0f) || !(factor.y > 0.0f))
     {
         throw ContractError(SubjectOf(call, name) + ": the scale factor is " +
-                            std::to_string(factor.x) + ", " + std::to_string(factor.y) +
+                            NumberText(static_cast<double>(factor.x)) + ", " +
+                            NumberText(static_cast<double>(factor.y)) +
                             "; both must be greater than 0");
     }
     return [factor](const glm::ivec2& size)

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limn/base/Diagnostic.h>
+#include <limn/base/NumberText.h>
 #include <utility>
 
 namespace limn
@@ -99,7 +100,7 @@ Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat for
     {
         throw ContractError("texture '" + m_Name + "': anisoLevel is " +
                             std::to_string(sampler.anisoLevel) + " and mipMapBias is " +
-                            std::to_string(sampler.mipMapBias) +
+                            NumberText(static_cast<double>(sampler.mipMapBias)) +
                             "; the first must be from 1 to 16, the second must be finite");
     }
 }

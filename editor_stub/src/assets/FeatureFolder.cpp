@@ -15,13 +15,13 @@ bool MakeFeatureFolder(const std::filesystem::path& folder)
     const bool isNew = std::filesystem::create_directories(folder, error);
     if (!std::filesystem::is_directory(folder))
     {
-        throw AssetError(folder.string(), {}, "cannot be made: " + error.message());
+        throw AssetError(folder.string(), {}, "the folder cannot be made: " + error.message());
     }
     if (!std::filesystem::is_empty(folder))
     {
         throw AssetError(
             folder.string(), {},
-            "holds files already, and limn does not overwrite them; name a new folder");
+            "the folder holds files already, and limn does not overwrite them; name a new folder");
     }
     return isNew;
 }

@@ -47,14 +47,14 @@ void RequireOwnFiles(std::span<const std::string> outputs,
         if (input != inputs.end())
         {
             throw AssetError(outputs[i], {},
-                             "cannot be written: the scene is drawn from " + input->string() +
-                                 ", which is this file; give another name");
+                             "the file cannot be written: the scene is drawn from " +
+                                 input->string() + ", which is this file; give another name");
         }
         const auto rest = outputs.subspan(i + 1);
         if (std::ranges::any_of(rest, isIt))
         {
             throw AssetError(outputs[i], {},
-                             "is to be written twice; give each output a name of its own");
+                             "the file is to be written twice; give each output a name of its own");
         }
     }
 }

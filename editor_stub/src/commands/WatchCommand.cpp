@@ -44,7 +44,8 @@ void RequireStart(const RenderOptions& options)
         std::filesystem::absolute(options.output, ignored).parent_path();
     if (!std::filesystem::is_directory(folder, ignored))
     {
-        throw AssetError(options.output, {}, "cannot be written: No such file or directory");
+        throw AssetError(options.output, {},
+                         "the file cannot be written: No such file or directory");
     }
 }
 

@@ -171,7 +171,7 @@ const Plugin& Open(const std::filesystem::path& file, const std::string& name,
     if (!symbol)
     {
         throw AssetError(name, {},
-                         "is no plug-in of limn: it does not define 'limn_plugin'; write "
+                         "the file is no plug-in of limn: it does not define 'limn_plugin'; write "
                          "LIMN_PLUGIN of <limn/features/Plugin.h> in one of its files");
     }
     const Plugin& plugin = *static_cast<const Plugin*>(symbol);

@@ -50,7 +50,7 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
     if (!file.filename().string().ends_with(extension))
     {
         throw AssetError(file.generic_string(), {},
-                         std::string("is no ") + noun + "; a " + std::string(extension) +
+                         std::string("the file is no ") + noun + "; a " + std::string(extension) +
                              " file is expected");
     }
     // A path that a person typed, and that is in no file, may lead anywhere.

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <limits>
+#include <limn/base/NumberText.h>
 #include <limn/core/Camera.h>
 #include <limn/editor_stub/Raycast.h>
 
@@ -12,10 +13,9 @@ Ray ScreenPointToRay(const Camera& camera, int width, int height, const glm::dve
 {
     if (width < 1 || height < 1 || !std::isfinite(point.x) || !std::isfinite(point.y))
     {
-        throw ContractError("ScreenPointToRay: there is no ray through (" +
-                            std::to_string(point.x) + ", " + std::to_string(point.y) +
-                            ") of a picture of " + std::to_string(width) + "x" +
-                            std::to_string(height) + " pixels");
+        throw ContractError("ScreenPointToRay: there is no ray through (" + NumberText(point.x) +
+                            ", " + NumberText(point.y) + ") of a picture of " +
+                            std::to_string(width) + "x" + std::to_string(height) + " pixels");
     }
     // The very matrix that the device draws with.
     const glm::dmat4 toView = glm::inverse(glm::dmat4(

@@ -98,7 +98,7 @@ std::string SizesText(const ShaderProgram& program, const std::string& indent)
                 " words, " +
                 (geometry == 0 ? "" : "geometry " + std::to_string(geometry) + " words, ") +
                 "fragment " + std::to_string(program.fragmentSpirv.size()) + " words, " +
-                std::to_string(program.layout.colorOutputs) + " colour output(s)");
+                Count(static_cast<std::size_t>(program.layout.colorOutputs), "colour output"));
 }
 
 std::string PassText(const CheckedPass& checked, std::size_t index)

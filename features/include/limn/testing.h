@@ -13,8 +13,8 @@
 namespace limn
 {
 
-/// The result of a check, and a sentence with its reason: "drawn by Outline: Lamp is left out:
-/// rendering layer mask".
+/// The result of a check, and a sentence with its reason: "Outline must draw Lamp, but the filter's
+/// layer mask leaves it out".
 class CheckResult
 {
 public:

@@ -1,3 +1,4 @@
+#include <limn/base/NumberText.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/DrawError.h>
 #include <limn/features/RenderObjectsPass.h>
@@ -107,7 +108,8 @@ void RenderObjectsPass::SetCamera(CommandBuffer& cmd, const CameraData& cameraDa
         throw DrawError(profilingSampler.name() +
                         ": cameraSettings.overrideCamera: its own camera has perspective, but the "
                         "scene's has the nearClipPlane " +
-                        std::to_string(camera.nearClipPlane) + "; more than 0 is needed");
+                        NumberText(static_cast<double>(camera.nearClipPlane)) +
+                        "; more than 0 is needed");
     }
     RenderingUtils::SetViewAndProjectionMatrices(
         cmd, view, WithFlippedY(camera.gpuProjectionMatrix(aspect, cameraData.usesReversedZBuffer)),

@@ -1,6 +1,7 @@
 #include "StrokeDraws.h"
 
 #include <array>
+#include <limn/base/NumberText.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRenderer.h>
@@ -94,7 +95,8 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
 {
     if (volumeComponent.m_OutlineWidth.value() < k_LeastWidth)
     {
-        return "StrokeOutline.m_OutlineWidth is less than " + std::to_string(k_LeastWidth) +
+        return "StrokeOutline.m_OutlineWidth is less than " +
+               NumberText(static_cast<double>(k_LeastWidth)) +
                " pixels, which is too little to be seen";
     }
     FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);

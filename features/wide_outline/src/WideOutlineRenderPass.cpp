@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limn/base/NumberText.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRenderer.h>
@@ -51,8 +52,8 @@ void RequireNumberOfWideOutline(const char* name, float value)
 {
     if (!std::isfinite(value))
     {
-        throw ContractError(std::string("WideOutline.") + name + " is " + std::to_string(value) +
-                            "; it must be a number");
+        throw ContractError(std::string("WideOutline.") + name + " is " +
+                            NumberText(static_cast<double>(value)) + "; it must be a number");
     }
 }
 

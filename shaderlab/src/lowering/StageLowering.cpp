@@ -306,7 +306,7 @@ public:
                 if (m_Tokens.Text(i + 1) == "limn_Lacks") // ("X", "Y")
                 {
                     m_StandIns.push_back(
-                        "uses " + Unquoted(m_Tokens.Text(i + 3)) +
+                        "it uses " + Unquoted(m_Tokens.Text(i + 3)) +
                         ", which limn does not have: " + Unquoted(m_Tokens.Text(i + 5)));
                     m_Code.Erase(i, end);
                 }

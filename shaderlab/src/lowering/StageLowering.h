@@ -29,7 +29,7 @@ struct RewrittenHlsl
 {
     /// The text of TokenEdits::AssembleByToken(), and the entry function.
     std::string text;
-    /// The notes "uses X, which limn does not have: Y" for each function that the entry function
+    /// The notes "it uses X, which limn does not have: Y" for each function that the entry function
     /// reaches and that the ShaderLibrary marks `[limn_Lacks("X", "Y")]`, because it does less than
     /// Unity's function of that name.
     std::vector<std::string> standIns;

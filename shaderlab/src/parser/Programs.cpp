@@ -69,7 +69,7 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
     if (!EqualsIgnoringCase(block.endWord, endWord))
     {
         Report(Severity::Error, location,
-               subject + ": " + std::string(block.endWord) + " stands at its end; write " +
+               subject + ": " + std::string(block.endWord) + " closes this block; write " +
                    std::string(endWord));
     }
     else if (block.inComment)

@@ -141,7 +141,7 @@ std::string DescribeRecursion(std::string_view line)
     const std::size_t calling = std::min(line.find(k_Calling), line.size());
     const std::string first = name(line.substr(0, calling));
     const std::string second = name(line.substr(std::min(calling + k_Calling.size(), line.size())));
-    return first + ": to the HLSL compiler it calls itself" +
+    return first + ": the HLSL compiler takes it for a function that calls itself" +
            (first == second || second == "''" ? "" : " by way of " + second) +
            "; HLSL has no recursion";
 }

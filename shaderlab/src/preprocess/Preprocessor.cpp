@@ -136,7 +136,7 @@ bool AllowWhatUnityAllows(std::vector<Diagnostic>& diagnostics)
             const std::size_t name = diagnostic.message.rfind(' ') + 1;
             diagnostic = {Severity::Warning, diagnostic.file, diagnostic.location,
                           "'" + diagnostic.message.substr(name) +
-                              "': this #define changes its meaning, from here on"};
+                              "': this #define gives the macro another meaning from here on"};
             hasAny = true;
         }
         else if (diagnostic.message == "hexadecimal literal too big")

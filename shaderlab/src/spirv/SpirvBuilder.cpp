@@ -320,7 +320,8 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
     const HlslPlace place = placed ? PlaceOfInstruction(spirv, placed->instruction) : HlslPlace();
     const bool hasPlace = !place.file.empty() && place.location.line > 0;
     throw AssetError(hasPlace ? place.file : file, hasPlace ? place.location : SourceLocation(),
-                     "program: the HLSL compiler makes invalid SPIR-V of it: " + problem.message);
+                     "program: the HLSL compiler turns this code into invalid SPIR-V: " +
+                         problem.message);
 }
 
 } // namespace

@@ -171,10 +171,18 @@ public:
             // Structs may hold themselves, or so many that nobody waits for the end.
             constexpr int k_MaximumNesting = 16;
             constexpr std::size_t k_MaximumValues = 256;
-            if (m_Depth == k_MaximumNesting || values.size() > k_MaximumValues)
+            if (m_Depth == k_MaximumNesting)
             {
                 Fail(variable, "': type '" + std::string(variable.type) +
-                                   "' holds too much to cross the border of a stage");
+                                   "' contains itself or is nested more than " +
+                                   std::to_string(k_MaximumNesting) +
+                                   " structs deep, so no stage can pass it on");
+            }
+            if (values.size() > k_MaximumValues)
+            {
+                Fail(variable, "': with type '" + std::string(variable.type) +
+                                   "' there are more than " + std::to_string(k_MaximumValues) +
+                                   " values, the most that a stage can pass on");
             }
             ++m_Depth;
             ExpandMembers(variable, *type, expression, isOutput, values);

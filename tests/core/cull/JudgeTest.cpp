@@ -168,13 +168,15 @@ static_assert(JudgesAtCompileTime());
 
 TEST(Describe, CountsWhatEachRuleLeftOut)
 {
-    EXPECT_THAT(Describe({0, 13, 201, 0, 0}, FilteringSettings()),
-                Mentions("0 of 214", "13 render queue", "201 layer mask"));
+    EXPECT_THAT(
+        Describe({0, 13, 201, 0, 0}, FilteringSettings()),
+        Mentions("0 of 214", "render queue range leaves out 13", "layer mask leaves out 201"));
     EXPECT_THAT(Describe({1, 0, 0, 2, 4}, FilteringSettings()),
-                Mentions("1 of 7", "2 rendering layer", "4 no pass", "LightMode"));
-    EXPECT_EQ(Describe({3, 0, 0, 0, 0}, FilteringSettings()), "3 of 3 renderers drawn");
+                Mentions("1 of 7 renderers is drawn", "rendering layer mask leaves out 2",
+                         "4 have no pass", "LightMode"));
+    EXPECT_EQ(Describe({3, 0, 0, 0, 0}, FilteringSettings()), "3 of 3 renderers are drawn");
     EXPECT_EQ(Describe({0, 1, 0, 0, 0}, FilteringSettings()),
-              "0 of 1 renderer drawn: 1 render queue");
+              "0 of 1 renderer is drawn: the render queue range leaves out 1");
 }
 
 TEST(Describe, SaysThatThereIsNothingToFilter)
@@ -186,11 +188,11 @@ TEST(Describe, PointsOutAnEmptyMask)
 {
     EXPECT_THAT(
         Describe({0, 0, 5, 0, 0}, FilteringSettings(RenderQueueRange::all, LayerMask::Nothing())),
-        Mentions("0 of 5", "5 layer mask", "layerMask is 0"));
+        Mentions("0 of 5", "layer mask leaves out 5", "layerMask is 0"));
     EXPECT_THAT(
         Describe({0, 0, 0, 5, 0}, FilteringSettings(RenderQueueRange::all, LayerMask::Everything(),
                                                     RenderingLayerMask::Nothing())),
-        Mentions("0 of 5", "5 rendering layer", "renderingLayerMask is 0"));
+        Mentions("0 of 5", "rendering layer mask leaves out 5", "renderingLayerMask is 0"));
 }
 
 } // namespace

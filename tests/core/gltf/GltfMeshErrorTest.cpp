@@ -253,7 +253,7 @@ TEST(GltfMeshError, RejectsNodesThatFormACircle)
 TEST(GltfMeshError, RejectsAMeshThatDoesNotExist)
 {
     EXPECT_THAT(ErrorOf(Triangle().Text(R"("nodes": [{"mesh": 2}], "scenes": [{"nodes": [0]}])")),
-                Mentions("a.gltf", "mesh 2", "not exist", "has 0"));
+                Mentions("a.gltf", "mesh 2", "not exist", "is 0"));
 }
 
 TEST(GltfMeshError, RejectsPositionsThatAreNoNumbers)
@@ -262,7 +262,7 @@ TEST(GltfMeshError, RejectsPositionsThatAreNoNumbers)
     file.AddFloats("VEC3", {1, 0, 0, 3, 0, 0, 1, std::numeric_limits<float>::infinity(), 0});
     file.AddFloats("VEC3", {0, 0, 1, 0, 0, 1, 0, 0, 1});
     EXPECT_THAT(ErrorOf(file.Text(OnePrimitive(R"("attributes": {"POSITION": 0, "NORMAL": 1})"))),
-                Mentions("a.gltf", "vertices[2]", "not a finite number"));
+                Mentions("a.gltf", "mesh", "primitive 0", "vertices[2]", "not a finite number"));
 }
 
 TEST(GltfMeshError, ListsEveryPrimitiveThatCannotBeRead)

@@ -259,7 +259,7 @@ TEST_F(ComputePass, RefusesBuffersOfEarlierFrames)
                             graph, "Late", [&](auto& builder) { builder.UseBuffer(kept); },
                             [](ComputeCommandBuffer&) {});
                     }),
-                Mentions("'Late'", "UseBuffer", "''", "earlier frame"));
+                Mentions("'Late'", "UseBuffer", "the buffer is a", "earlier frame"));
 }
 
 TEST_F(ComputePass, SwitchesKeywordsAsUnsafePassesDo)

@@ -620,7 +620,8 @@ TEST_F(RenderGraphMismatch, NamesACameraColourOfAnotherSize)
                         frameData.Get<UniversalResourceData>().cameraColor =
                             graph.CreateTexture(desc);
                     }),
-                Mentions("'Feature'", "cameraColor", "'_Small'", "4x2 of 1", "8x4 of 1"));
+                Mentions("'Feature'", "cameraColor", "'_Small'", "4x2 with 1 sample per",
+                         "8x4 with 1 sample per"));
 }
 
 TEST_F(RenderGraphMismatch, NamesTexturesThatCannotBeCopied)

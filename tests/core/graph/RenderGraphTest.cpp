@@ -292,7 +292,7 @@ TEST_F(RenderGraphFrame, NamesATextureOfNoSize)
         return test::ThrownMessage<ContractError>([&] { desc.descriptor(); });
     };
     EXPECT_THAT(message(TextureDesc(glm::vec2(0.0f, 1.0f))),
-                Mentions("CreateTexture", "scale factor", "0.0", "1.0", "greater than 0"));
+                Mentions("CreateTexture:", "scale factor is 0, 1;", "greater than 0"));
     EXPECT_THAT(message(TextureDesc(RTHandles::ScaleFunc())),
                 Mentions("CreateTexture", "scale function", "empty"));
 }

@@ -269,10 +269,10 @@ TEST_F(CameraStack, RefusesWhatCannotBeDrawn)
         "shadows", RenderTextureDescriptor(8, 8, GraphicsFormat::D32_SFloat));
     EXPECT_THAT(message(), Mentions("RenderSingleCamera", "targetTexture 'shadows'",
                                     "depth texture", "colour"));
-    const Camera* none[] = {nullptr};
+    const Camera* none[] = {&m_Camera, nullptr};
     EXPECT_THAT(
         ThrownMessage<ContractError>([&] { m_Pipeline.Render(m_Renderer, m_Request, none); }),
-        Mentions("Render:", "cameras", "null"));
+        Mentions("Render:", "cameras[1]", "null"));
 }
 
 TEST_F(CameraStack, IsCleanedUpWhereItsFirstCameraThrows)

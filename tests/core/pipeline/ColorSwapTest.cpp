@@ -185,7 +185,7 @@ TEST_F(ColorSwaps, NeedAMaterialAndARendererWithASecondColor)
     };
     Add(300, [&](const SwappingPass& self, CommandBuffer& cmd, RenderingData& data)
         { self.Blit(cmd, data, material); });
-    EXPECT_THAT(message([&] { Render(); }), test::Mentions("draw", "material", "null"));
+    EXPECT_THAT(message([&] { Render(); }), test::Mentions("BlitTexture", "material", "null"));
     material = m_Reads;
     test::Log log;
     test::RendererHarness harness;

@@ -67,7 +67,7 @@ TEST(Debug, PutsValuesIntoAFormat)
     Debug::LogWarningFormat("{0:F2} {0:0.0} {0}", 1.25);
     EXPECT_THAT(LogTaker::texts(), ElementsAre("1 of two, {as it is}", "1.25 1.2 1.25"));
     EXPECT_THAT(test::ThrownMessage<ContractError>([] { Debug::LogFormat("{1}", 0); }),
-                test::Mentions("LogFormat '{1}'", "{1}", "none", "1 values"));
+                test::Mentions("LogFormat '{1}'", "no value {1}", "1 value,"));
     EXPECT_THAT(test::ThrownMessage<ContractError>([] { Debug::LogFormat("{0", 0); }),
                 test::Mentions("LogFormat '{0'", "not closed", "twice"));
 }

@@ -73,9 +73,9 @@ TEST_F(Reports, SayWhyAFeaturesPassDrewNothing)
     m_Pass.filtering.layerMask = LayerMask::FromIndex(6);
     m_Harness.AddFeature("f", m_Log, {&m_Pass});
     m_Harness.Render();
-    EXPECT_THAT(
-        m_Harness.report.notes,
-        ElementsAre(test::Mentions("Outline", "0 of 3", "2 layer mask", "1 no pass", "LightMode")));
+    EXPECT_THAT(m_Harness.report.notes,
+                ElementsAre(test::Mentions("Outline", "0 of 3", "layer mask leaves out 2",
+                                           "1 has no pass", "LightMode")));
 }
 
 TEST_F(Reports, SayThatAFeaturesMaskIsEmpty)
@@ -84,7 +84,8 @@ TEST_F(Reports, SayThatAFeaturesMaskIsEmpty)
     m_Harness.AddFeature("f", m_Log, {&m_Pass});
     m_Harness.Render();
     EXPECT_THAT(m_Harness.report.notes,
-                ElementsAre(test::Mentions("Outline", "0 of 3", "3 layer mask", "layerMask is 0")));
+                ElementsAre(test::Mentions("Outline", "0 of 3", "layer mask leaves out 3",
+                                           "layerMask is 0")));
 }
 
 TEST_F(Reports, SayOnceWhyAPassThatRanTwiceDrewNothing)

@@ -127,7 +127,7 @@ TEST_F(Blits, RefuseWhatIsNotThere)
                 Mentions("Blit:", "destination", "empty handle"));
     EXPECT_THAT(errorOf(m_Source, m_Source, m_Copy, 0),
                 Mentions("Blit:", "'Source'", "both", "copy"));
-    EXPECT_THAT(errorOf(m_Source, m_Dest, nullptr, -1), Mentions("draw", "material", "null"));
+    EXPECT_THAT(errorOf(m_Source, m_Dest, nullptr, -1), Mentions("Blit", "material", "null"));
     EXPECT_THAT(errorOf(m_Source, m_Dest, m_Copy, 1),
                 Mentions("'Copy'", "'Test/Copy'", "no pass 1", "has 1"));
 }

@@ -107,7 +107,7 @@ TEST_F(CommandBuffers, RefuseTargetsOfDifferentSampleCounts)
 {
     const RTHandle samples(Multisampled("Samples"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.SetRenderTarget(samples, m_Depth); }),
-                Mentions("SetRenderTarget", "'Samples'", "4 samples", "'Depth'", "1 samples"));
+                Mentions("SetRenderTarget", "'Samples'", "4 samples", "'Depth'", "1 sample"));
 }
 
 TEST_F(CommandBuffers, RefuseMoreColorsThanAPassWrites)
@@ -199,11 +199,11 @@ TEST_F(CommandBuffers, RefuseDrawsThatLackSomething)
 {
     const glm::mat4 matrix(1.0f);
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawMesh(test::Cube(), matrix, nullptr); }),
-                Mentions("draw", "material", "null"));
+                Mentions("DrawMesh", "material", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawMesh(nullptr, matrix, m_Material); }),
                 Mentions("DrawMesh", "mesh", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, nullptr, 0, 3); }),
-                Mentions("draw", "material", "null"));
+                Mentions("DrawProcedural", "material", "null"));
     EXPECT_THAT(ErrorOf([&] { m_Cmd.DrawProcedural(matrix, m_Material, 0, -3); }),
                 Mentions("DrawProcedural", "vertex count -3", "negative"));
 }

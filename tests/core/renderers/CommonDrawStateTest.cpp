@@ -245,7 +245,7 @@ TEST_F(CommonDrawStates, AreRefusedWhereTheyMakeNoSense)
                 Mentions("EnableScissorRect", "2147483647x4", "(1, 0)", "beyond", "2147483647"));
     EXPECT_THAT(
         message([&] { m_Cmd.SetGlobalDepthBias(std::numeric_limits<float>::infinity(), 0.0f); }),
-        Mentions("SetGlobalDepthBias", "inf", "0.0", "finite"));
+        Mentions("SetGlobalDepthBias", "inf, 0;", "finite"));
     m_Cmd.EnableScissorRect({0, 0, 0, 0}); // nothing is drawn
     Triangle();
     EXPECT_EQ(ScissorsOf(Draws()), (Rects{ViewportRect{}}));

@@ -137,7 +137,7 @@ TEST_F(DrawRendererCalls, RefuseWhatIsNotThere)
     GameObject& cube = AddCube();
     EXPECT_THAT(errorOf(m_Scene.Add("Empty"), m_Material, 0, -1),
                 Mentions("DrawRenderer", "'Empty'", "no renderer"));
-    EXPECT_THAT(errorOf(cube, nullptr, 0, -1), Mentions("draw", "material", "null"));
+    EXPECT_THAT(errorOf(cube, nullptr, 0, -1), Mentions("DrawRenderer", "material", "null"));
     EXPECT_THAT(errorOf(cube, m_TwoPasses, 0, 2),
                 Mentions("'Two'", "'Test/Two'", "no pass 2", "has 2"));
     EXPECT_THAT(errorOf(cube, m_TwoPasses, 0, -2),

@@ -119,9 +119,9 @@ std::string ErrorOf(const Camera& camera, float aspect = 1.0f)
 TEST(Camera, NamesTheFieldThatIsOutOfRange)
 {
     EXPECT_THAT(ErrorOf(Perspective(0.0f, 0.3f, 1000.0f)),
-                Mentions("camera", "fieldOfView is 0", "180 degrees"));
+                Mentions("camera", "fieldOfView is 0;", "180 degrees"));
     EXPECT_THAT(ErrorOf(Perspective(180.0f, 0.3f, 1000.0f)),
-                Mentions("camera", "fieldOfView is 180", "180 degrees"));
+                Mentions("camera", "fieldOfView is 180;", "180 degrees"));
     EXPECT_THAT(ErrorOf(Perspective(60.0f, 0.0f, 1000.0f)),
                 Mentions("camera", "nearClipPlane is 0", "greater than 0"));
     EXPECT_THAT(ErrorOf(Perspective(60.0f, 5.0f, 5.0f)),
@@ -243,7 +243,8 @@ TEST(ProjectionMatrix, IsRefusedWhereItIsNone)
     EXPECT_THAT(ErrorOf(camera),
                 Mentions("projectionMatrix", "nan", "row 0", "column 1", "finite"));
     (*camera.projectionMatrix)[1][0] = 1e39;
-    EXPECT_NE(ErrorOf(camera).find("in row 0, column 1: no finite float"), std::string::npos);
+    EXPECT_NE(ErrorOf(camera).find("in row 0, column 1; it must be a finite float"),
+              std::string::npos);
     camera.projectionMatrix = glm::dmat4(1.0);
     EXPECT_THAT(ErrorOf(camera),
                 Mentions("projectionMatrix", "last row", "(0, 0, -1, 0)", "has perspective"));

@@ -304,7 +304,8 @@ TEST_F(IdentifiedTextures, HaveMipLevelsMadeOfWhatIsDrawnLast)
     EXPECT_THAT(m_Report.notes, ElementsAre());
     m_Cmd.GenerateMips("_Mips");
     Execute();
-    EXPECT_THAT(m_Report.notes, ElementsAre(Mentions("GenerateMips", "nothing has drawn")));
+    EXPECT_THAT(m_Report.notes,
+                ElementsAre(Mentions("GenerateMips", "'_Mips'", "nothing has drawn")));
     const auto refusal = Mentions("GenerateMips", "'Other'", "no render texture", "useMipMap");
     m_Cmd.GenerateMips(m_Other);
     EXPECT_THAT(ErrorOfExecution(), refusal);

@@ -275,7 +275,7 @@ TEST(ScaledHandles, AreRefusedWithoutASize)
 {
     EXPECT_THAT(
         test::ThrownMessage<ContractError>([] { RTHandles::Alloc(glm::vec2(1.0f, 0.0f), k_Mask); }),
-        Mentions("RTHandles::Alloc", "scale factor", "1.0", "0.0", "greater than 0"));
+        Mentions("RTHandles::Alloc", "scale factor is 1, 0;", "greater than 0"));
     EXPECT_THAT(test::ThrownMessage<ContractError>(
                     [] { RTHandles::Alloc(RTHandles::ScaleFunc(), k_Mask); }),
                 Mentions("RTHandles::Alloc", "scale function", "empty"));

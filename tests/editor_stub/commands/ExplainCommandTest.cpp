@@ -123,9 +123,11 @@ TEST_F(ExplainCommand, CountsByFeatureAndVerdictAndSaysWhatAFeatureLacks)
                                        "  - {name: B, mesh: cube}\n"
                                        "  - {name: C, mesh: cube, layer: Furniture}\n");
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_THAT(run.out, testing::StartsWith("odd:\n"
-                                             "  Outline: 0 of 3 renderers drawn: 2 layer mask, 1 "
-                                             "rendering layer mask\n"));
+    EXPECT_THAT(run.out,
+                testing::StartsWith("odd:\n"
+                                    "  Outline: 0 of 3 renderers are drawn: the layer mask "
+                                    "leaves out 2, and the rendering layer mask leaves "
+                                    "out 1\n"));
     EXPECT_THAT(run.out, HasSubstr("  500  Outline: 0 of 3 drawn; left out: 2 layer mask, 1 "
                                    "rendering layer mask\n"));
 }

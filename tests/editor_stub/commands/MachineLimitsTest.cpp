@@ -96,7 +96,8 @@ TEST(MachineLimits, TooLittleMemoryIsSaidInWords)
 TEST(MachineLimits, AFileLargerThanMayBeIsSaidInWords)
 {
     const WorkingFolder working;
-    EXPECT_EQ("fog/DepthFogRendererFeature.cpp: error: cannot be written: File too large\nexit 3\n",
+    EXPECT_EQ("fog/DepthFogRendererFeature.cpp: error: the file cannot be written: File too "
+              "large\nexit 3\n",
               RunAfter("ulimit -f 2", "new feature DepthFog -o fog"));
     EXPECT_FALSE(std::filesystem::exists("fog"));
 }

@@ -178,11 +178,12 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
                  "position: [0, 0, 3]}]\n");
     const CommandRun run = Draw({"--frames", "2"});
     EXPECT_EQ(0, run.exitCode) << run.err;
-    EXPECT_EQ("note: shader 'My/Baked': uses light maps, which limn does not have: they are white\n"
-              "note: shader 'My/Baked' in pass 'Draw Opaque Objects': texture '_Map' is gray: it "
-              "is no property of the shader, "
-              "and neither material 'm' nor anything global sets it\n",
-              run.err);
+    EXPECT_EQ(
+        "note: shader 'My/Baked': it uses light maps, which limn does not have: they are white\n"
+        "note: shader 'My/Baked' in pass 'Draw Opaque Objects': texture '_Map' is gray: it "
+        "is no property of the shader, "
+        "and neither material 'm' nor anything global sets it\n",
+        run.err);
 }
 
 TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
@@ -266,9 +267,9 @@ TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
 {
     const CommandRun run =
         Draw({"--profile", "on.profile.yaml", "--set", "Outline.m_RenderingLayerMask=9"});
-    EXPECT_THAT(LinesOf(run.err),
-                testing::ElementsAre(Mentions("note: Outline:", "0 of 2", "1 layer mask",
-                                              "1 rendering layer mask")));
+    EXPECT_THAT(LinesOf(run.err), testing::ElementsAre(Mentions(
+                                      "note: Outline:", "0 of 2", "the layer mask leaves out 1",
+                                      "rendering layer mask leaves out 1")));
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 

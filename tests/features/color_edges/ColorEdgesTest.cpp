@@ -118,7 +118,7 @@ TEST_F(ColorEdgesFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
                                    {
                                        edges.m_OutlineColor.Override(Color::clear);
                                    }},
-                                  {{"0 of 3", "3 layer mask"},
+                                  {{"0 of 3", "layer mask leaves out 3"},
                                    Nothing,
                                    [](OutlineScene& content)
                                    {

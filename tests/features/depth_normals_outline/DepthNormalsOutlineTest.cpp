@@ -69,7 +69,7 @@ TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
                                  {
                                      outline.m_OutlineColor.Override(Color::clear);
                                  }},
-                                {{"0 of 3", "3 layer mask"},
+                                {{"0 of 3", "layer mask leaves out 3"},
                                  AsItIs,
                                  [](OutlineScene& content)
                                  {
@@ -78,7 +78,7 @@ TEST_F(DepthNormalsFrame, HasNoPassNorPrepassWhereNothingIsDrawnAndSaysWhy)
                                          object->layer = 0;
                                      }
                                  }},
-                                {{"0 of 1", "1 rendering layer mask"},
+                                {{"0 of 1", "rendering layer mask leaves out 1"},
                                  AsItIs,
                                  [](OutlineScene& content)
                                  {

@@ -52,7 +52,7 @@ TEST_F(InflatedOutlineFrame, SaysWhyItDrawsNothing)
                 Mentions("Hull", "not drawn", "InflatedOutline.m_WidthInMetres is 0"));
     m_Settings.m_RenderingLayerMask = 30;
     EXPECT_THAT(NoteOf([](InflatedOutline&) {}),
-                Mentions("Hull", "not drawn", "5 rendering layer mask"));
+                Mentions("Hull", "not drawn", "rendering layer mask leaves out 5"));
 }
 
 TEST_F(InflatedOutlineFrame, RefusesAUnitThatThereIsNot)

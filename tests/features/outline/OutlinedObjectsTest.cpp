@@ -83,7 +83,7 @@ TEST_F(OutlinedObjectsOf, ANonexistentSelectionSayWhatBecameOfTheRenderers)
 {
     settings.m_RenderingLayerMask = 5;
     EXPECT_THAT(Find(OutlineGrouping::Together), ElementsAre());
-    EXPECT_THAT(why, Mentions("0 of 6", "6 rendering layer mask"));
+    EXPECT_THAT(why, Mentions("0 of 6", "rendering layer mask leaves out 6"));
 }
 
 TEST_F(OutlinedObjectsOf, ACameraWithAMarginAreFoundBesideThePicture)

@@ -50,7 +50,8 @@ TEST_F(RimOutlineFrame, SaysWhyItDrawsNothing)
     EXPECT_THAT(NoteOf([](RimOutline& outline) { outline.m_OutlineColor.Override(Color::clear); }),
                 Mentions("Rim", "not drawn", "RimOutline.m_OutlineColor", "alpha 0"));
     m_Settings.m_RenderingLayerMask = 30;
-    EXPECT_THAT(NoteOf([](RimOutline&) {}), Mentions("Rim", "not drawn", "5 rendering layer mask"));
+    EXPECT_THAT(NoteOf([](RimOutline&) {}),
+                Mentions("Rim", "not drawn", "rendering layer mask leaves out 5"));
 }
 
 TEST_F(RimOutlineFrame, RefusesAVariantThatThereIsNot)

@@ -115,9 +115,9 @@ TEST_F(SelectionOutlines, AreNoPassWhereNothingIsSelectedOrSeen)
     AddFeature();
     GameObject& cube = Add("cube", 0.0f, false);
     EXPECT_FALSE(IsDrawn());
-    EXPECT_THAT(
-        m_Result.report.notes,
-        ElementsAre(test::Mentions("Selection", "not drawn", "0 of 1", "1 rendering layer mask")));
+    EXPECT_THAT(m_Result.report.notes,
+                ElementsAre(test::Mentions("Selection", "not drawn", "0 of 1",
+                                           "rendering layer mask leaves out 1")));
     EXPECT_EQ(m_Result.frame->passes.size(), 1u) << "the camera's";
     cube.renderer->renderingLayerMask = RenderingLayerMask(0x101);
     EXPECT_TRUE(IsDrawn());

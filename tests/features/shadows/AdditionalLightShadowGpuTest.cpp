@@ -445,7 +445,7 @@ TEST_F(AdditionalLightShadowGpu, SaysWhichHaveNoRoom)
     Draw(shadows);
     EXPECT_TRUE(HasPass());
     EXPECT_THAT(m_Result.report.notes,
-                testing::Contains(testing::AllOf(testing::StartsWith("1 light"),
+                testing::Contains(testing::AllOf(testing::StartsWith("1 light throws"),
                                                  Mentions("no shadows", "64 squares"))));
     m_Pipeline.shadows.additionalLightsShadowmapResolution = 32;
     EXPECT_THAT([&] { Draw(shadows); }, testing::ThrowsMessage<ContractError>(testing::HasSubstr(

@@ -408,7 +408,7 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
 
     StrokePicture hair(1e-30f);
     hair.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(hair, {"StrokeOutline.m_OutlineWidth", "less than 0.001953"});
+    expectNothing(hair, {"StrokeOutline.m_OutlineWidth", "less than 0.001953125"});
 
     StrokePicture clear(4.0f);
     clear.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
@@ -419,7 +419,7 @@ TEST_F(StrokeOutlineGpu, CostsNothingWhereNothingOfItIsSeen)
     settings.m_RenderingLayerMask = 9;
     StrokePicture unselected(4.0f, settings);
     unselected.Add("disc", DiscTriangles({50.0, 50.0}, 10.0));
-    expectNothing(unselected, {"0 of 1", "1 rendering layer mask"});
+    expectNothing(unselected, {"0 of 1", "rendering layer mask leaves out 1"});
 }
 
 TEST_F(StrokeOutlineGpu, GrowsWithItsWidthAndStaysWithinItsTexturesOfTheObjectsSize)

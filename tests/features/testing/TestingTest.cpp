@@ -37,12 +37,12 @@ TEST_F(TestingHeader, SaysWhoIsDrawnByAFeatureAndWhyOthersAreNot)
     m_Scene.AddVolume("ScreenSpaceOutline: {m_Enable: true}");
     const TestFrame frame = m_Scene.Render();
     EXPECT_TRUE(DrawnBy(frame, "Outline", "Lamp"));
-    EXPECT_EQ("drawn by Outline: Lamp", DrawnBy(frame, "Outline", "Lamp").sentence());
+    EXPECT_EQ("Outline draws Lamp", DrawnBy(frame, "Outline", "Lamp").sentence());
     EXPECT_FALSE(DrawnBy(frame, "Outline", "Rug"));
     EXPECT_THAT(DrawnBy(frame, "Outline", "Rug").sentence(),
                 Mentions("Outline", "Rug", "rendering layer mask"));
     EXPECT_THAT(DrawnBy(frame, "Outline", "Wall").sentence(),
-                Mentions("Outline", "Wall", ": layer mask"));
+                Mentions("Outline", "Wall", "'s layer mask"));
     EXPECT_THAT(DrawnBy(frame, "Outline", "Behind").sentence(),
                 Mentions("Outline", "Behind", "not see"));
     EXPECT_TRUE(DrawnBy(frame, "Draw Opaque Objects", "Rug"));
@@ -73,15 +73,15 @@ TEST(TestingFilter, IsJudgedWithoutAScene)
                                         RenderingLayerMask::FromIndex(8)),
                       lamp));
     EXPECT_THAT(Takes(FilteringSettings(std::nullopt, LayerMask::FromIndex(8)), lamp).sentence(),
-                Mentions("Lamp", ": layer mask"));
+                Mentions("Lamp", "'s layer mask"));
     EXPECT_THAT(Takes(FilteringSettings(RenderQueueRange::transparent), lamp).sentence(),
                 Mentions("Lamp", "render queue"));
 }
 
 TEST(TestingFilter, PrintsItsSentenceInGoogleTest)
 {
-    const CheckResult bad(false, "drawn by Outline: Lamp is left out: render queue");
-    EXPECT_STREQ("drawn by Outline: Lamp is left out: render queue",
+    const CheckResult bad(false, "Outline must draw Lamp, but it is transparent");
+    EXPECT_STREQ("Outline must draw Lamp, but it is transparent",
                  ::testing::AssertionResult(bad).failure_message());
     std::ostringstream text;
     text << bad;

@@ -180,7 +180,7 @@ TEST(WriteFile, LeavesAFileAloneThatNobodyMayWriteTo)
     test::TemporaryFolder folder;
     const auto file = folder.Write("a", "old");
     std::filesystem::permissions(file, perms::owner_read | perms::group_read);
-    EXPECT_EQ(WriteMessage(file), "cannot be written: Permission denied");
+    EXPECT_EQ(WriteMessage(file), "the file cannot be written: Permission denied");
     EXPECT_EQ(ContentOf(file), "old");
 }
 
@@ -317,7 +317,7 @@ TEST(WriteFile, IsNotStoppedByWhatAnotherProcessOfItsNumberLeft)
 TEST(WriteFile, RefusesAFolder)
 {
     test::TemporaryFolder folder;
-    EXPECT_EQ(WriteMessage(folder.path()), "cannot be written: Is a directory");
+    EXPECT_EQ(WriteMessage(folder.path()), "the file cannot be written: Is a directory");
     EXPECT_EQ(FilesIn(folder.path()), 0u);
 }
 

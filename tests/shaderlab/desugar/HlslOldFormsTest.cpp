@@ -217,10 +217,10 @@ TEST(HlslOldForms, LetsMacrosBeDefinedAnewWithAWarning)
         #define UNITY_SAMPLE_DEPTH(name) 0.375
         float4 frag(v2f i) : SV_Target { return float4(A(0.25, 0.125), UNITY_SAMPLE_DEPTH(a), B, 1); })",
                                   ProgramLanguage::Cg);
-    EXPECT_THAT(
-        Messages(pass->diagnostics),
-        ElementsAre(test::Mentions("8:17: warning: 'A'", "#define", "changes"),
-                    test::Mentions("11:17: warning: 'UNITY_SAMPLE_DEPTH'", "#define", "changes")));
+    EXPECT_THAT(Messages(pass->diagnostics),
+                ElementsAre(test::Mentions("8:17: warning: 'A'", "#define", "another meaning"),
+                            test::Mentions("11:17: warning: 'UNITY_SAMPLE_DEPTH'", "#define",
+                                           "another meaning")));
     EXPECT_THAT(Disassemble(pass->fragmentSpirv),
                 HasSubstr("%v4float %float_0_5 %float_0_375 %float_7 %float_1"));
     // A mistake elsewhere is still one.

@@ -58,7 +58,7 @@ TEST(BuiltinLibrary, CompilesIndirectDraws)
         }
         fixed4 frag() : SV_Target { return 1; })";
     EXPECT_THAT(test::Messages(CompileCg(text)->diagnostics),
-                testing::ElementsAre(Mentions(" note: uses", "indirect draw", "0")));
+                testing::ElementsAre(Mentions(" note: it uses", "indirect draw", "0")));
     CompileCg(R"(
         #include "UnityCG.cginc"
         #include "UnityIndirect.cginc"

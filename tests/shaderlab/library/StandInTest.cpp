@@ -37,8 +37,8 @@ std::vector<std::string> NotesOf(const std::string& result,
     return notes;
 }
 
-const auto k_LightMaps = test::Mentions("lit.shader: note: uses", "light maps", "white");
-const auto k_Cookies = test::Mentions("lit.shader: note: uses", "light cookies", "white");
+const auto k_LightMaps = test::Mentions("lit.shader: note: it uses", "light maps", "white");
+const auto k_Cookies = test::Mentions("lit.shader: note: it uses", "light cookies", "white");
 
 TEST(StandIn, IsNotedWhereItIsUsed)
 {
@@ -71,7 +71,7 @@ TEST(StandIn, IsNotedWhereAKeywordBringsItIn)
     EXPECT_THAT(NotesOf("SAMPLE_GI(p.xy, p.xyz, p.xyz)"), IsEmpty());
     EXPECT_THAT(
         NotesOf("SAMPLE_GI(p.xy, p.xyz, p.xyz)", {"LIGHTMAP_ON"}),
-        ElementsAre(test::Mentions("lit.shader: note: uses", "light maps", "ambient light")));
+        ElementsAre(test::Mentions("lit.shader: note: it uses", "light maps", "ambient light")));
 }
 
 } // namespace

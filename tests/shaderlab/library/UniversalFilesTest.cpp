@@ -77,7 +77,7 @@ TEST(UniversalFiles, DrawASpriteUnlitAndSayThatThereAreNoLights)
     const auto lit = CompileUrp(k_Sprite, "vert", "frag", {"USE_SHAPE_LIGHT_TYPE_0"});
     ASSERT_EQ(lit->diagnostics.size(), 1u);
     EXPECT_THAT(ToString(lit->diagnostics[0]),
-                test::Mentions("t.shader: note: uses", "2D lights", "unlit"));
+                test::Mentions("t.shader: note: it uses", "2D lights", "unlit"));
     CompileUrp(Urp("ShaderLibrary/Core") + Urp("Shaders/2D/Include/NormalsRenderingShared") + R"(
         struct v2f { float4 p : SV_Position; half3 n : NORMAL; half3 t : TANGENT; half3 b : TEXCOORD0; };
         v2f vert(float4 p : POSITION, float3 n : NORMAL)

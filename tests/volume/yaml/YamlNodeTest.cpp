@@ -272,12 +272,12 @@ TEST(LoadYamlFile, SaysWhatIsWrongWithTheFileItself)
     EXPECT_THAT(Problems([&] { LoadYamlFile(folder / "absent.yaml"); }),
                 ElementsAre("there is no such file"));
     EXPECT_THAT(Problems([&] { LoadYamlFile(folder / "."); }),
-                ElementsAre("is a folder; a file is expected"));
+                ElementsAre("this is a folder; a file is expected"));
 
     const auto huge = folder.Write("huge.yaml", "a: 1\n");
     std::filesystem::resize_file(huge, 64u * 1024 * 1024 + 1);
     EXPECT_THAT(Problems([&] { LoadYamlFile(huge); }),
-                ElementsAre("has 67108865 bytes; at most 67108864 (64 MiB) are read"));
+                ElementsAre("the file has 67108865 bytes; at most 67108864 (64 MiB) are read"));
 }
 
 TEST(LoadYamlFile, RefusesAFileWithoutContentAndOneThatIsNoFile)
@@ -286,7 +286,7 @@ TEST(LoadYamlFile, RefusesAFileWithoutContentAndOneThatIsNoFile)
     const auto empty = folder.Write("empty.yaml", "");
     EXPECT_THAT(Problems([&] { LoadYamlFile(empty); }), ElementsAre(Mentions("empty", "'name:'")));
     EXPECT_THAT(Problems([] { LoadYamlFile("/dev/null"); }),
-                ElementsAre("is a device; a file is expected"));
+                ElementsAre("this is a device; a file is expected"));
 }
 
 TEST(LoadYamlFile, ReadsBackWhatWasWritten)

@@ -246,17 +246,6 @@ TEST(ReadVector, SaysHowManyNumbersItExpects)
     EXPECT_THAT(VectorProblems("{x: 1, z: 2}"), ElementsAre("1:6: a.b: key 'y' is missing"));
 }
 
-TEST(NumberText, IsAsShortAsAPersonWouldWriteIt)
-{
-    EXPECT_EQ(NumberText(3.0), "3");
-    EXPECT_EQ(NumberText(0.0), "0");
-    EXPECT_EQ(NumberText(-0.25), "-0.25");
-    EXPECT_EQ(NumberText(static_cast<double>(0.1f)), "0.1");
-    EXPECT_EQ(NumberText(0.1), "0.1");
-    EXPECT_EQ(NumberText(100000.0), "100000");
-    EXPECT_EQ(NumberText(1e20), "1e+20");
-}
-
 } // namespace
 
 } // namespace limn

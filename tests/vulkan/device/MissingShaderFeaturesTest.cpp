@@ -141,7 +141,8 @@ TEST(Lacks, NameEachFeatureExtensionAndLimitAndWhatItCosts)
     FeatureChain bare{OptionalExtensions{}};
     VkPhysicalDeviceLimits limits{};
     const auto sentences = vulkan::Lacks(bare, {}, limits);
-    EXPECT_THAT(sentences, testing::Each(testing::MatchesRegex("(no [A-Za-z0-9_]+|.* is 0): .+")));
+    EXPECT_THAT(sentences,
+                testing::Each(testing::MatchesRegex("(it has no [A-Za-z0-9_]+|.* is 0): .+")));
     EXPECT_THAT(sentences, testing::Contains(Mentions("no geometryShader", "geometry functions",
                                                       "SV_PrimitiveID")));
     bare.core.features.geometryShader = VK_TRUE;

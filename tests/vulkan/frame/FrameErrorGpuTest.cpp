@@ -78,8 +78,8 @@ TEST_F(FrameErrors, RefuseUniformsBeyondTheFramesData)
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(MakeColorDraw(frame, MakeQuad(), Color::red));
     frame.uniformData.resize(8);
-    EXPECT_THAT(ErrorOf(frame), Mentions("'Material'", "16 bytes at 0", "reads 16",
-                                         "multiple of 256", "frame's 8"));
+    EXPECT_THAT(ErrorOf(frame), Mentions("'Material'", "16 bytes", "byte 0", "reads 16 bytes",
+                                         "multiple of 256", "frame's 8 bytes"));
 }
 
 TEST_F(FrameErrors, RefuseATextureThatNoBarrierMadeReadable)

@@ -107,8 +107,9 @@ TEST(PipelineKeys, RefuseBlendOpsThatTheDeviceLacks)
                          "every device", "Add"));
     device.advancedBlendTargets = 1;
     EXPECT_NO_THROW(MakePipelineKey(advanced, one, device));
-    EXPECT_THAT(Refusal(advanced, Formats({VK_FORMAT_R8_UNORM, VK_FORMAT_R8_UNORM}), device),
-                Mentions("BlendOp Multiply", "1 target", "2", "every device", "Add"));
+    EXPECT_THAT(
+        Refusal(advanced, Formats({VK_FORMAT_R8_UNORM, VK_FORMAT_R8_UNORM}), device),
+        Mentions("BlendOp Multiply", "at most 1 target at once", "2", "every device", "Add"));
     EXPECT_NO_THROW(MakePipelineKey(logical, {}, {})); // nothing to combine with
 }
 

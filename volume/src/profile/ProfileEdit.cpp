@@ -408,8 +408,8 @@ void ReplaceContent(const std::filesystem::path& path, std::string_view expected
                   if (ReadYamlText(path) != expected)
                   {
                       throw AssetError(path.generic_string(), {},
-                                       "has been changed by another program meanwhile, so limn "
-                                       "does not write it; try again");
+                                       "the file has been changed by another program meanwhile, "
+                                       "so limn does not write it; try again");
                   }
               });
 }

@@ -1,9 +1,9 @@
 #include <limn/volume/YamlRead.h>
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
+#include <limn/base/NumberText.h>
 
 namespace limn
 {
@@ -167,22 +167,6 @@ std::optional<std::string> ReadString(const YamlNode& node, std::string_view sub
         return std::nullopt;
     }
     return node.scalar();
-}
-
-std::string NumberText(double number)
-{
-    std::array<char, 64> buffer{};
-    const double magnitude = std::abs(number);
-    const bool isPlain = number == 0.0 || (magnitude >= 1e-4 && magnitude < 1e15);
-    const std::chars_format format =
-        isPlain ? std::chars_format::fixed : std::chars_format::general;
-    // The shortest digits that give the number back: as a float's where it came from one.
-    const float asFloat = static_cast<float>(number);
-    const bool isFloat = static_cast<double>(asFloat) == number;
-    char* end = buffer.data() + buffer.size();
-    const auto result = isFloat ? std::to_chars(buffer.data(), end, asFloat, format)
-                                : std::to_chars(buffer.data(), end, number, format);
-    return {buffer.data(), result.ptr};
 }
 
 std::string RangeText(ValueRange range)

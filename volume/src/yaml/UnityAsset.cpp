@@ -93,7 +93,8 @@ std::vector<UnityHeader> ScanHeaders(std::string_view text, AssetDiagnostics& di
     }
     if (!hasDocument)
     {
-        diagnostics.Error({}, "holds no Unity object; one begins like '--- !u!114 &11400000'");
+        diagnostics.Error({},
+                          "the file holds no Unity object; one begins like '--- !u!114 &11400000'");
     }
     return headers;
 }

@@ -64,8 +64,8 @@ FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,
 /// The number of items that each rule decided, by FilterVerdict.
 using FilterCounts = std::array<int, k_FilterVerdictCount>;
 
-/// Returns a summary such as "0 of 214 renderers drawn: 201 layer mask, 13 render queue", followed
-/// by what is suspicious in the filter itself, e.g. "; the filter's layerMask is 0 (Nothing)".
+/// Returns a summary such as "0 of 2 renderers are drawn: the layer mask leaves out 2", followed by
+/// what is suspicious in the filter itself, e.g. "; the filter's layerMask is 0 (Nothing)".
 std::string Describe(const FilterCounts& counts, const FilteringSettings& filtering);
 
 } // namespace limn

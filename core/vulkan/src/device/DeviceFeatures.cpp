@@ -27,7 +27,7 @@ constexpr OptionalFeature k_OptionalFeatures[] = {
     {LIMN_FEATURE(core.features, depthClamp), "ZClip False is refused"},
     {LIMN_FEATURE(core.features, logicOp), "logical BlendOps are refused"},
     {LIMN_FEATURE(core.features, geometryShader),
-     "geometry functions are refused, and SV_PrimitiveID in fragment functions"},
+     "geometry functions and SV_PrimitiveID in fragment functions are refused"},
     {LIMN_FEATURE(core.features, tessellationShader),
      "shaders that ask for tessellation (#pragma target 4.6 and 5.0) use their next SubShader"},
     {LIMN_FEATURE(core.features, imageCubeArray), "arrays of cubemaps are refused"},
@@ -58,7 +58,7 @@ constexpr OptionalFeature k_OptionalFeatures[] = {
     {LIMN_FEATURE(v11, shaderDrawParameters), "SV_StartInstanceLocation is refused"},
     {LIMN_FEATURE(v12, samplerMirrorClampToEdge), "TextureWrapMode.MirrorOnce is drawn as Clamp"},
     {LIMN_FEATURE(v12, scalarBlockLayout),
-     "kernels are refused, and structured buffers whose elements Direct3D packs more tightly"},
+     "kernels and structured buffers whose elements Direct3D packs more tightly are refused"},
     {LIMN_FEATURE(v12, shaderFloat16), "half is of 32 bits always"},
     {LIMN_FEATURE(v12, shaderOutputLayer),
      "SV_RenderTargetArrayIndex is refused but in geometry functions"},
@@ -67,7 +67,7 @@ constexpr OptionalFeature k_OptionalFeatures[] = {
      "atomics of 64 bits on groupshared variables are refused"},
     {LIMN_FEATURE(portability, samplerMipLodBias), "a mipMapBias other than 0 is refused"},
     {LIMN_FEATURE(portability, mutableComparisonSamplers),
-     "SamplerComparisonState is refused, and with it the shadows of lights"},
+     "SamplerComparisonState and with it the shadows of lights are refused"},
 };
 
 #undef LIMN_FEATURE
@@ -264,7 +264,7 @@ std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& 
     std::vector<std::string> lacks;
     const auto add = [&](bool has, const std::string& what, const char* cost)
     {
-        lacks.insert(lacks.end(), has ? 0 : 1, "no " + what + ": " + cost);
+        lacks.insert(lacks.end(), has ? 0 : 1, "it has no " + what + ": " + cost);
     };
     for (const OptionalFeature& feature : k_OptionalFeatures)
     {

@@ -3,6 +3,7 @@
 #include "device/Translate.h"
 #include "programs/PipelineBuilder.h"
 #include <algorithm>
+#include <limn/base/NumberText.h>
 #include <limn/core/DrawError.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <span>
@@ -107,8 +108,8 @@ std::string ReasonAgainst(BlendOp op, std::size_t targets, const DeviceCapabilit
     }
     if (isAdvanced(op) && capabilities.advancedBlendTargets < targets)
     {
-        return "has it for " + std::to_string(capabilities.advancedBlendTargets) +
-               " target(s) at most, not for " + std::to_string(targets);
+        return "has it for at most " + CountText(capabilities.advancedBlendTargets, "target") +
+               " at once, not for " + std::to_string(targets);
     }
     return {};
 }

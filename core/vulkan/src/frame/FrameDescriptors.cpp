@@ -2,6 +2,7 @@
 
 #include "device/Translate.h"
 #include <algorithm>
+#include <limn/base/NumberText.h>
 
 namespace limn::vulkan
 {
@@ -82,12 +83,12 @@ void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBi
             slice.offset <= uploaded.range && slice.size <= uploaded.range - slice.offset;
         if (slice.size < buffer.size || !inside || slice.offset % k_UniformAlignment != 0)
         {
-            throw ContractError("the uniform data of '" + buffer.name + "' are " +
-                                std::to_string(slice.size) + " bytes at " +
-                                std::to_string(slice.offset) + "; the shader reads " +
-                                std::to_string(buffer.size) + ", at a multiple of " +
-                                std::to_string(k_UniformAlignment) + ", of the frame's " +
-                                std::to_string(uploaded.range));
+            throw ContractError(
+                "the uniform data of '" + buffer.name + "' have " + CountText(slice.size, "byte") +
+                " and begin at byte " + std::to_string(slice.offset) + "; the shader reads " +
+                CountText(buffer.size, "byte") + ", which must begin at a multiple of " +
+                std::to_string(k_UniformAlignment) + " and end within the frame's " +
+                CountText(uploaded.range, "byte"));
         }
         content.AddBuffer(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
                           {uploaded.buffer, uploaded.offset + slice.offset, slice.size});

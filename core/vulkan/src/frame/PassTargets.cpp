@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <limn/base/NumberText.h>
 #include <utility>
 
 namespace limn::vulkan
@@ -167,8 +168,8 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
         if (samples != 0 && samples != count)
         {
             throw ContractError("pass '" + pass.name + "': target '" + texture.name() + "' has " +
-                                std::to_string(count) + " samples per texel, the one before it " +
-                                std::to_string(samples));
+                                CountText(static_cast<std::size_t>(count), "sample") +
+                                " per texel, but the one before it has " + std::to_string(samples));
         }
         samples = count;
     };

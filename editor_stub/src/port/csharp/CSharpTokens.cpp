@@ -381,7 +381,7 @@ CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
         const auto before = text.substr(0, zero);
         const int line = 1 + static_cast<int>(std::ranges::count(before, '\n'));
         throw AssetError(file, {line, static_cast<int>(zero - (before.rfind('\n') + 1)) + 1},
-                         "is not text: here is a byte of 0; a C# file is expected");
+                         "the file is not text: here is a byte of 0; a C# file is expected");
     }
     return Tokenizer(text, file, target).Run();
 }

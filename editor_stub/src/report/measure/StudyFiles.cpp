@@ -97,7 +97,7 @@ void CopyPicture(std::span<const std::string> parts, const std::string& name,
         else if (ReadFile(to, k_MaxDataBytes) != bytes)
         {
             throw AssetError(to.string(), {},
-                             "is another picture than " + from.string() +
+                             "the file is another picture than " + from.string() +
                                  " and is not overwritten; merge into a new folder");
         }
         return;
@@ -140,9 +140,9 @@ void RequireSameStudy(const std::filesystem::path& folder, const Study& there, c
         if (found[i].second != asked[i].second)
         {
             throw AssetError(HeaderFile(folder).string(), {},
-                             std::string("holds a study with another ") + asked[i].first + " ('" +
-                                 found[i].second + "', not '" + asked[i].second +
-                                 "'); name another folder, or remove this one");
+                             std::string("the folder holds a study with another ") +
+                                 asked[i].first + " ('" + found[i].second + "', not '" +
+                                 asked[i].second + "'); name another folder, or remove this one");
         }
     }
 }
@@ -154,7 +154,7 @@ std::filesystem::path MakeStudyFolder(std::filesystem::path folder)
     std::filesystem::create_directories(folder, error);
     if (error)
     {
-        throw AssetError(folder.string(), {}, "cannot be made: " + error.message());
+        throw AssetError(folder.string(), {}, "the folder cannot be made: " + error.message());
     }
     return folder;
 }
@@ -169,7 +169,7 @@ void RequireNoPart(const std::filesystem::path& folder, std::span<const std::str
     if (std::ranges::any_of(parts, isIt))
     {
         throw AssetError(folder.string(), {},
-                         "is one of the folders that are merged; name a new folder");
+                         "this is one of the folders that are merged; name a new folder");
     }
 }
 
@@ -183,7 +183,7 @@ void RequireNoOtherCells(const std::filesystem::path& folder, const Study& there
         if (const std::string name = cell.id.Name(); !names.contains(name))
         {
             throw AssetError(folder.string(), {},
-                             "holds the cell " + name +
+                             "the folder holds the cell " + name +
                                  ", which no folder that is merged has; name a new folder");
         }
     }
@@ -198,7 +198,7 @@ std::filesystem::path FileOfStudy(const std::filesystem::path& folder, const std
     if (!roots.Contains(folder / name))
     {
         throw AssetError((folder / name).string(), {},
-                         "is a link that leads out of the study's folder; put the file itself "
+                         "this is a link that leads out of the study's folder; put the file itself "
                          "there");
     }
     return folder / name;
@@ -211,7 +211,7 @@ Study ReadStudy(const std::filesystem::path& folder)
     {
         const bool isThere = std::filesystem::exists(folder, ignored);
         throw AssetError(folder.string(), {},
-                         isThere ? "is no folder; one that 'limn report' wrote is expected"
+                         isThere ? "this is no folder; one that 'limn report' wrote is expected"
                                  : "there is no such folder");
     }
     Study study = ReadHeader(folder);
@@ -228,9 +228,10 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
 {
     if (m_Lock.isHeldElsewhere())
     {
-        throw AssetError(m_Path.string(), {},
-                         "is written by another limn now; wait until it has ended, or name "
-                         "another folder");
+        throw AssetError(
+            m_Path.string(), {},
+            "the folder is written by another limn now; wait until it has ended, or name "
+            "another folder");
     }
     if (std::filesystem::exists(HeaderFile(m_Path)))
     {

@@ -102,7 +102,7 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
     std::filesystem::create_symlink(secret, "target/report.html");
     const CommandRun page = Merge({"good"}, "target");
     EXPECT_EQ(page.exitCode, 1);
-    EXPECT_THAT(page.err, HasSubstr("target/report.html: error: is a link"));
+    EXPECT_THAT(page.err, HasSubstr("target/report.html: error: this is a link"));
     EXPECT_EQ(ReadText(secret), "precious");
 
     // Nor is what a link leads to made where it is not there yet.
@@ -113,7 +113,7 @@ TEST_F(ResultsFolder, MayNotLeadOutOfItselfByLinks)
         std::filesystem::create_symlink("../nowhere", "fresh/" + name);
         const CommandRun fresh = Merge({"good"}, "fresh");
         EXPECT_EQ(fresh.exitCode, 1) << name;
-        EXPECT_THAT(fresh.err, HasSubstr("fresh/" + name + ": error: is a link"));
+        EXPECT_THAT(fresh.err, HasSubstr("fresh/" + name + ": error: this is a link"));
         EXPECT_FALSE(std::filesystem::exists("nowhere")) << name;
     }
 }

@@ -34,8 +34,8 @@ struct VulkanDeviceInfo
     int subPixelPrecisionBits = 0;
     /// One sentence for each thing that limn needs and the device lacks.
     std::vector<std::string> problems;
-    /// One sentence for each thing that limn can use and that the device lacks or has less of: "no
-    /// geometryShader: geometry functions are refused …".
+    /// One sentence for each thing that limn can use and that the device lacks or has less of: "it
+    /// has no geometryShader: geometry functions are refused …".
     std::vector<std::string> lacks = {};
 
     bool isUsable() const { return problems.empty(); }

@@ -23,8 +23,8 @@ std::string ReadProblem(const std::filesystem::path& path, int error)
         throw std::system_error(error, std::generic_category(), path.string() + " cannot be read");
     }
     return error == ENOENT  ? "there is no such file"
-           : error == ELOOP ? "is a link that leads back to itself"
-                            : "cannot be read: " + std::generic_category().message(error);
+           : error == ELOOP ? "this is a link that leads back to itself"
+                            : "the file cannot be read: " + std::generic_category().message(error);
 }
 
 /// "" for a regular file.
@@ -35,7 +35,7 @@ std::string KindProblem(const struct stat& status)
                        : S_ISSOCK(status.st_mode) ? "a socket"
                        : S_ISREG(status.st_mode)  ? nullptr
                                                   : "a device";
-    return kind ? std::string("is ") + kind + "; a file is expected" : std::string();
+    return kind ? std::string("this is ") + kind + "; a file is expected" : std::string();
 }
 
 std::string SizeText(std::uintmax_t bytes)
@@ -68,7 +68,8 @@ FileContent ReadAll(int descriptor, const std::filesystem::path& path, std::uint
         }
         if (size > limit)
         {
-            return {{}, "has more than " + SizeText(limit) + " bytes; at most so many are read"};
+            return {{},
+                    "the file has more than " + SizeText(limit) + " bytes, the most that are read"};
         }
     }
 }
@@ -100,7 +101,8 @@ FileContent TryReadFile(const std::filesystem::path& path, std::uintmax_t limit)
     if (size > limit)
     {
         return {{},
-                "has " + std::to_string(size) + " bytes; at most " + SizeText(limit) + " are read"};
+                "the file has " + std::to_string(size) + " bytes; at most " + SizeText(limit) +
+                    " are read"};
     }
     return ReadAll(file.get(), path, size, limit);
 }

@@ -294,7 +294,7 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
     const std::error_code failure = Write(path, bytes, beforeReplace, true);
     if (failure == std::errc::no_such_device_or_address && std::filesystem::is_fifo(path))
     {
-        throw AssetError(path.string(), {}, "cannot be written: nobody reads this pipe");
+        throw AssetError(path.string(), {}, "the file cannot be written: nobody reads this pipe");
     }
     if (failure)
     {
@@ -304,7 +304,7 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
 
 void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason)
 {
-    const std::string message = "cannot be written: " + reason.message();
+    const std::string message = "the file cannot be written: " + reason.message();
     if (isOfMachine(reason))
     {
         throw MachineError(path.string(), {}, message);
