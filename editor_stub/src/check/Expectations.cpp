@@ -265,9 +265,10 @@ private:
             m_Facts.assets().volumeComponents().names();
         if (names.size() < 2)
         {
-            m_Diagnostics.Error(entry.keyLocation, subject + ": unknown key " +
-                                                       UnknownName(entry.key, {"at", "tolerance"}) +
-                                                       "; values are 'Component.parameter: value'");
+            m_Diagnostics.Error(entry.keyLocation,
+                                subject + ": unknown key " +
+                                    UnknownName(entry.key, {"at", "tolerance"}) +
+                                    " (a value is written 'Component.parameter: value')");
             return;
         }
         const std::unique_ptr<VolumeComponent> found = m_Facts.Blend(names[0], position);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <limn/base/NumberText.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
 #include <limn/volume/YamlMapReader.h>
@@ -130,8 +131,7 @@ bool CheckCount(const YamlNode& list, const std::string& subject, TextureDimensi
                                                                  : count > 0;
     if (!fits)
     {
-        const std::string found =
-            list.isSequence() ? std::to_string(count) + " files" : list.Describe();
+        const std::string found = list.isSequence() ? CountText(count, "file") : list.Describe();
         diagnostics.Error(list.location(), subject + ": found " + found + "; " +
                                                ExpectedFor(dimension) + " is expected");
     }

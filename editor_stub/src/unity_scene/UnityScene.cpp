@@ -4,6 +4,7 @@
 #include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
+#include <limn/base/NumberText.h>
 #include <limn/base/ReadFile.h>
 
 namespace limn
@@ -116,13 +117,13 @@ void NoteEmptyPicture(UnitySceneLoader& loader)
             std::ranges::count_if(object->components, [&loader](const UnityInstance* component)
                                   { return IsOwnScript(*component, loader.database.project()); }));
     }
-    loader.notes.Add(loader.path.generic_string(), 0,
-                     "nothing but the background is drawn: none of the scene's " +
-                         std::to_string(loader.hierarchy.objects().size()) +
-                         " objects has a mesh and a renderer that is on" +
-                         (scripts == 0 ? ""
-                                       : "; its " + std::to_string(scripts) +
-                                             " script components do not run here"));
+    loader.notes.Add(
+        loader.path.generic_string(), 0,
+        "nothing but the background is drawn: none of the scene's " +
+            std::to_string(loader.hierarchy.objects().size()) +
+            " objects has a mesh and a renderer that is on" +
+            (scripts == 0 ? ""
+                          : "; limn does not run its " + CountText(scripts, "script component")));
 }
 
 void NoteGamma(UnitySceneLoader& loader)

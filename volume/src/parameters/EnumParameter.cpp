@@ -34,7 +34,7 @@ std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subj
     if (found == names.end())
     {
         diagnostics.Error(node.location(), std::string(subject) + ": found " + node.Describe() +
-                                               "; expected is one of " + Listed(names));
+                                               "; it must be one of " + Listed(names));
         return std::nullopt;
     }
     return found->value;
