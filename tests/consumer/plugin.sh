@@ -39,9 +39,9 @@ version=$("$limn" --version | cut -d' ' -f2)
 LC_ALL=C sed "s/${version//./\\.}/${version//[0-9]/9}/" "$plugin" >"$paint/other.so"
 refused "$paint/other.so" "this plug-in cannot be used: it was built for limn ${version//[0-9]/9}, but this is limn $version;"
 LC_ALL=C sed 's/_ZN4limn17FindShippedShaderE/_ZN4limn17FindShippedShadowE/g' "$plugin" >"$paint/missing.so"
-refused "$paint/missing.so" "cannot be loaded as a plug-in: it uses limn::FindShippedShadow(std::basic_string_view<char, std::char_traits<char> >, std::shared_ptr<limn::ShaderCompiler> const&), which neither it nor limn has;"
+refused "$paint/missing.so" "the file cannot be loaded as a plug-in: it uses limn::FindShippedShadow(std::basic_string_view<char, std::char_traits<char> >, std::shared_ptr<limn::ShaderCompiler> const&), which neither it nor limn has;"
 head -c 20000 "$plugin" >"$paint/half.so"
-refused "$paint/half.so" "cannot be loaded as a plug-in: the file ends too early, after 20000 bytes"
+refused "$paint/half.so" "the file cannot be loaded as a plug-in: the file ends too early, after 20000 bytes"
 
 cp "$plugin" "$paint/first.so"
 "$limn" watch "$scene" -o "$paint/watched.png" --plugin "$plugin" >"$paint/lines" 2>"$paint/errors" &

@@ -73,9 +73,9 @@ TEST(NewCommand, WritesOverNothing)
                 testing::ElementsAre(Mentions(".:", "files already", "new folder")));
     EXPECT_EQ("mine", ReadText("mine.txt"));
     EXPECT_FALSE(std::filesystem::exists("CMakeLists.txt"));
-    EXPECT_EQ("mine.txt: error: cannot be made: Not a directory\n",
+    EXPECT_EQ("mine.txt: error: the folder cannot be made: Not a directory\n",
               RunNewFeature("DepthFog", "mine.txt").err);
-    EXPECT_EQ("mine.txt/a: error: cannot be made: Not a directory\n",
+    EXPECT_EQ("mine.txt/a: error: the folder cannot be made: Not a directory\n",
               RunNewFeature("DepthFog", "mine.txt/a").err);
 }
 

@@ -208,7 +208,8 @@ TEST_F(Watch, DoesNotDrawOverATextureOfItsScene)
     EXPECT_TRUE(WaitFor(
         [&]
         {
-            return ReadText(folder / "err").find(Path("out.png") + ": error: cannot be written") !=
+            return ReadText(folder / "err")
+                       .find(Path("out.png") + ": error: the file cannot be written") !=
                    std::string::npos;
         }))
         << ReadText(folder / "err");

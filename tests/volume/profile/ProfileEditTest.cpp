@@ -235,7 +235,7 @@ TEST(SetScalars, OnAFullDiskLeavesTheOldFileAndNothingBesideIt)
         const FileSizeLimit limit(4096);
         problems = Problems([&] { SetScalars(file, edits, k_Registry); });
     }
-    EXPECT_THAT(problems, ElementsAre("cannot be written: File too large"));
+    EXPECT_THAT(problems, ElementsAre("the file cannot be written: File too large"));
     EXPECT_EQ(text, ContentOf(file));
     EXPECT_EQ(1, folder.fileCount());
 }
