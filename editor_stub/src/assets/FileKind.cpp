@@ -155,8 +155,8 @@ std::string NearestFile(const std::filesystem::path& missing)
     const std::string ending = name.substr(std::min(name.find('.'), name.size()));
     const std::string stem = name.substr(0, name.size() - ending.size());
     const bool isShort = stem.size() < 3; // and is near to every other short one
-    std::vector<std::string> alike;  // the stems of names with the same ending
-    std::vector<std::string> others; // names whose last part is the same
+    std::vector<std::string> alike;       // the stems of names with the same ending
+    std::vector<std::string> others;      // names whose last part is the same
     std::error_code error;
     const std::filesystem::path folder = missing.parent_path();
     for (std::filesystem::directory_iterator entry(folder.empty() ? "." : folder, error), end;
