@@ -129,8 +129,7 @@ void ReportSyntaxError(const YAML::Exception& e, const YamlTreeBuilder& builder,
     const int line = problem.location.line;
     const SyntaxLines lines = LinesFrom(text, firstLine, line - 1, line);
     std::optional<SyntaxProblem> cause = FindTab(lines);
-    if (!cause &&
-        (e.msg == YAML::ErrorMsg::MAP_VALUE || e.msg == YAML::ErrorMsg::END_OF_MAP))
+    if (!cause && (e.msg == YAML::ErrorMsg::MAP_VALUE || e.msg == YAML::ErrorMsg::END_OF_MAP))
     {
         cause = FindKeyWithoutSpace(lines);
     }

@@ -6,7 +6,6 @@
 #include "report/measure/Techniques.h"
 #include "report/measure/UntidyMesh.h"
 
-
 namespace limn::study
 {
 
