@@ -166,7 +166,7 @@ TEST_F(TextureProperty, CountsFacesAndSlices)
         ElementsAre(Mentions("5:19: material 'm'._Sky.faces:", "2 files", "{faces: [six .png")));
     EXPECT_THAT(
         ProblemsOf("_Skies: {faces: [px.png]}"),
-        ElementsAre(Mentions("5:21: material 'm'._Skies.faces:", "1 files", "six .png", "a cube")));
+        ElementsAre(Mentions("5:21: material 'm'._Skies.faces:", "1 file;", "six .png", "a cube")));
     EXPECT_THAT(
         ProblemsOf("_Fog: {slices: []}"),
         ElementsAre(Mentions("5:20: material 'm'._Fog.slices:", "0 files", "{slices: [.png")));
