@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <limits>
@@ -227,7 +228,8 @@ private:
         }
     }
 
-    /// Calls `add` with the components of each vertex, those that are missing 0.
+    /// Calls `add` with the components of each vertex; a component that is missing or no number is
+    /// 0.
     template <typename Add>
     void ForEach(std::size_t index, const Add& add) const
     {
@@ -243,8 +245,11 @@ private:
             glm::vec4 value(0.0f);
             for (std::size_t c = 0; c < channel.components; ++c)
             {
-                value[static_cast<int>(c)] =
+                const float number =
                     ComponentAt(vertex + c * BytesOf(channel.format), channel.format);
+                // Only a place must be a number. ProBuilder saves tangents that are none.
+                value[static_cast<int>(c)] =
+                    index == k_Positions || std::isfinite(number) ? number : 0.0f;
             }
             add(value);
         }
@@ -261,7 +266,7 @@ private:
         };
         std::vector<glm::vec4>* const sets[] = {&data.uv2, &data.uv3, &data.uv4,
                                                 &data.uv5, &data.uv6, &data.uv7};
-        ForEach(0, toEnd(data.vertices));
+        ForEach(k_Positions, toEnd(data.vertices));
         ForEach(1, toEnd(data.normals));
         ForEach(2, toEnd(data.tangents));
         ForEach(3, toEnd(data.colors));
@@ -331,6 +336,7 @@ private:
         }
     }
 
+    static constexpr std::size_t k_Positions = 0; ///< the channel
     const UnityNode m_Fields;
     const std::string& m_File;
     std::size_t m_Count = 0; ///< of vertices

@@ -15,7 +15,7 @@ namespace
 using testing::HasSubstr;
 using Arguments = std::vector<std::string>;
 
-/// What the second line of every complaint about the arguments mentions.
+/// The usage line, which follows every complaint about the arguments, has these parts.
 const Arguments k_LimnUsage{"usage: limn VERB", "'limn help'"};
 const Arguments k_RenderUsage{"usage: limn render SCENE -o FILE", "'limn help render'"};
 const Arguments k_ExplainUsage{"usage: limn explain SCENE", "'limn help explain'"};

@@ -3,6 +3,7 @@
 #include "Mentions.h"
 #include <cstring>
 #include <gmock/gmock.h>
+#include <limits>
 #include <limn/base/Diagnostic.h>
 
 namespace limn::test
@@ -153,6 +154,20 @@ TEST(TextMesh, HasArraysOfEveryFormatInStreams)
     EXPECT_EQ(data.uv5.at(0), glm::vec4(70000, 0, 0, 0));
     EXPECT_EQ(data.uv6.at(0), glm::vec4(-70000, 0, 0, 0));
     EXPECT_EQ(data.uv7.at(0), glm::vec4(-1, 2, -3, 4));
+}
+
+/// ProBuilder saves tangents that are no numbers for triangles without area.
+TEST(TextMesh, HasZeroForATangentThatIsNoNumber)
+{
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    MeshText text = SquareText();
+    text.channels[2] = {1, 0, 0, 4};
+    text.data += HexOf<float>({1, 0, 0, 1, nan, 0, 0, 1, 0, 1, 0, -1, 1, 0, 0, 1});
+    EXPECT_EQ(text.Read()->data().tangents.at(1), glm::vec4(0, 0, 0, 1));
+    EXPECT_EQ(text.Read()->data().tangents.at(2), glm::vec4(0, 1, 0, -1));
+
+    text.data = HexOf<float>({0, 0, 0, nan, 0, 0, 1, 1, 0, 0, 1, 0}) + text.data.substr(96);
+    EXPECT_THAT(text.Problem(), HasSubstr("finite")); // a place is needed
 }
 
 TEST(TextMesh, IsRefusedWhereItIsCompressed)
