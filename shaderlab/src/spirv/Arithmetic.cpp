@@ -154,7 +154,7 @@ private:
             PutSignedRemainder(i);
             return;
         case spv::OpSDiv:
-            if (!IsConstantOf(i.words[4], [](std::uint32_t n) { return n != k_MinusOne; }))
+            if (!IsNeverMinusOne(i.words[4]))
             {
                 PutSignedDivision(i);
                 return;
@@ -257,6 +257,29 @@ private:
         PutAs(i.result, spv::OpSelect, i.type, {isZero, all, divided});
     }
 
+    /// Puts what `put` makes of the type of a component, x and y, each component for itself:
+    /// NVIDIA's driver (580.159) is wrong about the remainder of two constant vectors, and
+    /// spirv-opt works out what is constant for single numbers only.
+    template <typename Operation>
+    void PutForEachComponent(const SpirvInstruction& i, Operation&& put)
+    {
+        const std::uint32_t count = Components(i.type);
+        if (count == 1)
+        {
+            PutAs(i.result, spv::OpCopyObject, i.type, {put(i.type, i.words[3], i.words[4])});
+            return;
+        }
+        const Id type = ComponentType(i.type);
+        SpirvWords parts = {(3 + count) << 16 | spv::OpCompositeConstruct, i.type, i.result};
+        for (std::uint32_t component = 0; component < count; ++component)
+        {
+            const Id x = Put(spv::OpCompositeExtract, type, {i.words[3], component});
+            const Id y = Put(spv::OpCompositeExtract, type, {i.words[4], component});
+            parts.push_back(put(type, x, y));
+        }
+        m_Body.insert(m_Body.end(), parts.begin(), parts.end());
+    }
+
     /// The divisor, with 1 in place of -1. The least int divided by -1 is no int; drivers and
     /// spirv-opt divide as the processor does, which ends the program.
     Id PutSafeDivisor(Id divisor)
@@ -270,26 +293,37 @@ private:
         return Put(spv::OpIEqual, Truth(type), {divisor, Constant(type, k_MinusOne)});
     }
 
+    bool IsNeverMinusOne(Id divisor) const
+    {
+        return IsConstantOf(divisor, [](std::uint32_t n) { return n != k_MinusOne; });
+    }
+
     /// x - x / y * y, with the sign of x. Vulkan leaves OpSRem and OpSMod undefined where one of
     /// the two is negative, and NVIDIA's driver takes both for unsigned there; of OpSDiv it does
     /// not.
     void PutSignedRemainder(const SpirvInstruction& i)
     {
-        const Id x = i.words[3];
-        const bool isSafe =
-            IsConstantOf(i.words[4], [](std::uint32_t n) { return n != k_MinusOne; });
-        const Id divisor = isSafe ? i.words[4] : PutSafeDivisor(i.words[4]);
-        const Id quotient = Put(spv::OpSDiv, i.type, {x, divisor});
-        const Id product = Put(spv::OpIMul, i.type, {quotient, divisor});
-        PutAs(i.result, spv::OpISub, i.type, {x, product});
+        const bool isSafe = IsNeverMinusOne(i.words[4]);
+        PutForEachComponent(i,
+                            [this, isSafe](Id type, Id x, Id y)
+                            {
+                                const Id divisor = isSafe ? y : PutSafeDivisor(y);
+                                const Id quotient = Put(spv::OpSDiv, type, {x, divisor});
+                                const Id product = Put(spv::OpIMul, type, {quotient, divisor});
+                                return Put(spv::OpISub, type, {x, product});
+                            });
     }
 
     void PutSignedDivision(const SpirvInstruction& i)
     {
-        const Id isMinusOne = PutIsMinusOne(i.words[4]);
-        const Id divided = Put(spv::OpSDiv, i.type, {i.words[3], PutSafeDivisor(i.words[4])});
-        const Id negated = Put(spv::OpSNegate, i.type, {i.words[3]});
-        PutAs(i.result, spv::OpSelect, i.type, {isMinusOne, negated, divided});
+        PutForEachComponent(
+            i,
+            [this](Id type, Id x, Id y)
+            {
+                const Id divided = Put(spv::OpSDiv, type, {x, PutSafeDivisor(y)});
+                const Id negated = Put(spv::OpSNegate, type, {x});
+                return Put(spv::OpSelect, type, {PutIsMinusOne(y), negated, divided});
+            });
     }
 
     /// 1 where x has reached the edge, which NaN never has; 0 before it, to SPIR-V.

@@ -53,12 +53,15 @@ void AddSigned(std::vector<ArithmeticRow>& rows)
                : x == k_LeastInt && y == -1 ? "no int is as large"
                                             : nullptr;
     };
-    AddWhole(rows, "X / Y", 'i', both,
-             [=](auto x, auto y)
-             {
-                 const char* why = undefined(x, y);
-                 return why ? Outcome::Open(why) : ToInt(x / y);
-             });
+    for (const char* hlsl : {"X / Y", "Divided(X, Y)"})
+    {
+        AddWhole(rows, hlsl, 'i', both,
+                 [=](auto x, auto y)
+                 {
+                     const char* why = undefined(x, y);
+                     return why ? Outcome::Open(why) : ToInt(x / y);
+                 });
+    }
     for (const char* hlsl : {"X % Y", "Assigned(X, Y)"})
     {
         AddWhole(rows, hlsl, 'i', both,

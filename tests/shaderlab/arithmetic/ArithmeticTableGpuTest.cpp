@@ -52,6 +52,7 @@ std::string Helpers()
             add(t + " Assigned(" + t + " x, " + t + " y) { x %= y; return x; }");
         }
         const std::string i = TypeName('i', width);
+        add(i + " Divided(" + i + " x, " + i + " y) { x /= y; return x; }");
         add(i + " ShiftedLeft(" + i + " x, " + i + " y) { x <<= y; return x; }");
         add(i + " ShiftedRight(" + i + " x, " + i + " y) { x >>= y; return x; }");
     }

@@ -35,6 +35,20 @@ std::filesystem::path OnlyFileIn(const std::filesystem::path& folder)
     return files.empty() ? std::filesystem::path{} : files.front();
 }
 
+/// Vulkan's header of the pipelines in a cache file, behind the file's own. Drivers do not promise
+/// the same pipelines in the same bytes.
+std::string HeaderOf(const std::filesystem::path& file)
+{
+    constexpr std::streamoff k_OwnHeader = 24; // bytes
+    constexpr std::size_t k_VulkanHeader = 32; // bytes
+    std::string bytes(k_VulkanHeader, '\0');
+    std::ifstream stream(file, std::ios::binary);
+    stream.seekg(k_OwnHeader);
+    stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+    EXPECT_TRUE(stream) << file;
+    return bytes;
+}
+
 constexpr Rgba8 k_Red = {255, 0, 0, 255};
 
 } // namespace
@@ -100,13 +114,13 @@ TEST_F(Device, IgnoresADamagedCacheFileAndReplacesIt)
     const TemporaryFolder folder;
     DrawWithCache(folder / "");
     const std::filesystem::path file = OnlyFileIn(folder / "");
-    const auto size = std::filesystem::file_size(file);
+    const std::string header = HeaderOf(file);
     for (const std::string& content :
          {std::string(), std::string("no cache"), std::string(4096, '\xFF')})
     {
         std::ofstream(file, std::ios::binary | std::ios::trunc) << content;
         EXPECT_EQ(k_Red, DrawWithCache(folder / ""));
-        EXPECT_EQ(size, std::filesystem::file_size(OnlyFileIn(folder / "")));
+        EXPECT_EQ(header, HeaderOf(OnlyFileIn(folder / "")));
     }
 }
 
