@@ -39,9 +39,9 @@ version=$("$limn" --version | cut -d' ' -f2)
 LC_ALL=C sed "s/${version//./\\.}/${version//[0-9]/9}/" "$plugin" >"$paint/other.so"
 refused "$paint/other.so" "this plug-in cannot be used: it was built for limn ${version//[0-9]/9}, but this is limn $version;"
 LC_ALL=C sed 's/_ZN4limn17FindShippedShaderE/_ZN4limn17FindShippedShadowE/g' "$plugin" >"$paint/missing.so"
-refused "$paint/missing.so" "the file cannot be loaded as a plug-in: it uses limn::FindShippedShadow(std::basic_string_view<char, std::char_traits<char> >, std::shared_ptr<limn::ShaderCompiler> const&), which neither it nor limn has;"
+refused "$paint/missing.so" "the file cannot be loaded: it uses limn::FindShippedShadow(std::basic_string_view<char, std::char_traits<char> >, std::shared_ptr<limn::ShaderCompiler> const&), which neither it nor limn has;"
 head -c 20000 "$plugin" >"$paint/half.so"
-refused "$paint/half.so" "the file cannot be loaded as a plug-in: the file ends too early, after 20000 bytes"
+refused "$paint/half.so" "the file cannot be loaded: the file ends too early, after 20000 bytes"
 
 cp "$plugin" "$paint/first.so"
 "$limn" watch "$scene" -o "$paint/watched.png" --plugin "$plugin" >"$paint/lines" 2>"$paint/errors" &
@@ -58,9 +58,9 @@ wait_for "Paint.shader is compiled into $plugin; the picture shows the change on
 echo '#error stop' >>"$paint/PaintRendererFeature.cpp"
 if cmake --build "$paint/build" >/dev/null 2>&1; then fail "what has an error was built"; fi
 rm -f "$plugin" # as some builds leave it
-wait_for "Paint.so: error: the file cannot be loaded as a plug-in: there is no such file" "$paint/errors"
+wait_for "Paint.so: error: the file cannot be loaded: there is no such file" "$paint/errors"
 cp "$paint/half.so" "$plugin"
-wait_for "Paint.so: error: the file cannot be loaded as a plug-in: the file ends too early" "$paint/errors"
+wait_for "Paint.so: error: the file cannot be loaded: the file ends too early" "$paint/errors"
 cmp "$paint/watched.png" "$paint.png"
 
 # Another colour, and two ways to fail.

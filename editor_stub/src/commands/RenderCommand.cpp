@@ -7,6 +7,7 @@
 #include "view/SceneView.h"
 #include "view/VolumeGizmos.h"
 
+#include <future>
 #include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
@@ -96,15 +97,21 @@ int RunRender(const RenderOptions& options, Console& console)
     measurements.frames = options.frames;
     Timeline& timeline = measurements.timeline;
 
-    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
-    const VulkanDeviceOptions deviceOptions{options.device, options.validate,
-                                            compilerOptions.cacheFolder};
-    // First, because which SubShader a shader draws with depends on the device.
-    auto device =
-        timeline.Measure("device", [&] { return std::make_unique<VulkanDevice>(deviceOptions); });
-    compilerOptions.missingFeatures = device->missingShaderFeatures();
-    AssetContext assets(compilerOptions);
+    const ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
+    // The device is made while the scene's files are read. Which SubShader a shader draws with
+    // depends on it, so the first shader waits.
+    std::shared_future<std::shared_ptr<VulkanDevice>> making = std::async(
+        std::launch::async, [deviceOptions = VulkanDeviceOptions{options.device, options.validate,
+                                                                 compilerOptions.cacheFolder}]
+        { return std::make_shared<VulkanDevice>(deviceOptions); });
+    const auto missingFeatures = [&]
+    {
+        return timeline.Measure("device", [&] { return making.get()->missingShaderFeatures(); });
+    };
+    AssetContext assets(compilerOptions, PluginLoading::File, missingFeatures);
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
+    std::shared_ptr<VulkanDevice> device = making.get();
+    making = {};
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
     const std::string outputs[] = {options.output, options.statsFile, options.traceFile};

@@ -14,8 +14,9 @@ struct RenderMeasurements
     std::string device;
     int frames = 1;
     ShaderCompiler::Statistics shaders;
-    /// The spans "load", "compile shaders", "device", "frame" and "write"; within a frame "volumes"
-    /// and those of RenderRequest::timeline and VulkanDevice::SetTimeline.
+    /// The spans "load", "compile shaders", "frame" and "write"; within "load" "device", the time
+    /// for which it waits for the device; within a frame "volumes" and those of
+    /// RenderRequest::timeline and VulkanDevice::SetTimeline.
     Timeline timeline{[]
                       {
                           return Allocations::soFar.load();

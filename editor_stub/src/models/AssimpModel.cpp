@@ -19,30 +19,20 @@ namespace limn
 namespace
 {
 
-/// The functions of assimp that limn calls. They are not linked: assimp brings libdraco along,
+/// Finds a function of assimp that limn calls. They are not linked: assimp brings libdraco along,
 /// which has functions of another version of tinygltf under the names of those that limn calls. And
 /// only a scene with models needs it.
-class Assimp
+template <typename Function>
+Function* Find(Function*, const char* name)
 {
-public:
-    template <typename Function>
-    static Function* Find(Function*, const char* name)
-    {
-        const void* symbol = OpenModule(LIMN_ASSIMP_LIBRARY, "assimp", false, name);
-        if (symbol == nullptr)
-        {
-            throw AssetError(LIMN_ASSIMP_LIBRARY, {},
-                             std::string("this is no assimp that limn knows; it lacks ") + name);
-        }
-        return reinterpret_cast<Function*>(const_cast<void*>(symbol));
-    }
-};
+    return reinterpret_cast<Function*>(const_cast<void*>(FindInAssimp(LIMN_ASSIMP_LIBRARY, name)));
+}
 /// Each is looked for once.
 #define LIMN_ASSIMP(name)                                                                          \
     (                                                                                              \
         []                                                                                         \
         {                                                                                          \
-            static decltype(&name) const found = Assimp::Find(decltype(&name){}, #name);           \
+            static decltype(&name) const found = Find(decltype(&name){}, #name);                   \
             return found;                                                                          \
         }())
 
@@ -398,6 +388,31 @@ void FoldTopNode(ModelContent& model)
 }
 
 } // namespace
+
+const void* FindInAssimp(const std::filesystem::path& library, const char* function)
+{
+    const auto refuse = [&](const std::string& why)
+    {
+        throw AssetError(library.generic_string(), {},
+                         "no model can be read: " + why +
+                             "; assimp, the library that reads them, belongs here (Debian: apt "
+                             "install libassimp5)");
+    };
+    const void* symbol = nullptr;
+    try
+    {
+        symbol = OpenModule(library, "assimp", false, function);
+    }
+    catch (const AssetError& error)
+    {
+        refuse(error.diagnostics().front().message);
+    }
+    if (symbol == nullptr)
+    {
+        refuse(std::string("this is no assimp that limn knows; it lacks ") + function);
+    }
+    return symbol;
+}
 
 ModelContent ReadByAssimp(const std::filesystem::path& path, std::string_view bytes,
                           const std::string& name, const ModelImport& import)

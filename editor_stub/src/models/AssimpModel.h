@@ -28,4 +28,8 @@ struct ModelContent
 ModelContent ReadByAssimp(const std::filesystem::path& path, std::string_view bytes,
                           const std::string& name, const ModelImport& import);
 
+/// Finds a function of assimp, the library that reads models.
+/// @throws AssetError  that no model can be read, if the library is not there or lacks the function
+const void* FindInAssimp(const std::filesystem::path& library, const char* function);
+
 } // namespace limn

@@ -63,8 +63,9 @@ bool isFrom(const Shader& shader, const std::filesystem::path& file)
 
 } // namespace
 
-AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLoading)
-    : m_PluginLoading(pluginLoading)
+AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLoading,
+                           std::function<std::vector<std::string>()> missingFeatures)
+    : m_MissingFeatures(std::move(missingFeatures)), m_PluginLoading(pluginLoading)
 {
     for (const std::filesystem::path& folder : options.includeFolders)
     {
@@ -75,9 +76,27 @@ AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLo
     import.cacheFolder = options.cacheFolder;
     import.cacheLimit = 4 * options.cacheLimit;
     m_Importer = std::make_shared<const Importer>(std::move(import));
+    m_CompilerOptions = std::move(options);
+    RegisterFeatures(m_Features, m_VolumeComponents);
+    if (!m_MissingFeatures)
+    {
+        MakeCompiler(); // wrong options are the caller's fault at once
+    }
+}
+
+void AssetContext::MakeCompiler() const
+{
+    if (m_Compiler)
+    {
+        return;
+    }
+    ShaderCompilerOptions options = m_CompilerOptions;
+    if (m_MissingFeatures)
+    {
+        options.missingFeatures = m_MissingFeatures();
+    }
     m_Compiler = std::make_shared<ShaderCompiler>(std::move(options));
     m_ShaderSource = std::make_shared<ShaderSource>(&ShippedShaders, m_Compiler);
-    RegisterFeatures(m_Features, m_VolumeComponents);
 }
 
 void AssetContext::AddRootsAround(const std::filesystem::path& file)
@@ -114,7 +133,10 @@ void AssetContext::LoadPlugin(const std::filesystem::path& path)
     {
         limn::LoadPlugin(path, m_Features, m_VolumeComponents, m_PluginLoading);
         m_Plugins.insert(canonical);
-        m_ShaderSource->Clear(); // where a name may stand for none
+        if (m_ShaderSource)
+        {
+            m_ShaderSource->Clear(); // where a name may stand for none
+        }
     }
 }
 
@@ -141,7 +163,7 @@ std::shared_ptr<const Shader> AssetContext::LoadShader(const std::filesystem::pa
     Reach(path);
     const std::shared_ptr<const Shader>& shader = Cached(
         m_Shaders, path.lexically_normal(), [&] { return ReadShader(path.lexically_normal()); });
-    m_ShaderSource->Add(shader);
+    shaderSource()->Add(shader);
     return shader;
 }
 
@@ -157,10 +179,10 @@ std::shared_ptr<const Shader> AssetContext::ReadShader(const std::filesystem::pa
     // Searching a folder takes its time: only for a shader that cannot do without.
     if (isSelfContained(document))
     {
-        return std::make_shared<const Shader>(std::move(document), m_Compiler);
+        return std::make_shared<const Shader>(std::move(document), compiler());
     }
     auto shader =
-        std::make_shared<const Shader>(std::move(document), m_Compiler, &DatabaseAround(path));
+        std::make_shared<const Shader>(std::move(document), compiler(), &DatabaseAround(path));
     for (const ShaderLabPass& pass : shader->subShader().passes)
     {
         Reach(pass.program ? std::filesystem::path(pass.program->file) : path);
@@ -263,7 +285,11 @@ const VolumeProfileLoadResult& AssetContext::LoadProfile(const std::filesystem::
 
 std::set<std::filesystem::path> AssetContext::reachedFiles() const
 {
-    std::set<std::filesystem::path> files = m_Compiler->includeFiles();
+    std::set<std::filesystem::path> files;
+    if (m_Compiler)
+    {
+        files = m_Compiler->includeFiles();
+    }
     files.insert(m_Reached.begin(), m_Reached.end());
     return files;
 }
@@ -307,7 +333,7 @@ void AssetContext::Forget(const std::filesystem::path& path)
     {
         m_Meshes.erase(mesh);
     }
-    if (m_Compiler->includeFiles().count(normal) > 0)
+    if (m_Compiler && m_Compiler->includeFiles().count(normal) > 0)
     {
         m_Shaders.clear();
         m_ShaderSource->Clear();

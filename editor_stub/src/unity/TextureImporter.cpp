@@ -2,6 +2,7 @@
 
 #include "assets/PictureFile.h"
 #include "assets/PictureSettings.h"
+#include "unity/UnityTree.h"
 
 #include <algorithm>
 #include <limn/base/ByteStream.h>
@@ -112,17 +113,11 @@ void ReadPictureSettings(YamlMapReader& map, AssetDiagnostics& diagnostics,
 }
 
 /// Reads the settings that limn uses. There are dozens of other keys.
-TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
+TextureImport ReadTextureImport(const YamlNode& meta, const std::filesystem::path& metaFile)
 {
     TextureImport import;
-    std::error_code ignored;
-    if (!std::filesystem::exists(metaFile, ignored))
-    {
-        return import;
-    }
-    const std::vector<YamlNode> documents = LoadYamlFile(metaFile);
     AssetDiagnostics diagnostics(metaFile.generic_string());
-    YamlMapReader file(documents.front(), ".meta", diagnostics);
+    YamlMapReader file(meta, ".meta", diagnostics);
     const YamlNode* importer = file.Find("TextureImporter");
     YamlMapReader map(importer ? *importer : YamlNode(), "TextureImporter", diagnostics);
     if (const YamlNode* node = map.Find("mipmaps"))
@@ -141,6 +136,56 @@ TextureImport ReadTextureImport(const std::filesystem::path& metaFile)
     }
     diagnostics.ThrowIfErrors();
     return import;
+}
+
+YamlNode ToYamlNode(const UnityNode& node)
+{
+    YamlContent content;
+    content.location = {node.line(), 1};
+    if (node.isMap())
+    {
+        content.kind = YamlKind::Map;
+        for (const UnityNode entry : node)
+        {
+            content.entries.push_back(
+                {std::string(entry.key()), {entry.line(), 1}, ToYamlNode(entry)});
+        }
+    }
+    else if (node.isList())
+    {
+        content.kind = YamlKind::Sequence;
+        for (const UnityNode item : node)
+        {
+            content.items.push_back(ToYamlNode(item));
+        }
+    }
+    else if (!node.text().empty())
+    {
+        content.kind = YamlKind::Scalar;
+        content.scalar = node.text();
+    }
+    return YamlNode(std::move(content));
+}
+
+TextureImport LoadTextureImport(const std::filesystem::path& metaFile)
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(metaFile, ignored))
+    {
+        return {};
+    }
+    const std::string text = ReadYamlText(metaFile);
+    try
+    {
+        // Thirty of them take 1 ms in this way, and 25 ms with the reader of all of YAML.
+        const UnityTree tree(text, metaFile.generic_string(), 1);
+        return ReadTextureImport(ToYamlNode(tree.root()), metaFile);
+    }
+    catch (const AssetError&)
+    {
+        // Somebody wrote into it. The reader of all of YAML understands more and says more.
+        return ReadTextureImport(ParseYaml(text, metaFile.generic_string()).front(), metaFile);
+    }
 }
 
 /// The settings as they go to a worker.
@@ -187,7 +232,7 @@ std::filesystem::path MetaFileOf(const std::filesystem::path& texture)
 std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path,
                                                const Importer& importer)
 {
-    const TextureImport import = ReadTextureImport(MetaFileOf(path));
+    const TextureImport import = LoadTextureImport(MetaFileOf(path));
     ByteWriter settings;
     settings.Value(path.extension().string()); // it tells how the bytes are read
     TransferSettings(settings, import.picture);

@@ -1,5 +1,7 @@
 #include "models/ModelFile.h"
 
+#include "models/AssimpModel.h"
+
 #include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
@@ -45,6 +47,16 @@ protected:
     }
     TemporaryFolder m_Folder;
 };
+
+TEST(Assimp, IsMissedInASentence)
+{
+    EXPECT_THAT(
+        ThrownMessage<AssetError>([] { FindInAssimp("/none/libassimp.so.5", "aiFree"); }),
+        Mentions("/none/libassimp.so.5:", "no model can be read", "no such file", "libassimp5"));
+    EXPECT_THAT(
+        ThrownMessage<AssetError>([] { FindInAssimp(BuiltPlugin("no_plugin.so"), "aiFree"); }),
+        Mentions("no model can be read", "lacks aiFree"));
+}
 
 TEST_F(ModelOfAFile, HasUnitysAxesAndWinding)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limn/base/FileRoots.h>
 #include <limn/core/Material.h>
 #include <limn/core/Mesh.h>
@@ -39,8 +40,13 @@ public:
     ///     Its process imports models and pictures, so that a library that crashes on one costs
     ///     that one only; without a process it costs the program. Its cacheFolder keeps what they
     ///     become, up to four times its cacheLimit
+    /// @param missingFeatures  returns the missingFeatures of `options`. It is called once, when
+    /// the
+    ///     first shader is asked for, so that a device can be made while other files are read; what
+    ///     it throws, whoever asks for a shader gets. Null = `options` has them
     explicit AssetContext(ShaderCompilerOptions options = {},
-                          PluginLoading pluginLoading = PluginLoading::File);
+                          PluginLoading pluginLoading = PluginLoading::File,
+                          std::function<std::vector<std::string>()> missingFeatures = nullptr);
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
 
@@ -60,11 +66,15 @@ public:
     /// Returns the shader of this name that comes with limn or a plug-in, or null if there is none.
     std::shared_ptr<const Shader> FindShader(std::string_view name)
     {
-        return m_ShaderSource->Find(name);
+        return shaderSource()->Find(name);
     }
     /// Returns the source in which Shader::Find of features looks: shaders that come with limn or a
     /// plug-in, and those that were loaded from files.
-    const std::shared_ptr<ShaderSource>& shaderSource() const { return m_ShaderSource; }
+    const std::shared_ptr<ShaderSource>& shaderSource() const
+    {
+        MakeCompiler();
+        return m_ShaderSource;
+    }
     /// Loads a .shader file. The shaders that its UsePass and Fallback name are looked for in the
     /// files of its folder and below, or of the Assets folder of the Unity project it lies in, and
     /// among limn's own.
@@ -128,7 +138,11 @@ public:
     /// asset keep it.
     void Forget(const std::filesystem::path& path);
 
-    const std::shared_ptr<ShaderCompiler>& compiler() const { return m_Compiler; }
+    const std::shared_ptr<ShaderCompiler>& compiler() const
+    {
+        MakeCompiler();
+        return m_Compiler;
+    }
     const Importer& importer() const { return *m_Importer; }
     /// Returns all features that come with limn. A program adds its own to them before it loads
     /// scenes.
@@ -148,18 +162,22 @@ private:
         bool isInside = false;      ///< true if it lay in the roots when it was loaded
     };
 
+    /// Makes what shaders need, the first time.
+    void MakeCompiler() const;
     std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);
     const ShaderDatabase& DatabaseAround(const std::filesystem::path& shaderFile);
     Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
     std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path);
 
     FileRoots m_Roots;
-    std::shared_ptr<ShaderCompiler> m_Compiler;
+    ShaderCompilerOptions m_CompilerOptions;
+    std::function<std::vector<std::string>()> m_MissingFeatures;
+    mutable std::shared_ptr<ShaderCompiler> m_Compiler; ///< null until the first shader
     std::shared_ptr<const Importer> m_Importer;
     FeatureRegistry m_Features;
     VolumeComponentRegistry m_VolumeComponents;
-    /// Finds shipped shaders and those that were loaded.
-    std::shared_ptr<ShaderSource> m_ShaderSource;
+    /// Finds shipped shaders and those that were loaded; null until the first shader.
+    mutable std::shared_ptr<ShaderSource> m_ShaderSource;
     std::map<PrimitiveType, std::shared_ptr<const Mesh>> m_Primitives;
     // The keys of these maps are normal paths.
     std::map<std::filesystem::path, std::shared_ptr<const Shader>> m_Shaders;

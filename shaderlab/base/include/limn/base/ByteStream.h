@@ -100,9 +100,14 @@ public:
         {
             throw std::out_of_range("array");
         }
-        items.resize(static_cast<std::size_t>(size));
-        const std::string_view raw = Take(items.size() * sizeof(T));
-        if (!raw.empty())
+        const std::string_view raw = Take(static_cast<std::size_t>(size) * sizeof(T));
+        if constexpr (sizeof(T) == 1)
+        {
+            // Millions of them are not filled with zeros first.
+            const T* first = reinterpret_cast<const T*>(raw.data());
+            items.assign(first, first + raw.size());
+        }
+        else if (items.resize(static_cast<std::size_t>(size)); !raw.empty())
         {
             std::memcpy(static_cast<void*>(items.data()), raw.data(), raw.size());
         }

@@ -74,7 +74,7 @@ bool IsWritten(const ElfHeader& header, std::string_view bytes)
 
 [[noreturn]] void Refuse(const std::string& name, const std::string& reason)
 {
-    throw AssetError(name, {}, "the file cannot be loaded as a plug-in: " + reason);
+    throw AssetError(name, {}, "the file cannot be loaded: " + reason);
 }
 
 /// A file with these bytes, until the end of the scope.
