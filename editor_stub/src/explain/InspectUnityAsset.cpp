@@ -212,7 +212,7 @@ InspectedGroup InspectPipeline(const UnityAsset& asset)
 {
     const std::optional<UnityObject> list = asset.FindWithField("m_RendererDataList");
     const UnityObject pipeline = list ? *list : *asset.FindWithField("m_MSAA");
-    const UnityProject project(asset.file(), MetaFiles::All);
+    const UnityProject project(asset.file());
     InspectedGroup group{"UniversalRenderPipelineAsset", pipeline.name, true, {}};
     if (const YamlNode* version = pipeline.fields.Find("k_AssetVersion"))
     {
@@ -269,7 +269,7 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
 InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets)
 {
     const UnityObject material = *FindOfClass(asset, k_Material);
-    const UnityProject project(asset.file(), MetaFiles::All);
+    const UnityProject project(asset.file());
     InspectedGroup group{"Material", material.name, true, {}};
     const MaterialShader shader = FindShaderOf(material, project, assets);
     group.values.push_back(Value("", "m_Shader", shader.text, shader.remark));

@@ -1,11 +1,11 @@
+#include "unity/RendererData.h"
+
 #include "assets/Importer.h"
 #include "assets/References.h"
 #include "settings/ReadValues.h"
 #include "settings/SettingsReader.h"
 #include "unity/RenderPipelineAsset.h"
-#include "unity/UnityProject.h"
 
-#include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
@@ -21,8 +21,9 @@ struct Loading
     AssetContext& assets;
     AssetDiagnostics& diagnostics;
     References references;
-    UnityProject project;
-    LayerNames layers; ///< an asset's masks are numbers, so no names are needed
+    const UnityProject& project;
+    const UnityMaterialLoader& loadMaterial;
+    LayerNames layers = {}; ///< an asset's masks are numbers, so no names are needed
 };
 
 /// The file of a guid; who watches sees it get another.
@@ -93,14 +94,14 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     };
     const auto readMaterial = [&loading](const YamlNode& node, const std::string& name)
     {
-        if (ReadFileID(node) != 0)
-        {
-            loading.diagnostics.Note(
-                node.location(),
-                name + ": it is left out; limn reads no .mat files of Unity's here; name a "
-                       "material of the scene in a scene file instead");
-        }
-        return std::shared_ptr<const Material>();
+        const std::int64_t fileID = ReadFileID(node).value_or(0);
+        return fileID == 0 ? nullptr
+                           : loading.loadMaterial({fileID, ReadGuid(node)},
+                                                  [&](const std::string& reason) {
+                                                      loading.diagnostics.Note(
+                                                          node.location(),
+                                                          name + ": it is left out; " + reason);
+                                                  });
     };
     const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, type};
     ReadFeatureSettings(map, feature, context, loading.diagnostics);
@@ -198,7 +199,8 @@ void ReadLayers(const UnityObject& root, const char* field, LayerMask& mask, Loa
 } // namespace
 
 UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
-                                                  AssetContext& assets)
+                                                  AssetContext& assets, const UnityProject& project,
+                                                  const UnityMaterialLoader& loadMaterial)
 {
     assets.Reach(path);
     const AssetContext::RootsFor roots(assets, path);
@@ -211,11 +213,7 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                          "no renderer in this Unity asset; one is a MonoBehaviour with a list "
                          "'m_RendererFeatures'");
     }
-    Loading loading{assets,
-                    diagnostics,
-                    {assets, {}, diagnostics},
-                    UnityProject(path, MetaFiles::Loaded, assets.importer().cacheFolder()),
-                    {}};
+    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, project, loadMaterial};
     UnityRendererDataLoadResult result;
     result.renderer.pipelineVersion = ProjectPipelineVersion(path, assets);
     ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);
@@ -225,6 +223,19 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
     loading.references.ThrowIfErrors();
     result.notes = diagnostics.notes();
     return result;
+}
+
+UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
+                                                  AssetContext& assets)
+{
+    const UnityProject project(path, assets.importer().cacheFolder());
+    const auto refuse = [](const UnityReference&, const auto& note)
+    {
+        note("limn reads the .mat files of Unity's scenes only; name a material of the scene in a "
+             "scene file instead");
+        return std::shared_ptr<const Material>();
+    };
+    return LoadUnityRendererData(path, assets, project, refuse);
 }
 
 } // namespace limn

@@ -99,9 +99,7 @@ const UnityHeader* FindClass(const UnityFile& file, UnityClass classID)
 
 UnityDatabase::UnityDatabase(const std::filesystem::path& root, AssetContext& assets,
                              UnityNotes& notes)
-    : m_Assets(assets),
-      m_Notes(notes),
-      m_Project(root / "Assets", MetaFiles::All, assets.importer().cacheFolder())
+    : m_Assets(assets), m_Notes(notes), m_Project(root / "Assets", assets.importer().cacheFolder())
 {
 }
 

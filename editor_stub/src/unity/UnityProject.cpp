@@ -8,13 +8,6 @@ namespace limn
 namespace
 {
 
-bool IsLoaded(const std::filesystem::path& path)
-{
-    const std::filesystem::path extension = path.extension();
-    return extension == ".cs" || extension == ".shader" || extension == ".png" ||
-           extension == ".mat";
-}
-
 /// Scripts of the URP package, whose .meta files are in no project. (URP 14; the second of
 /// FullScreenPassRendererFeature is of URP 13 and of samples from before.)
 constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
@@ -49,7 +42,7 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
     return nearest;
 }
 
-UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files,
+UnityProject::UnityProject(const std::filesystem::path& asset,
                            const std::filesystem::path& cacheFolder)
     : m_Root(UnityProjectAround(asset))
 {
@@ -61,16 +54,12 @@ UnityProject::UnityProject(const std::filesystem::path& asset, MetaFiles files,
     // The rest of Library is Unity's own, and may be larger than all assets.
     for (const char* folder : {"Assets", "Packages", "Library/PackageCache"})
     {
-        ScanFolder(m_Root / folder, files, guids);
+        ScanFolder(m_Root / folder, guids);
     }
-    if (files == MetaFiles::All)
-    {
-        guids.Store();
-    }
+    guids.Store();
 }
 
-void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles files,
-                              GuidIndex& guids)
+void UnityProject::ScanFolder(const std::filesystem::path& folder, GuidIndex& guids)
 {
     std::error_code ignored;
     const auto options = std::filesystem::directory_options::skip_permission_denied;
@@ -83,9 +72,9 @@ void UnityProject::ScanFolder(const std::filesystem::path& folder, MetaFiles fil
             entry.disable_recursion_pending();
             continue;
         }
-        const std::filesystem::path described = path.parent_path() / path.stem();
-        if (path.extension() == ".meta" && (files == MetaFiles::All || IsLoaded(described)))
+        if (path.extension() == ".meta")
         {
+            const std::filesystem::path described = path.parent_path() / path.stem();
             const std::string guid = guids.GuidOf(*entry);
             const auto [known, isNew] = m_Files.emplace(guid, described);
             if (!isNew && described < known->second)

@@ -15,20 +15,13 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
 class GuidIndex;
 
-/// The .meta files of a project that are read.
-enum class MetaFiles
-{
-    Loaded, ///< those of .cs, .shader, .png and .mat files
-    All
-};
-
 /// The files of the Unity project around an asset, by guid.
 class UnityProject
 {
 public:
     /// Finds the project around `asset`. If there is none, this is empty.
-    /// @param cacheFolder  caches the guids of MetaFiles::All; empty = nothing is cached
-    explicit UnityProject(const std::filesystem::path& asset, MetaFiles files = MetaFiles::Loaded,
+    /// @param cacheFolder  caches the guids; empty = nothing is cached
+    explicit UnityProject(const std::filesystem::path& asset,
                           const std::filesystem::path& cacheFolder = {});
 
     /// Returns the path that the .meta file with a guid belongs to, even if there is no such file,
@@ -39,7 +32,7 @@ public:
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
-    void ScanFolder(const std::filesystem::path& folder, MetaFiles files, GuidIndex& guids);
+    void ScanFolder(const std::filesystem::path& folder, GuidIndex& guids);
 
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;

@@ -276,6 +276,47 @@ std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& mater
     return known;
 }
 
+std::shared_ptr<const Material>
+UnityMaterials::LoadForFeature(const UnityReference& material,
+                               const std::function<void(const std::string& reason)>& note)
+{
+    const std::filesystem::path* path = m_Database.Find(material.guid);
+    if (path == nullptr)
+    {
+        note(AbsenceOf(material, m_Database, "the material's guid"));
+        return nullptr;
+    }
+    const std::string name = path->filename().string();
+    if (const std::string graph = GraphOf(*path); !graph.empty())
+    {
+        note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
+        return nullptr;
+    }
+    std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
+    if (!known)
+    {
+        known = ReadFile(*path);
+    }
+    if (known == m_Magenta)
+    {
+        note(name + " is magenta, as the notes about it explain");
+        return nullptr;
+    }
+    return known;
+}
+
+std::string UnityMaterials::GraphOf(const std::filesystem::path& material)
+{
+    const auto file = m_Database.LoadFile(material);
+    const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
+    const UnityReference shader =
+        ReadUnityReference(header != nullptr ? file->Fields(*header)["m_Shader"] : UnityNode());
+    const std::filesystem::path* path = m_Database.Find(shader.guid);
+    return path != nullptr && ToLower(path->extension().string()) == ".shadergraph"
+               ? path->filename().string()
+               : "";
+}
+
 std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference& material,
                                                            const UnityReader& user)
 {

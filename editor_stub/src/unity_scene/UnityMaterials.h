@@ -33,6 +33,12 @@ public:
     /// @param path  the path of the reference in `user`
     std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
+    /// Loads the material that a renderer feature draws with. Returns null and gives `note` the
+    /// reason if there is none, or if limn draws magenta or another shader in its place: over the
+    /// whole picture that would hide the scene.
+    std::shared_ptr<const Material>
+    LoadForFeature(const UnityReference& material,
+                   const std::function<void(const std::string& reason)>& note);
     /// Loads the material of the sky. Returns null and adds a note at `user` if it does not exist.
     std::shared_ptr<const Material> LoadSkybox(const UnityReference& material,
                                                const UnityReader& user);
@@ -55,6 +61,8 @@ private:
                    Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
                      Material& material);
+    /// Returns the name of the graph that is a material file's shader, or "" if it is none.
+    std::string GraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();
 
     UnityDatabase& m_Database;

@@ -1,8 +1,8 @@
 #include "unity/RenderPipelineAsset.h"
+#include "unity/RendererData.h"
 #include "unity_scene/UnitySceneLoader.h"
 
 #include <charconv>
-#include <limn/editor_stub/UnityRendererData.h>
 
 namespace limn
 {
@@ -54,7 +54,12 @@ void ReadRenderer(UnitySceneLoader& loader, const std::filesystem::path& pipelin
         const auto* path = at++ == index ? loader.database.Find(renderer.guid) : nullptr;
         if (path != nullptr)
         {
-            UnityRendererDataLoadResult result = LoadUnityRendererData(*path, loader.assets);
+            const auto loadMaterial = [&loader](const UnityReference& material, const auto& note)
+            {
+                return loader.materials.LoadForFeature(material, note);
+            };
+            UnityRendererDataLoadResult result = LoadUnityRendererData(
+                *path, loader.assets, loader.database.project(), loadMaterial);
             loader.asset.renderer = std::move(result.renderer);
             loader.notes.Add(result.notes);
         }

@@ -5,6 +5,8 @@
 #include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
+#include "core/ThrownMessage.h"
+#include "plugins/PluginRun.h"
 #include <fstream>
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>

@@ -52,7 +52,7 @@ protected:
     }
     std::string PathOf(const std::string& guid, const std::string& cache = "cache") const
     {
-        const UnityProject project(m_Folder / "Project/Assets/x", MetaFiles::All,
+        const UnityProject project(m_Folder / "Project/Assets/x",
                                    cache.empty() ? std::filesystem::path() : m_Folder / cache);
         const std::filesystem::path* path = project.Find(guid);
         return path != nullptr ? path->filename().string() : "";

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/core/Material.h>
+#include <limn/features/FullScreenPassRendererFeature.h>
 
 namespace limn::test
 {
@@ -276,6 +277,70 @@ TEST_F(MaterialOfAProject, TellsAMissingFileFromAnUnknownGuid)
     std::filesystem::remove(m_Folder.path() / "Assets/wood.png"); // its .meta stays
     Load(k_Lit, "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_BaseMap", k_Wood));
     EXPECT_THAT(Notes(), ElementsAre(Mentions("_BaseMap", "'Assets/wood.png'", ".meta")));
+}
+
+/// A project whose renderer has a full-screen pass with the material.
+class MaterialOfAFeature : public MaterialOfAProject
+{
+protected:
+    /// @param material  the reference to it
+    const FullScreenPassRendererFeature& LoadFeature(const std::string& material,
+                                                     const std::string& shader)
+    {
+        const std::string head = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+        m_Folder.Write("ProjectSettings/GraphicsSettings.asset",
+                       head + "--- !u!30 &1\nGraphicsSettings:\n  m_CustomRenderPipeline: " +
+                           Asset(11400000, "11111111111111111111111111111111") + "\n");
+        m_Folder.Write("Assets/P.asset", head +
+                                             "--- !u!114 &11400000\nMonoBehaviour:\n"
+                                             "  m_MSAA: 1\n  m_RendererDataList:\n  - " +
+                                             Asset(11400000, "22222222222222222222222222222222") +
+                                             "\n  m_DefaultRendererIndex: 0\n");
+        m_Folder.Write("Assets/R.asset",
+                       head + "--- !u!114 &5\nMonoBehaviour:\n  m_Script: " +
+                           Asset(11500000, "b00045f12942b46c698459096c89274e") +
+                           "\n  m_Name: Whole\n  m_Active: 1\n  passMaterial: " + material +
+                           "\n--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: R\n"
+                           "  m_RendererFeatures:\n  - {fileID: 5}\n");
+        WriteMeta("P.asset", "11111111111111111111111111111111");
+        WriteMeta("R.asset", "22222222222222222222222222222222");
+        Load(shader, "  m_SavedProperties:\n    m_Floats:\n    - _Metallic: 0.75\n");
+        return dynamic_cast<const FullScreenPassRendererFeature&>(
+            *m_Asset->renderer.features.at(0));
+    }
+    static std::string Asset(int id, const std::string& guid)
+    {
+        return "{fileID: " + std::to_string(id) + ", guid: " + guid + ", type: 2}";
+    }
+
+    const std::string m_Material = Asset(2100000, k_MaterialGuid);
+};
+
+TEST_F(MaterialOfAFeature, IsThatOfTheProject)
+{
+    const FullScreenPassRendererFeature& feature = LoadFeature(m_Material, k_Lit);
+    ASSERT_NE(feature.passMaterial, nullptr);
+    EXPECT_EQ(Number(*feature.passMaterial, "_Metallic"), 0.75f);
+    EXPECT_THAT(Notes("R.asset"), IsEmpty());
+}
+
+// A stand-in or magenta over the whole picture would hide the scene.
+TEST_F(MaterialOfAFeature, IsNoneWhereItCannotBeDrawn)
+{
+    EXPECT_EQ(LoadFeature(Asset(2100000, "33333333333333333333333333333333"), k_Lit).passMaterial,
+              nullptr);
+    EXPECT_THAT(Notes("R.asset"),
+                ElementsAre(Mentions("Whole.passMaterial:", "left out", "the material's guid")));
+    m_Folder.Write("Assets/Glow.shadergraph", "{}");
+    WriteMeta("Glow.shadergraph", k_GraphGuid);
+    EXPECT_EQ(LoadFeature(m_Material, Asset(-6, k_GraphGuid)).passMaterial, nullptr);
+    EXPECT_THAT(Notes("R.asset"),
+                ElementsAre(Mentions("Whole.passMaterial:", "left out", "Glow.shadergraph")));
+    EXPECT_EQ(
+        LoadFeature(m_Material, Asset(4800000, "44444444444444444444444444444444")).passMaterial,
+        nullptr);
+    EXPECT_THAT(Notes("R.asset"),
+                ElementsAre(Mentions("Whole.passMaterial:", "left out", "A.mat", "magenta")));
 }
 
 } // namespace
