@@ -189,10 +189,15 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
                                                          const UnityReader& user)
 {
     const auto [known, isNew] = m_TextMeshes.try_emplace({path.generic_string(), fileID});
-    const std::shared_ptr<const UnityFile> file = isNew ? m_Database.LoadFile(path) : nullptr;
+    if (!isNew)
+    {
+        return known->second;
+    }
+    const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
     if (!file)
     {
-        return known->second; // what is wrong with the file has been said
+        NoteUnread(path, user);
+        return nullptr;
     }
     const auto header = std::ranges::find_if(
         file->headers(), [&](const UnityHeader& h)
@@ -203,7 +208,24 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
                                 std::to_string(fileID) + ", so nothing is drawn");
         return nullptr;
     }
-    return known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
+    known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
+    if (!known->second)
+    {
+        NoteUnread(path, user);
+    }
+    return known->second;
+}
+
+/// Notes at the first who refers to a mesh's file what comes of it that it cannot be read. Another
+/// note says what is wrong with the file.
+void UnityMaterials::NoteUnread(const std::filesystem::path& path, const UnityReader& user)
+{
+    if (m_UnreadMeshes.insert(path).second)
+    {
+        user.Note("m_Mesh", path.filename().string() +
+                                " cannot be read, as the note about it explains, so nothing is "
+                                "drawn");
+    }
 }
 
 /// Returns the mesh. Returns null and adds a note if it is broken.
@@ -249,7 +271,8 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     }
     if (model == nullptr)
     {
-        return nullptr; // what is wrong with the file has been said
+        NoteUnread(*path, user);
+        return nullptr;
     }
     std::shared_ptr<const Mesh> found = model->FindMesh(mesh.fileID);
     if (!found)

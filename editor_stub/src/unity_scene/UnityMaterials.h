@@ -48,6 +48,7 @@ private:
     std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);
     std::shared_ptr<const Mesh> LoadTextMesh(const std::filesystem::path& path, std::int64_t fileID,
                                              const UnityReader& user);
+    void NoteUnread(const std::filesystem::path& path, const UnityReader& user);
     std::shared_ptr<const Mesh> ReadMesh(const std::function<UnityNode()>& fields,
                                          const std::string& file);
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
@@ -72,7 +73,8 @@ private:
     std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs;
     std::map<std::string, std::optional<Model>> m_Models;
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Mesh>>
-        m_TextMeshes; ///< by file and id
+        m_TextMeshes;                               ///< by file and id
+    std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_Materials;
     std::shared_ptr<const Material> m_Magenta;
 };

@@ -145,6 +145,11 @@ TEST_F(MeshesOfAProject, AreLeftOutWithASentenceWhereTheyAreNone)
     EXPECT_THAT(notes, Contains(HasSubstr("Binary.asset: this asset is saved as binary")));
     EXPECT_THAT(notes, Contains(HasSubstr("Pointer.asset: this is a pointer of Git LFS")));
     EXPECT_THAT(notes, Contains(HasSubstr("refers to an object that is no mesh")));
+    for (const char* name : {"Packed.asset", "Binary.asset", "Pointer.asset"})
+    {
+        EXPECT_THAT(notes,
+                    Contains(Mentions("m_Mesh", name, "cannot be read", "nothing is drawn")));
+    }
     EXPECT_EQ(MeshNameOf(asset, "Object1000"), "(none)");
     EXPECT_NE(MeshNameOf(asset, "Object1050"), "(none)") << "the rest is drawn";
 }
@@ -171,6 +176,8 @@ TEST_F(MeshesOfAProject, DoNotEndTheProgramWhereTheImporterCrashes)
     EXPECT_EQ(MeshNameOf(asset, "Object1010"), "Flag");
     EXPECT_THAT(NotesOf(asset),
                 Contains(Mentions("Bad.fbx:", "importer stopped", "signal 6")).Times(1));
+    EXPECT_THAT(NotesOf(asset),
+                Contains(Mentions("m_Mesh", "Bad.fbx", "cannot be read", "nothing is drawn")));
 }
 
 } // namespace
