@@ -310,10 +310,16 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
         return nullptr;
     }
     const std::string name = path->filename().string();
-    if (const std::string graph = GraphOf(*path); !graph.empty())
+    try
     {
-        note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
-        return nullptr;
+        if (const std::string graph = GraphOf(*path); !graph.empty())
+        {
+            note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
+            return nullptr;
+        }
+    }
+    catch (const AssetError&) // ReadFile notes what is wrong with the file
+    {
     }
     std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
     if (!known)

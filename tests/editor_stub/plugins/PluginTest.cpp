@@ -79,7 +79,7 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
     {
         return folder.Run("explain s.scene.yaml --plugin " + module);
     };
-    EXPECT_THAT(run("no.so"), Refusal("no.so:", "plug-in", "no such file"));
+    EXPECT_THAT(run("no.so"), Refusal("no.so:", "cannot be loaded", "no such file"));
     EXPECT_THAT(run("text.so"), AllOf(Refusal("text.so:", "cannot be loaded"),
                                       Not(HasSubstr(std::filesystem::current_path().string()))));
     EXPECT_THAT(run("missing_symbol.so"),

@@ -341,6 +341,9 @@ TEST_F(MaterialOfAFeature, IsNoneWhereItCannotBeDrawn)
         nullptr);
     EXPECT_THAT(Notes("R.asset"),
                 ElementsAre(Mentions("Whole.passMaterial:", "left out", "A.mat", "magenta")));
+    EXPECT_EQ(LoadFeature(m_Material, "{fileID: 1").passMaterial, nullptr) << "a broken file";
+    EXPECT_THAT(Notes("R.asset"),
+                ElementsAre(Mentions("Whole.passMaterial:", "left out", "A.mat", "magenta")));
 }
 
 } // namespace

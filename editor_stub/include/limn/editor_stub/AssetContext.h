@@ -40,10 +40,9 @@ public:
     ///     Its process imports models and pictures, so that a library that crashes on one costs
     ///     that one only; without a process it costs the program. Its cacheFolder keeps what they
     ///     become, up to four times its cacheLimit
-    /// @param missingFeatures  returns the missingFeatures of `options`. It is called once, when
-    /// the
-    ///     first shader is asked for, so that a device can be made while other files are read; what
-    ///     it throws, whoever asks for a shader gets. Null = `options` has them
+    /// @param missingFeatures  returns the missingFeatures of `options`. It is called once, when a
+    ///     shader is asked for first, so that a device can be made while other files are read; who
+    ///     asks for a shader gets what it throws. Null = `options` has them
     explicit AssetContext(ShaderCompilerOptions options = {},
                           PluginLoading pluginLoading = PluginLoading::File,
                           std::function<std::vector<std::string>()> missingFeatures = nullptr);
