@@ -244,6 +244,11 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
 
 SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& assets)
 {
+    std::error_code ignored;
+    if (!std::filesystem::exists(path, ignored))
+    {
+        throw AssetError(path.generic_string(), {}, "there is no such file");
+    }
     if (UnityProjectAround(path).empty())
     {
         throw AssetError(path.generic_string(), {},

@@ -336,6 +336,14 @@ TEST_F(ProjectOfAFewFiles, NamesItsScenesWhereItIsNotClearWhichIsDrawn)
                 ElementsAre(HasSubstr("this folder is no Unity project")));
 }
 
+TEST(UnityScene, ThatIsNotThereIsNotSaidToHaveNoProject)
+{
+    const TemporaryFolder folder;
+    AssetContext assets;
+    EXPECT_THAT(Problems([&] { LoadScene(folder / "none.unity", assets); }),
+                ElementsAre(HasSubstr("there is no such file")));
+}
+
 TEST_F(ProjectOfAFewFiles, SaysWhatIsNoText)
 {
     AssetContext first;
