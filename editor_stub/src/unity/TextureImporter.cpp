@@ -177,7 +177,7 @@ TextureImport LoadTextureImport(const std::filesystem::path& metaFile)
     const std::string text = ReadYamlText(metaFile);
     try
     {
-        // Thirty of them take 1 ms in this way, and 25 ms with the reader of all of YAML.
+        // The reader of all of YAML takes 25 ms for thirty of them, a third of a scene's loading.
         const UnityTree tree(text, metaFile.generic_string(), 1);
         return ReadTextureImport(ToYamlNode(tree.root()), metaFile);
     }

@@ -310,16 +310,10 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
         return nullptr;
     }
     const std::string name = path->filename().string();
-    try
+    if (const std::string graph = GraphOf(*path); !graph.empty())
     {
-        if (const std::string graph = GraphOf(*path); !graph.empty())
-        {
-            note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
-            return nullptr;
-        }
-    }
-    catch (const AssetError&) // ReadFile notes what is wrong with the file
-    {
+        note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
+        return nullptr;
     }
     std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
     if (!known)
@@ -338,12 +332,22 @@ std::string UnityMaterials::GraphOf(const std::filesystem::path& material)
 {
     const auto file = m_Database.LoadFile(material);
     const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
-    const UnityReference shader =
-        ReadUnityReference(header != nullptr ? file->Fields(*header)["m_Shader"] : UnityNode());
-    const std::filesystem::path* path = m_Database.Find(shader.guid);
-    return path != nullptr && ToLower(path->extension().string()) == ".shadergraph"
-               ? path->filename().string()
-               : "";
+    if (header == nullptr)
+    {
+        return "";
+    }
+    try
+    {
+        const UnityReference shader = ReadUnityReference(file->Fields(*header)["m_Shader"]);
+        const std::filesystem::path* path = m_Database.Find(shader.guid);
+        const bool isGraph =
+            path != nullptr && ToLower(path->extension().string()) == ".shadergraph";
+        return isGraph ? path->filename().string() : "";
+    }
+    catch (const AssetError&) // ReadFile notes what is wrong with the file
+    {
+        return "";
+    }
 }
 
 std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference& material,

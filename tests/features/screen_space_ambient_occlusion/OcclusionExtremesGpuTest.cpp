@@ -32,7 +32,7 @@ void ExpectNumbers(const OcclusionScene& scene, const SsaoSettings& settings)
     run.Add(std::make_unique<FloatOcclusion>(settings, scene.camera.orthographic));
     run.Render(nullptr);
     const Field floats = run.Texture("Floats");
-    // What is packed is half of a unit vector, whose parts floats may round beyond 1.
+    // The other channels hold half of a unit vector, whose parts floats may round beyond 1.
     constexpr double k_Rounding = 0x1p-23;
     for (std::size_t i = 0; i < floats.values.size(); ++i)
     {
