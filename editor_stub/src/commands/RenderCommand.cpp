@@ -110,20 +110,19 @@ int RunRender(const RenderOptions& options, Console& console)
     };
     AssetContext assets(compilerOptions, PluginLoading::File, missingFeatures);
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
-    std::shared_ptr<VulkanDevice> device = making.get();
-    making = {};
+    VulkanDevice& device = *making.get();
     console.Print(asset.notes);
     timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
     const std::string outputs[] = {options.output, options.statsFile, options.traceFile};
     RequireOwnFiles(outputs, assets.reachedFiles());
 
-    console.Verbose(device->ChoiceSentence());
-    measurements.device = device->deviceName();
+    console.Verbose(device.ChoiceSentence());
+    measurements.device = device.deviceName();
 
     auto view = std::make_unique<SceneView>(std::move(asset), assets);
-    Image image = RenderFrames(options, *view, *device, measurements);
+    Image image = RenderFrames(options, *view, device, measurements);
     measurements.shaders = assets.compiler()->statistics();
-    measurements.memory = device->statistics();
+    measurements.memory = device.statistics();
     PrintNotes(measurements.lastFrame.report, console);
     MakeOpaque(image);
     if (options.showsVolumes &&
@@ -132,13 +131,13 @@ int RunRender(const RenderOptions& options, Console& console)
         console.Note("--show-volumes: the scene has no local volume with a collider, so there is "
                      "none to show; global volumes have no place");
     }
-    const std::vector<ValidationMessage> validation = device->validationMessages();
+    const std::vector<ValidationMessage> validation = device.validationMessages();
     // To free the scene and the device takes as long as to compress the picture.
     const std::jthread closing(
-        [view = std::move(view), device = std::move(device)]() mutable
+        [view = std::move(view), making = std::move(making)]() mutable
         {
             view.reset();
-            device.reset();
+            making = {};
         });
     timeline.Measure("write", [&] { WritePicture(options, image, console); });
     if (!options.statsFile.empty())

@@ -119,6 +119,14 @@ TEST_F(Render, WritesThePictureToStdoutAndNothingBesides)
     EXPECT_FALSE(std::filesystem::exists("-"));
 }
 
+TEST_F(Render, DrawsASceneThatAsksForNoShader)
+{
+    folder.Write("s.scene.yaml", "size: [8, 8]\ncamera: {backgroundColor: \"#ff0000\"}\n");
+    const CommandRun run = Draw({});
+    ASSERT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(std::byte{255}, ReadPng(folder / "out.png").texels.at(0));
+}
+
 TEST_F(Render, RefusesWhatCannotBeDrawnAsBadInput)
 {
     folder.Write("cube.shader", "Shader \"C\" { Properties { _T (\"T\", 2D) = \"white\" {} }\n"
