@@ -107,10 +107,6 @@ std::vector<FrameCase> FrameCases()
          {}}};
     for (const Technique& technique : ShippedTechniques())
     {
-        if (technique.feature == "AutoOutlineRendererFeature")
-        {
-            continue; // it writes a sentence with its costs into each report
-        }
         cases.push_back({technique.name, "{type: " + technique.feature + ", name: Outline}",
                          technique.component, technique.settings});
     }

@@ -380,7 +380,8 @@ std::string FrameText(const Explanation& explanation, bool isLong)
 {
     const std::size_t most = isLong ? static_cast<std::size_t>(-1) : k_ListedLines;
     return Section("odd", OddThings(explanation), most) + VolumesText(explanation, isLong) +
-           Section("chosen", explanation.report.choices, most) +
+           Section("chosen", {explanation.report.choices.begin(), explanation.report.choices.end()},
+                   most) +
            Section("passes", PassLines(explanation.report), most) +
            Section("the device runs", RunLines(explanation.frame), most) +
            Section("left out", LeftOutLines(explanation), most) +

@@ -140,8 +140,8 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
     }
     if (why.empty())
     {
-        renderingData.report->choices.push_back(name + ": " + ToString(choice.technique) + ", " +
-                                                choice.why);
+        PooledString& text = renderingData.report->choices.emplace_back(std::string_view(name));
+        text.append(": ").append(ToString(choice.technique)).append(", ").append(choice.why);
     }
     return why;
 }

@@ -1,7 +1,9 @@
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limn/features/OutlineTechnique.h>
-#include <sstream>
+#include <utility>
 
 namespace limn
 {
@@ -32,12 +34,13 @@ double CostOfJumpFlood(const OutlineWork& work)
     return work.regionArea * (k_ReadsOfSeeds + k_ReadsOfFloodStep * steps);
 }
 
-std::string Millions(double number)
+/// Appends "0.25 million".
+void AppendMillions(PooledString& text, double number)
 {
-    std::ostringstream text;
-    text.precision(number < 1e6 ? 2 : 3);
-    text << number * 1e-6 << " million";
-    return text.str();
+    std::array<char, 32> digits{};
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number * 1e-6,
+                                   std::chars_format::general, number < 1e6 ? 2 : 3);
+    text.append(digits.data(), end.ptr).append(" million");
 }
 
 } // namespace
@@ -71,10 +74,14 @@ OutlineChoice ChooseOutlineTechnique(const OutlineWork& work)
                 "a material is alpha-tested, so the mesh's silhouette is not the one that is seen"};
     }
     const double strokes = CostOfStrokes(work);
-    const std::string costs = std::to_string(work.edgeCount) + " silhouette edges cost about " +
-                              Millions(strokes) + " texture reads, a distance transform " +
-                              Millions(transform);
-    return {strokes <= transform ? OutlineTechnique::Strokes : best, costs};
+    std::array<char, 16> edges{};
+    const auto end = std::to_chars(edges.data(), edges.data() + edges.size(), work.edgeCount);
+    PooledString costs(edges.data(), end.ptr);
+    costs.append(" silhouette edges cost about ");
+    AppendMillions(costs, strokes);
+    costs.append(" texture reads, a distance transform ");
+    AppendMillions(costs, transform);
+    return {strokes <= transform ? OutlineTechnique::Strokes : best, std::move(costs)};
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 namespace limn
 {
@@ -44,5 +45,8 @@ struct PooledAllocator
         return true;
     }
 };
+
+/// A text that is made anew in each frame.
+using PooledString = std::basic_string<char, std::char_traits<char>, PooledAllocator<char>>;
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/Judge.h>
+#include <limn/core/PooledAllocator.h>
 #include <limn/core/RenderPassEvent.h>
 #include <string>
 #include <vector>
@@ -48,7 +49,7 @@ struct RenderReport
     std::vector<FeatureReport> features; ///< in the renderer's order, once per camera of the stack
     /// Sentences for the user, each of which is a reason why something is absent.
     std::vector<std::string> notes;
-    std::vector<std::string> choices; ///< what features decided by themselves, and why
+    std::vector<PooledString> choices; ///< what features decided by themselves, and why
 };
 
 } // namespace limn

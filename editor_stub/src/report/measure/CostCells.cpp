@@ -127,7 +127,10 @@ CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& 
     result.values["targetBytes"] = bytes.targets - plainBytes.targets;
     result.values["movedBytes"] = bytes.moved - plainBytes.moved;
     const RenderReport& report = with.result.report;
-    result.notes.insert(result.notes.end(), report.choices.begin(), report.choices.end());
+    for (const PooledString& choice : report.choices)
+    {
+        result.notes.emplace_back(choice);
+    }
     for (const std::string& note : report.notes)
     {
         if (note.find("not drawn") != std::string::npos)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <string>
+#include <limn/core/PooledAllocator.h>
 
 namespace limn
 {
@@ -31,7 +31,7 @@ struct OutlineWork
 struct OutlineChoice
 {
     OutlineTechnique technique = OutlineTechnique::Strokes; ///< not Auto
-    std::string why;                                        ///< for people
+    PooledString why;                                       ///< for people
 };
 
 /// Chooses strokes if the mesh defines the silhouette and they do not cost several times as much as
