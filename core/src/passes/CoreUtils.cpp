@@ -8,8 +8,6 @@ namespace limn
 namespace
 {
 
-const ShaderPropertyId _BlitTexture{"_BlitTexture"};
-const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 constexpr int k_TriangleVertices = 3;
 constexpr glm::vec4 k_WholeTexture(1.0f, 1.0f, 0.0f, 0.0f);
 
@@ -144,8 +142,8 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
         return;
     }
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
-    properties.SetTexture(_BlitTexture, source.rt());
-    properties.SetVector(_BlitScaleBias, scaleBias);
+    properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, source.rt());
+    properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
                        properties);
     properties.Clear();
@@ -155,7 +153,7 @@ void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::v
                  std::shared_ptr<const Material> material, int passIndex)
 {
     ExpectMaterial("BlitTexture", material);
-    cmd.SetGlobalTexture(_BlitTexture, std::move(source));
+    cmd.SetGlobalTexture(Blitter::BlitShaderIDs::_BlitTexture, std::move(source));
     BlitTexture(cmd, scaleBias, std::move(material), passIndex);
 }
 
@@ -164,7 +162,7 @@ void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
 {
     ExpectMaterial("BlitTexture", material);
     MaterialPropertyBlock properties;
-    properties.SetVector(_BlitScaleBias, scaleBias);
+    properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, scaleBias);
     cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
                        properties);
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limn/base/NumberText.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/TargetOrientation.h>
 
 namespace limn
@@ -12,8 +13,6 @@ namespace limn
 namespace
 {
 
-const ShaderPropertyId _BlitTexture{"_BlitTexture"};
-const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
 const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
@@ -330,7 +329,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyDrawCommand& comman
                             std::to_string(source->mipmapCount()));
     }
     MaterialPropertyBlock properties;
-    properties.SetVector(_BlitScaleBias, command.scaleBias);
+    properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, command.scaleBias);
     properties.SetFloat(_BlitMipLevel, command.mipLevel);
     if (command.depth)
     {
@@ -391,14 +390,14 @@ void RenderTargetResolver::DrawCopy(const TexturePointer& source, const RenderTe
                             "' is both source and destination");
     }
     MaterialPropertyBlock properties;
-    properties.SetVector(_BlitScaleBias, scaleBias);
+    properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, scaleBias);
     DrawCopy(source, pass, call, std::move(properties), MeshTopology::Triangles);
 }
 
 void RenderTargetResolver::DrawCopy(const TexturePointer& source, int pass, std::string_view call,
                                     MaterialPropertyBlock properties, MeshTopology topology)
 {
-    properties.SetTexture(_BlitTexture, source);
+    properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, source);
     m_Result.DrawProcedural(glm::mat4(1.0f), CopyMaterial(call), pass, topology,
                             topology == MeshTopology::Quads ? 4 : 3, 1, properties);
 }

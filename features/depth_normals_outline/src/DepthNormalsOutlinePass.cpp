@@ -10,7 +10,6 @@ namespace limn
 namespace
 {
 
-const ShaderPropertyId _OutlineColor{"_OutlineColor"};
 const ShaderPropertyId _OutlineThickness{"_OutlineThickness"};
 const ShaderPropertyId _DepthThreshold{"_DepthThreshold"};
 const ShaderPropertyId _AngleThreshold{"_AngleThreshold"};
@@ -49,7 +48,7 @@ std::string DepthNormalsOutlinePass::Setup(const DepthNormalsOutline& component,
 {
     const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
     m_MaterialPass = PassOf(component.m_Technique.value());
-    m_Material->SetColor(_OutlineColor, component.m_OutlineColor.value());
+    m_Material->SetColor(OutlineShaderIDs::_OutlineColor, component.m_OutlineColor.value());
     m_Material->SetFloat(_OutlineThickness, component.WidthWithin({camera.width, camera.height}));
     m_Material->SetFloat(_DepthThreshold, component.m_DepthThreshold.value());
     m_Material->SetFloat(_AngleThreshold, component.m_AngleThreshold.value());

@@ -25,8 +25,6 @@ enum BloomShaderPass
     Upsample
 };
 
-const ShaderPropertyId _BlitTexture{"_BlitTexture"};
-const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _SourceTexLowMip{"_SourceTexLowMip"};
 const ShaderPropertyId _Params{"_Params"};
 const ShaderPropertyId _Bloom_Texture{"_Bloom_Texture"};
@@ -209,8 +207,8 @@ void PostProcessPass::Execute(ScriptableRenderContext& context, RenderingData& r
     {
         properties.SetTexture(_Bloom_Texture, DrawBloom(*cmd, color).rt());
     }
-    properties.SetTexture(_BlitTexture, color.rt());
-    properties.SetVector(_BlitScaleBias, k_WholeTexture);
+    properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, color.rt());
+    properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, k_WholeTexture);
     CoreUtils::SetRenderTarget(*cmd, m_Result);
     CoreUtils::DrawFullScreen(*cmd, m_UberMaterial, properties);
     Blit(*cmd, m_Result, color);
@@ -233,9 +231,9 @@ const RTHandle& PostProcessPass::DrawBloom(CommandBuffer& cmd, const RTHandle& c
     for (std::size_t i = m_BloomMipCount - 1; i-- > 0;)
     {
         MaterialPropertyBlock properties;
-        properties.SetTexture(_BlitTexture, m_BloomMips[i].down.rt());
+        properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, m_BloomMips[i].down.rt());
         properties.SetTexture(_SourceTexLowMip, sum->rt());
-        properties.SetVector(_BlitScaleBias, k_WholeTexture);
+        properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, k_WholeTexture);
         CoreUtils::SetRenderTarget(cmd, m_BloomMips[i].up);
         CoreUtils::DrawFullScreen(cmd, m_BloomMaterial, properties, Upsample);
         sum = &m_BloomMips[i].up;

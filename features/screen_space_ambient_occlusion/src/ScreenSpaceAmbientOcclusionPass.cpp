@@ -42,8 +42,6 @@ const ShaderPropertyId _BlueNoiseTexture{"_BlueNoiseTexture"};
 const ShaderPropertyId _SSAOBlueNoiseParams{"_SSAOBlueNoiseParams"};
 const ShaderPropertyId _KawaseBlurIteration{"_KawaseBlurIteration"};
 const ShaderPropertyId _LastKawasePass{"_LastKawasePass"};
-const ShaderPropertyId _BlitTexture{"_BlitTexture"};
-const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
 const ShaderPropertyId _ScreenSpaceOcclusionTexture{"_ScreenSpaceOcclusionTexture"};
 const ShaderPropertyId _AmbientOcclusionParam{"_AmbientOcclusionParam"};
 /// Returns the keyword with which shaders read the occlusion. It is made once, as making it needs
@@ -228,8 +226,9 @@ void ScreenSpaceAmbientOcclusionPass::Execute(ScriptableRenderContext& context,
     {
         const ScriptableRenderer& renderer = *renderingData.cameraData.renderer;
         m_Properties.Clear();
-        m_Properties.SetTexture(_BlitTexture, last.rt());
-        m_Properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
+        m_Properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, last.rt());
+        m_Properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias,
+                               glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
         CoreUtils::SetRenderTarget(*cmd, renderer.cameraColorTargetHandle(),
                                    renderer.cameraDepthTargetHandle());
         CoreUtils::DrawFullScreen(*cmd, m_Material, m_Properties, lastPass + 1);
@@ -253,7 +252,8 @@ const RTHandle& ScreenSpaceAmbientOcclusionPass::DrawUpToLastBlur(CommandBuffer&
     };
     CoreUtils::SetRenderTarget(cmd, m_Occlusion);
     m_Properties.Clear();
-    m_Properties.SetVector(_BlitScaleBias, glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
+    m_Properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias,
+                           glm::vec4(1.0f, 1.0f, 0.0f, 0.0f));
     CoreUtils::DrawFullScreen(cmd, m_Material, m_Properties, Occlusion);
     switch (m_Settings.BlurQuality)
     {

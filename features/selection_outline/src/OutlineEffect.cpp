@@ -27,7 +27,6 @@ constexpr int k_CopyPass = 0; // of CoreBlit.shader
 const ShaderPropertyId _Time{"_Time"};
 const ShaderPropertyId _StartTime{"_StartTime"};
 const ShaderPropertyId _VaryingColor{"_VaryingColor"};
-const ShaderPropertyId _OutlineColor{"_OutlineColor"};
 const ShaderPropertyId _OffsetScale{"_OffsetScale"};
 const ShaderPropertyId _OutlineStrength{"_OutlineStrength"};
 const ShaderPropertyId _StencilTex{"_StencilTex"};
@@ -82,7 +81,7 @@ std::string OutlineEffect::Setup(const SelectionOutline& volumeComponent,
     m_Width = renderingData.cameraData.cameraTargetDescriptor.width;
     m_Height = renderingData.cameraData.cameraTargetDescriptor.height;
     m_BlurCount = volumeComponent.blurCount();
-    m_StencilStep.material->SetColor(selection_outline::_OutlineColor,
+    m_StencilStep.material->SetColor(OutlineShaderIDs::_OutlineColor,
                                      volumeComponent.m_OutlineColor.value());
     m_StencilStep.material->SetFloat(selection_outline::_VaryingColor,
                                      volumeComponent.m_VaryingColor.value() ? 1.0f : 0.0f);

@@ -24,9 +24,7 @@ constexpr float k_LeastWidth = 1.0f / 512.0f;
 
 constexpr EnumEntry k_Occlusions[] = {{"All", 0}, {"Visible", 1}, {"Hidden", 2}, {"SeeThrough", 3}};
 
-const ShaderPropertyId _OutlineColor = Shader::PropertyToID("_OutlineColor");
 const ShaderPropertyId _OccludedColor = Shader::PropertyToID("_OccludedColor");
-const ShaderPropertyId _OutlineWidth = Shader::PropertyToID("_OutlineWidth");
 const ShaderPropertyId _OutlineRegion = Shader::PropertyToID("_OutlineRegion");
 const ShaderPropertyId _OutlinePicture = Shader::PropertyToID("_OutlinePicture");
 const ShaderPropertyId _Strokes = Shader::PropertyToID("_Strokes");
@@ -46,7 +44,7 @@ void SetColors(Material& material, const StrokeOutline& component, OutlineOcclus
     }
     visible.a = occlusion == OutlineOcclusion::Hidden ? 0.0f : visible.a;
     hidden.a = occlusion == OutlineOcclusion::Visible ? 0.0f : hidden.a;
-    material.SetColor(_OutlineColor, visible);
+    material.SetColor(OutlineShaderIDs::_OutlineColor, visible);
     material.SetColor(_OccludedColor, hidden);
 }
 
@@ -108,7 +106,7 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
     const glm::ivec2 picture(camera.cameraTargetDescriptor.width,
                              camera.cameraTargetDescriptor.height);
     const double width = volumeComponent.WidthWithin(picture);
-    m_Material->SetFloat(_OutlineWidth, static_cast<float>(width));
+    m_Material->SetFloat(OutlineShaderIDs::_OutlineWidth, static_cast<float>(width));
     SetColors(*m_Material, volumeComponent, m_Settings.m_Occlusion);
 
     const glm::dmat4 viewProjection = camera.reversedViewProjection();

@@ -141,6 +141,13 @@ inline bool SupportsGraphicsFormat(GraphicsFormat format, FormatUsage usage)
 namespace Blitter
 {
 
+/// The names under which blits hand their source to the shader. Unity: Blitter.BlitShaderIDs.
+namespace BlitShaderIDs
+{
+inline const ShaderPropertyId _BlitTexture{"_BlitTexture"};
+inline const ShaderPropertyId _BlitScaleBias{"_BlitScaleBias"};
+} // namespace BlitShaderIDs
+
 /// Draws one triangle over the whole of `destination`, whose contents are kept where the pass
 /// blends, with `source` as _BlitTexture (and its size as _BlitTexture_TexelSize) and
 /// _BlitScaleBias (1, 1, 0, 0). No depth is bound: tests against depth or stencil pass. A source

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <glm/vec2.hpp>
+#include <limn/core/ShaderId.h>
 #include <limn/volume/NumberParameters.h>
 #include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn
 {
+
+/// The names under which shaders read what OutlineComponent gives.
+namespace OutlineShaderIDs
+{
+inline const ShaderPropertyId _OutlineColor{"_OutlineColor"};
+inline const ShaderPropertyId _OutlineWidth{"_OutlineWidth"};
+} // namespace OutlineShaderIDs
 
 /// The volume parameters that all outline techniques have in common. A technique derives its own
 /// component.
