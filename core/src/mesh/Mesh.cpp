@@ -2,7 +2,6 @@
 
 #include "support/UniqueId.h"
 
-#include "mesh/MeshProblems.h"
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>

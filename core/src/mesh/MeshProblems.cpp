@@ -1,4 +1,4 @@
-#include "mesh/MeshProblems.h"
+#include <limn/core/Mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,8 +2,8 @@
 
 #include "assets/FileKind.h"
 #include "console/CacheFolder.h"
-#include "shaders/ShaderDescription.h"
-#include "shaders/ShaderEmit.h"
+#include "shader_reports/ShaderDescription.h"
+#include "shader_reports/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 #include "explain/InspectReport.h"
-#include "shaders/ShaderDescription.h"
+#include "shader_reports/ShaderDescription.h"
 
 #include <array>
 #include <limn/editor_stub/LayerNames.h>

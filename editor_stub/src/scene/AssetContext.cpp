@@ -1,6 +1,5 @@
 #include <limn/editor_stub/AssetContext.h>
 
-#include "assets/GltfBufferFiles.h"
 #include "assets/Importer.h"
 #include "assets/References.h"
 #include "plugins/LoadPlugin.h"
@@ -11,8 +10,8 @@
 #include "unity/UnityProject.h"
 
 #include <algorithm>
-#include <limn/core/GltfMesh.h>
 #include <limn/core/Image.h>
+#include <limn/editor_stub/GltfMesh.h>
 #include <limn/features/Features.h>
 #include <limn/shaderlab/ResolveShader.h>
 #include <limn/shaderlab/ShaderLabParser.h>
@@ -201,12 +200,12 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
     const std::filesystem::path normal = path.lexically_normal();
     const auto load = [&]
     {
-        for (const std::filesystem::path& buffer : GltfBufferFiles(normal))
-        {
-            Reach(buffer);
-            m_MeshesOfBuffers[buffer].insert(normal);
-        }
-        return LoadGltfMesh(normal, m_Roots);
+        return LoadGltfMesh(normal, m_Roots,
+                            [&](const std::filesystem::path& buffer)
+                            {
+                                Reach(buffer);
+                                m_MeshesOfBuffers[buffer].insert(normal);
+                            });
     };
     return Cached(m_Meshes, normal, load);
 }

@@ -8,7 +8,6 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Debug.h>
-#include <limn/core/GltfMesh.h>
 #include <limn/core/GraphicsFormatUtility.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>

@@ -1,4 +1,3 @@
-#include "assets/GltfBufferFiles.h"
 #include "commands/WatchedAssets.h"
 
 #include <gtest/gtest.h>
@@ -130,18 +129,6 @@ TEST_F(AssetContextTest, GivesAProfileTheTextureItNamesAfterThatChanged)
     EXPECT_EQ(255, redOfRamp());
     assets.Forget(folder / "ramp.png");
     EXPECT_EQ(7, redOfRamp());
-}
-
-TEST(GltfBufferFiles, AreThoseBesideTheFile)
-{
-    const TemporaryFolder folder;
-    const auto path = folder.Write(
-        "a.gltf", R"({"buffers": [{"uri": "sub/my%20mesh.bin"}, {"uri": "data:,AA"}, {}, 3,
-                      {"uri": "100%"}]})");
-    EXPECT_EQ((Paths{folder / "sub/my mesh.bin", folder / "100%"}), GltfBufferFiles(path));
-    EXPECT_EQ(Paths{}, GltfBufferFiles(folder.Write("b.gltf", "glTF not JSON")));
-    EXPECT_EQ(Paths{}, GltfBufferFiles(folder.Write("c.gltf", R"({"buffers": {}})")));
-    EXPECT_EQ(Paths{}, GltfBufferFiles(folder / "missing.gltf"));
 }
 
 } // namespace limn::test

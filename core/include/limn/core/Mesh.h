@@ -79,6 +79,10 @@ struct MeshData
     }
 };
 
+/// Returns what keeps `data` from being a mesh, one sentence per problem; empty if nothing does.
+/// A loader reports them as problems of its file; Mesh itself throws them.
+std::vector<std::string> MeshProblems(const MeshData& data);
+
 /// Immutable geometry; the device uploads it when a frame first draws it.
 /// Unity: UnityEngine.Mesh (2022.3).
 class Mesh

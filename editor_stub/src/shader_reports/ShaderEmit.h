@@ -1,6 +1,6 @@
 #pragma once
 
-#include "shaders/ShaderCheck.h"
+#include "shader_reports/ShaderCheck.h"
 
 #include <set>
 

@@ -1,6 +1,6 @@
 #include <glm/geometric.hpp>
 #include <gtest/gtest.h>
-#include <limn/core/GltfMesh.h>
+#include <limn/editor_stub/GltfMesh.h>
 
 #include "TemporaryFolder.h"
 #include "gltf/GltfFile.h"

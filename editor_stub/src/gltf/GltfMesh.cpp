@@ -1,4 +1,4 @@
-#include <limn/core/GltfMesh.h>
+#include <limn/editor_stub/GltfMesh.h>
 
 #include "gltf/Collector.h"
 #include <algorithm>
@@ -117,10 +117,15 @@ void CheckLevels(const std::filesystem::path& path, std::string_view file, bool 
 struct ReferredFiles
 {
     FileRoots roots;
+    const std::function<void(const std::filesystem::path&)>& reach;
     std::string problem;
 
     bool Read(const std::filesystem::path& path, std::vector<unsigned char>& bytes)
     {
+        if (reach)
+        {
+            reach(path.lexically_normal());
+        }
         FileContent content;
         content.problem = "it lies outside the folders that references may lead into";
         if (roots.Contains(path))
@@ -157,7 +162,7 @@ struct ReferredFiles
     }
 };
 
-tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& roots)
+tinygltf::Model ParseFile(const std::filesystem::path& path, ReferredFiles files)
 {
     const std::string bytes = ReadFile(path, k_MaxDataBytes);
     if (bytes.empty())
@@ -170,7 +175,6 @@ tinygltf::Model ParseFile(const std::filesystem::path& path, const FileRoots& ro
 
     tinygltf::TinyGLTF parser;
     parser.SetImageLoader(SkipImage, nullptr);
-    ReferredFiles files{roots, {}};
     files.roots.Add(path.parent_path());
     parser.SetFsCallbacks(files.Callbacks());
     tinygltf::Model model;
@@ -225,9 +229,11 @@ void ThrowIfAny(const std::filesystem::path& path, const std::vector<std::string
 
 } // namespace
 
-std::shared_ptr<const Mesh> LoadGltfMesh(const std::filesystem::path& path, const FileRoots& roots)
+std::shared_ptr<const Mesh>
+LoadGltfMesh(const std::filesystem::path& path, const FileRoots& roots,
+             const std::function<void(const std::filesystem::path&)>& reach)
 {
-    const tinygltf::Model model = ParseFile(path, roots);
+    const tinygltf::Model model = ParseFile(path, {roots, reach, {}});
     ThrowIfAny(path, FileProblems(model));
     GltfCollector collector(model);
     collector.CollectAll();

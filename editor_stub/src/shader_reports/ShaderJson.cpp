@@ -1,6 +1,6 @@
 #include "console/Console.h"
 #include "console/Json.h"
-#include "shaders/ShaderDescription.h"
+#include "shader_reports/ShaderDescription.h"
 
 namespace limn
 {

@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <limn/base/Diagnostic.h>
-#include <limn/core/GltfMesh.h>
+#include <limn/editor_stub/GltfMesh.h>
 
 #include "Mentions.h"
 #include "TemporaryFolder.h"
-#include "ThrownMessage.h"
+#include "core/ThrownMessage.h"
 #include "gltf/GltfFile.h"
 
 namespace limn
@@ -86,6 +86,26 @@ TEST(GltfMeshError, SaysWhyABufferCannotBeRead)
     EXPECT_THAT(errorOf("../near.bin"), Mentions("buffer 'near.bin'", "outside"));
     std::filesystem::create_symlink(outer / "near.bin", folder / "link.bin");
     EXPECT_THAT(errorOf("link.bin"), Mentions("buffer 'link.bin'", "outside"));
+}
+
+TEST(GltfMesh, TellsTheFilesOfItsBuffersAlsoThoseThatAreMissing)
+{
+    const test::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "sub");
+    folder.Write("sub/my mesh.bin", "0123");
+    std::vector<std::filesystem::path> reached;
+    const auto load = [&](const std::string& buffers)
+    {
+        reached.clear();
+        const auto path =
+            folder.Write("a.gltf", R"({"asset": {"version": "2.0"}, "buffers": )" + buffers + "}");
+        EXPECT_THROW(LoadGltfMesh(path, {}, [&](const auto& file) { reached.push_back(file); }),
+                     AssetError);
+    };
+    load(R"([{"uri": "sub/my%20mesh.bin", "byteLength": 4}, {"uri": "100%", "byteLength": 4}])");
+    EXPECT_EQ((std::vector{folder / "sub/my mesh.bin", folder / "100%"}), reached);
+    load(R"([{"uri": "data:application/octet-stream;base64,AAAA", "byteLength": 3}])");
+    EXPECT_TRUE(reached.empty());
 }
 
 TEST(GltfMesh, ReadsABufferFromAnotherRoot)

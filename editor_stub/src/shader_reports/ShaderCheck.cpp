@@ -1,4 +1,4 @@
-#include "shaders/ShaderCheck.h"
+#include "shader_reports/ShaderCheck.h"
 
 #include "shaders/ShaderFolders.h"
 

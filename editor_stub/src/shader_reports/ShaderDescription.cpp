@@ -1,4 +1,4 @@
-#include "shaders/ShaderDescription.h"
+#include "shader_reports/ShaderDescription.h"
 
 #include "console/Texts.h"
 

@@ -2,7 +2,6 @@
 
 #include "gltf/Accessor.h"
 #include "gltf/Primitive.h"
-#include "mesh/MeshProblems.h"
 #include <algorithm>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>

@@ -1,4 +1,4 @@
-#include "shaders/ShaderEmit.h"
+#include "shader_reports/ShaderEmit.h"
 
 #include "console/CacheFolder.h"
 #include <limn/base/Case.h>
