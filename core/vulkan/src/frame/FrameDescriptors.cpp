@@ -24,8 +24,7 @@ template <typename Slot>
 const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, const char* kind,
                      const std::string& name)
 {
-    const auto found = std::find_if(slots.begin(), slots.end(),
-                                    [&](const Slot& slot) { return slot.binding == binding; });
+    const auto found = std::ranges::find(slots, binding, &Slot::binding);
     if (found == slots.end())
     {
         RefuseMissing(kind, name, binding);
@@ -40,7 +39,7 @@ const BufferSlot* FindBuffer(const DrawBindings& bindings, std::uint32_t binding
     return found == bindings.buffers.end() ? nullptr : &*found;
 }
 
-void AddBuffer(SetContent& content, const BufferSlot& slot, const DeviceResources& resources)
+void AddBuffer(SetContent& content, const BufferSlot& slot, DeviceResources& resources)
 {
     content.AddBuffer(
         slot.binding,
@@ -68,7 +67,7 @@ void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
 }
 
 void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
-                 const VkDescriptorBufferInfo& uploaded, const DeviceResources& resources)
+                 const VkDescriptorBufferInfo& uploaded, DeviceResources& resources)
 {
     for (const UniformBuffer& buffer : layout.buffers)
     {
@@ -246,32 +245,31 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
                                       std::size_t piece, std::uint64_t number)
 {
     const DrawSetup& setup = m_Frame.Setup(draw);
-    const DrawBindings& bindings = setup.bindings ? *setup.bindings : k_NoBindings;
-    VkDescriptorSet& set =
-        m_Lists.sets[{&bindings, pass.setLayout.get(), draw.drawsObjects, piece}];
-    if (set == VK_NULL_HANDLE)
-    {
-        if (draw.drawsObjects)
-        {
-            UseObjects(number);
-        }
-        Use(bindings, number);
-        set = Create(setup.program->layout, bindings, pass.setLayout.get(),
-                     m_Lists.pieces[draw.drawsObjects ? 1 : 0], piece, number);
-    }
-    return set;
+    return Get(setup.program->layout, setup.bindings ? *setup.bindings : k_NoBindings, pass,
+               draw.drawsObjects, piece, number);
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
                                       std::uint64_t number)
 {
     const DispatchSetup& setup = m_Frame.Setup(dispatch);
-    VkDescriptorSet& set = m_Lists.sets[{setup.bindings.get(), kernel.setLayout.get(), false, 0}];
+    return Get(setup.program->layout, *setup.bindings, kernel, false, 0, number);
+}
+
+VkDescriptorSet FrameDescriptors::Get(const PropertyLayout& layout, const DrawBindings& bindings,
+                                      const ProgramObjects& program, bool readsObjects,
+                                      std::size_t piece, std::uint64_t number)
+{
+    VkDescriptorSet& set = m_Lists.sets[{&bindings, program.setLayout.get(), readsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
-        Use(*setup.bindings, number);
-        set = Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(),
-                     m_Lists.pieces[0], 0, number);
+        if (readsObjects)
+        {
+            UseObjects(number);
+        }
+        Use(bindings, number);
+        set = Create(layout, bindings, program.setLayout.get(),
+                     m_Lists.pieces[readsObjects ? 1 : 0], piece, number);
     }
     return set;
 }

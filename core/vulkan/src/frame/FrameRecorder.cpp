@@ -77,7 +77,15 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         PreparedPass& pass = m_Prepared.passes[i];
-        PrepareTargets(frame.passes[i]);
+        ForEachAttachment(frame.passes[i],
+                          [&](const auto& attachment)
+                          {
+                              m_Resources.images.Use(attachment.texture, m_Number);
+                              if (attachment.resolve)
+                              {
+                                  m_Resources.images.UseResolved(attachment.resolve, m_Number);
+                              }
+                          });
         pass.firstBarrier = m_Prepared.barriers.size();
         PrepareBarriers(frame.passes[i].barriers, &frame.passes[i]);
         pass.barrierCount = m_Prepared.barriers.size() - pass.firstBarrier;
@@ -123,26 +131,6 @@ bool FrameRecorder::Repeat(const CompiledFrame& frame)
     recording.data->Write(frame);
     recording.Use(m_Number);
     return true;
-}
-
-void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)
-{
-    const auto use = [&](const auto& attachment)
-    {
-        m_Resources.images.Use(attachment.texture, m_Number);
-        if (attachment.resolve)
-        {
-            m_Resources.images.UseResolved(attachment.resolve, m_Number);
-        }
-    };
-    for (const ColorAttachment& color : pass.colors)
-    {
-        use(color);
-    }
-    if (pass.depth)
-    {
-        use(*pass.depth);
-    }
 }
 
 void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const

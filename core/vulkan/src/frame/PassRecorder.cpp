@@ -1,12 +1,11 @@
 #include "frame/PassRecorder.h"
 
 #include "frame/PassTargets.h"
-#include "resources/MipChain.h"
 
 namespace limn::vulkan
 {
 
-PassRecorder::PassRecorder(const VulkanContext& context, const ImagePool& images,
+PassRecorder::PassRecorder(const VulkanContext& context, ImagePool& images,
                            VkCommandBuffer commands, const CompiledRenderPass& pass,
                            const PreparedPass& prepared, const PreparedFrame& frame,
                            BoundState& bound)
@@ -50,7 +49,8 @@ void PassRecorder::Record()
     const UsageScope written = ToUsageScope(TextureUsage::RandomWrite);
     for (const auto& texture : m_Pass.mips)
     {
-        RecordMips(m_Commands, m_Images.Find(*texture)->readImage(), *texture, written, written);
+        RecordMips(m_Commands, m_Images.Find(*texture)->read().image.get(), *texture, written,
+                   written);
     }
     if (!m_Pass.name.empty())
     {
@@ -66,7 +66,8 @@ void PassRecorder::GenerateMips() const
         if (color.generatesMips)
         {
             const RenderTexture& texture = color.resolve ? *color.resolve : *color.texture;
-            RecordMips(m_Commands, m_Images.Find(texture)->readImage(), texture, drawn, drawn);
+            RecordMips(m_Commands, m_Images.Find(texture)->read().image.get(), texture, drawn,
+                       drawn);
         }
     }
 }

@@ -10,7 +10,7 @@ namespace limn::vulkan
 class PassRecorder
 {
 public:
-    PassRecorder(const VulkanContext& context, const ImagePool& images, VkCommandBuffer commands,
+    PassRecorder(const VulkanContext& context, ImagePool& images, VkCommandBuffer commands,
                  const CompiledRenderPass& pass, const PreparedPass& prepared,
                  const PreparedFrame& frame, BoundState& bound);
 
@@ -29,7 +29,7 @@ private:
     void EndLabel();
 
     const VulkanContext& m_Context;
-    const ImagePool& m_Images;
+    ImagePool& m_Images;
     VkCommandBuffer m_Commands;
     const CompiledRenderPass& m_Pass;
     const PreparedPass& m_Prepared;

@@ -22,19 +22,11 @@ double TimeCopies(const VulkanContext& context, MemoryAllocator& allocator, Subm
     FrameSlot slot{context, allocator};
     slot.BeginRecording(0);
     const VkBufferCopy region{0, 0, k_Bytes};
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.dstAccessMask = barrier.srcAccessMask;
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
+    constexpr UsageScope k_BothWays{VK_PIPELINE_STAGE_2_COPY_BIT,
+                                    VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
     for (int i = 0; i < k_Copies; ++i)
     {
-        vkCmdPipelineBarrier2(slot.commands(), &info);
+        RecordBarrier(slot.commands(), k_BothWays, k_BothWays);
         vkCmdCopyBuffer(slot.commands(), from, to, 1, &region);
     }
     slot.EndRecording();
