@@ -2,6 +2,7 @@
 #include "pipeline/AdditionalLights.h"
 #include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "shadows/MainLightShadowCasterPass.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace limn
 namespace
 {
 
-constexpr const char* k_OutputName = "limn_Output";
 constexpr double k_MaxTime = 1e38;
 
 void ExpectRenderable(const RenderRequest& request)
@@ -257,15 +257,8 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
         output = output && output.rt() == target ? output : RTHandle(target);
         return;
     }
-    const RenderTextureDescriptor descriptor(request.width, request.height,
-                                             GraphicsFormat::R8G8B8A8_SRGB);
-    if (!output || output.rt()->descriptor() != descriptor)
-    {
-        const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
-                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
-        output = RTHandle(
-            std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
-    }
+    AllocateTransient(output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB},
+                      "limn_Output", FilterMode::Point);
 }
 
 /// Sets the uniforms that do not change within a camera, and those that an overlay must not take
