@@ -5,7 +5,6 @@
 #include "cull/ProjectedBounds.h"
 #include "material/PropertyValues.h"
 #include "material/ShaderGlobals.h"
-#include "record/Topology.h"
 #include "scene/PerDraw.h"
 
 #include <algorithm>
@@ -49,6 +48,46 @@ float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
         return number ? std::abs(*number) : -1.0f;
     }
     return tag.reach.value_or(-1.0f);
+}
+
+/// @throws DrawError if the geometry function of the material's shader takes other primitives
+void ExpectTopology(MeshTopology drawn, GeometryInput taken, const Material& material)
+{
+    static constexpr const char* k_Taken[] = {nullptr,     "points",
+                                              "lines",     "lines with neighbours",
+                                              "triangles", "triangles with neighbours"};
+    const bool isOfPoints = drawn == MeshTopology::Points;
+    const bool isOfLines = drawn == MeshTopology::Lines || drawn == MeshTopology::LineStrip;
+    const GeometryInput fitting = isOfPoints  ? GeometryInput::Point
+                                  : isOfLines ? GeometryInput::Line
+                                              : GeometryInput::Triangle;
+    if (taken == GeometryInput::None || taken == fitting)
+    {
+        return;
+    }
+    throw DrawError("material '" + material.name() +
+                    "': the geometry function of its shader takes " +
+                    k_Taken[static_cast<std::size_t>(taken)] + ", but " +
+                    (isOfPoints  ? "points are drawn"
+                     : isOfLines ? "lines are drawn"
+                                 : "triangles are drawn; write 'triangle' and an array of 3"));
+}
+
+/// Returns the indices that draw quads of four vertices as triangles. All vertices are at 0, since
+/// draws of MeshTopology::Quads have no other data than SV_VertexID.
+std::shared_ptr<const Mesh> MakeQuads(std::uint32_t count)
+{
+    MeshData data;
+    data.vertices.resize(std::size_t{count} * 4);
+    data.triangles.reserve(std::size_t{count} * 6);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+        {
+            data.triangles.push_back(i * 4 + corner);
+        }
+    }
+    return std::make_shared<const Mesh>("Quads", std::move(data));
 }
 
 /// Returns the number of a setup, which is added unless it is that of the draw before.
