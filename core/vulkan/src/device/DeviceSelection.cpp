@@ -12,20 +12,9 @@ namespace limn
 
 const char* ToString(VulkanDeviceType type)
 {
-    switch (type)
-    {
-    case VulkanDeviceType::IntegratedGpu:
-        return "integrated GPU";
-    case VulkanDeviceType::DiscreteGpu:
-        return "discrete GPU";
-    case VulkanDeviceType::VirtualGpu:
-        return "virtual GPU";
-    case VulkanDeviceType::Software:
-        return "software";
-    case VulkanDeviceType::Other:
-        break;
-    }
-    return "other";
+    static constexpr const char* k_Names[] = {"other", "integrated GPU", "discrete GPU",
+                                              "virtual GPU", "software"};
+    return k_Names[static_cast<std::size_t>(type)];
 }
 
 std::vector<VulkanDeviceInfo> EnumerateVulkanDevices()
@@ -121,19 +110,11 @@ DeviceChoice ChooseByDefault(const std::vector<VulkanDeviceInfo>& devices)
 
 VulkanDeviceType ToDeviceType(VkPhysicalDeviceType type)
 {
-    switch (type)
-    {
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
-        return VulkanDeviceType::IntegratedGpu;
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
-        return VulkanDeviceType::DiscreteGpu;
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
-        return VulkanDeviceType::VirtualGpu;
-    case VK_PHYSICAL_DEVICE_TYPE_CPU:
-        return VulkanDeviceType::Software;
-    default:
-        return VulkanDeviceType::Other;
-    }
+    static_assert(VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ==
+                      static_cast<int>(VulkanDeviceType::IntegratedGpu) &&
+                  VK_PHYSICAL_DEVICE_TYPE_CPU == static_cast<int>(VulkanDeviceType::Software));
+    return type <= VK_PHYSICAL_DEVICE_TYPE_CPU ? static_cast<VulkanDeviceType>(type)
+                                               : VulkanDeviceType::Other;
 }
 
 std::string VersionText(std::uint32_t version)

@@ -47,6 +47,18 @@ void AddBuffer(SetContent& content, const BufferSlot& slot, DeviceResources& res
         {resources.buffers.Find(*slot.buffer)->buffer.handle.get(), slot.offset, slot.size});
 }
 
+/// @param verb  what the shader does: "read"
+void RequireUsage(const PooledImage& image, const char* verb, const std::string& property,
+                  TextureUsage needed)
+{
+    if (image.use.usage != needed)
+    {
+        throw ContractError("texture '" + image.name + "' is " + verb + " as '" + property +
+                            "' while its use is " + ToString(image.use.usage) +
+                            "; a barrier must make it " + ToString(needed));
+    }
+}
+
 void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
                         const DrawBindings& bindings, DeviceResources& resources)
 {
@@ -55,12 +67,7 @@ void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
         const StorageTextureSlot& slot =
             FindSlot(bindings.storageTextures, texture.binding, "texture", texture.name);
         const PooledImage& image = *resources.images.Find(*slot.texture);
-        if (image.use.usage != TextureUsage::RandomWrite)
-        {
-            throw ContractError("texture '" + image.name + "' is written to as '" + texture.name +
-                                "' while its use is " + ToString(image.use.usage) +
-                                "; a barrier must make it RandomWrite");
-        }
+        RequireUsage(image, "written to", texture.name, TextureUsage::RandomWrite);
         content.AddImage(texture.binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
                          {VK_NULL_HANDLE, image.view.get(), VK_IMAGE_LAYOUT_GENERAL});
     }
@@ -132,12 +139,7 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
         const TextureSlot& slot =
             FindSlot(bindings.textures, texture.binding, "texture", texture.name);
         const PooledImage& image = *resources.images.Find(*slot.texture);
-        if (image.use.usage != TextureUsage::ShaderRead)
-        {
-            throw ContractError("texture '" + image.name + "' is read as '" + texture.name +
-                                "' while its use is " + ToString(image.use.usage) +
-                                "; a barrier must make it ShaderRead");
-        }
+        RequireUsage(image, "read", texture.name, TextureUsage::ShaderRead);
         RequireReader(image, texture);
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);

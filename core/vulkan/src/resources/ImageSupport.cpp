@@ -169,20 +169,10 @@ std::uint32_t LayerCount(const Texture& texture)
 
 VkImageViewType ViewType(TextureDimension dimension)
 {
-    switch (dimension)
-    {
-    case TextureDimension::Tex3D:
-        return VK_IMAGE_VIEW_TYPE_3D;
-    case TextureDimension::Cube:
-        return VK_IMAGE_VIEW_TYPE_CUBE;
-    case TextureDimension::Tex2DArray:
-        return VK_IMAGE_VIEW_TYPE_2D_ARRAY;
-    case TextureDimension::CubeArray:
-        return VK_IMAGE_VIEW_TYPE_CUBE_ARRAY;
-    case TextureDimension::Tex2D:
-        break;
-    }
-    return VK_IMAGE_VIEW_TYPE_2D;
+    static constexpr VkImageViewType k_Types[] = {
+        VK_IMAGE_VIEW_TYPE_2D, VK_IMAGE_VIEW_TYPE_3D, VK_IMAGE_VIEW_TYPE_CUBE,
+        VK_IMAGE_VIEW_TYPE_2D_ARRAY, VK_IMAGE_VIEW_TYPE_CUBE_ARRAY};
+    return k_Types[static_cast<int>(dimension) - static_cast<int>(TextureDimension::Tex2D)];
 }
 
 VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
