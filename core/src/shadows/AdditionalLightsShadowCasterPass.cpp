@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <limn/core/Camera.h>
 #include <limn/core/CommandBuffer.h>
@@ -81,16 +82,9 @@ bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec
 glm::dmat4 LookAlong(const glm::dvec3& place, const glm::dvec3& forward, const glm::dvec3& up)
 {
     const glm::dvec3 right = glm::normalize(glm::cross(up, forward));
-    const glm::dvec3 axes[] = {right, glm::cross(forward, right), -forward};
-    glm::dmat4 view(1.0);
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int column = 0; column < 3; ++column)
-        {
-            view[column][row] = axes[row][column];
-        }
-        view[3][row] = -glm::dot(axes[row], place);
-    }
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(right, glm::cross(forward, right), -forward));
+    glm::dmat4 view(axes);
+    view[3] = glm::dvec4(-(axes * place), 1.0);
     return view;
 }
 

@@ -35,6 +35,21 @@ glm::ivec3 TiersOf(const ShadowSettings& settings)
             settings.additionalLightsShadowResolutionTierHigh};
 }
 
+glm::vec3 SplitOf(const ShadowSettings& settings)
+{
+    switch (settings.shadowCascadeCount)
+    {
+    case 1:
+        return {1.0f, 0.0f, 0.0f};
+    case 2:
+        return {settings.cascade2Split, 1.0f, 0.0f};
+    case 3:
+        return {settings.cascade3Split.x, settings.cascade3Split.y, 0.0f};
+    default:
+        return settings.cascade4Split;
+    }
+}
+
 int ResolutionOf(const Light& light, const glm::ivec3& tiers)
 {
     using Tier = AdditionalLightsShadowResolutionTier;

@@ -38,6 +38,9 @@ glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& setting
 /// Returns ShadowSettings' resolutions of squares: low, medium, high.
 glm::ivec3 TiersOf(const ShadowSettings& settings);
 
+/// Returns the shares of the shadow distance at which the cascades but the last end.
+glm::vec3 SplitOf(const ShadowSettings& settings);
+
 /// Returns the resolution that a light asks for.
 int ResolutionOf(const Light& light, const glm::ivec3& tiers);
 
