@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/UniqueHandle.h"
 #include "device/VulkanContext.h"
 #include "resources/Pooled.h"
 #include <limn/core/Texture.h>
