@@ -42,14 +42,17 @@ void LeaveOutClears(FrameNode& node)
     {
         node.clear->flags = Without(node.clear->flags, ClearFlag::Stencil);
     }
+    for (PassCommand& command : node.commands)
+    {
+        if (auto* clear = std::get_if<ClearCommand>(&command))
+        {
+            clear->flags = Without(clear->flags, ClearFlag::Stencil);
+        }
+    }
     std::erase_if(node.commands,
-                  [](PassCommand& command)
+                  [](const PassCommand& command)
                   {
-                      auto* clear = std::get_if<ClearCommand>(&command);
-                      if (clear != nullptr)
-                      {
-                          clear->flags = Without(clear->flags, ClearFlag::Stencil);
-                      }
+                      const auto* clear = std::get_if<ClearCommand>(&command);
                       return clear != nullptr && clear->flags == ClearFlag::None;
                   });
 }
