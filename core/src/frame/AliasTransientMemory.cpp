@@ -96,18 +96,14 @@ std::uint64_t FreeOffset(const Lifetime& lifetime, const Lifetimes& placed)
 /// Returns whether some of them lie in one place.
 bool Shares(const Lifetimes& placed)
 {
-    return std::any_of(placed.begin(), placed.end(),
-                       [&](const Lifetime& a)
-                       {
-                           return std::any_of(placed.begin(), placed.end(),
-                                              [&](const Lifetime& b)
-                                              {
-                                                  return &a != &b &&
-                                                         a.footprint.kind == b.footprint.kind &&
-                                                         a.offset < b.offset + b.footprint.size &&
-                                                         b.offset < a.offset + a.footprint.size;
-                                              });
-                       });
+    const auto overlap = [](const Lifetime& a, const Lifetime& b)
+    {
+        return &a != &b && a.footprint.kind == b.footprint.kind &&
+               a.offset < b.offset + b.footprint.size && b.offset < a.offset + a.footprint.size;
+    };
+    return std::ranges::any_of(
+        placed, [&](const Lifetime& a)
+        { return std::ranges::any_of(placed, [&](const Lifetime& b) { return overlap(a, b); }); });
 }
 
 /// Nothing of the contents is kept, since the memory is or was another texture's, too.
@@ -131,14 +127,11 @@ void AliasTransientMemory(const FrameNodes& nodes, OutputSpan outputs,
     for (Lifetime& lifetime : lifetimes)
     {
         const RenderTexture& texture = *lifetime.texture;
-        const bool isOutput =
-            std::find(outputs.begin(), outputs.end(), lifetime.texture) != outputs.end();
         // A pass may still read what an earlier frame has left in the texture, though nobody need
         // keep it any longer.
-        const auto state = frame.states.textures.find(texture.id());
-        const bool isFilled = state != frame.states.textures.end() && state->second.isFilled;
-        if (footprint && !isOutput && !isFilled && !HasSamples(texture) &&
-            !OutlivesFrame(texture, frame.states))
+        const TextureState* state = FindState(frame.states, texture);
+        if (footprint && !Contains(outputs, texture) && !(state && state->isFilled) &&
+            !HasSamples(texture) && !OutlivesFrame(texture, frame.states))
         {
             lifetime.footprint = footprint(texture);
             if (lifetime.footprint.size > 0)
@@ -175,9 +168,7 @@ void AliasTransientMemory(const FrameNodes& nodes, OutputSpan outputs,
     std::ranges::for_each(outputs, [&](const auto& output) { takeOwnMemory(*output); });
     for (const Lifetime& lifetime : done)
     {
-        TextureState& state = frame.states.textures[lifetime.texture->id()];
-        state.texture = lifetime.texture;
-        Forget(state, true);
+        Forget(StateOf(frame.states, lifetime.texture), true);
         frame.placed.push_back(
             {lifetime.texture, lifetime.footprint.kind, lifetime.offset, lifetime.footprint.size});
     }

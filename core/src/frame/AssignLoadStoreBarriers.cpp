@@ -245,9 +245,7 @@ private:
 
     TextureState& StateOf(const std::shared_ptr<const Texture>& texture)
     {
-        TextureState& state = m_Frame.states.textures[texture->id()];
-        state.texture = texture;
-        return state;
+        return limn::StateOf(m_Frame.states, texture);
     }
 
     LoadOp Load(const FrameNode& node, const RenderTexture& texture, ClearFlag aspect) const
@@ -257,9 +255,9 @@ private:
         {
             return LoadOp::Clear;
         }
-        const auto state = m_Frame.states.textures.find(texture.id());
-        const bool isFilled = state != m_Frame.states.textures.end() && state->second.isFilled;
-        return isFilled && !Overwrites(node, texture) ? LoadOp::Load : LoadOp::DontCare;
+        const TextureState* state = FindState(m_Frame.states, texture);
+        return state && state->isFilled && !Overwrites(node, texture) ? LoadOp::Load
+                                                                      : LoadOp::DontCare;
     }
 
     StoreOp Store(std::size_t index, const RenderTexture& texture, ClearFlag aspect) const
@@ -273,10 +271,7 @@ private:
         case NextUse::None:
             break;
         }
-        const bool isOutput =
-            !HasSamples(texture) &&
-            std::any_of(m_Outputs.begin(), m_Outputs.end(),
-                        [&](const auto& output) { return output.get() == &texture; });
+        const bool isOutput = !HasSamples(texture) && Contains(m_Outputs, texture);
         return isOutput || OutlivesFrame(texture, m_Frame.states) ? StoreOp::Store
                                                                   : StoreOp::DontCare;
     }

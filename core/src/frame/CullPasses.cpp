@@ -11,9 +11,9 @@ namespace
 /// Returns whether what is pending takes the place of all that was drawn.
 bool IsReplaced(const RenderTexture& texture, const TextureStates& states)
 {
-    const auto state = states.textures.find(texture.id());
-    return state != states.textures.end() && state->second.isPending &&
-           Only(state->second.constant.flags, AspectsOf(texture)) == AspectsOf(texture);
+    const TextureState* state = FindState(states, texture);
+    return state && state->isPending &&
+           Only(state->constant.flags, AspectsOf(texture)) == AspectsOf(texture);
 }
 
 /// Returns the textures whose contents are read behind the frame's last node.

@@ -1,5 +1,5 @@
 #include "frame/ConstantBlend.h"
-#include "frame/FrameNode.h"
+#include "frame/TextureHistory.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,14 +13,13 @@ namespace
 
 bool UsesDepth(const FrameNode& node, const FrameTables& tables)
 {
-    return std::any_of(node.commands.begin(), node.commands.end(),
-                       [&](const PassCommand& command)
-                       {
-                           const auto* draw = std::get_if<DrawCommand>(&command);
-                           const auto* clear = std::get_if<ClearCommand>(&command);
-                           return (draw && UsesDepth(tables.Setup(*draw).state)) ||
-                                  (clear && (clear->flags & ClearFlag::DepthStencil));
-                       });
+    return AnyDraw(node, tables, [](const DrawSetup& draw) { return UsesDepth(draw.state); }) ||
+           std::ranges::any_of(node.commands,
+                               [](const PassCommand& command)
+                               {
+                                   const auto* clear = std::get_if<ClearCommand>(&command);
+                                   return clear && (clear->flags & ClearFlag::DepthStencil);
+                               });
 }
 
 /// The one colour that every fragment of a full-screen draw has.
@@ -108,12 +107,7 @@ private:
         LeaveOutSamples(node);
         LeaveOutDepth(node);
         CollectReads(node, m_Tables);
-        const bool draws = HasDraws(node);
-        const bool clearsParts =
-            std::any_of(node.commands.begin(), node.commands.end(),
-                        [](const PassCommand& command)
-                        { return std::holds_alternative<ClearCommand>(command); });
-        if (!draws && !clearsParts)
+        if (!HasDraws(node) && !Has<ClearCommand>(node))
         {
             RememberClear(node);
             node.whyLeftOut =
@@ -134,9 +128,7 @@ private:
 
     TextureState& StateOf(const std::shared_ptr<const RenderTexture>& texture)
     {
-        TextureState& state = m_States.textures[texture->id()];
-        state.texture = texture;
-        return state;
+        return limn::StateOf(m_States, texture);
     }
 
     /// Draws that change nothing go; a first one that makes its target a constant is a clear.
@@ -175,8 +167,7 @@ private:
         {
             m_Why = Text({"it makes every texel the same: ", constant.why});
             node.coversColor = false;
-            node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, {ClearFlag::Color, constant.output});
+            AddClear(node, {ClearFlag::Color, constant.output});
             return true;
         }
         return false;
@@ -228,16 +219,20 @@ private:
     /// A copy of a texture that is one colour all over is that colour.
     ConstantDraw FindCopiedConstant(const Texture& from, const RenderTexture& to) const
     {
-        const auto found = m_States.textures.find(from.id());
-        if (found == m_States.textures.end() || !(found->second.constant.flags & ClearFlag::Color))
-        {
-            return {};
-        }
+        const Color* held = FindColor(from);
         const std::optional<Color> color =
-            ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), found->second.constant.color);
+            held ? ColorOfCopy(from.graphicsFormat(), to.graphicsFormat(), *held) : std::nullopt;
         return color ? ConstantDraw{Text({"'", from.name(), "' has one value everywhere"}),
                                     {color->r, color->g, color->b, 1.0f}}
                      : ConstantDraw{};
+    }
+
+    /// Returns the colour that a texture has all over; null if it may have others.
+    const Color* FindColor(const Texture& texture) const
+    {
+        const TextureState* state = FindState(m_States, texture);
+        return state && (state->constant.flags & ClearFlag::Color) ? &state->constant.color
+                                                                   : nullptr;
     }
 
     /// Why the fragment function gives the output that is promised; "" = it need not.
@@ -249,10 +244,8 @@ private:
         }
         for (const auto& texture : promise.zeroTextures)
         {
-            const auto found = m_States.textures.find(texture->id());
-            if (found != m_States.textures.end() &&
-                (found->second.constant.flags & ClearFlag::Color) &&
-                IsZero(found->second.constant.color, texture->graphicsFormat()))
+            const Color* held = FindColor(*texture);
+            if (held && IsZero(*held, texture->graphicsFormat()))
             {
                 return Text({"'", texture->name(), "' is 0 everywhere"});
             }
@@ -343,8 +336,7 @@ private:
             }
             else if (isDepth || node.targets.colors.size() == 1)
             {
-                node.clear = node.clear ? *node.clear : ClearCommand{};
-                Merge(*node.clear, clear);
+                AddClear(node, clear);
             }
             else
             {

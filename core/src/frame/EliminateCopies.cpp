@@ -23,19 +23,12 @@ bool SameShape(const RenderTexture& from, const RenderTexture& to)
 /// same format with an alpha of 1.
 bool DrawsTheSame(const FrameNode& node, const FrameTables& tables, bool isSameFormat)
 {
-    return node.targets.colors.size() == 1 &&
-           std::all_of(
-               node.commands.begin(), node.commands.end(),
-               [&](const PassCommand& command)
-               {
-                   const auto* draw = std::get_if<DrawCommand>(&command);
-                   if (draw == nullptr)
-                   {
-                       return true;
-                   }
-                   const RenderTargetBlendState& blend = tables.Setup(*draw).state.targets.at(0);
-                   return ReplacesColor(blend) || (isSameFormat && !ReadsTargetAlpha(blend));
-               });
+    const auto differs = [&](const DrawSetup& draw)
+    {
+        const RenderTargetBlendState& blend = draw.state.targets.at(0);
+        return !ReplacesColor(blend) && (!isSameFormat || ReadsTargetAlpha(blend));
+    };
+    return node.targets.colors.size() == 1 && !AnyDraw(node, tables, differs);
 }
 
 /// Returns whether the contents of `from` are used by the copy alone, which is node `copy`.
@@ -76,8 +69,7 @@ void DrawInto(FrameNode& node, FrameTables& tables, const TexturePtr& to)
     if (node.coversColor)
     {
         node.coversColor = false; // of the alpha something has to be left
-        node.clear = node.clear ? *node.clear : ClearCommand{};
-        Merge(*node.clear, {ClearFlag::Color, Color::black});
+        AddClear(node, {ClearFlag::Color, Color::black});
     }
     if (node.clear)
     {
@@ -103,7 +95,7 @@ void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame
     {
         const TexturePtr from = CopiedBy(nodes[i], frame);
         const bool isKept = !from || OutlivesFrame(*from, frame.states) ||
-                            std::find(outputs.begin(), outputs.end(), from) != outputs.end() ||
+                            Contains(outputs, *from) ||
                             !SameShape(*from, *nodes[i].targets.colors.front()) ||
                             !CanForward(nodes, frame, i, *from);
         if (isKept)

@@ -12,15 +12,7 @@ namespace
 /// Returns whether the draw replaces the whole colour.
 bool Covers(const FrameNode& node, const DrawSetup& draw)
 {
-    if (!draw.fullScreen)
-    {
-        return false;
-    }
-    const bool hasViewport =
-        std::any_of(node.commands.begin(), node.commands.end(),
-                    [](const PassCommand& command)
-                    { return std::holds_alternative<SetViewportCommand>(command); });
-    return node.targets.colors.size() == 1 && !hasViewport &&
+    return draw.fullScreen && node.targets.colors.size() == 1 && !Has<SetViewportCommand>(node) &&
            !(node.targets.depth && UsesDepth(draw.state)) && !draw.state.alphaToMask &&
            ReplacesTarget(draw.state.targets.at(0));
 }

@@ -43,31 +43,22 @@ bool AreSame(const DispatchSetup& a, const DispatchSetup& b)
            AreSame(a.bindings, b.bindings);
 }
 
+bool AreSame(const TextureStates::DepthTwin& a, const TextureStates::DepthTwin& b)
+{
+    return !a.original.expired() && a.texture == b.texture;
+}
+
 /// Returns whether both have the same elements, and all of them still exist.
-bool AreSame(const TextureStates& now, const TextureStates& then)
+template <typename Element>
+bool AreSame(const std::unordered_map<std::uint64_t, Element>& now,
+             const std::unordered_map<std::uint64_t, Element>& then)
 {
     const auto isSame = [&](const auto& entry)
     {
-        const auto other = then.textures.find(entry.first);
-        return other != then.textures.end() && AreSame(entry.second, other->second);
+        const auto other = then.find(entry.first);
+        return other != then.end() && AreSame(entry.second, other->second);
     };
-    const auto isSameTwin = [&](const auto& entry)
-    {
-        const auto other = then.depthTwins.find(entry.first);
-        return other != then.depthTwins.end() && !entry.second.original.expired() &&
-               entry.second.texture == other->second.texture;
-    };
-    const auto isSameBuffer = [&](const auto& entry)
-    {
-        const auto other = then.buffers.find(entry.first);
-        return other != then.buffers.end() && AreSame(entry.second, other->second);
-    };
-    return now.textures.size() == then.textures.size() &&
-           now.buffers.size() == then.buffers.size() &&
-           std::ranges::all_of(now.buffers, isSameBuffer) &&
-           now.depthTwins.size() == then.depthTwins.size() &&
-           std::ranges::all_of(now.textures, isSame) &&
-           std::ranges::all_of(now.depthTwins, isSameTwin);
+    return now.size() == then.size() && std::ranges::all_of(now, isSame);
 }
 
 /// The part of a target by which moving draws may leave the regions that a frame was compiled for.
@@ -181,7 +172,9 @@ bool FrameCache::IsSame(const FrameCommands& commands, const TextureStates& stat
            std::ranges::equal(commands.dispatchSetups, m_Commands.dispatchSetups,
                               [](const DispatchSetup& a, const DispatchSetup& b)
                               { return AreSame(a, b); }) &&
-           AreSame(states, m_States);
+           AreSame(states.textures, m_States.textures) &&
+           AreSame(states.buffers, m_States.buffers) &&
+           AreSame(states.depthTwins, m_States.depthTwins);
 }
 
 bool FrameCache::HasComeToRest(std::span<FrameCommand> commands)

@@ -134,12 +134,7 @@ bool IsZero(const Color& color, GraphicsFormat format)
 
 bool HasDraws(const FrameNode& node)
 {
-    return std::any_of(node.commands.begin(), node.commands.end(),
-                       [](const PassCommand& command)
-                       {
-                           return std::holds_alternative<DrawCommand>(command) ||
-                                  std::holds_alternative<DispatchCommand>(command);
-                       });
+    return Has<DrawCommand>(node) || Has<DispatchCommand>(node);
 }
 
 bool Overwrites(const FrameNode& node, const RenderTexture& target)
@@ -238,6 +233,12 @@ void Merge(ClearCommand& clear, const ClearCommand& other)
         clear.stencil = other.stencil;
     }
     clear.flags = clear.flags | other.flags;
+}
+
+void AddClear(FrameNode& node, const ClearCommand& other)
+{
+    node.clear = node.clear ? *node.clear : ClearCommand{};
+    Merge(*node.clear, other);
 }
 
 void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut)

@@ -72,6 +72,27 @@ bool HasSamples(const RenderTexture& texture);         ///< returns whether it h
 /// cleared.
 std::optional<Color> ClearColorOf(const FrameNode& node, const RenderTexture& target);
 bool HasDraws(const FrameNode& node); ///< returns whether it has draws or dispatches
+
+/// Returns whether the node has a command of this kind.
+template <typename Command>
+bool Has(const FrameNode& node)
+{
+    return std::ranges::any_of(node.commands, [](const PassCommand& command)
+                               { return std::holds_alternative<Command>(command); });
+}
+
+/// Returns whether `is(setup)` is true for the set-up of one of the node's draws.
+template <typename Is>
+bool AnyDraw(const FrameNode& node, const FrameTables& tables, const Is& is)
+{
+    return std::ranges::any_of(node.commands,
+                               [&](const PassCommand& command)
+                               {
+                                   const auto* draw = std::get_if<DrawCommand>(&command);
+                                   return draw != nullptr && is(tables.Setup(*draw));
+                               });
+}
+
 /// Returns whether each component that the format has is 0.
 bool IsZero(const Color& color, GraphicsFormat format);
 /// Returns whether a draw tests or writes depth or stencil if they are attached.
@@ -158,6 +179,8 @@ void ReadInstead(FrameNode& node, FrameTables& tables, const Texture& replaced,
 
 /// Adds what `other` clears, which replaces the values of `clear` for the same aspects.
 void Merge(ClearCommand& clear, const ClearCommand& other);
+/// Adds what `other` clears to what the node clears before its first draw.
+void AddClear(FrameNode& node, const ClearCommand& other);
 
 /// Moves the nodes that have a reason to be left out behind those that are left out already.
 void EraseLeftOut(FrameNodes& nodes, FrameNodes& leftOut);

@@ -179,8 +179,7 @@ void JoinDepth(FrameNode& node, FrameNode& next, FrameTables& tables)
         {
             ClearCommand clear = *next.clear;
             clear.flags = Only(clear.flags, ClearFlag::DepthStencil);
-            node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, clear);
+            AddClear(node, clear);
         }
     }
 }
@@ -190,11 +189,7 @@ void Continue(FrameNode& node, FrameNode& next, FrameTables& tables)
     JoinColors(node, next, tables);
     JoinDepth(node, next, tables);
     node.resolves.insert(node.resolves.end(), next.resolves.begin(), next.resolves.end());
-    const bool hasViewport =
-        std::any_of(node.commands.begin(), node.commands.end(),
-                    [](const PassCommand& command)
-                    { return std::holds_alternative<SetViewportCommand>(command); });
-    if (hasViewport)
+    if (Has<SetViewportCommand>(node))
     {
         const RenderTexture& target = AnyTarget(node);
         node.commands.emplace_back(SetViewportCommand{{0, 0, target.width(), target.height()}});

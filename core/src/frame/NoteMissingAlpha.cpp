@@ -11,14 +11,9 @@ namespace
 
 bool BlendsWithAlpha(const FrameNode& node, std::size_t target, const FrameTables& tables)
 {
-    return std::ranges::any_of(node.commands,
-                               [&](const PassCommand& command)
-                               {
-                                   const auto* draw = std::get_if<DrawCommand>(&command);
-                                   return draw != nullptr &&
-                                          FactorsReadAlpha(
-                                              tables.Setup(*draw).state.targets.at(target));
-                               });
+    return AnyDraw(node, tables,
+                   [&](const DrawSetup& draw)
+                   { return FactorsReadAlpha(draw.state.targets.at(target)); });
 }
 
 } // namespace

@@ -36,13 +36,8 @@ bool LooksTheSame(const RenderTexture& depth, const RenderTexture& copy)
 bool CanReadAnother(const FrameNode& node, const FrameTables& tables)
 {
     return !node.isCompute &&
-           std::ranges::all_of(node.commands,
-                               [&](const PassCommand& command)
-                               {
-                                   const auto* draw = std::get_if<DrawCommand>(&command);
-                                   return draw == nullptr ||
-                                          HasPlainSamplers(*tables.Setup(*draw).bindings);
-                               });
+           !AnyDraw(node, tables,
+                    [](const DrawSetup& draw) { return !HasPlainSamplers(*draw.bindings); });
 }
 
 /// Returns whether all that uses the copy, node `at`, can read the original. A draw with the depth
@@ -76,7 +71,7 @@ void ReadOriginals(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame)
         const std::shared_ptr<const RenderTexture> copy =
             original ? nodes[i].targets.colors.front() : nullptr;
         if (!original || nodes[i].targets.isKept || !LooksTheSame(*original, *copy) ||
-            OutlivesFrame(*copy, frame.states) || std::ranges::count(outputs, copy) > 0 ||
+            OutlivesFrame(*copy, frame.states) || Contains(outputs, *copy) ||
             !CanDoWithout(nodes, i, frame, *original))
         {
             continue;

@@ -24,8 +24,7 @@ bool IsRead(std::span<const FrameNode> following,
             return false;
         }
     }
-    return OutlivesFrame(*target, states) ||
-           std::find(outputs.begin(), outputs.end(), target) != outputs.end();
+    return OutlivesFrame(*target, states) || Contains(outputs, *target);
 }
 
 } // namespace

@@ -36,13 +36,8 @@ bool IsWorthwhile(const ViewportRect& rect, const RenderTexture& target)
 /// Draws and clears of the whole target only.
 bool IsPlain(const FrameNode& node)
 {
-    return node.targets.colors.size() == 1 &&
-           std::none_of(node.commands.begin(), node.commands.end(),
-                        [](const PassCommand& command)
-                        {
-                            return std::holds_alternative<SetViewportCommand>(command) ||
-                                   std::holds_alternative<ClearCommand>(command);
-                        });
+    return node.targets.colors.size() == 1 && !Has<SetViewportCommand>(node) &&
+           !Has<ClearCommand>(node);
 }
 
 /// Goes through a frame in its order and knows of textures where they may be other than 0.
@@ -128,8 +123,7 @@ private:
         if (IsWorthwhile(rect, target))
         {
             node.coversColor = false;
-            node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, {ClearFlag::Color, output});
+            AddClear(node, {ClearFlag::Color, output});
             draw.scissor = rect;
         }
         return IsZero(output, target.graphicsFormat()) ? seen : std::nullopt;

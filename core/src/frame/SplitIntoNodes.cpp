@@ -108,8 +108,7 @@ private:
         FrameNode& node = Node("a clear");
         if (!m_Started && !m_Viewport)
         {
-            node.clear = node.clear ? *node.clear : ClearCommand{};
-            Merge(*node.clear, command);
+            AddClear(node, command);
             return;
         }
         node.commands.emplace_back(command);

@@ -10,19 +10,6 @@ namespace
 
 using RenderTexturePtr = std::shared_ptr<const RenderTexture>;
 
-bool UsesStencil(const FrameNode& node, const FrameTables& tables)
-{
-    for (const PassCommand& command : node.commands)
-    {
-        const auto* draw = std::get_if<DrawCommand>(&command);
-        if (draw != nullptr && tables.Setup(*draw).state.stencilEnabled)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
 /// The ids of textures that have to stay as they are.
 TextureIds Kept(const FrameNodes& nodes, OutputSpan outputs, const FrameTables& tables)
 {
@@ -33,14 +20,15 @@ TextureIds Kept(const FrameNodes& nodes, OutputSpan outputs, const FrameTables& 
     }
     for (const FrameNode& node : nodes)
     {
-        for (const auto& texture : node.reads)
+        if (node.isCompute)
         {
-            if (node.isCompute)
-            {
-                kept.insert(texture->id());
-            }
+            std::ranges::for_each(node.reads, [&](const auto& read) { kept.insert(read->id()); });
         }
-        if (node.targets.depth && UsesStencil(node, tables))
+        const auto usesStencil = [](const DrawSetup& draw)
+        {
+            return draw.state.stencilEnabled;
+        };
+        if (node.targets.depth && AnyDraw(node, tables, usesStencil))
         {
             kept.insert(node.targets.depth->id());
         }

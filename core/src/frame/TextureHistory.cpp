@@ -5,6 +5,25 @@
 namespace limn
 {
 
+TextureState& StateOf(TextureStates& states, const std::shared_ptr<const Texture>& texture)
+{
+    TextureState& state = states.textures[texture->id()];
+    state.texture = texture;
+    return state;
+}
+
+const TextureState* FindState(const TextureStates& states, const Texture& texture)
+{
+    const auto found = states.textures.find(texture.id());
+    return found == states.textures.end() ? nullptr : &found->second;
+}
+
+bool Contains(OutputSpan outputs, const RenderTexture& texture)
+{
+    return std::ranges::find(outputs, &texture, &std::shared_ptr<const RenderTexture>::get) !=
+           outputs.end();
+}
+
 void ForgetContents(TextureStates& states)
 {
     for (auto& [id, state] : states.textures)

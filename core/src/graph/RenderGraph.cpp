@@ -41,9 +41,21 @@ std::string Describe(const RenderTexture& texture)
            " per texel";
 }
 
-std::string QuotedOr(const char* nameless, const std::string& name)
+void ExpectHandle(bool isValid, const RenderGraphCall& subject)
 {
-    return name.empty() ? nameless : "'" + name + "'";
+    if (!isValid)
+    {
+        throw ContractError(subject.text() + ": the handle is empty");
+    }
+}
+
+/// @param nameless  what it is called if it has no name
+[[noreturn]] void FailOfEarlierFrame(const RenderGraphCall& subject, const char* nameless,
+                                     const std::string& name)
+{
+    throw ContractError(
+        subject.text() + ": " + (name.empty() ? nameless : "'" + name + "'") +
+        " is a handle of an earlier frame; a handle is valid in one camera's frame only");
 }
 
 /// The data of a blit's render function.
@@ -137,29 +149,19 @@ std::string RenderGraphCall::text() const
 
 void RenderGraph::ExpectOfFrame(const TextureHandle& texture, const RenderGraphCall& subject) const
 {
-    if (!texture.IsValid())
-    {
-        throw ContractError(subject.text() + ": the handle is empty");
-    }
+    ExpectHandle(texture.IsValid(), subject);
     if (texture.m_Frame != m_State->frame || m_State->Find(*texture.rt()) == nullptr)
     {
-        throw ContractError(
-            subject.text() + ": " + QuotedOr("the texture", texture.rt()->name()) +
-            " is a handle of an earlier frame; a handle is valid in one camera's frame only");
+        FailOfEarlierFrame(subject, "the texture", texture.rt()->name());
     }
 }
 
 void RenderGraph::ExpectOfFrame(const BufferHandle& buffer, const RenderGraphCall& subject) const
 {
-    if (!buffer.IsValid())
-    {
-        throw ContractError(subject.text() + ": the handle is empty");
-    }
+    ExpectHandle(buffer.IsValid(), subject);
     if (buffer.m_Frame != m_State->frame || m_State->Find(*buffer.buffer()) == nullptr)
     {
-        throw ContractError(
-            subject.text() + ": " + QuotedOr("the buffer", buffer.buffer()->name()) +
-            " is a handle of an earlier frame; a handle is valid in one camera's frame only");
+        FailOfEarlierFrame(subject, "the buffer", buffer.buffer()->name());
     }
 }
 

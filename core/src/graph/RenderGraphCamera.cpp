@@ -163,20 +163,14 @@ void RenderGraphCamera::End()
     state.passes.clear();
     state.copy = nullptr;
     state.buffers.clear();
-    std::erase_if(state.keptBuffers,
-                  [](RenderGraphState::KeptBuffer& kept)
-                  {
-                      kept.idleFrames = kept.isTaken ? 0 : kept.idleFrames + 1;
-                      kept.isTaken = false;
-                      return kept.idleFrames > k_IdleFrames;
-                  });
-    std::erase_if(state.kept,
-                  [](RenderGraphState::Kept& kept)
-                  {
-                      kept.idleFrames = kept.isTaken ? 0 : kept.idleFrames + 1;
-                      kept.isTaken = false;
-                      return kept.idleFrames > k_IdleFrames;
-                  });
+    const auto isIdle = [](auto& kept)
+    {
+        kept.idleFrames = kept.isTaken ? 0 : kept.idleFrames + 1;
+        kept.isTaken = false;
+        return kept.idleFrames > k_IdleFrames;
+    };
+    std::erase_if(state.keptBuffers, isIdle);
+    std::erase_if(state.kept, isIdle);
 }
 
 void ScriptableRenderer::RecordRenderGraph(ScriptableRenderPass& pass,

@@ -13,6 +13,19 @@ void RenderGraphRun::Fail(std::string problem)
     }
 }
 
+void RenderGraphRun::NoteOrFail(bool isDrawnRight, const std::string& what, const char* otherwise,
+                                const std::string& line)
+{
+    if (isDrawnRight)
+    {
+        m_Report.notes.push_back(what + "; " + line + " declares it");
+    }
+    else
+    {
+        Fail(what + otherwise + "; add " + line);
+    }
+}
+
 void RenderGraphRun::ThrowIfProblems()
 {
     if (m_Problems.empty())
@@ -58,12 +71,13 @@ bool RenderGraphRun::wasGlobal(const Texture& texture) const
     return wasGlobal;
 }
 
-bool RenderGraphRun::isDeclaredLater(const RTHandle& texture) const
+template <typename Resource>
+bool RenderGraphRun::isDeclaredLater(const Resource& resource) const
 {
     const auto later = m_State.passes.begin() + static_cast<std::ptrdiff_t>(m_State.ran) + 1;
     return std::any_of(later, m_State.passes.end(),
                        [&](const RenderGraphPass& pass)
-                       { return pass.FindUse(texture) != nullptr; });
+                       { return pass.FindUse(resource) != nullptr; });
 }
 
 bool RenderGraphRun::isAlive(const RenderGraphTexture& texture) const
@@ -73,11 +87,7 @@ bool RenderGraphRun::isAlive(const RenderGraphTexture& texture) const
 
 bool RenderGraphRun::isAlive(const RenderGraphBuffer& buffer) const
 {
-    const auto later = m_State.passes.begin() + static_cast<std::ptrdiff_t>(m_State.ran) + 1;
-    return !buffer.isMade ||
-           (buffer.isWritten && std::any_of(later, m_State.passes.end(),
-                                            [&](const RenderGraphPass& pass)
-                                            { return pass.FindUse(*buffer.buffer) != nullptr; }));
+    return !buffer.isMade || (buffer.isWritten && isDeclaredLater(*buffer.buffer));
 }
 
 /// Adds the textures that are global now under the names that the pass uses.
@@ -215,7 +225,6 @@ void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
     }
     ExpectRunByUnity();
     NoteUnused(last != nullptr);
-    NoteUnusedBuffers();
 }
 
 void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
@@ -256,14 +265,8 @@ void RenderGraphRun::ExpectTarget(const RenderTexture& texture)
     m_LineToBeRun = LineFor(*known, wanted);
     const std::string what =
         Subject() + " declares no write of '" + texture.name() + "', yet draws into it";
-    if (use != nullptr || isAlive(*known))
-    {
-        m_Report.notes.push_back(what + "; " + m_LineToBeRun + " declares it");
-    }
-    else
-    {
-        Fail(what + ", where its handle stands for no texture in Unity; add " + m_LineToBeRun);
-    }
+    NoteOrFail(use != nullptr || isAlive(*known), what,
+               ", where its handle stands for no texture in Unity", m_LineToBeRun);
     known->isWritten = true;
 }
 
@@ -283,14 +286,7 @@ void RenderGraphRun::ExpectWrites(const DrawBindings& bindings)
         m_LineToBeRun = LineFor(*known, isRead ? AccessFlags::ReadWrite : AccessFlags::Write);
         const std::string what = Subject() + " declares no write of '" + slot.texture->name() +
                                  "', yet a kernel may write to it";
-        if (isRead)
-        {
-            m_Report.notes.push_back(what + "; " + m_LineToBeRun + " declares it");
-        }
-        else
-        {
-            Fail(what + ", for which Unity throws; add " + m_LineToBeRun);
-        }
+        NoteOrFail(isRead, what, ", for which Unity throws", m_LineToBeRun);
         known->isWritten = true;
     }
 }
@@ -314,14 +310,8 @@ void RenderGraphRun::ExpectBuffers(const DrawBindings& bindings)
         const std::string what = Subject() + " declares no " + (slot.isWritten ? "write" : "read") +
                                  " of buffer '" + slot.buffer->name() + "', yet " +
                                  (slot.isWritten ? "a kernel may write to it" : "reads it");
-        if (use != nullptr || isAlive(*known))
-        {
-            m_Report.notes.push_back(what + "; " + line + " declares it");
-        }
-        else
-        {
-            Fail(what + ", where its handle stands for no buffer in Unity; add " + line);
-        }
+        NoteOrFail(use != nullptr || isAlive(*known), what,
+                   ", where its handle stands for no buffer in Unity", line);
         known->isWritten = known->isWritten || slot.isWritten;
     }
 }
@@ -353,17 +343,10 @@ void RenderGraphRun::ExpectReads(const DrawBindings& bindings, bool isDispatch)
         // A global texture stays bound; the pass got any other from a handle. A kernel gets its
         // textures by a call that throws.
         const bool isGlobal = wasGlobal(*texture);
-        if (use != nullptr || isGlobal || (!isDispatch && isAlive(*known)))
-        {
-            m_Report.notes.push_back(what + "; " + line + " declares it");
-        }
-        else
-        {
-            Fail(what +
-                 (isDispatch ? ", for which Unity throws"
-                             : ", where its handle stands for no texture in Unity") +
-                 "; add " + line);
-        }
+        NoteOrFail(use != nullptr || isGlobal || (!isDispatch && isAlive(*known)), what,
+                   isDispatch ? ", for which Unity throws"
+                              : ", where its handle stands for no texture in Unity",
+                   line);
     }
 }
 
@@ -413,16 +396,12 @@ void RenderGraphRun::NoteUnused(bool draws)
                             "', yet draws nothing into it");
         }
     }
-}
-
-void RenderGraphRun::NoteUnusedBuffers()
-{
     for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
     {
         if (!Has(m_Buffers, use.buffer.get()))
         {
-            m_Report.notes.push_back(Subject() + " declares a use of buffer '" +
-                                     use.buffer->name() + "', yet uses it nowhere");
+            notes.push_back(Subject() + " declares a use of buffer '" + use.buffer->name() +
+                            "', yet uses it nowhere");
         }
     }
 }

@@ -1,5 +1,7 @@
 #include "graph/RenderGraphRun.h"
 
+#include "material/PropertyValues.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -61,11 +63,8 @@ CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer&
 
 RTHandle RenderGraphRun::GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id)
 {
-    const ShaderPropertyValue* value = context.m_Globals.Find(id);
-    const auto* texture =
-        value != nullptr ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
-    return texture != nullptr ? RTHandle(std::dynamic_pointer_cast<const RenderTexture>(*texture))
-                              : RTHandle();
+    return RTHandle(std::dynamic_pointer_cast<const RenderTexture>(
+        CopyOf<std::shared_ptr<const Texture>>(context.m_Globals.Find(id))));
 }
 
 void RenderGraphRun::Run(RenderGraphPass& pass)

@@ -56,10 +56,14 @@ private:
     void ExpectBuffers(const DrawBindings& bindings);
     void ExpectRunByUnity();
     void NoteNativeGlobal(std::string_view name);
-    void NoteUnusedBuffers();
     void NoteUnused(bool draws);
     void Finish();
     void Fail(std::string problem);
+    /// Adds a note about a use that is not declared if Unity draws the same, else an error.
+    /// @param otherwise  what happens in Unity then, ", for which Unity throws"
+    /// @param line       declares the use
+    void NoteOrFail(bool isDrawnRight, const std::string& what, const char* otherwise,
+                    const std::string& line);
     void ThrowIfProblems();
 
     /// Returns whether the texture was global before the pass.
@@ -68,7 +72,8 @@ private:
     /// not declare it.
     bool isAlive(const RenderGraphTexture& texture) const;
     bool isAlive(const RenderGraphBuffer& buffer) const;
-    bool isDeclaredLater(const RTHandle& texture) const;
+    template <typename Resource>
+    bool isDeclaredLater(const Resource& resource) const;
     /// Returns the line that declares it: "builder.UseTexture(resourceData.cameraNormalsTexture);"
     static std::string LineFor(const RenderGraphTexture& texture, AccessFlags flags);
     static std::string LineFor(const GraphicsBuffer& buffer, AccessFlags flags);

@@ -38,20 +38,19 @@ std::optional<ShaderPropertyValue> Between(const ShaderPropertyValue& start,
         {
             using Value = std::decay_t<decltype(from)>;
             const Value* to = std::get_if<Value>(&end);
-            if constexpr (std::is_same_v<Value, float> || std::is_same_v<Value, glm::vec4>)
-            {
-                return to != nullptr ? std::optional<ShaderPropertyValue>(glm::mix(from, *to, t))
-                                     : std::nullopt;
-            }
-            else if constexpr (std::is_same_v<Value, Color>)
-            {
-                return to != nullptr ? std::optional<ShaderPropertyValue>(Color::Lerp(from, *to, t))
-                                     : std::nullopt;
-            }
-            else
+            if (to == nullptr)
             {
                 return std::nullopt;
             }
+            if constexpr (std::is_same_v<Value, float> || std::is_same_v<Value, glm::vec4>)
+            {
+                return glm::mix(from, *to, t);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return Color::Lerp(from, *to, t);
+            }
+            return std::nullopt;
         },
         start);
 }

@@ -52,16 +52,6 @@ const ShaderPropertyId unity_AmbientEquator{"unity_AmbientEquator"};
 const ShaderPropertyId unity_AmbientGround{"unity_AmbientGround"};
 const ShaderPropertyId _MainLightLayerMask{"_MainLightLayerMask"};
 
-void Vector(CommandBuffer& cmd, ShaderPropertyId id, const glm::vec4& value)
-{
-    cmd.SetGlobalVector(id, value);
-}
-
-void Matrix(CommandBuffer& cmd, ShaderPropertyId id, const glm::mat4& value)
-{
-    cmd.SetGlobalMatrix(id, value);
-}
-
 glm::mat4 Inverse(const glm::dmat4& matrix)
 {
     return glm::mat4(glm::inverse(matrix));
@@ -92,12 +82,12 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
     glm::dmat4 worldToCamera(1.0);
     worldToCamera[2][2] = -1.0;
     worldToCamera *= data.viewMatrix;
-    Matrix(cmd, unity_WorldToCamera, glm::mat4(worldToCamera));
-    Matrix(cmd, unity_CameraToWorld, Inverse(worldToCamera));
+    cmd.SetGlobalMatrix(unity_WorldToCamera, glm::mat4(worldToCamera));
+    cmd.SetGlobalMatrix(unity_CameraToWorld, Inverse(worldToCamera));
     // OpenGL's, whatever the target is, as scripts see it.
     const glm::dmat4 projection = data.GetProjectionMatrix();
-    Matrix(cmd, unity_CameraProjection, glm::mat4(projection));
-    Matrix(cmd, unity_CameraInvProjection, Inverse(projection));
+    cmd.SetGlobalMatrix(unity_CameraProjection, glm::mat4(projection));
+    cmd.SetGlobalMatrix(unity_CameraInvProjection, Inverse(projection));
     SetOriginUniforms(cmd, data);
 }
 
@@ -106,9 +96,9 @@ void SetMatrices(CommandBuffer& cmd, const CameraData& data)
 void SetOriginUniforms(CommandBuffer& cmd, const CameraData& data)
 {
     const glm::dvec3& origin = data.renderOrigin;
-    Vector(cmd, limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
+    cmd.SetGlobalVector(limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
     const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
-    Vector(cmd, limn_CameraPos, glm::vec4(position - origin, 0.0f));
+    cmd.SetGlobalVector(limn_CameraPos, glm::vec4(position - origin, 0.0f));
 }
 
 void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
@@ -128,19 +118,20 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     const auto pictureWidth = static_cast<float>(data.pixelWidth);
     const auto pictureHeight = static_cast<float>(data.pixelHeight);
     SetMatrices(cmd, data);
-    Vector(cmd, _WorldSpaceCameraPos, glm::vec4(camera.transform.position(), 0.0f));
+    cmd.SetGlobalVector(_WorldSpaceCameraPos, glm::vec4(camera.transform.position(), 0.0f));
     const bool isFlipped = data.IsCameraProjectionMatrixFlipped();
-    Vector(cmd, _ProjectionParams, glm::vec4(ProjectionSign(isFlipped), n, f, Reciprocal(f)));
-    Vector(cmd, _ScreenParams,
-           {pictureWidth, pictureHeight, 1.0f + 1.0f / pictureWidth, 1.0f + 1.0f / pictureHeight});
-    Vector(cmd, _ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
-    Vector(cmd, _ScreenSize, {w, h, 1.0f / w, 1.0f / h});
-    Vector(cmd, _ZBufferParams, ZBufferParams(n, f, data.usesReversedZBuffer));
-    Vector(cmd, unity_OrthoParams,
-           {camera.orthographicSize * data.aspectRatio, camera.orthographicSize, 0.0f,
-            camera.orthographic ? 1.0f : 0.0f});
-    Vector(cmd, _ScaleBiasRt, ScaleBiasRt(isFlipped));
-    Vector(cmd, _GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
+    cmd.SetGlobalVector(_ProjectionParams,
+                        glm::vec4(ProjectionSign(isFlipped), n, f, Reciprocal(f)));
+    cmd.SetGlobalVector(_ScreenParams, {pictureWidth, pictureHeight, 1.0f + 1.0f / pictureWidth,
+                                        1.0f + 1.0f / pictureHeight});
+    cmd.SetGlobalVector(_ScaledScreenParams, {w, h, 1.0f + 1.0f / w, 1.0f + 1.0f / h});
+    cmd.SetGlobalVector(_ScreenSize, {w, h, 1.0f / w, 1.0f / h});
+    cmd.SetGlobalVector(_ZBufferParams, ZBufferParams(n, f, data.usesReversedZBuffer));
+    cmd.SetGlobalVector(unity_OrthoParams,
+                        {camera.orthographicSize * data.aspectRatio, camera.orthographicSize, 0.0f,
+                         camera.orthographic ? 1.0f : 0.0f});
+    cmd.SetGlobalVector(_ScaleBiasRt, ScaleBiasRt(isFlipped));
+    cmd.SetGlobalVector(_GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
 }
 
 void SetTimeUniforms(CommandBuffer& cmd, double t)
@@ -149,22 +140,22 @@ void SetTimeUniforms(CommandBuffer& cmd, double t)
     {
         return glm::vec4(function(t / 8), function(t / 4), function(t / 2), function(t));
     };
-    Vector(cmd, _Time, glm::vec4(t / 20, t, t * 2, t * 3));
-    Vector(cmd, _SinTime, sines([](double x) { return std::sin(x); }));
-    Vector(cmd, _CosTime, sines([](double x) { return std::cos(x); }));
-    Vector(cmd, _TimeParameters, glm::vec4(t, std::sin(t), std::cos(t), 0.0));
-    Vector(cmd, unity_DeltaTime, {0.0f, 0.0f, 0.0f, 0.0f});
+    cmd.SetGlobalVector(_Time, glm::vec4(t / 20, t, t * 2, t * 3));
+    cmd.SetGlobalVector(_SinTime, sines([](double x) { return std::sin(x); }));
+    cmd.SetGlobalVector(_CosTime, sines([](double x) { return std::cos(x); }));
+    cmd.SetGlobalVector(_TimeParameters, glm::vec4(t, std::sin(t), std::cos(t), 0.0));
+    cmd.SetGlobalVector(unity_DeltaTime, {0.0f, 0.0f, 0.0f, 0.0f});
 }
 
 void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
 {
     const DirectionalLight& light = scene.mainLight;
-    Vector(cmd, _MainLightPosition, glm::vec4(-light.direction, 0.0f));
+    cmd.SetGlobalVector(_MainLightPosition, glm::vec4(-light.direction, 0.0f));
     const glm::vec4 color(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
     // The second name is the built-in pipeline's, which its shaders may declare by themselves.
     for (const ShaderPropertyId name : {_MainLightColor, _LightColor0})
     {
-        Vector(cmd, name, color);
+        cmd.SetGlobalVector(name, color);
     }
     cmd.SetGlobalInt(_MainLightLayerMask, static_cast<int>(light.renderingLayerMask.bits));
 }
@@ -175,29 +166,29 @@ void SetAmbientUniforms(CommandBuffer& cmd, const RenderSettings& settings)
     const std::array<glm::vec4, std::size(k_HarmonicIds)> harmonics = ambient.shaderConstants();
     for (std::size_t i = 0; i < harmonics.size(); ++i)
     {
-        Vector(cmd, k_HarmonicIds[i], harmonics[i]);
+        cmd.SetGlobalVector(k_HarmonicIds[i], harmonics[i]);
     }
     const bool isFlat = settings.ambientMode == AmbientMode::Flat;
     const auto side = [&](const Color& color)
     {
         return (isFlat ? settings.ambientLight : color).linear().vector();
     };
-    Vector(cmd, unity_AmbientSky, side(settings.ambientSkyColor));
-    Vector(cmd, unity_AmbientEquator, side(settings.ambientEquatorColor));
-    Vector(cmd, unity_AmbientGround, side(settings.ambientGroundColor));
+    cmd.SetGlobalVector(unity_AmbientSky, side(settings.ambientSkyColor));
+    cmd.SetGlobalVector(unity_AmbientEquator, side(settings.ambientEquatorColor));
+    cmd.SetGlobalVector(unity_AmbientGround, side(settings.ambientGroundColor));
 
     const float intensity = settings.reflectionIntensity;
-    Vector(cmd, _GlossyEnvironmentColor,
-           glm::vec4(ambient(0, 0), ambient(1, 0), ambient(2, 0), 1.0f) * intensity);
+    cmd.SetGlobalVector(_GlossyEnvironmentColor,
+                        glm::vec4(ambient(0, 0), ambient(1, 0), ambient(2, 0), 1.0f) * intensity);
     const std::shared_ptr<const Texture>& reflection = settings.ReflectionTexture();
     const std::shared_ptr<const Texture> black = DefaultTexture("black", TextureDimension::Cube);
     // Shaders multiply texels, which are linear and may be above 1, by this; all 0 tells them that
     // there is no reflection.
     const glm::vec4 decode = reflection ? glm::vec4(intensity, 1.0f, 0.0f, 0.0f) : glm::vec4(0.0f);
     cmd.SetGlobalTexture(unity_SpecCube0, reflection ? reflection : black);
-    Vector(cmd, unity_SpecCube0_HDR, decode);
+    cmd.SetGlobalVector(unity_SpecCube0_HDR, decode);
     cmd.SetGlobalTexture(_GlossyEnvironmentCubeMap, reflection ? reflection : black);
-    Vector(cmd, _GlossyEnvironmentCubeMap_HDR, decode);
+    cmd.SetGlobalVector(_GlossyEnvironmentCubeMap_HDR, decode);
     cmd.SetGlobalTexture(unity_SpecCube1, black); // there are no probes to blend with
 }
 
@@ -220,9 +211,9 @@ void SetFogUniforms(CommandBuffer& cmd, const RenderSettings& settings)
     double depth = end - static_cast<double>(settings.fogStartDistance);
     constexpr double k_Step = 1e-4; // metres; fog that begins and ends at once is a wall
     depth = std::abs(depth) < k_Step ? std::copysign(k_Step, depth) : depth;
-    Vector(cmd, unity_FogParams,
-           glm::vec4(density / std::sqrt(ln2), density / ln2, -1.0 / depth, end / depth));
-    Vector(cmd, unity_FogColor, settings.fogColor.linear().vector());
+    cmd.SetGlobalVector(unity_FogParams, glm::vec4(density / std::sqrt(ln2), density / ln2,
+                                                   -1.0 / depth, end / depth));
+    cmd.SetGlobalVector(unity_FogColor, settings.fogColor.linear().vector());
 }
 
 } // namespace limn

@@ -25,6 +25,13 @@ FrameCommands Emptied(FrameCommands frame)
     return frame;
 }
 
+/// One function for each kind of command.
+template <typename... Functions>
+struct Overloaded : Functions...
+{
+    using Functions::operator()...;
+};
+
 /// Returns whether each sample that begins in the buffer ends in it, and the other way round.
 bool HasWholeSamples(const CommandBuffer& commandBuffer)
 {
@@ -103,113 +110,66 @@ void ScriptableRenderContext::ExecuteCommandBuffer(const CommandBuffer& commandB
 void ScriptableRenderContext::Run(const CommandBuffer& commandBuffer)
 {
     m_Recorder->TakeShaderGlobals();
+    const Overloaded run{
+        [&](const RecordedDraw& c) { m_Recorder->Draw(c, commandBuffer.PropertiesOf(c)); },
+        [&](const SetViewProjectionCommand& c) { m_Recorder->SetViewProjection(c); },
+        [&](const SetViewCommand& c) { m_Recorder->SetMatrix(c); },
+        [&](const SetProjectionCommand& c) { m_Recorder->SetMatrix(c); },
+        [&](const SetBufferDataCommand& c)
+        {
+            m_Recorder->ExpectUnused(*c.buffer, "SetBufferData");
+            c.buffer->Set({c.bytes, c.offset});
+        },
+        [&](const SetBufferCounterCommand& c)
+        {
+            m_Recorder->ExpectUnused(*c.buffer, "SetBufferCounterValue");
+            c.buffer->SetCounterValue(c.value);
+        },
+        [&](const SetGlobalCommand& c) { m_Recorder->SetGlobal(c); },
+        [&](const SetKeywordCommand& c) { m_Recorder->SetKeyword(c); },
+        [&](const SetRenderTargetCommand& c) { m_Recorder->SetRenderTarget(c); },
+        [&](const SetScissorCommand& c) { m_Recorder->commonState().scissor = c.rect; },
+        [&](const SetInvertCullingCommand& c)
+        { m_Recorder->commonState().invertsCulling = c.isInverted; },
+        [&](const SetGlobalDepthBiasCommand& c)
+        {
+            m_Recorder->commonState().depthBias = c.bias;
+            m_Recorder->commonState().slopeDepthBias = c.slopeBias;
+        },
+        [&](const GenerateMipsCommand& c) { GenerateMips(*m_Identified->Resolve(c)); },
+        [&](const DrawRendererListCommand& c)
+        {
+            DrawRenderers(*c.list->cullingResults, c.list->drawSettings, c.list->filteringSettings,
+                          c.list->stateBlock);
+        },
+        [&](const RecordedDispatch& c) { m_Recorder->Dispatch(c); },
+        [&](const CopyBufferCommand& c)
+        { m_Recorder->Copy(c, m_Identified->CopyKernel("CopyBuffer")); },
+        [&](const SetComputeParamsCommand& c) { c.shader->SetFromMaterial(c.kernel, *c.material); },
+        [&](const SetComputeParamCommand& c) { c.shader->Set(c.kernel, c.id, c.value); },
+        [&](const SetComputeKeywordCommand& c) { c.shader->SetKeyword(c.keyword, c.isOn); },
+        [&](const SetMaterialKeywordCommand& c) { c.material->SetKeyword(c.keyword, c.isOn); },
+        [&](const SetCameraColorCommand& c) { m_Identified->SetCameraColor(c); },
+        [&](const CopyTextureCommand& c)
+        {
+            const CommonDrawState state = std::exchange(m_Recorder->commonState(), {});
+            ExecuteCommandBuffer(m_Identified->Resolve(c));
+            m_Recorder->commonState() = state;
+        },
+        [&]<typename Command>(const Command& c)
+        {
+            if constexpr (std::is_constructible_v<FrameCommand, Command>)
+            {
+                m_Frame.commands.emplace_back(c);
+            }
+            else
+            {
+                ExecuteCommandBuffer(m_Identified->Resolve(c));
+            }
+        }};
     for (const RecordedCommand& command : commandBuffer.commands())
     {
-        std::visit(
-            [&](const auto& c)
-            {
-                using Command = std::decay_t<decltype(c)>;
-                if constexpr (std::is_same_v<Command, RecordedDraw>)
-                {
-                    m_Recorder->Draw(c, commandBuffer.PropertiesOf(c));
-                }
-                else if constexpr (std::is_same_v<Command, SetViewProjectionCommand>)
-                {
-                    m_Recorder->SetViewProjection(c);
-                }
-                else if constexpr (std::is_same_v<Command, SetViewCommand> ||
-                                   std::is_same_v<Command, SetProjectionCommand>)
-                {
-                    m_Recorder->SetMatrix(c);
-                }
-                else if constexpr (std::is_same_v<Command, SetBufferDataCommand>)
-                {
-                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferData");
-                    c.buffer->Set({c.bytes, c.offset});
-                }
-                else if constexpr (std::is_same_v<Command, SetBufferCounterCommand>)
-                {
-                    m_Recorder->ExpectUnused(*c.buffer, "SetBufferCounterValue");
-                    c.buffer->SetCounterValue(c.value);
-                }
-                else if constexpr (std::is_same_v<Command, SetGlobalCommand>)
-                {
-                    m_Recorder->SetGlobal(c);
-                }
-                else if constexpr (std::is_same_v<Command, SetKeywordCommand>)
-                {
-                    m_Recorder->SetKeyword(c);
-                }
-                else if constexpr (std::is_same_v<Command, SetRenderTargetCommand>)
-                {
-                    m_Recorder->SetRenderTarget(c);
-                }
-                else if constexpr (std::is_constructible_v<FrameCommand, Command>)
-                {
-                    m_Frame.commands.emplace_back(c);
-                }
-                else if constexpr (std::is_same_v<Command, SetScissorCommand>)
-                {
-                    m_Recorder->commonState().scissor = c.rect;
-                }
-                else if constexpr (std::is_same_v<Command, SetInvertCullingCommand>)
-                {
-                    m_Recorder->commonState().invertsCulling = c.isInverted;
-                }
-                else if constexpr (std::is_same_v<Command, SetGlobalDepthBiasCommand>)
-                {
-                    m_Recorder->commonState().depthBias = c.bias;
-                    m_Recorder->commonState().slopeDepthBias = c.slopeBias;
-                }
-                else if constexpr (std::is_same_v<Command, GenerateMipsCommand>)
-                {
-                    GenerateMips(*m_Identified->Resolve(c));
-                }
-                else if constexpr (std::is_same_v<Command, DrawRendererListCommand>)
-                {
-                    DrawRenderers(*c.list->cullingResults, c.list->drawSettings,
-                                  c.list->filteringSettings, c.list->stateBlock);
-                }
-                else if constexpr (std::is_same_v<Command, RecordedDispatch>)
-                {
-                    m_Recorder->Dispatch(c);
-                }
-                else if constexpr (std::is_same_v<Command, CopyBufferCommand>)
-                {
-                    m_Recorder->Copy(c, m_Identified->CopyKernel("CopyBuffer"));
-                }
-                else if constexpr (std::is_same_v<Command, SetComputeParamsCommand>)
-                {
-                    c.shader->SetFromMaterial(c.kernel, *c.material);
-                }
-                else if constexpr (std::is_same_v<Command, SetComputeParamCommand>)
-                {
-                    c.shader->Set(c.kernel, c.id, c.value);
-                }
-                else if constexpr (std::is_same_v<Command, SetComputeKeywordCommand>)
-                {
-                    c.shader->SetKeyword(c.keyword, c.isOn);
-                }
-                else if constexpr (std::is_same_v<Command, SetMaterialKeywordCommand>)
-                {
-                    c.material->SetKeyword(c.keyword, c.isOn);
-                }
-                else if constexpr (std::is_same_v<Command, SetCameraColorCommand>)
-                {
-                    m_Identified->SetCameraColor(c);
-                }
-                else if constexpr (std::is_same_v<Command, CopyTextureCommand>)
-                {
-                    const CommonDrawState state = std::exchange(m_Recorder->commonState(), {});
-                    ExecuteCommandBuffer(m_Identified->Resolve(c));
-                    m_Recorder->commonState() = state;
-                }
-                else
-                {
-                    ExecuteCommandBuffer(m_Identified->Resolve(c));
-                }
-            },
-            command);
+        std::visit(run, command);
     }
 }
 

@@ -1,5 +1,7 @@
 #include "pipeline/CameraTextures.h"
 
+#include "texture/ScaledTexture.h"
+
 #include <algorithm>
 #include <limn/core/SystemInfo.h>
 
@@ -92,14 +94,8 @@ void CameraTextures::Allocate(const RenderTextureDescriptor& camera)
     const auto allocate =
         [&](RTHandle& handle, const char* name, GraphicsFormat format, int depthBits = 0)
     {
-        const RenderTextureDescriptor descriptor(camera.width, camera.height, format, depthBits);
-        if (!handle || handle.rt()->descriptor() != descriptor)
-        {
-            const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
-                                       TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
-            handle =
-                RTHandle(std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
-        }
+        AllocateTransient(handle, {camera.width, camera.height, format, depthBits}, name,
+                          FilterMode::Point);
     };
     allocate(m_PrepassDepth, "_CameraDepthTexture", GraphicsFormat::None, camera.depthBufferBits);
     allocate(m_CopiedDepth, "_CameraDepthTexture", GraphicsFormat::R32_SFloat);

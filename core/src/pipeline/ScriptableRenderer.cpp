@@ -176,6 +176,16 @@ std::size_t IndexOf(const RTHandle& camera, std::span<const RTHandle> colors)
     return static_cast<std::size_t>(std::ranges::find_if(colors, isCamera) - colors.begin());
 }
 
+void ExpectExecuting(bool isExecuting, const char* handle)
+{
+    if (!isExecuting)
+    {
+        throw ContractError(std::string(handle) +
+                            " exists only while passes are set up and executed; read it in "
+                            "OnCameraSetup, not in AddRenderPasses");
+    }
+}
+
 } // namespace
 
 ScriptableRenderer::~ScriptableRenderer()
@@ -247,21 +257,13 @@ std::size_t ScriptableRenderer::FeatureIndexOf(const ScriptableRenderPass& pass)
 
 const RTHandle& ScriptableRenderer::cameraColorTargetHandle() const
 {
-    if (!m_Executing)
-    {
-        throw ContractError("cameraColorTargetHandle exists only while passes are set up and "
-                            "executed; read it in OnCameraSetup, not in AddRenderPasses");
-    }
+    ExpectExecuting(m_Executing, "cameraColorTargetHandle");
     return m_CameraColor;
 }
 
 const RTHandle& ScriptableRenderer::cameraDepthTargetHandle() const
 {
-    if (!m_Executing)
-    {
-        throw ContractError("cameraDepthTargetHandle exists only while passes are set up and "
-                            "executed; read it in OnCameraSetup, not in AddRenderPasses");
-    }
+    ExpectExecuting(m_Executing, "cameraDepthTargetHandle");
     return m_CameraDepth;
 }
 

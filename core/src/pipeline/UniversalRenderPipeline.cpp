@@ -2,6 +2,7 @@
 #include "pipeline/AdditionalLights.h"
 #include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "shadows/MainLightShadowCasterPass.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace limn
 namespace
 {
 
-constexpr const char* k_OutputName = "limn_Output";
 constexpr double k_MaxTime = 1e38;
 
 void ExpectRenderable(const RenderRequest& request)
@@ -55,40 +55,38 @@ void ExpectRenderable(const RenderRequest& request)
     }
 }
 
-void ExpectSampleCount(int count)
+/// @param range  what it must be: "from 0 to 8"
+template <typename Number>
+void ExpectSetting(bool isRight, const char* setting, Number value, const char* range)
 {
-    if (count != 1 && count != 2 && count != 4 && count != 8)
+    if (!isRight)
     {
-        throw ContractError("UniversalRenderPipeline: msaaSampleCount is " + std::to_string(count) +
-                            "; it must be 1, 2, 4 or 8");
+        std::string text;
+        if constexpr (std::is_integral_v<Number>)
+        {
+            text = std::to_string(value);
+        }
+        else
+        {
+            text = NumberText(static_cast<double>(value));
+        }
+        throw ContractError(std::string("UniversalRenderPipeline: ") + setting + " is " + text +
+                            "; it must be " + range);
     }
 }
 
-void ExpectRenderScale(float scale)
+void ExpectSettings(const UniversalRenderPipeline& pipeline)
 {
-    if (!(scale >= 0.1f && scale <= 2.0f))
-    {
-        throw ContractError("UniversalRenderPipeline: renderScale is " +
-                            NumberText(static_cast<double>(scale)) + "; it must be from 0.1 to 2");
-    }
-}
-
-void ExpectLightLimit(int count)
-{
-    if (count < 0 || count > k_MaxPerObjectLights)
-    {
-        throw ContractError("UniversalRenderPipeline: maxAdditionalLightsCount is " +
-                            std::to_string(count) + "; it must be from 0 to 8");
-    }
-}
-
-void ExpectPipelineVersion(int version)
-{
-    if (version < 7 || version > 17)
-    {
-        throw ContractError("UniversalRenderPipeline: pipelineVersion is " +
-                            std::to_string(version) + "; it must be from 7 to 17");
-    }
+    const int samples = pipeline.msaaSampleCount;
+    ExpectSetting(samples == 1 || samples == 2 || samples == 4 || samples == 8, "msaaSampleCount",
+                  samples, "1, 2, 4 or 8");
+    const float scale = pipeline.renderScale;
+    ExpectSetting(scale >= 0.1f && scale <= 2.0f, "renderScale", scale, "from 0.1 to 2");
+    const int lights = pipeline.maxAdditionalLightsCount;
+    ExpectSetting(lights >= 0 && lights <= k_MaxPerObjectLights, "maxAdditionalLightsCount", lights,
+                  "from 0 to 8");
+    const int version = pipeline.pipelineVersion;
+    ExpectSetting(version >= 7 && version <= 17, "pipelineVersion", version, "from 7 to 17");
 }
 
 /// Returns the scale of this camera's target. Unity:
@@ -257,15 +255,8 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
         output = output && output.rt() == target ? output : RTHandle(target);
         return;
     }
-    const RenderTextureDescriptor descriptor(request.width, request.height,
-                                             GraphicsFormat::R8G8B8A8_SRGB);
-    if (!output || output.rt()->descriptor() != descriptor)
-    {
-        const SamplerState sampler{FilterMode::Point, TextureWrapMode::Clamp,
-                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
-        output = RTHandle(
-            std::make_shared<const RenderTexture>(k_OutputName, descriptor, sampler, true));
-    }
+    AllocateTransient(output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB},
+                      "limn_Output", FilterMode::Point);
 }
 
 /// Sets the uniforms that do not change within a camera, and those that an overlay must not take
@@ -359,10 +350,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
                                           FrameCache& frames, RenderResult& result)
 {
     ExpectRenderable(request);
-    ExpectSampleCount(msaaSampleCount);
-    ExpectRenderScale(renderScale);
-    ExpectLightLimit(maxAdditionalLightsCount);
-    ExpectPipelineVersion(pipelineVersion);
+    ExpectSettings(*this);
     result.report.passes.clear();
     result.report.draws.clear();
     result.report.filters.clear();

@@ -2,6 +2,7 @@
 #include "pipeline/DrawSkyboxPass.h"
 #include "shadows/AdditionalLightsShadowCasterPass.h"
 #include "shadows/MainLightShadowCasterPass.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
 #include <limits>
@@ -24,25 +25,6 @@ struct BlitPasses
 };
 constexpr BlitPasses k_Copy{0, 1};      // "Nearest", "Bilinear"
 constexpr BlitPasses k_FinalBlit{2, 5}; // "Final", "FinalBilinear": opaque
-
-/// Makes a texture of the renderer's own: nobody sees it after the frame.
-/// @param depthBuffer  what the colour brings along; null = nothing
-void AllocateAttachment(RTHandle& handle, const RenderTextureDescriptor& descriptor,
-                        const char* name,
-                        const std::shared_ptr<const RenderTexture>& depthBuffer = nullptr)
-{
-    if (handle && handle.rt()->descriptor() == descriptor &&
-        handle.rt()->depthBuffer() == depthBuffer)
-    {
-        return;
-    }
-    const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp, TextureWrapMode::Clamp,
-                               TextureWrapMode::Clamp, false};
-    handle = RTHandle(
-        depthBuffer
-            ? std::make_shared<const RenderTexture>(name, descriptor, sampler, true, depthBuffer)
-            : std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
-}
 
 } // namespace
 
@@ -110,9 +92,9 @@ void UniversalRenderer::MakeTargets(const CameraData& camera)
     m_Current = 0;
     RenderTextureDescriptor depth = camera.cameraTargetDescriptor;
     depth.graphicsFormat = GraphicsFormat::None;
-    AllocateAttachment(m_Depth, depth, "_CameraDepthAttachment");
-    AllocateAttachment(m_Colors[0], color, "_CameraColorAttachmentA",
-                       BringsDepth(camera) ? m_Depth.rt() : nullptr);
+    AllocateTransient(m_Depth, depth, "_CameraDepthAttachment", FilterMode::Bilinear);
+    AllocateTransient(m_Colors[0], color, "_CameraColorAttachmentA", FilterMode::Bilinear,
+                      BringsDepth(camera) ? m_Depth.rt() : nullptr);
     ConfigureCameraTarget(m_Colors[0], m_Depth);
     const BlitPasses& passes = camera.targetTexture ? k_Copy : k_FinalBlit;
     const bool isScaled = color.width != camera.pixelWidth || color.height != camera.pixelHeight;
@@ -133,8 +115,9 @@ bool UniversalRenderer::BringsDepth(const CameraData& camera) const
 const RTHandle& UniversalRenderer::GetCameraColorFrontBuffer()
 {
     RTHandle& front = m_Colors[1 - m_Current];
-    AllocateAttachment(front, m_Colors[m_Current].rt()->descriptor(),
-                       m_Current == 0 ? "_CameraColorAttachmentB" : "_CameraColorAttachmentA");
+    AllocateTransient(front, m_Colors[m_Current].rt()->descriptor(),
+                      m_Current == 0 ? "_CameraColorAttachmentB" : "_CameraColorAttachmentA",
+                      FilterMode::Bilinear);
     return front;
 }
 

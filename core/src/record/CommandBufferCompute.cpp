@@ -22,6 +22,12 @@ void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
     }
 }
 
+void ExpectKernel(const std::shared_ptr<const ComputeShader>& shader, int kernel)
+{
+    ExpectShader(shader);
+    shader->kernelName(kernel); // throws
+}
+
 void ExpectBuffer(const std::shared_ptr<const GraphicsBuffer>& buffer, const char* call)
 {
     if (!buffer)
@@ -129,8 +135,7 @@ void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> compute
                                     std::shared_ptr<const GraphicsBuffer> indirectBuffer,
                                     std::uint32_t argsOffset)
 {
-    ExpectShader(computeShader);
-    computeShader->kernelName(kernelIndex); // throws
+    ExpectKernel(computeShader, kernelIndex);
     RecordedDispatch dispatch;
     dispatch.arguments =
         ArgumentsRange("DispatchCompute", std::move(indirectBuffer), argsOffset, 3);
@@ -142,11 +147,7 @@ void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> compute
 void CommandBuffer::SetParam(const ComputeShaderPtr& shader, int kernel, ShaderPropertyId id,
                              ShaderPropertyValue value)
 {
-    ExpectShader(shader);
-    if (kernel != k_AllKernels)
-    {
-        shader->kernelName(kernel); // throws
-    }
+    kernel == k_AllKernels ? ExpectShader(shader) : ExpectKernel(shader, kernel);
     RequireFinite(value, id, "compute shader '" + shader->name() + "': ");
     m_Commands.emplace_back(SetComputeParamCommand{shader, kernel, id, std::move(value)});
 }
@@ -202,8 +203,7 @@ void CommandBuffer::SetComputeIntParams(const ComputeShaderPtr& computeShader, S
 void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader, int kernelIndex,
                                            ShaderPropertyId id, RenderTargetIdentifier rt)
 {
-    ExpectShader(computeShader);
-    computeShader->kernelName(kernelIndex); // throws
+    ExpectKernel(computeShader, kernelIndex);
     m_Commands.emplace_back(
         SetComputeTextureCommand{computeShader, kernelIndex, id, std::move(rt)});
 }
@@ -227,8 +227,7 @@ void CommandBuffer::SetComputeParamsFromMaterial(const ComputeShaderPtr& compute
                                                  int kernelIndex,
                                                  std::shared_ptr<const Material> material)
 {
-    ExpectShader(computeShader);
-    computeShader->kernelName(kernelIndex); // throws
+    ExpectKernel(computeShader, kernelIndex);
     if (!material)
     {
         throw ContractError("SetComputeParamsFromMaterial of '" + computeShader->name() +

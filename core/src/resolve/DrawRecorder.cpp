@@ -3,8 +3,8 @@
 #include "record/MatrixIds.h"
 
 #include "cull/ProjectedBounds.h"
+#include "material/PropertyValues.h"
 #include "material/ShaderGlobals.h"
-#include "record/Topology.h"
 #include "scene/PerDraw.h"
 
 #include <algorithm>
@@ -19,12 +19,6 @@ namespace limn
 
 namespace
 {
-
-std::shared_ptr<const Texture> TextureIn(const ShaderPropertyValue* value)
-{
-    const auto* texture = value ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
-    return texture ? *texture : nullptr;
-}
 
 /// Returns whether a number, vector or colour is 0.
 bool isZero(const ShaderPropertyValue& value)
@@ -50,11 +44,67 @@ float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
 {
     if (tag.reachProperty)
     {
-        const ShaderPropertyValue* value = sources.Find(*tag.reachProperty);
-        const auto* number = value ? std::get_if<float>(value) : nullptr;
+        const auto* number = As<float>(sources.Find(*tag.reachProperty));
         return number ? std::abs(*number) : -1.0f;
     }
     return tag.reach.value_or(-1.0f);
+}
+
+/// @throws DrawError if the geometry function of the material's shader takes other primitives
+void ExpectTopology(MeshTopology drawn, GeometryInput taken, const Material& material)
+{
+    static constexpr const char* k_Taken[] = {nullptr,     "points",
+                                              "lines",     "lines with neighbours",
+                                              "triangles", "triangles with neighbours"};
+    const bool isOfPoints = drawn == MeshTopology::Points;
+    const bool isOfLines = drawn == MeshTopology::Lines || drawn == MeshTopology::LineStrip;
+    const GeometryInput fitting = isOfPoints  ? GeometryInput::Point
+                                  : isOfLines ? GeometryInput::Line
+                                              : GeometryInput::Triangle;
+    if (taken == GeometryInput::None || taken == fitting)
+    {
+        return;
+    }
+    throw DrawError("material '" + material.name() +
+                    "': the geometry function of its shader takes " +
+                    k_Taken[static_cast<std::size_t>(taken)] + ", but " +
+                    (isOfPoints  ? "points are drawn"
+                     : isOfLines ? "lines are drawn"
+                                 : "triangles are drawn; write 'triangle' and an array of 3"));
+}
+
+/// Returns the indices that draw quads of four vertices as triangles. All vertices are at 0, since
+/// draws of MeshTopology::Quads have no other data than SV_VertexID.
+std::shared_ptr<const Mesh> MakeQuads(std::uint32_t count)
+{
+    MeshData data;
+    data.vertices.resize(std::size_t{count} * 4);
+    data.triangles.reserve(std::size_t{count} * 6);
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+        for (const std::uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u})
+        {
+            data.triangles.push_back(i * 4 + corner);
+        }
+    }
+    return std::make_shared<const Mesh>("Quads", std::move(data));
+}
+
+/// Returns the number of a setup, which is added unless it is that of the draw before.
+template <typename Setup>
+std::uint32_t AddSetup(std::vector<Setup>& setups, Setup setup)
+{
+    if (setups.empty() || setups.back() != setup)
+    {
+        setups.push_back(std::move(setup));
+    }
+    return static_cast<std::uint32_t>(setups.size() - 1);
+}
+
+/// Returns whether the draw is that of a mesh somewhere in the scene.
+bool isPlaced(const RecordedDraw& draw)
+{
+    return draw.mesh && !draw.isBlit && !draw.isProcedural;
 }
 
 } // namespace
@@ -252,8 +302,7 @@ std::span<const std::string> DrawRecorder::ProceduralKeywords()
 const MaterialPropertyBlock* DrawRecorder::LightsOf(const RecordedDraw& recorded,
                                                     const ShaderProgram& program)
 {
-    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
-    if (!isPlaced || !m_ObjectLights.isNeeded() || !ReadsObjectLights(program))
+    if (!isPlaced(recorded) || !m_ObjectLights.isNeeded() || !ReadsObjectLights(program))
     {
         return nullptr;
     }
@@ -281,12 +330,7 @@ const std::shared_ptr<const Mesh>& DrawRecorder::QuadIndices(std::uint32_t count
 
 std::uint32_t DrawRecorder::Add(DrawSetup setup)
 {
-    auto& setups = m_Frame.setups;
-    if (setups.empty() || setups.back() != setup)
-    {
-        setups.push_back(std::move(setup));
-    }
-    return static_cast<std::uint32_t>(setups.size() - 1);
+    return AddSetup(m_Frame.setups, std::move(setup));
 }
 
 std::uint32_t DrawRecorder::Add(const std::shared_ptr<const Mesh>& mesh)
@@ -317,8 +361,7 @@ void DrawRecorder::Draw(const RecordedDraw& recorded, const MaterialPropertyBloc
     }
     DrawCommand draw;
     draw.scissor = m_State.scissor;
-    const bool isPlaced = recorded.mesh && !recorded.isBlit && !recorded.isProcedural;
-    if (isPlaced && setup.shader->staysWithinMesh(setup.shaderPass))
+    if (isPlaced(recorded) && setup.shader->staysWithinMesh(setup.shaderPass))
     {
         draw.bounds = Project(recorded.mesh->bounds(), recorded.mesh->boundingRadius(), perDraw);
     }
@@ -356,20 +399,14 @@ void DrawRecorder::Dispatch(const RecordedDispatch& recorded, const PropertySour
     setup.shader = recorded.shader;
     setup.kernel = recorded.kernel;
     setup.bindings = m_Resolver.Resolve(setup.program, sources, m_Frame.uniformData);
-    auto& setups = m_Frame.dispatchSetups;
-    if (setups.empty() || setups.back() != setup)
-    {
-        setups.push_back(std::move(setup));
-    }
-    m_Frame.commands.emplace_back(DispatchCommand{static_cast<std::uint32_t>(setups.size() - 1),
-                                                  recorded.groups, false, false});
+    m_Frame.commands.emplace_back(DispatchCommand{
+        AddSetup(m_Frame.dispatchSetups, std::move(setup)), recorded.groups, false, false});
 }
 
 std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
                                                   const PerDrawData& perDraw) const
 {
-    const ShaderPropertyValue* value = m_Globals.Find(unity_MatrixVP);
-    const auto* viewProjection = value ? std::get_if<glm::mat4>(value) : nullptr;
+    const auto* viewProjection = As<glm::mat4>(m_Globals.Find(unity_MatrixVP));
     if (viewProjection == nullptr)
     {
         return std::nullopt;
@@ -496,7 +533,8 @@ DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock*
     for (const ShaderPropertyId id : tag->zeroes)
     {
         const ShaderPropertyValue* value = sources.Find(id);
-        if (const auto texture = TextureIn(value); texture && !promise.zeroTextures.full())
+        if (const auto texture = CopyOf<std::shared_ptr<const Texture>>(value);
+            texture && !promise.zeroTextures.full())
         {
             promise.zeroTextures.push_back(texture);
         }
@@ -506,7 +544,8 @@ DrawRecorder::Promise(const RecordedDraw& recorded, const MaterialPropertyBlock*
         }
     }
     promise.reach = ReachOf(*tag, sources);
-    promise.copied = tag->copied ? TextureIn(sources.Find(*tag->copied)) : nullptr;
+    promise.copied =
+        tag->copied ? CopyOf<std::shared_ptr<const Texture>>(sources.Find(*tag->copied)) : nullptr;
     m_Promises.resize(std::max(m_Promises.size(), m_PromiseCount + 1));
     auto& kept = m_Promises[m_PromiseCount++];
     if (!kept || *kept != promise)

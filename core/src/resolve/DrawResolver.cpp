@@ -15,11 +15,6 @@ namespace limn
 namespace
 {
 
-std::string Subject(ShaderPropertyId id, const PropertySources& sources)
-{
-    return sources.Subject() + ": property '" + id.name() + "'";
-}
-
 /// A sampler whose name says what it does: "sampler_LinearClamp", "my_point_repeat_sampler".
 std::optional<SamplerState> SamplerByName(const std::string& lower)
 {
@@ -131,6 +126,11 @@ std::string PropertySources::Subject() const
     return material != nullptr ? "material '" + material->name() + "'"
                                : "compute shader '" + compute->name() + "', kernel '" +
                                      compute->kernelName(kernel) + "'";
+}
+
+std::string PropertySources::Subject(const std::string& property) const
+{
+    return Subject() + ": property '" + property + "'";
 }
 
 void DrawResolver::Begin(std::vector<std::string>& notes)
@@ -475,8 +475,9 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::siz
     const TextureBinding& binding = ids.pass->layout.textures[index];
     if (binding.multisampled)
     {
-        throw DrawError(Subject(id, sources) + " is a texture of several samples per texel in the "
-                                               "shader; limn cannot bind such textures yet");
+        throw DrawError(sources.Subject(id.name()) +
+                        " is a texture of several samples per texel in the "
+                        "shader; limn cannot bind such textures yet");
     }
     std::shared_ptr<const Texture> texture = FindTexture(id, sources);
     if (!texture)
@@ -485,13 +486,7 @@ std::shared_ptr<const Texture> DrawResolver::TextureOf(ProgramIds& ids, std::siz
         return hasDefault ? DefaultOf(id, binding.dimension, sources, ids.defaults[index])
                           : FailUnset<Texture>(id, "texture", sources);
     }
-    if (texture->dimension() != binding.dimension)
-    {
-        throw DrawError(Subject(id, sources) + " is a " + ToString(binding.dimension) +
-                        " texture in the shader but is set to the " +
-                        ToString(texture->dimension()) + " texture '" + texture->name() + "'");
-    }
-    ExpectComponents(binding.type, *texture, id, sources);
+    ExpectFits(binding.type, binding.dimension, *texture, id, sources);
     return texture;
 }
 

@@ -43,6 +43,7 @@ struct PropertySources
     bool IsKeywordEnabled(std::string_view keyword) const;
     /// Returns the owner of the values for messages: "material 'Paint'"
     std::string Subject() const;
+    std::string Subject(const std::string& property) const; ///< of one of them
 };
 
 /// Turns property values into the bytes and slots that a compiled pass binds. It reuses in the next

@@ -1,4 +1,5 @@
 // The camera's matrices, and what must come before a frame's draws.
+#include "material/PropertyValues.h"
 #include "record/MatrixIds.h"
 #include "resolve/DrawRecorder.h"
 #include "scene/PerDraw.h"
@@ -73,8 +74,7 @@ void DrawRecorder::TurnProjection()
     static const ShaderPropertyId _ScaleBiasRt{"_ScaleBiasRt"};
     const auto change = [&]<typename Value>(ShaderPropertyId id, Value (*turned)(Value))
     {
-        const ShaderPropertyValue* value = m_Globals.Find(id);
-        if (const auto* known = value != nullptr ? std::get_if<Value>(value) : nullptr)
+        if (const auto* known = As<Value>(m_Globals.Find(id)))
         {
             SetGlobal({id, turned(*known)});
         }

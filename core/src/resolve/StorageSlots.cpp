@@ -1,5 +1,7 @@
 #include "resolve/StorageSlots.h"
 
+#include "material/PropertyValues.h"
+
 namespace limn
 {
 
@@ -8,17 +10,12 @@ namespace
 
 using Target = GraphicsBuffer::Target;
 
-std::string Subject(const std::string& name, const PropertySources& sources)
-{
-    return sources.Subject() + ": property '" + name + "'";
-}
-
 void ExpectValid(const GraphicsBuffer& buffer, const std::string& name,
                  const PropertySources& sources)
 {
     if (!buffer.IsValid())
     {
-        throw DrawError(Subject(name, sources) + " is set to buffer '" + buffer.name() +
+        throw DrawError(sources.Subject(name) + " is set to buffer '" + buffer.name() +
                         "', which is released");
     }
 }
@@ -53,7 +50,7 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
     if (texture == nullptr)
     {
         const bool isBuffer = std::holds_alternative<BufferRange>(*value);
-        throw DrawError(Subject(id.name(), sources) + " is a texture in the shader but is set to " +
+        throw DrawError(sources.Subject(id.name()) + " is a texture in the shader but is set to " +
                         (isBuffer ? "a buffer" : "a number"));
     }
     return *texture;
@@ -62,10 +59,10 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
 const BufferRange* FindBuffer(ShaderPropertyId id, const PropertySources& sources)
 {
     const ShaderPropertyValue* value = sources.Find(id);
-    const auto* range = value != nullptr ? std::get_if<BufferRange>(value) : nullptr;
+    const auto* range = As<BufferRange>(value);
     if (value != nullptr && range == nullptr)
     {
-        throw DrawError(Subject(id.name(), sources) +
+        throw DrawError(sources.Subject(id.name()) +
                         " is a buffer in the shader but is set to something else");
     }
     return range != nullptr && range->buffer ? range : nullptr;
@@ -79,12 +76,12 @@ BufferSlot UniformSlot(const UniformBuffer& declared, const BufferRange& range,
     const std::size_t size = range.size != 0 ? range.size : buffer.size() - range.offset;
     if (!buffer.Has(Target::Constant))
     {
-        throw DrawError(Subject(declared.name, sources) + " is a cbuffer, but buffer '" +
+        throw DrawError(sources.Subject(declared.name) + " is a cbuffer, but buffer '" +
                         buffer.name() + "' is not made with GraphicsBuffer::Target::Constant");
     }
     if (size < declared.size)
     {
-        throw DrawError(Subject(declared.name, sources) + " is a cbuffer of " +
+        throw DrawError(sources.Subject(declared.name) + " is a cbuffer of " +
                         std::to_string(declared.size) + " bytes in the shader, but has " +
                         std::to_string(size) + " of buffer '" + buffer.name() + "'");
     }
@@ -110,14 +107,14 @@ BufferSlot StorageSlot(const StorageBufferBinding& declared, ShaderPropertyId id
     }
     if (!buffer.Has(TargetsFor(declared)))
     {
-        throw DrawError(Subject(declared.name, sources) + " is set to buffer '" + buffer.name() +
+        throw DrawError(sources.Subject(declared.name) + " is set to buffer '" + buffer.name() +
                         "', which the shader uses otherwise than it is made for; make it with " +
                         NamesOf(declared));
     }
     const auto stride = static_cast<std::uint32_t>(buffer.stride());
     if (!declared.isCounter && declared.stride != 0 && declared.stride != stride)
     {
-        throw DrawError(Subject(declared.name, sources) + " has elements of " +
+        throw DrawError(sources.Subject(declared.name) + " has elements of " +
                         std::to_string(declared.stride) + " bytes in the shader, but buffer '" +
                         buffer.name() + "' of " + std::to_string(stride));
     }
@@ -148,9 +145,15 @@ BufferSlot ArgumentsSlot(const BufferRange& arguments, const PropertySources& so
             false};
 }
 
-void ExpectComponents(UniformType declared, const Texture& texture, ShaderPropertyId id,
-                      const PropertySources& sources)
+void ExpectFits(UniformType declared, TextureDimension dimension, const Texture& texture,
+                ShaderPropertyId id, const PropertySources& sources)
 {
+    if (texture.dimension() != dimension)
+    {
+        throw DrawError(sources.Subject(id.name()) + " is a " + ToString(dimension) +
+                        " texture in the shader but is set to the " +
+                        ToString(texture.dimension()) + " texture '" + texture.name() + "'");
+    }
     const auto text = [](UniformType type)
     {
         return type == UniformType::Int ? "int" : type == UniformType::UInt ? "uint" : "float";
@@ -158,7 +161,7 @@ void ExpectComponents(UniformType declared, const Texture& texture, ShaderProper
     const UniformType type = ComponentType(texture.graphicsFormat());
     if (type != declared)
     {
-        throw DrawError(Subject(id.name(), sources) + " is a texture of " + text(declared) +
+        throw DrawError(sources.Subject(id.name()) + " is a texture of " + text(declared) +
                         " in the shader, but '" + texture.name() + "' of " +
                         ToString(texture.graphicsFormat()) + " is one of " + text(type));
     }
@@ -175,17 +178,11 @@ StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPro
     auto target = std::dynamic_pointer_cast<const RenderTexture>(texture);
     if (!target || !target->descriptor().enableRandomWrite)
     {
-        throw DrawError(Subject(declared.name, sources) + " is written to, but texture '" +
+        throw DrawError(sources.Subject(declared.name) + " is written to, but texture '" +
                         texture->name() + "' is " +
                         (target ? "made without enableRandomWrite" : "no render texture"));
     }
-    if (target->dimension() != declared.dimension)
-    {
-        throw DrawError(Subject(declared.name, sources) + " is a " + ToString(declared.dimension) +
-                        " texture in the shader but is set to the " +
-                        ToString(target->dimension()) + " texture '" + target->name() + "'");
-    }
-    ExpectComponents(declared.type, *target, id, sources);
+    ExpectFits(declared.type, declared.dimension, *target, id, sources);
     return {declared.binding, std::move(target)};
 }
 

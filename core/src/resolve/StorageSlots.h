@@ -26,9 +26,9 @@ StorageTextureSlot WritableSlot(const StorageTextureBinding& declared, ShaderPro
                                 const PropertySources& sources);
 
 /// @param declared  the type that the shader uses for its components
-/// @throws DrawError if they have another type
-void ExpectComponents(UniformType declared, const Texture& texture, ShaderPropertyId id,
-                      const PropertySources& sources);
+/// @throws DrawError if they have another type, or the texture another dimension
+void ExpectFits(UniformType declared, TextureDimension dimension, const Texture& texture,
+                ShaderPropertyId id, const PropertySources& sources);
 
 /// Throws for a value that is not set and has no default.
 /// @param kind  "texture"

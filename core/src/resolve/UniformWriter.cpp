@@ -1,5 +1,7 @@
 #include "resolve/UniformWriter.h"
 
+#include "material/PropertyValues.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -128,8 +130,8 @@ const char* KindOf(const ShaderPropertyValue& value)
 [[noreturn]] void FailKind(const UniformPlace& member, const ShaderPropertyValue& value,
                            const PropertySources& sources)
 {
-    throw DrawError(sources.Subject() + ": property '" + member.id.name() + "' is set to " +
-                    KindOf(value) + ", but the shader declares " +
+    throw DrawError(sources.Subject(member.id.name()) + " is set to " + KindOf(value) +
+                    ", but the shader declares " +
                     (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
@@ -162,9 +164,7 @@ void WriteValue(const UniformPlace& member, const ShaderPropertyValue& value,
 /// A texture that was never set is the 1x1 default.
 void WriteTexelSize(const UniformPlace& member, const PropertySources& sources, Bytes bytes)
 {
-    const ShaderPropertyValue* value = sources.Find(member.texture);
-    const auto* texture =
-        value != nullptr ? std::get_if<std::shared_ptr<const Texture>>(value) : nullptr;
+    const auto* texture = As<std::shared_ptr<const Texture>>(sources.Find(member.texture));
     const bool isSet = texture != nullptr && *texture != nullptr;
     const float w = isSet ? static_cast<float>((*texture)->width()) : 1.0f;
     const float h = isSet ? static_cast<float>((*texture)->height()) : 1.0f;

@@ -1,14 +1,14 @@
 #include "shadows/AdditionalLightsShadowCasterPass.h"
 
 #include "passes/CameraUniforms.h"
-#include "scene/RendererTable.h"
 #include "shadows/ShadowCascades.h"
-#include "shadows/ShadowConstants.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
 #include <limn/core/Camera.h>
 #include <limn/core/CommandBuffer.h>
@@ -20,7 +20,6 @@ namespace limn
 namespace
 {
 
-const ShaderTagId k_CasterTag{"ShadowCaster"};
 const GlobalKeyword _ADDITIONAL_LIGHT_SHADOWS{"_ADDITIONAL_LIGHT_SHADOWS"};
 const GlobalKeyword _CASTING_PUNCTUAL_LIGHT_SHADOW{"_CASTING_PUNCTUAL_LIGHT_SHADOW"};
 const GlobalKeyword k_SoftShadows{"_SHADOWS_SOFT"};
@@ -49,19 +48,6 @@ bool ThrowsShadows(const Light& light)
            light.shadowStrength > 0.0f && GivesLight(light);
 }
 
-/// Rows that show such shadows, by class.
-const std::vector<std::uint8_t>& Receivers(const RendererTable& table)
-{
-    static thread_local std::vector<std::uint8_t> receives;
-    receives.clear();
-    for (const RendererTable::DrawKey& rowClass : table.classes())
-    {
-        receives.push_back(rowClass.material && rowClass.material->shader()->HasKeyword(
-                                                    _ADDITIONAL_LIGHT_SHADOWS.name()));
-    }
-    return receives;
-}
-
 /// Returns whether a visible object that is near enough to camera and light can show the light's
 /// shadow.
 bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec3& camera,
@@ -72,7 +58,9 @@ bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec
         return false;
     }
     const RendererTable& table = *items.table();
-    const std::vector<std::uint8_t>& receives = Receivers(table);
+    const auto& receives =
+        ReceiversByClass(table, [](const Shader& shader)
+                         { return shader.HasKeyword(_ADDITIONAL_LIGHT_SHADOWS.name()); });
     const auto reaches = [&](std::uint32_t row, const glm::dvec3& from, double distance)
     {
         const glm::dvec3 middle = table.origin() + glm::dvec3(table.center(row));
@@ -94,16 +82,9 @@ bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec
 glm::dmat4 LookAlong(const glm::dvec3& place, const glm::dvec3& forward, const glm::dvec3& up)
 {
     const glm::dvec3 right = glm::normalize(glm::cross(up, forward));
-    const glm::dvec3 axes[] = {right, glm::cross(forward, right), -forward};
-    glm::dmat4 view(1.0);
-    for (int row = 0; row < 3; ++row)
-    {
-        for (int column = 0; column < 3; ++column)
-        {
-            view[column][row] = axes[row][column];
-        }
-        view[3][row] = -glm::dot(axes[row], place);
-    }
+    const glm::dmat3 axes = glm::transpose(glm::dmat3(right, glm::cross(forward, right), -forward));
+    glm::dmat4 view(axes);
+    view[3] = glm::dvec4(-(axes * place), 1.0);
     return view;
 }
 
@@ -167,14 +148,8 @@ bool AdditionalLightsShadowCasterPass::Setup(const RenderingData& renderingData)
         return false;
     }
     const int size = settings.additionalLightsShadowmapResolution;
-    const RenderTextureDescriptor descriptor(size, size, GraphicsFormat::D32_SFloat);
-    if (!m_ShadowMap || m_ShadowMap.rt()->descriptor() != descriptor)
-    {
-        const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp,
-                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
-        m_ShadowMap = RTHandle(std::make_shared<const RenderTexture>(
-            "_AdditionalLightsShadowmapTexture", descriptor, sampler, true));
-    }
+    AllocateTransient(m_ShadowMap, {size, size, GraphicsFormat::D32_SFloat},
+                      "_AdditionalLightsShadowmapTexture", FilterMode::Bilinear);
     ConfigureTarget(m_ShadowMap);
     ConfigureClear(ClearFlag::Depth, Color::black);
     return true;
@@ -209,9 +184,8 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
                 glm::radians(isSpot ? static_cast<double>(light.spotAngle) * 0.5 : 45.0);
             const double slope = std::tan(slice.halfAngle);
             const glm::dmat4 toLight = Projection(light, slope, true) * slice.view;
-            slice.plain = CullShadowCasters(renderingData.cullResults, camera, toLight, false);
-            slice.twoSided = CullShadowCasters(renderingData.cullResults, camera, toLight, true);
-            hasCasters = hasCasters || !slice.plain.items.empty() || !slice.twoSided.items.empty();
+            slice.casters = FindShadowCasters(renderingData.cullResults, camera, toLight);
+            hasCasters = hasCasters || !slice.casters.isEmpty();
         }
         if (!hasCasters || m_Slices.size() > k_MostSlices)
         {
@@ -322,9 +296,7 @@ void AdditionalLightsShadowCasterPass::DrawSlice(ScriptableRenderContext& contex
     cmd->SetGlobalVector(_LightPosition, glm::vec4(glm::vec3(place), 1.0f));
     cmd->SetGlobalVector(limn_LightPosition, glm::vec4(glm::vec3(place - data.renderOrigin), 1.0f));
     context.ExecuteCommandBuffer(*cmd);
-    DrawShadowCasters(
-        context, CreateDrawingSettings(k_CasterTag, renderingData, SortingCriteria::CommonOpaque),
-        slice.plain, slice.twoSided);
+    DrawShadowCasters(context, renderingData, slice.casters);
 }
 
 void AdditionalLightsShadowCasterPass::SetReceiverConstants(

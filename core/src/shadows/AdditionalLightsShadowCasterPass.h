@@ -1,5 +1,6 @@
 #pragma once
 
+#include "shadows/ShadowConstants.h"
 #include "shadows/ShadowSquares.h"
 
 #include <limn/core/ScriptableRenderPass.h>
@@ -35,8 +36,7 @@ private:
         double slope = 0.0;     ///< of the square's view: metres across per metre away
         double texelSize = 0.0; ///< metres, at the light's range
         ViewportRect tile;
-        CullingResults plain;
-        CullingResults twoSided; ///< objects whose back faces throw shadows, too
+        ShadowCasters casters;
     };
 
     void FindSlices(const RenderingData& renderingData);

@@ -2,8 +2,7 @@
 
 #include "passes/CameraUniforms.h"
 #include "scene/PerDraw.h"
-#include "scene/RendererTable.h"
-#include "shadows/ShadowConstants.h"
+#include "texture/ScaledTexture.h"
 
 #include <algorithm>
 #include <array>
@@ -19,7 +18,6 @@ namespace limn
 namespace
 {
 
-const ShaderTagId k_ShadowCaster{"ShadowCaster"};
 const GlobalKeyword _MAIN_LIGHT_SHADOWS{"_MAIN_LIGHT_SHADOWS"};
 const GlobalKeyword _MAIN_LIGHT_SHADOWS_CASCADE{"_MAIN_LIGHT_SHADOWS_CASCADE"};
 const GlobalKeyword _SHADOWS_SOFT{"_SHADOWS_SOFT"};
@@ -63,12 +61,7 @@ bool HasReceiver(const RendererItems& items, const glm::dvec3& camera, double di
         return false;
     }
     const RendererTable& table = *items.table();
-    static thread_local std::vector<std::uint8_t> receives; // by class
-    receives.clear();
-    for (const RendererTable::DrawKey& rowClass : table.classes())
-    {
-        receives.push_back(rowClass.material && ReceivesShadows(*rowClass.material->shader()));
-    }
+    const std::vector<std::uint8_t>& receives = ReceiversByClass(table, ReceivesShadows);
     return std::ranges::any_of(items.rows(),
                                [&, from = glm::vec3(camera - table.origin())](std::uint32_t row)
                                {
@@ -111,13 +104,29 @@ bool MainLightShadowCasterPass::Setup(const RenderingData& renderingData)
 {
     m_Cascades.clear();
     m_Casters = {};
+    if (!FindCascades(renderingData))
+    {
+        m_Cascades.clear();
+        m_ShadowMap = {};
+        return false;
+    }
+    const glm::ivec2 size = ShadowMapSize(renderingData.shadowSettings);
+    AllocateTransient(m_ShadowMap, {size.x, size.y, GraphicsFormat::D32_SFloat},
+                      "_MainLightShadowmapTexture", FilterMode::Bilinear);
+    ConfigureTarget(m_ShadowMap);
+    ConfigureClear(ClearFlag::Depth, Color::black);
+    return true;
+}
+
+/// Returns whether something throws shadows into a cascade, onto something that is seen.
+bool MainLightShadowCasterPass::FindCascades(const RenderingData& renderingData)
+{
     const ShadowSettings& settings = renderingData.shadowSettings;
     const Scene* scene = renderingData.scene;
     if (scene == nullptr || scene->mainLight.shadows == LightShadows::None ||
         !settings.mainLightShadowsSupported || scene->mainLight.shadowStrength <= 0.0f ||
         !GivesLight(scene->mainLight))
     {
-        m_ShadowMap = {};
         return false;
     }
     ExpectValid(settings);
@@ -126,7 +135,6 @@ bool MainLightShadowCasterPass::Setup(const RenderingData& renderingData)
     const glm::dvec3 position(camera.transform.worldMatrix()[3]);
     if (!HasReceiver(renderingData.cullResults.items, position, ShadowDistance(camera, settings)))
     {
-        m_ShadowMap = {};
         return false;
     }
     const float aspect = static_cast<float>(data.cameraTargetDescriptor.width) /
@@ -137,34 +145,16 @@ bool MainLightShadowCasterPass::Setup(const RenderingData& renderingData)
     for (std::size_t i = 0; i < m_Cascades.size(); ++i)
     {
         ShadowCascade& cascade = m_Cascades[i];
-        Casters& casters = m_Casters[i];
+        ShadowCasters& casters = m_Casters[i];
         const glm::dmat4 toLight = cascade.Projection(true) * cascade.view;
-        casters.plain = CullShadowCasters(renderingData.cullResults, camera, toLight, false);
-        casters.twoSided = CullShadowCasters(renderingData.cullResults, camera, toLight, true);
-        hasCasters = hasCasters || !casters.plain.items.empty() || !casters.twoSided.items.empty();
+        casters = FindShadowCasters(renderingData.cullResults, camera, toLight);
+        hasCasters = hasCasters || !casters.isEmpty();
         const double first = std::min(NearestOf(casters.plain, cascade.view),
                                       NearestOf(casters.twoSided, cascade.view));
         cascade.nearest =
             std::max(std::min(cascade.nearest, first * 1.01), -k_MostBallsAhead * cascade.radius);
     }
-    if (!hasCasters)
-    {
-        m_Cascades.clear();
-        m_ShadowMap = {};
-        return false;
-    }
-    const glm::ivec2 size = ShadowMapSize(settings);
-    const RenderTextureDescriptor descriptor(size.x, size.y, GraphicsFormat::D32_SFloat);
-    if (!m_ShadowMap || m_ShadowMap.rt()->descriptor() != descriptor)
-    {
-        const SamplerState sampler{FilterMode::Bilinear, TextureWrapMode::Clamp,
-                                   TextureWrapMode::Clamp, TextureWrapMode::Clamp, false};
-        m_ShadowMap = RTHandle(std::make_shared<const RenderTexture>("_MainLightShadowmapTexture",
-                                                                     descriptor, sampler, true));
-    }
-    ConfigureTarget(m_ShadowMap);
-    ConfigureClear(ClearFlag::Depth, Color::black);
-    return true;
+    return hasCasters;
 }
 
 void MainLightShadowCasterPass::Forget(CommandBuffer& cmd)
@@ -207,10 +197,7 @@ void MainLightShadowCasterPass::DrawCascade(ScriptableRenderContext& context,
         _ShadowBias, ShadowBias(LookOf(light), renderingData.shadowSettings, cascade.TexelSize()));
     cmd->SetGlobalVector(_LightDirection, glm::vec4(-light.direction, 0.0f));
     context.ExecuteCommandBuffer(*cmd);
-
-    const DrawingSettings drawing =
-        CreateDrawingSettings(k_ShadowCaster, renderingData, SortingCriteria::CommonOpaque);
-    DrawShadowCasters(context, drawing, m_Casters[index].plain, m_Casters[index].twoSided);
+    DrawShadowCasters(context, renderingData, m_Casters[index]);
 }
 
 void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "shadows/ShadowCascades.h"
+#include "shadows/ShadowConstants.h"
 
 #include <limn/core/ScriptableRenderPass.h>
 
@@ -25,20 +26,14 @@ public:
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
 
 private:
-    /// The objects that are drawn into a tile.
-    struct Casters
-    {
-        CullingResults plain;
-        CullingResults twoSided; ///< objects whose back faces throw shadows, too
-    };
-
+    bool FindCascades(const RenderingData& renderingData);
     void DrawCascade(ScriptableRenderContext& context, RenderingData& renderingData,
                      std::size_t cascade) const;
     void SetReceiverConstants(CommandBuffer& cmd, const RenderingData& renderingData) const;
 
     RTHandle m_ShadowMap;
     ShadowCascades m_Cascades;
-    std::array<Casters, k_MostCascades> m_Casters;
+    std::array<ShadowCasters, k_MostCascades> m_Casters; ///< by cascade
 };
 
 } // namespace limn

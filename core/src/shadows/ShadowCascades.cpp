@@ -1,5 +1,7 @@
 #include "shadows/ShadowCascades.h"
 
+#include "shadows/ShadowConstants.h"
+
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -88,19 +90,10 @@ Ball BallAround(const Frustum& frustum, double begin, double end)
 
 std::array<double, k_MostCascades + 1> Splits(const ShadowSettings& settings)
 {
-    const glm::dvec3 four(settings.cascade4Split);
-    switch (settings.shadowCascadeCount)
-    {
-    case 1:
-        return {0.0, 1.0};
-    case 2:
-        return {0.0, static_cast<double>(settings.cascade2Split), 1.0};
-    case 3:
-        return {0.0, static_cast<double>(settings.cascade3Split.x),
-                static_cast<double>(settings.cascade3Split.y), 1.0};
-    default:
-        return {0.0, four.x, four.y, four.z, 1.0};
-    }
+    const glm::dvec3 split(SplitOf(settings));
+    std::array<double, k_MostCascades + 1> splits{0.0, split.x, split.y, split.z, 1.0};
+    splits[static_cast<std::size_t>(settings.shadowCascadeCount)] = 1.0;
+    return splits;
 }
 
 /// World to the axes of a light: right, up, against it.

@@ -1,5 +1,9 @@
 #include "shadows/ShadowConstants.h"
 
+#include "passes/MakeDrawingSettings.h"
+
+#include <span>
+
 namespace limn
 {
 
@@ -31,6 +35,21 @@ glm::ivec3 TiersOf(const ShadowSettings& settings)
             settings.additionalLightsShadowResolutionTierHigh};
 }
 
+glm::vec3 SplitOf(const ShadowSettings& settings)
+{
+    switch (settings.shadowCascadeCount)
+    {
+    case 1:
+        return {1.0f, 0.0f, 0.0f};
+    case 2:
+        return {settings.cascade2Split, 1.0f, 0.0f};
+    case 3:
+        return {settings.cascade3Split.x, settings.cascade3Split.y, 0.0f};
+    default:
+        return settings.cascade4Split;
+    }
+}
+
 int ResolutionOf(const Light& light, const glm::ivec3& tiers)
 {
     using Tier = AdditionalLightsShadowResolutionTier;
@@ -58,19 +77,30 @@ glm::dmat4 ToTexture(const ViewportRect& tile, const glm::dvec2& size)
     return toTexture;
 }
 
-void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
-                       const CullingResults& plain, const CullingResults& twoSided)
+ShadowCasters FindShadowCasters(const CullingResults& results, const Camera& camera,
+                                const glm::dmat4& toLight)
 {
+    return {CullShadowCasters(results, camera, toLight, false),
+            CullShadowCasters(results, camera, toLight, true)};
+}
+
+void DrawShadowCasters(ScriptableRenderContext& context, RenderingData& renderingData,
+                       const ShadowCasters& casters)
+{
+    static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
+    const DrawingSettings drawing =
+        MakeDrawingSettings(std::span(&k_ShadowCaster, 1), *renderingData.cameraData.camera,
+                            SortingCriteria::CommonOpaque);
     const FilteringSettings filtering(RenderQueueRange::all);
-    if (!plain.items.empty())
+    if (!casters.plain.items.empty())
     {
-        context.DrawRenderers(plain, drawing, filtering);
+        context.DrawRenderers(casters.plain, drawing, filtering);
     }
-    if (!twoSided.items.empty())
+    if (!casters.twoSided.items.empty())
     {
         RenderStateBlock bothSides(RenderStateMask::Raster);
         bothSides.rasterState.cullingMode = CullMode::Off;
-        context.DrawRenderers(twoSided, drawing, filtering, bothSides);
+        context.DrawRenderers(casters.twoSided, drawing, filtering, bothSides);
     }
 }
 

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "scene/RendererTable.h"
+
 #include <limn/core/Light.h>
+#include <limn/core/RenderingData.h>
 #include <limn/core/ScriptableRenderContext.h>
 
 namespace limn
@@ -35,6 +38,9 @@ glm::vec4 ShadowBias(const LightShadowLook& light, const ShadowSettings& setting
 /// Returns ShadowSettings' resolutions of squares: low, medium, high.
 glm::ivec3 TiersOf(const ShadowSettings& settings);
 
+/// Returns the shares of the shadow distance at which the cascades but the last end.
+glm::vec3 SplitOf(const ShadowSettings& settings);
+
 /// Returns the resolution that a light asks for.
 int ResolutionOf(const Light& light, const glm::ivec3& tiers);
 
@@ -46,9 +52,35 @@ glm::vec2 FadeScaleAndBias(double distance, double border);
 /// @param size  of the shadow map, texels
 glm::dmat4 ToTexture(const ViewportRect& tile, const glm::dvec2& size);
 
-/// Draws the objects that CullShadowCasters found.
-void DrawShadowCasters(ScriptableRenderContext& context, const DrawingSettings& drawing,
-                       const CullingResults& plain, const CullingResults& twoSided);
+/// The objects that throw shadows into a tile of a shadow map.
+struct ShadowCasters
+{
+    CullingResults plain;
+    CullingResults twoSided; ///< objects whose back faces throw shadows, too
+
+    bool isEmpty() const { return plain.items.empty() && twoSided.items.empty(); }
+};
+
+/// Finds what CullShadowCasters finds, for both kinds of objects.
+ShadowCasters FindShadowCasters(const CullingResults& results, const Camera& camera,
+                                const glm::dmat4& toLight);
+void DrawShadowCasters(ScriptableRenderContext& context, RenderingData& renderingData,
+                       const ShadowCasters& casters);
+
+/// Returns for each class of rows whether `receives` is true for its shader.
+/// @lifetime until the next call on the thread
+template <typename Receives>
+const std::vector<std::uint8_t>& ReceiversByClass(const RendererTable& table,
+                                                  const Receives& receives)
+{
+    static thread_local std::vector<std::uint8_t> byClass;
+    byClass.clear();
+    for (const RendererTable::DrawKey& rowClass : table.classes())
+    {
+        byClass.push_back(rowClass.material && receives(*rowClass.material->shader()));
+    }
+    return byClass;
+}
 
 /// Returns whether a light gives light: the shadows of a light that is black or has no intensity
 /// are not visible. Unity does not list such lights among the visible ones.

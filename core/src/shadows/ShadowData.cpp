@@ -15,21 +15,6 @@ bool HasShadows(const Light* light)
     return light->shadows != LightShadows::None;
 }
 
-glm::vec3 SplitOf(const ShadowSettings& settings)
-{
-    switch (settings.shadowCascadeCount)
-    {
-    case 1:
-        return {1.0f, 0.0f, 0.0f};
-    case 2:
-        return {settings.cascade2Split, 1.0f, 0.0f};
-    case 3:
-        return {settings.cascade3Split.x, settings.cascade3Split.y, 0.0f};
-    default:
-        return settings.cascade4Split;
-    }
-}
-
 template <typename AnyLight>
 glm::vec4 BiasOf(const AnyLight& light, const glm::vec4& ofPipeline)
 {

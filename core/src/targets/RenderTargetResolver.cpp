@@ -1,5 +1,6 @@
 #include "targets/RenderTargetResolver.h"
 
+#include "material/PropertyValues.h"
 #include "targets/CopyKernel.h"
 
 #include <algorithm>
@@ -110,8 +111,7 @@ RenderTargetResolver::TexturePointer RenderTargetResolver::FindNamed(ShaderPrope
     {
         return temporary->second.handle().rt();
     }
-    const ShaderPropertyValue* value = m_Globals.Find(name);
-    const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
+    const auto* texture = As<TexturePointer>(m_Globals.Find(name));
     if (texture == nullptr || !*texture)
     {
         throw ContractError(
@@ -209,8 +209,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const ReleaseTemporaryRTComma
     const auto temporary = m_Temporaries.find(command.id);
     if (temporary != m_Temporaries.end())
     {
-        const ShaderPropertyValue* value = m_Globals.Find(command.id);
-        const auto* texture = value != nullptr ? std::get_if<TexturePointer>(value) : nullptr;
+        const auto* texture = As<TexturePointer>(m_Globals.Find(command.id));
         if (texture != nullptr && *texture == temporary->second.handle().rt())
         {
             m_Result.SetGlobalTexture(command.id, TexturePointer());

@@ -218,130 +218,99 @@ const FormatFacts& FactsOf(GraphicsFormat format, const char* what)
                          : " " + problem));
 }
 
+/// A format under one of the older names.
+template <typename Name>
+struct NamedFormat
+{
+    Name name;
+    GraphicsFormat linear;
+    GraphicsFormat sRGB = linear;
+};
+
+constexpr NamedFormat<RenderTextureFormat> k_RenderTextureFormats[] = {
+    {RenderTextureFormat::ARGB32, R8G8B8A8_UNorm, R8G8B8A8_SRGB},
+    {RenderTextureFormat::Default, R8G8B8A8_UNorm, R8G8B8A8_SRGB},
+    {RenderTextureFormat::BGRA32, B8G8R8A8_UNorm, B8G8R8A8_SRGB},
+    {RenderTextureFormat::Depth, D32_SFloat},
+    {RenderTextureFormat::Shadowmap, D32_SFloat},
+    {RenderTextureFormat::RGB565, B5G6R5_UNormPack16},
+    {RenderTextureFormat::ARGB4444, B4G4R4A4_UNormPack16},
+    {RenderTextureFormat::ARGB1555, B5G5R5A1_UNormPack16},
+    {RenderTextureFormat::BGRA10101010_XR, A10R10G10B10_XRUNormPack32},
+    {RenderTextureFormat::BGR101010_XR, R10G10B10_XRUNormPack32},
+    {RenderTextureFormat::ARGBHalf, R16G16B16A16_SFloat},
+    {RenderTextureFormat::ARGB2101010, A2B10G10R10_UNormPack32},
+    {RenderTextureFormat::ARGB64, R16G16B16A16_UNorm},
+    {RenderTextureFormat::ARGBFloat, R32G32B32A32_SFloat},
+    {RenderTextureFormat::RGFloat, R32G32_SFloat},
+    {RenderTextureFormat::RGHalf, R16G16_SFloat},
+    {RenderTextureFormat::RFloat, R32_SFloat},
+    {RenderTextureFormat::RHalf, R16_SFloat},
+    {RenderTextureFormat::R8, R8_UNorm},
+    {RenderTextureFormat::ARGBInt, R32G32B32A32_SInt},
+    {RenderTextureFormat::RGInt, R32G32_SInt},
+    {RenderTextureFormat::RInt, R32_SInt},
+    {RenderTextureFormat::RGB111110Float, B10G11R11_UFloatPack32},
+    {RenderTextureFormat::DefaultHDR, B10G11R11_UFloatPack32},
+    {RenderTextureFormat::RG32, R16G16_UNorm},
+    {RenderTextureFormat::RGBAUShort, R16G16B16A16_UInt},
+    {RenderTextureFormat::RG16, R8G8_UNorm},
+    {RenderTextureFormat::R16, R16_UNorm},
+};
+
+constexpr NamedFormat<TextureFormat> k_TextureFormats[] = {
+    {TextureFormat::Alpha8, R8_UNorm},
+    {TextureFormat::ARGB4444, None},
+    {TextureFormat::ARGB32, None},
+    {TextureFormat::RGB24, R8G8B8_UNorm, R8G8B8_SRGB},
+    {TextureFormat::RGBA32, R8G8B8A8_UNorm, R8G8B8A8_SRGB},
+    {TextureFormat::RGB565, R5G6B5_UNormPack16},
+    {TextureFormat::R16, R16_UNorm},
+    {TextureFormat::DXT1, RGBA_DXT1_UNorm, RGBA_DXT1_SRGB},
+    {TextureFormat::DXT5, RGBA_DXT5_UNorm, RGBA_DXT5_SRGB},
+    {TextureFormat::RGBA4444, R4G4B4A4_UNormPack16},
+    {TextureFormat::BGRA32, B8G8R8A8_UNorm, B8G8R8A8_SRGB},
+    {TextureFormat::RHalf, R16_SFloat},
+    {TextureFormat::RGHalf, R16G16_SFloat},
+    {TextureFormat::RGBAHalf, R16G16B16A16_SFloat},
+    {TextureFormat::RFloat, R32_SFloat},
+    {TextureFormat::RGFloat, R32G32_SFloat},
+    {TextureFormat::RGBAFloat, R32G32B32A32_SFloat},
+    {TextureFormat::RGB9e5Float, E5B9G9R9_UFloatPack32},
+    {TextureFormat::BC6H, RGB_BC6H_UFloat},
+    {TextureFormat::BC7, RGBA_BC7_UNorm, RGBA_BC7_SRGB},
+    {TextureFormat::BC4, R_BC4_UNorm},
+    {TextureFormat::BC5, RG_BC5_UNorm},
+    {TextureFormat::RG16, R8G8_UNorm, R8G8_SRGB},
+    {TextureFormat::R8, R8_UNorm, R8_SRGB},
+    {TextureFormat::RG32, R16G16_UNorm},
+    {TextureFormat::RGB48, R16G16B16_UNorm},
+    {TextureFormat::RGBA64, R16G16B16A16_UNorm},
+};
+
+template <typename Name, std::size_t Count>
+GraphicsFormat FormatOf(const NamedFormat<Name> (&formats)[Count], const char* type, Name name,
+                        bool sRGB)
+{
+    const auto found = std::ranges::find(formats, name, &NamedFormat<Name>::name);
+    if (found == std::end(formats))
+    {
+        throw ContractError(std::string(type) + " " + std::to_string(static_cast<int>(name)) +
+                            " is not one that limn knows");
+    }
+    return sRGB ? found->sRGB : found->linear;
+}
+
 } // namespace
 
 GraphicsFormat ToGraphicsFormat(RenderTextureFormat format, bool sRGB)
 {
-    switch (format)
-    {
-    case RenderTextureFormat::ARGB32:
-    case RenderTextureFormat::Default:
-        return sRGB ? R8G8B8A8_SRGB : R8G8B8A8_UNorm;
-    case RenderTextureFormat::BGRA32:
-        return sRGB ? B8G8R8A8_SRGB : B8G8R8A8_UNorm;
-    case RenderTextureFormat::Depth:
-    case RenderTextureFormat::Shadowmap:
-        return D32_SFloat;
-    case RenderTextureFormat::RGB565:
-        return B5G6R5_UNormPack16;
-    case RenderTextureFormat::ARGB4444:
-        return B4G4R4A4_UNormPack16;
-    case RenderTextureFormat::ARGB1555:
-        return B5G5R5A1_UNormPack16;
-    case RenderTextureFormat::BGRA10101010_XR:
-        return A10R10G10B10_XRUNormPack32;
-    case RenderTextureFormat::BGR101010_XR:
-        return R10G10B10_XRUNormPack32;
-    case RenderTextureFormat::ARGBHalf:
-        return R16G16B16A16_SFloat;
-    case RenderTextureFormat::ARGB2101010:
-        return A2B10G10R10_UNormPack32;
-    case RenderTextureFormat::ARGB64:
-        return R16G16B16A16_UNorm;
-    case RenderTextureFormat::ARGBFloat:
-        return R32G32B32A32_SFloat;
-    case RenderTextureFormat::RGFloat:
-        return R32G32_SFloat;
-    case RenderTextureFormat::RGHalf:
-        return R16G16_SFloat;
-    case RenderTextureFormat::RFloat:
-        return R32_SFloat;
-    case RenderTextureFormat::RHalf:
-        return R16_SFloat;
-    case RenderTextureFormat::R8:
-        return R8_UNorm;
-    case RenderTextureFormat::ARGBInt:
-        return R32G32B32A32_SInt;
-    case RenderTextureFormat::RGInt:
-        return R32G32_SInt;
-    case RenderTextureFormat::RInt:
-        return R32_SInt;
-    case RenderTextureFormat::RGB111110Float:
-    case RenderTextureFormat::DefaultHDR:
-        return B10G11R11_UFloatPack32;
-    case RenderTextureFormat::RG32:
-        return R16G16_UNorm;
-    case RenderTextureFormat::RGBAUShort:
-        return R16G16B16A16_UInt;
-    case RenderTextureFormat::RG16:
-        return R8G8_UNorm;
-    case RenderTextureFormat::R16:
-        return R16_UNorm;
-    }
-    throw ContractError("RenderTextureFormat " + std::to_string(static_cast<int>(format)) +
-                        " is not one that limn knows");
+    return FormatOf(k_RenderTextureFormats, "RenderTextureFormat", format, sRGB);
 }
 
 GraphicsFormat ToGraphicsFormat(TextureFormat format, bool sRGB)
 {
-    switch (format)
-    {
-    case TextureFormat::Alpha8:
-        return R8_UNorm;
-    case TextureFormat::ARGB4444:
-    case TextureFormat::ARGB32:
-        return None;
-    case TextureFormat::RGB24:
-        return sRGB ? R8G8B8_SRGB : R8G8B8_UNorm;
-    case TextureFormat::RGBA32:
-        return sRGB ? R8G8B8A8_SRGB : R8G8B8A8_UNorm;
-    case TextureFormat::RGB565:
-        return R5G6B5_UNormPack16;
-    case TextureFormat::R16:
-        return R16_UNorm;
-    case TextureFormat::DXT1:
-        return sRGB ? RGBA_DXT1_SRGB : RGBA_DXT1_UNorm;
-    case TextureFormat::DXT5:
-        return sRGB ? RGBA_DXT5_SRGB : RGBA_DXT5_UNorm;
-    case TextureFormat::RGBA4444:
-        return R4G4B4A4_UNormPack16;
-    case TextureFormat::BGRA32:
-        return sRGB ? B8G8R8A8_SRGB : B8G8R8A8_UNorm;
-    case TextureFormat::RHalf:
-        return R16_SFloat;
-    case TextureFormat::RGHalf:
-        return R16G16_SFloat;
-    case TextureFormat::RGBAHalf:
-        return R16G16B16A16_SFloat;
-    case TextureFormat::RFloat:
-        return R32_SFloat;
-    case TextureFormat::RGFloat:
-        return R32G32_SFloat;
-    case TextureFormat::RGBAFloat:
-        return R32G32B32A32_SFloat;
-    case TextureFormat::RGB9e5Float:
-        return E5B9G9R9_UFloatPack32;
-    case TextureFormat::BC6H:
-        return RGB_BC6H_UFloat;
-    case TextureFormat::BC7:
-        return sRGB ? RGBA_BC7_SRGB : RGBA_BC7_UNorm;
-    case TextureFormat::BC4:
-        return R_BC4_UNorm;
-    case TextureFormat::BC5:
-        return RG_BC5_UNorm;
-    case TextureFormat::RG16:
-        return sRGB ? R8G8_SRGB : R8G8_UNorm;
-    case TextureFormat::R8:
-        return sRGB ? R8_SRGB : R8_UNorm;
-    case TextureFormat::RG32:
-        return R16G16_UNorm;
-    case TextureFormat::RGB48:
-        return R16G16B16_UNorm;
-    case TextureFormat::RGBA64:
-        return R16G16B16A16_UNorm;
-    }
-    throw ContractError("TextureFormat " + std::to_string(static_cast<int>(format)) +
-                        " is not one that limn knows");
+    return FormatOf(k_TextureFormats, "TextureFormat", format, sRGB);
 }
 
 std::string GraphicsFormatProblem(GraphicsFormat format)

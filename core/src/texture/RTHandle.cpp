@@ -12,11 +12,6 @@ namespace limn
 namespace
 {
 
-SamplerState MakeSampler(FilterMode filterMode, TextureWrapMode wrapMode)
-{
-    return {filterMode, wrapMode, wrapMode, wrapMode, false};
-}
-
 bool Matches(const RenderTexture& texture, const RenderTextureDescriptor& wanted,
              const SamplerState& sampler, std::string_view name)
 {
@@ -79,7 +74,7 @@ RTHandle RTHandles::Alloc(const RenderTextureDescriptor& descriptor, FilterMode 
                           TextureWrapMode wrapMode, std::string name)
 {
     return RTHandle(std::make_shared<const RenderTexture>(
-        std::move(name), DescriptorOfHandle(descriptor), MakeSampler(filterMode, wrapMode)));
+        std::move(name), DescriptorOfHandle(descriptor), SamplerWith(filterMode, wrapMode)));
 }
 
 bool RenderingUtils::ReAllocateIfNeeded(RTHandle& handle, RenderTextureDescriptor descriptor,

@@ -67,7 +67,7 @@ SamplerState SamplerFor(const RenderTextureDescriptor& descriptor, SamplerState 
 
 /// Returns why limn refuses the descriptor, "" if it accepts it. A setting that has no meaning here
 /// must not be ignored silently.
-std::string ReasonRefused(const RenderTextureDescriptor& descriptor)
+std::string ReasonRefused(const RenderTextureDescriptor& descriptor, GraphicsFormat format)
 {
     if (descriptor.dimension != TextureDimension::Tex2D || descriptor.volumeDepth != 1)
     {
@@ -79,9 +79,33 @@ std::string ReasonRefused(const RenderTextureDescriptor& descriptor)
     {
         return "vrUsage is not VRTextureUsage::None; limn has no XR";
     }
-    return descriptor.bindMS
-               ? "bindMS is true; shaders read only the resolved texture, with one sample per texel"
-               : "";
+    if (descriptor.bindMS)
+    {
+        return "bindMS is true; shaders read only the resolved texture, with one sample per texel";
+    }
+    const int samples = descriptor.msaaSamples;
+    if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
+    {
+        return "msaaSamples is " + std::to_string(samples) + "; it must be 1, 2, 4 or 8";
+    }
+    if (descriptor.useMipMap && IsDepthFormat(format))
+    {
+        return "useMipMap is true for a depth texture; only colours have mip levels";
+    }
+    if (ComponentType(format) != UniformType::Float && (samples != 1 || descriptor.useMipMap))
+    {
+        return std::string("its integer format ") + ToString(format) + " cannot have " +
+               (samples != 1 ? "several samples per texel" : "useMipMap") +
+               "; integers have no average";
+    }
+    if (descriptor.enableRandomWrite &&
+        (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format)))
+    {
+        return "enableRandomWrite is true, with " +
+               CountText(static_cast<std::size_t>(samples), "sample") + " of " + ToString(format) +
+               "; kernels can write only to colours of one sample that are not sRGB";
+    }
+    return "";
 }
 
 TextureShape ShapeOf(const RenderTextureDescriptor& descriptor)
@@ -119,37 +143,9 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
       m_DepthBuffer(MakeDepthBuffer(this->name(), descriptor, transient)),
       m_Transient(transient)
 {
-    if (const std::string reason = ReasonRefused(descriptor); !reason.empty())
+    if (const std::string reason = ReasonRefused(descriptor, graphicsFormat()); !reason.empty())
     {
         throw ContractError("texture '" + this->name() + "': " + reason);
-    }
-    const int samples = descriptor.msaaSamples;
-    if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
-    {
-        throw ContractError("texture '" + name + "': msaaSamples is " + std::to_string(samples) +
-                            "; it must be 1, 2, 4 or 8");
-    }
-    if (descriptor.useMipMap && IsDepthFormat(graphicsFormat()))
-    {
-        throw ContractError(
-            "texture '" + name +
-            "': useMipMap is true for a depth texture; only colours have mip levels");
-    }
-    const GraphicsFormat format = graphicsFormat();
-    if (ComponentType(format) != UniformType::Float && (samples != 1 || descriptor.useMipMap))
-    {
-        throw ContractError("texture '" + this->name() + "': " + "its integer format " +
-                            ToString(format) + " cannot have " +
-                            (samples != 1 ? "several samples per texel" : "useMipMap") +
-                            "; integers have no average");
-    }
-    if (descriptor.enableRandomWrite &&
-        (samples != 1 || IsDepthFormat(format) || IsSRGBFormat(format)))
-    {
-        throw ContractError("texture '" + this->name() + "': enableRandomWrite is true, with " +
-                            CountText(static_cast<std::size_t>(samples), "sample") + " of " +
-                            ToString(format) +
-                            "; kernels can write only to colours of one sample that are not sRGB");
     }
 }
 

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <limn/core/RenderTexturePool.h>
 
+#include "texture/ScaledTexture.h"
+
 namespace limn
 {
 
@@ -50,7 +52,7 @@ TemporaryTexture RenderTexturePool::GetTemporary(int width, int height, int dept
 TemporaryTexture RenderTexturePool::GetTemporary(const RenderTextureDescriptor& descriptor,
                                                  FilterMode filterMode, TextureWrapMode wrapMode)
 {
-    const SamplerState sampler{filterMode, wrapMode, wrapMode, wrapMode, false};
+    const SamplerState sampler = SamplerWith(filterMode, wrapMode);
     // The oldest: which one that is must not depend on the order in which the others came back.
     const auto free = std::ranges::find_if(m_Entries,
                                            [&](const auto& entry)

@@ -24,11 +24,6 @@ Reference& OfThread()
     return reference;
 }
 
-SamplerState SamplerWith(FilterMode filterMode, TextureWrapMode wrapMode)
-{
-    return {filterMode, wrapMode, wrapMode, wrapMode};
-}
-
 int Scaled(int size, float factor)
 {
     constexpr double k_Most = 1 << 30;
@@ -47,6 +42,22 @@ bool MatchesButForSize(const RenderTexture& texture, RenderTextureDescriptor wan
 }
 
 } // namespace
+
+void AllocateTransient(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                       const char* name, FilterMode filterMode,
+                       const std::shared_ptr<const RenderTexture>& depthBuffer)
+{
+    if (handle && handle.rt()->descriptor() == descriptor &&
+        handle.rt()->depthBuffer() == depthBuffer)
+    {
+        return;
+    }
+    const SamplerState sampler = SamplerWith(filterMode, TextureWrapMode::Clamp);
+    handle = RTHandle(
+        depthBuffer
+            ? std::make_shared<const RenderTexture>(name, descriptor, sampler, true, depthBuffer)
+            : std::make_shared<const RenderTexture>(name, descriptor, sampler, true));
+}
 
 RenderTextureDescriptor WithArguments(RenderTextureDescriptor descriptor,
                                       const ReAllocateArguments& arguments)

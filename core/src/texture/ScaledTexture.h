@@ -13,6 +13,18 @@ RTHandles::ScaleFunc ScaleBy(const glm::vec2& factor, const char* call, std::str
 RTHandles::ScaleFunc ScaleBy(RTHandles::ScaleFunc function, const char* call,
                              std::string_view name);
 
+inline SamplerState SamplerWith(FilterMode filterMode, TextureWrapMode wrapMode)
+{
+    return {filterMode, wrapMode, wrapMode, wrapMode};
+}
+
+/// Makes a texture of the pipeline's own, which nobody sees after the frame, unless the handle has
+/// such a one already.
+/// @param depthBuffer  the depth that the colour brings along; null = none
+void AllocateTransient(RTHandle& handle, const RenderTextureDescriptor& descriptor,
+                       const char* name, FilterMode filterMode,
+                       const std::shared_ptr<const RenderTexture>& depthBuffer = nullptr);
+
 /// Returns the descriptor of a handle's texture: with depthBufferBits a depth without a colour.
 inline RenderTextureDescriptor DescriptorOfHandle(RenderTextureDescriptor descriptor)
 {

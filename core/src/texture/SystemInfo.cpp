@@ -25,66 +25,49 @@ Devices& AllDevices()
     return devices;
 }
 
-/// The uses of a format that every Vulkan device supports (Vulkan 1.3, "Required Format Support").
-/// For formats that are not listed, the device decides.
+/// Formats whose uses every Vulkan device supports (Vulkan 1.3, "Required Format Support"). For
+/// formats that are not listed, the device decides.
 struct Promise
 {
-    GraphicsFormat format;
     /// s: sampled, l: with a linear filter, w: written by kernels, r: a target, b: blended
     std::string_view what;
+    std::vector<GraphicsFormat> formats;
 };
 
 using enum GraphicsFormat;
-constexpr Promise k_Promises[] = {
-    {R8_UNorm, "slrb"},
-    {R8_SNorm, "sl"},
-    {R8_UInt, "sr"},
-    {R8_SInt, "sr"},
-    {R8G8_UNorm, "slrb"},
-    {R8G8_SNorm, "sl"},
-    {R8G8_UInt, "sr"},
-    {R8G8_SInt, "sr"},
-    {R8G8B8A8_UNorm, "slwrb"},
-    {R8G8B8A8_SNorm, "slw"},
-    {R8G8B8A8_UInt, "swr"},
-    {R8G8B8A8_SInt, "swr"},
-    {R8G8B8A8_SRGB, "slrb"},
-    {B8G8R8A8_UNorm, "slrb"},
-    {B8G8R8A8_SRGB, "slrb"},
-    {B4G4R4A4_UNormPack16, "sl"},
-    {R5G6B5_UNormPack16, "slrb"},
-    {A1R5G5B5_UNormPack16, "slrb"},
-    {A2B10G10R10_UNormPack32, "slrb"},
-    {A2B10G10R10_UIntPack32, "sr"},
-    {B10G11R11_UFloatPack32, "sl"},
-    {E5B9G9R9_UFloatPack32, "sl"},
-    {R16_UInt, "sr"},
-    {R16_SInt, "sr"},
-    {R16_SFloat, "slrb"},
-    {R16G16_UInt, "sr"},
-    {R16G16_SInt, "sr"},
-    {R16G16_SFloat, "slrb"},
-    {R16G16B16A16_UInt, "swr"},
-    {R16G16B16A16_SInt, "swr"},
-    {R16G16B16A16_SFloat, "slwrb"},
-    {R32_UInt, "swr"},
-    {R32_SInt, "swr"},
-    {R32_SFloat, "swr"},
-    {R32G32_UInt, "swr"},
-    {R32G32_SInt, "swr"},
-    {R32G32_SFloat, "swr"},
-    {R32G32B32A32_UInt, "swr"},
-    {R32G32B32A32_SInt, "swr"},
-    {R32G32B32A32_SFloat, "swr"},
-    // Devices have one of two with these bits; limn draws on none without its own.
-    {D32_SFloat, "sr"},
-    {D32_SFloat_S8_UInt, "sr"},
-};
+
+/// Of D32_SFloat and D32_SFloat_S8_UInt devices have one of two with these bits; limn draws on none
+/// without its own.
+const std::vector<Promise>& Promises()
+{
+    static const std::vector<Promise> promises = {
+        {"slrb",
+         {R8_UNorm, R8G8_UNorm, R8G8B8A8_SRGB, B8G8R8A8_UNorm, B8G8R8A8_SRGB, R5G6B5_UNormPack16,
+          A1R5G5B5_UNormPack16, A2B10G10R10_UNormPack32, R16_SFloat, R16G16_SFloat}},
+        {"sl",
+         {R8_SNorm, R8G8_SNorm, B4G4R4A4_UNormPack16, B10G11R11_UFloatPack32,
+          E5B9G9R9_UFloatPack32}},
+        {"sr",
+         {R8_UInt, R8_SInt, R8G8_UInt, R8G8_SInt, A2B10G10R10_UIntPack32, R16_UInt, R16_SInt,
+          R16G16_UInt, R16G16_SInt, D32_SFloat, D32_SFloat_S8_UInt}},
+        {"slwrb", {R8G8B8A8_UNorm, R16G16B16A16_SFloat}},
+        {"slw", {R8G8B8A8_SNorm}},
+        {"swr",
+         {R8G8B8A8_UInt, R8G8B8A8_SInt, R16G16B16A16_UInt, R16G16B16A16_SInt, R32_UInt, R32_SInt,
+          R32_SFloat, R32G32_UInt, R32G32_SInt, R32G32_SFloat, R32G32B32A32_UInt, R32G32B32A32_SInt,
+          R32G32B32A32_SFloat}},
+    };
+    return promises;
+}
 
 bool isPromised(GraphicsFormat format, char what)
 {
-    const auto promise = std::ranges::find(k_Promises, MadeFormat(format), &Promise::format);
-    return promise != std::end(k_Promises) && promise->what.find(what) != std::string_view::npos;
+    const auto has = [made = MadeFormat(format)](const Promise& promise)
+    {
+        return std::ranges::find(promise.formats, made) != promise.formats.end();
+    };
+    const auto promise = std::ranges::find_if(Promises(), has);
+    return promise != Promises().end() && promise->what.find(what) != std::string_view::npos;
 }
 
 /// Wider formats of the same kind, best first, for who cannot have the one that is asked for.

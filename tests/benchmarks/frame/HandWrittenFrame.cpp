@@ -329,7 +329,8 @@ double HandWrittenFrame::DeviceMilliseconds() const
         sum += vulkan::ElapsedTicks(ticks[i], ticks[i + 1],
                                     m_Context.capabilities().timestampValidBits);
     }
-    return static_cast<double>(sum) * m_Context.capabilities().nanosecondsPerTick * 1e-6;
+    return static_cast<double>(sum) *
+           static_cast<double>(m_Context.capabilities().limits.timestampPeriod) * 1e-6;
 }
 
 std::size_t HandWrittenFrame::drawCount() const

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "descriptors/DescriptorAllocator.h"
+#include "descriptors/DescriptorCache.h"
 #include "device/VulkanContext.h"
 #include "frame/HandWrittenScene.h"
 #include "memory/MemoryAllocator.h"

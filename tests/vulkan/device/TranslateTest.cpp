@@ -1,7 +1,9 @@
 #include "core/ThrownMessage.h"
+#include <cctype>
 #include <device/Translate.h>
 #include <frame/PassTargets.h>
 #include <limits>
+#include <vulkan/vulkan.hpp>
 
 namespace limn::test
 {
@@ -35,6 +37,38 @@ TEST(Translate, KeepsTheOrderOfMaskBitsApart)
     EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_B_BIT}, ToVkColorMask(2));
     EXPECT_EQ(VkColorComponentFlags{VK_COLOR_COMPONENT_A_BIT}, ToVkColorMask(1));
     EXPECT_EQ(VkColorComponentFlags{0xF}, ToVkColorMask(15));
+}
+
+/// Returns the letters and digits of a format's name in lower case, which Unity and Vulkan's C++
+/// names have in common.
+std::string Plain(const std::string& name)
+{
+    std::string plain;
+    for (const char c : name)
+    {
+        plain += c == '_' ? "" : std::string(1, static_cast<char>(std::tolower(c)));
+    }
+    return plain;
+}
+
+TEST(Translate, GivesEachFormatTheVulkanFormatOfItsName)
+{
+    int known = 0;
+    for (int i = 1; i <= static_cast<int>(GraphicsFormat::D16_UNorm_S8_UInt); ++i)
+    {
+        const auto format = static_cast<GraphicsFormat>(i);
+        try
+        {
+            const auto vulkan = static_cast<vk::Format>(ToVkFormat(format));
+            EXPECT_EQ(Plain(vk::to_string(vulkan)), Plain(limn::ToString(format)));
+            ++known;
+        }
+        catch (const ContractError&)
+        {
+            continue; // no texture is made of it
+        }
+    }
+    EXPECT_EQ(52 + 25 + 2, known);
 }
 
 TEST(Translate, KnowsEveryBlendFactor)

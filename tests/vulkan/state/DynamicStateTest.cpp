@@ -29,7 +29,7 @@ TEST(PipelineKeys, TellOnlyWhatIsNotDynamicApart)
 {
     DeviceCapabilities device;
     device.dynamicBlend = true;
-    device.depthClamp = true;
+    device.features.depthClamp = VK_TRUE;
     device.conservative = true;
     PipelineState plain;
     PipelineState other;
@@ -116,7 +116,7 @@ TEST(PipelineKeys, RefuseBlendOpsThatTheDeviceLacks)
 TEST(PipelineKeys, RefuseLogicalBlendOpsWhereThereAreNoBits)
 {
     DeviceCapabilities device;
-    device.logicOp = true;
+    device.features.logicOp = VK_TRUE;
     const PipelineState state = Blended(BlendOp::LogicalAnd, BlendOp::LogicalAnd);
     for (const VkFormat format : {VK_FORMAT_R8G8B8A8_SRGB, VK_FORMAT_R16G16B16A16_SFLOAT})
     {
@@ -128,7 +128,7 @@ TEST(PipelineKeys, RefuseLogicalBlendOpsWhereThereAreNoBits)
 TEST(PipelineKeys, RefuseLogicalAndAdvancedBlendOpsForAPart)
 {
     DeviceCapabilities device;
-    device.logicOp = true;
+    device.features.logicOp = VK_TRUE;
     const TargetFormats two = Formats({VK_FORMAT_R8_UNORM, VK_FORMAT_R8_UNORM});
     PipelineState oneTarget = Blended(BlendOp::LogicalOr, BlendOp::LogicalOr);
     oneTarget.targets[1] = {};
@@ -143,7 +143,7 @@ TEST(PipelineKeys, BakeAdvancedBlendOpsIn)
 {
     DeviceCapabilities device;
     device.dynamicBlend = true;
-    device.logicOp = true;
+    device.features.logicOp = VK_TRUE;
     device.advancedBlendTargets = 1;
     const TargetFormats one = Formats({VK_FORMAT_R8_UNORM});
     EXPECT_FALSE(

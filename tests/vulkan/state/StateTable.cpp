@@ -39,8 +39,8 @@ void AddTarget(VulkanValues& values, const std::string& target,
 VulkanValues ToValues(const PipelineState& state, const TargetFormats& formats)
 {
     DeviceCapabilities capabilities;
-    capabilities.depthClamp = true;
-    capabilities.logicOp = true;
+    capabilities.features.depthClamp = VK_TRUE;
+    capabilities.features.logicOp = VK_TRUE;
     capabilities.conservative = true;
     capabilities.advancedBlendTargets = 8;
     const PipelineKey key = MakePipelineKey(state, formats, capabilities);

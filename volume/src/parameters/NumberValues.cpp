@@ -16,34 +16,32 @@ bool Store(const std::optional<T>& read, T& value)
     return read.has_value();
 }
 
-/// "[1, 2]"
-std::string ListText(const float* numbers, std::size_t count)
-{
-    std::string text = "[";
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        text += (i > 0 ? ", " : "") + LimnText(numbers[i]);
-    }
-    return text + "]";
-}
-
-/// "{x: 1, y: 2}"
-std::string FieldsText(const float* numbers, std::string_view names)
-{
-    std::string text = "{";
-    for (std::size_t i = 0; i < names.size(); ++i)
-    {
-        text += (i > 0 ? ", " : "") + std::string(1, names[i]) + ": " + UnityText(numbers[i]);
-    }
-    return text + "}";
-}
-
 std::optional<glm::vec4> ReadNumbers(const ValueSource& source, int count)
 {
     return ReadVector(source.node, count, source.subject, source.diagnostics);
 }
 
 } // namespace
+
+std::string ListText(std::span<const float> numbers)
+{
+    std::string text = "[";
+    for (const float number : numbers)
+    {
+        text += (text.size() > 1 ? ", " : "") + LimnText(number);
+    }
+    return text + "]";
+}
+
+std::string FieldsText(std::span<const float> numbers, std::string_view names)
+{
+    std::string text = "{";
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+    {
+        text += (i > 0 ? ", " : "") + std::string(1, names[i]) + ": " + UnityText(numbers[i]);
+    }
+    return text + "}";
+}
 
 bool ValueSource::Refuse(std::string_view problem) const
 {
@@ -89,7 +87,8 @@ bool ReadValue(const ValueSource& source, glm::vec2& value)
     if (static_cast<float>(source.range.min) > read->x ||
         static_cast<float>(source.range.max) < read->y)
     {
-        return source.Refuse(ListText(&read->x, 2) + " goes beyond " + RangeText(source.range));
+        return source.Refuse(ListText(std::span(&read->x, 2)) + " goes beyond " +
+                             RangeText(source.range));
     }
     value = glm::vec2(*read);
     return true;
@@ -111,16 +110,6 @@ std::string LimnText(bool value)
     return value ? "true" : "false";
 }
 
-std::string LimnText(int value)
-{
-    return std::to_string(value);
-}
-
-std::string LimnText(std::uint32_t value)
-{
-    return std::to_string(value);
-}
-
 std::string LimnText(float value)
 {
     return NumberText(static_cast<double>(value));
@@ -128,37 +117,12 @@ std::string LimnText(float value)
 
 std::string LimnText(const Color& value)
 {
-    return FieldsText(&value.r, "rgba");
-}
-
-std::string LimnText(const glm::vec2& value)
-{
-    return ListText(&value.x, 2);
-}
-
-std::string LimnText(const glm::vec3& value)
-{
-    return ListText(&value.x, 3);
-}
-
-std::string LimnText(const glm::vec4& value)
-{
-    return ListText(&value.x, 4);
+    return FieldsText(std::span(&value.r, 4), "rgba");
 }
 
 std::string UnityText(bool value)
 {
     return value ? "1" : "0";
-}
-
-std::string UnityText(int value)
-{
-    return std::to_string(value);
-}
-
-std::string UnityText(std::uint32_t value)
-{
-    return std::to_string(value);
 }
 
 std::string UnityText(float value)
@@ -172,22 +136,7 @@ std::string UnityText(float value)
 
 std::string UnityText(const Color& value)
 {
-    return FieldsText(&value.r, "rgba");
-}
-
-std::string UnityText(const glm::vec2& value)
-{
-    return FieldsText(&value.x, "xy");
-}
-
-std::string UnityText(const glm::vec3& value)
-{
-    return FieldsText(&value.x, "xyz");
-}
-
-std::string UnityText(const glm::vec4& value)
-{
-    return FieldsText(&value.x, "xyzw");
+    return FieldsText(std::span(&value.r, 4), "rgba");
 }
 
 } // namespace limn::detail

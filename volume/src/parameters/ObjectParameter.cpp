@@ -1,5 +1,7 @@
 #include <limn/volume/AssetParameters.h>
 
+#include "blending/Components.h"
+
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -133,12 +135,7 @@ void ObjectParameterBase::CopyParameters(const VolumeComponent& from)
     {
         m_Value = Create();
     }
-    const std::span<VolumeParameter* const> results = parameters();
-    for (std::size_t i = 0; i < results.size(); ++i)
-    {
-        results[i]->SetValue(*from.parameters()[i]);
-        results[i]->SetOverrideState(from.parameters()[i]->overrideState());
-    }
+    limn::CopyParameters(from, *m_Value);
 }
 
 } // namespace limn::detail

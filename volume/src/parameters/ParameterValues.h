@@ -1,5 +1,6 @@
 #pragma once
 
+#include <concepts>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -8,6 +9,7 @@
 #include <limn/volume/ProfileContext.h>
 #include <limn/volume/TextureCurve.h>
 #include <limn/volume/YamlRead.h>
+#include <span>
 
 // Reads the value of each type of parameter, and writes it in limn's form (LimnText) and in Unity's
 // (UnityText). All texts fit on one line.
@@ -49,13 +51,8 @@ bool ReadValue(const ValueSource& source, AnimationCurve& value);
 bool ReadValue(const ValueSource& source, TextureCurve& value);
 
 std::string LimnText(bool value);
-std::string LimnText(int value);
-std::string LimnText(std::uint32_t value);
 std::string LimnText(float value);
 std::string LimnText(const Color& value);
-std::string LimnText(const glm::vec2& value);
-std::string LimnText(const glm::vec3& value);
-std::string LimnText(const glm::vec4& value);
 std::string LimnText(LayerMask value);
 std::string LimnText(RenderingLayerMask value);
 std::string LimnText(const AssetLocation& value);
@@ -63,18 +60,42 @@ std::string LimnText(const AnimationCurve& value);
 std::string LimnText(const TextureCurve& value);
 
 std::string UnityText(bool value);
-std::string UnityText(int value);
-std::string UnityText(std::uint32_t value);
 std::string UnityText(float value);
 std::string UnityText(const Color& value);
-std::string UnityText(const glm::vec2& value);
-std::string UnityText(const glm::vec3& value);
-std::string UnityText(const glm::vec4& value);
 std::string UnityText(LayerMask value);
 std::string UnityText(RenderingLayerMask value);
 std::string UnityText(const AssetLocation& value);
 std::string UnityText(const AnimationCurve& value);
 std::string UnityText(const TextureCurve& value);
+
+/// Returns "[1, 2]".
+std::string ListText(std::span<const float> numbers);
+/// Returns "{x: 1, y: 2}", with a letter of `names` for each number.
+std::string FieldsText(std::span<const float> numbers, std::string_view names);
+
+template <std::integral Number>
+std::string LimnText(Number value)
+{
+    return std::to_string(value);
+}
+
+template <glm::length_t Count>
+std::string LimnText(const glm::vec<Count, float>& value)
+{
+    return ListText(std::span(&value.x, Count));
+}
+
+template <std::integral Number>
+std::string UnityText(Number value)
+{
+    return std::to_string(value);
+}
+
+template <glm::length_t Count>
+std::string UnityText(const glm::vec<Count, float>& value)
+{
+    return FieldsText(std::span(&value.x, Count), "xyzw");
+}
 
 template <typename Asset>
 bool ReadValue(const ValueSource& source, AssetReference<Asset>& value)

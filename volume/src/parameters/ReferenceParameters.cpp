@@ -16,10 +16,12 @@ std::string InOneLine(const Diagnostic& error)
     return error.file + numbers + ": " + error.message;
 }
 
-/// Puts what `load` gives into `value`; false, with its errors at the node, if it throws some.
+/// Puts what `load` gives into `value`; false, with its errors at the node and the value as it was
+/// before, if it throws some.
 template <typename Asset, typename Load>
 bool LoadReference(const YamlNode& node, const std::string& subject, AssetDiagnostics& diagnostics,
-                   AssetReference<Asset>& value, Load&& load)
+                   AssetReference<Asset>& value, const AssetReference<Asset>& before,
+                   const Load& load)
 {
     try
     {
@@ -37,6 +39,7 @@ bool LoadReference(const YamlNode& node, const std::string& subject, AssetDiagno
         {
             diagnostics.Error(node.location(), subject + ": " + InOneLine(error));
         }
+        value = before;
         return false;
     }
 }
@@ -64,13 +67,9 @@ bool TextureParameter::ReadNode(const YamlNode& node, std::string_view subject,
                                               "can");
         return true;
     }
-    const auto load = [&context](const AssetLocation& location)
-    {
-        return context.LoadTexture(location);
-    };
-    const bool isLoaded = LoadReference(node, std::string(subject), diagnostics, m_Value, load);
-    m_Value = isLoaded ? m_Value : before;
-    return isLoaded;
+    return LoadReference(node, std::string(subject), diagnostics, m_Value, before,
+                         [&context](const AssetLocation& location)
+                         { return context.LoadTexture(location); });
 }
 
 bool MaterialParameter::ReadNode(const YamlNode& node, std::string_view subject,
@@ -85,13 +84,9 @@ bool MaterialParameter::ReadNode(const YamlNode& node, std::string_view subject,
     {
         return true;
     }
-    const auto load = [&context](const AssetLocation& location)
-    {
-        return context.LoadMaterial(location);
-    };
-    const bool isLoaded = LoadReference(node, std::string(subject), diagnostics, m_Value, load);
-    m_Value = isLoaded ? m_Value : before;
-    return isLoaded;
+    return LoadReference(node, std::string(subject), diagnostics, m_Value, before,
+                         [&context](const AssetLocation& location)
+                         { return context.LoadMaterial(location); });
 }
 
 } // namespace limn

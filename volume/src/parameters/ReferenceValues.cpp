@@ -1,4 +1,5 @@
 #include "parameters/ParameterValues.h"
+#include "yaml/Text.h"
 
 #include <limn/volume/YamlMapReader.h>
 
@@ -73,16 +74,6 @@ bool ReadMask(const ValueSource& source, bool hasNames, Mask& value)
     return number.has_value();
 }
 
-std::string InQuotes(const std::string& text)
-{
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        quoted += c == '"' || c == '\\' ? std::string{'\\', c} : std::string{c};
-    }
-    return quoted + '"';
-}
-
 } // namespace
 
 bool ReadValue(const ValueSource& source, LayerMask& value)
@@ -138,7 +129,7 @@ std::string LimnText(RenderingLayerMask value)
 
 std::string LimnText(const AssetLocation& value)
 {
-    return value.path.empty() && value.fileID != 0 ? UnityText(value) : InQuotes(value.path);
+    return value.path.empty() && value.fileID != 0 ? UnityText(value) : InQuotes(value.path, '"');
 }
 
 std::string UnityText(LayerMask value)

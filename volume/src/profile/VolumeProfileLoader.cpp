@@ -27,19 +27,6 @@ void ReadComponent(const YamlEntry& entry, VolumeComponent& component,
     map.Finish();
 }
 
-/// Returns whether a component, which may be null, has a parameter of this name in a spelling.
-bool HasParameter(const VolumeComponent* component, const std::string& name)
-{
-    if (component == nullptr)
-    {
-        return false;
-    }
-    const std::span<const VolumeParameter* const> parameters = component->parameters();
-    return std::any_of(parameters.begin(), parameters.end(),
-                       [&name](const VolumeParameter* known)
-                       { return known->name() == name || PlainSpelling(known->name()) == name; });
-}
-
 std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& documents,
                                               const VolumeComponentRegistry& registry,
                                               AssetDiagnostics& diagnostics,
@@ -67,7 +54,7 @@ std::shared_ptr<VolumeProfile> ReadOwnProfile(const std::vector<YamlNode>& docum
         {
             diagnostics.Error(
                 entry.keyLocation,
-                HasParameter(last, entry.key)
+                last && last->FindParameter(entry.key)
                     ? "'" + entry.key + "' is a parameter of " + above +
                           "; put spaces in front of it, so that it stands below '" + above + ":'"
                     : "unknown volume component " + UnknownName(entry.key, registry.names()));

@@ -58,15 +58,24 @@ std::optional<std::string> HexColor(const std::string& old, const YamlNode& fres
     return hex;
 }
 
-std::size_t OffsetOf(std::string_view text, SourceLocation location)
+/// Returns the text from the place of a node on.
+std::string_view TextFrom(std::string_view text, const YamlNode& node)
 {
+    const SourceLocation location = node.location();
     std::size_t offset = 0;
     for (int line = 1; line < location.line; ++line)
     {
         offset = text.find('\n', offset) + 1;
     }
     const bool isBehindMark = location.line == 1 && text.substr(0, 3) == "\xEF\xBB\xBF";
-    return offset + static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
+    offset += static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
+    return text.substr(std::min(offset, text.size()));
+}
+
+/// Returns the offset of a part of a text.
+std::size_t OffsetIn(std::string_view text, std::string_view part)
+{
+    return static_cast<std::size_t>(part.data() - text.data());
 }
 
 /// Returns whether all lists have the same lengths, so that the scalars can be replaced one by one.
@@ -91,18 +100,6 @@ bool HasSameShape(const YamlNode& old, const YamlNode& fresh)
         }
     }
     return isSame;
-}
-
-std::string InQuotes(const std::string& text, char quote)
-{
-    std::string quoted(1, quote);
-    for (const char c : text)
-    {
-        const bool isSpecial = c == quote || (quote == '"' && c == '\\');
-        quoted += isSpecial ? std::string(1, quote == '"' ? '\\' : c) : std::string();
-        quoted += c;
-    }
-    return quoted + quote;
 }
 
 /// The node on one line.
@@ -144,8 +141,7 @@ void YamlSplicer::Replace(const YamlNode& old, const YamlNode& fresh, const std:
     }
     else if (!HasSameShape(old, fresh) && !FlowExtent(old).empty())
     {
-        const std::string_view extent = FlowExtent(old);
-        AddAt(extent, freshText);
+        AddAt(FlowExtent(old), freshText);
     }
     else if (old.isMap() && fresh.isMap())
     {
@@ -234,13 +230,7 @@ void YamlSplicer::ReplaceScalar(const YamlNode& old, const YamlNode& fresh)
 
 std::string_view YamlSplicer::Extent(const YamlNode& scalar) const
 {
-    std::string_view text =
-        m_Text.substr(std::min(OffsetOf(m_Text, scalar.location()), m_Text.size()));
-    while (!text.empty() && (text.front() == '&' || text.front() == '!'))
-    {
-        text.remove_prefix(std::min(text.find_first_of(" \t\r\n"), text.size()));
-        text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
-    }
+    const std::string_view text = WithoutMarks(TextFrom(m_Text, scalar));
     if (!scalar.isQuoted())
     {
         const std::size_t size = scalar.scalar().size();
@@ -273,14 +263,13 @@ void YamlSplicer::Add(const YamlNode& old, std::string fresh)
 
 void YamlSplicer::AddAt(std::string_view extent, std::string fresh)
 {
-    const auto begin = static_cast<std::size_t>(extent.data() - m_Text.data());
+    const std::size_t begin = OffsetIn(m_Text, extent);
     m_Splices.push_back({begin, begin + extent.size(), std::move(fresh)});
 }
 
 std::string_view YamlSplicer::FlowExtent(const YamlNode& node) const
 {
-    const std::string_view text =
-        m_Text.substr(std::min(OffsetOf(m_Text, node.location()), m_Text.size()));
+    const std::string_view text = TextFrom(m_Text, node);
     int depth = 0;
     char quote = 0;
     for (std::size_t i = 0; i < text.size() && text[i] != '\n'; ++i)
@@ -305,8 +294,7 @@ std::string_view YamlSplicer::FlowExtent(const YamlNode& node) const
 void YamlSplicer::FillIn(const YamlNode& null, const std::string& freshText)
 {
     // A Null that belongs to a key is where the key is.
-    const std::string_view rest =
-        m_Text.substr(std::min(OffsetOf(m_Text, null.location()), m_Text.size()));
+    const std::string_view rest = TextFrom(m_Text, null);
     const std::string_view line = rest.substr(0, rest.find_first_of("\r\n"));
     const std::size_t colon = line.find(':');
     const std::size_t value =
@@ -326,17 +314,17 @@ void YamlSplicer::FillIn(const YamlNode& null, const std::string& freshText)
 void YamlSplicer::Insert(const YamlNode& map, const std::string& key, const std::string& valueText)
 {
     const std::string line = key + ": " + valueText;
-    const std::size_t begin = std::min(OffsetOf(m_Text, map.location()), m_Text.size());
+    const std::string_view rest = TextFrom(m_Text, map);
     const auto indentation = [](int column)
     {
         return std::string(static_cast<std::size_t>(column - 1), ' ');
     };
     if (map.isNull())
     {
-        AddLineBehind(begin, indentation(map.location().column + 2) + line);
+        AddLineBehind(OffsetIn(m_Text, rest), indentation(map.location().column + 2) + line);
         return;
     }
-    if (m_Text.substr(begin).starts_with('{'))
+    if (rest.starts_with('{'))
     {
         const std::string_view flow = FlowExtent(map);
         const std::size_t end = flow.substr(0, flow.size() - 1).find_last_not_of(" \t");
@@ -350,10 +338,9 @@ void YamlSplicer::Insert(const YamlNode& map, const std::string& key, const std:
     for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
     {
         const std::string_view extent = OneLineExtent(entry->value);
-        if (!extent.empty() && !m_Text.substr(begin).starts_with('{'))
+        if (!extent.empty() && !rest.starts_with('{'))
         {
-            AddLineBehind(static_cast<std::size_t>(extent.data() - m_Text.data()),
-                          indentation(entry->keyLocation.column) + line);
+            AddLineBehind(OffsetIn(m_Text, extent), indentation(entry->keyLocation.column) + line);
             return;
         }
     }
@@ -363,8 +350,7 @@ void YamlSplicer::Insert(const YamlNode& map, const std::string& key, const std:
 void YamlSplicer::Append(const YamlNode& root, const std::string& name, const std::string& key,
                          const std::string& valueText)
 {
-    const std::size_t begin = std::min(OffsetOf(m_Text, root.location()), m_Text.size());
-    if (m_Text.substr(begin).starts_with('{'))
+    if (TextFrom(m_Text, root).starts_with('{'))
     {
         Insert(root, name, "{" + key + ": " + valueText + "}");
         return;
@@ -380,8 +366,7 @@ std::string_view YamlSplicer::OneLineExtent(const YamlNode& value) const
     {
         return Extent(value);
     }
-    const std::string_view rest =
-        m_Text.substr(std::min(OffsetOf(m_Text, value.location()), m_Text.size()));
+    const std::string_view rest = TextFrom(m_Text, value);
     const bool isFlow = rest.starts_with('{') || rest.starts_with('[');
     return isFlow ? FlowExtent(value) : std::string_view();
 }

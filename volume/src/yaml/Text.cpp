@@ -86,14 +86,29 @@ std::size_t EndOfQuotes(std::string_view text)
 
 bool IsQuoteClosed(std::string_view text, std::size_t offset)
 {
-    text.remove_prefix(std::min(offset, text.size()));
+    return EndOfQuotes(WithoutMarks(text.substr(std::min(offset, text.size())))) != text.npos;
+}
+
+std::string_view WithoutMarks(std::string_view text)
+{
     while (!text.empty() && (text.front() == '&' || text.front() == '!'))
     {
-        const std::size_t wordEnd = std::min(text.find_first_of(" \t\r\n"), text.size());
-        text.remove_prefix(wordEnd);
+        text.remove_prefix(std::min(text.find_first_of(" \t\r\n"), text.size()));
         text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
     }
-    return EndOfQuotes(text) != text.npos;
+    return text;
+}
+
+std::string InQuotes(const std::string& text, char quote)
+{
+    std::string quoted(1, quote);
+    for (const char c : text)
+    {
+        const bool isSpecial = c == quote || (quote == '"' && c == '\\');
+        quoted += isSpecial ? std::string(1, quote == '"' ? '\\' : c) : std::string();
+        quoted += c;
+    }
+    return quoted + quote;
 }
 
 } // namespace limn

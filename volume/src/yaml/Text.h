@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limn/base/Diagnostic.h>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace limn
@@ -22,6 +23,12 @@ std::size_t EndOfQuotes(std::string_view text);
 /// Returns whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends
 /// in this text. Returns true if there are no quotes.
 bool IsQuoteClosed(std::string_view text, std::size_t offset);
+
+/// Returns the text behind the tags and anchors with which it begins.
+std::string_view WithoutMarks(std::string_view text);
+
+/// Returns the text in quotes of this kind, as YAML reads it.
+std::string InQuotes(const std::string& text, char quote);
 
 /// Returns the offset of the first outermost `[...]` or `{...}` that is longer than `maxBytes`.
 /// Block scalars are read as if they were YAML, so text in one may count.

@@ -1,11 +1,55 @@
 #pragma once
 
-#include "descriptors/DescriptorAllocator.h"
-#include "descriptors/SetContent.h"
+#include "device/UniqueHandle.h"
 #include <unordered_map>
+#include <vector>
 
 namespace limn::vulkan
 {
+
+/// Allocates the descriptor sets of one frame. It grows by pools; all sets are freed at once.
+class DescriptorAllocator
+{
+public:
+    explicit DescriptorAllocator(VkDevice device) : m_Device(device) {}
+
+    VkDescriptorSet Allocate(VkDescriptorSetLayout layout);
+    void Reset();
+
+private:
+    void AddPool();
+
+    VkDevice m_Device;
+    std::vector<UniqueDescriptorPool> m_Pools;
+    std::size_t m_Current = 0;
+};
+
+/// The content of a descriptor set, one descriptor per binding. It allocates nothing when it is
+/// reused.
+class SetContent
+{
+public:
+    void Clear(VkDescriptorSetLayout layout);
+    void AddBuffer(std::uint32_t binding, VkDescriptorType type,
+                   const VkDescriptorBufferInfo& buffer);
+    void AddImage(std::uint32_t binding, VkDescriptorType type, const VkDescriptorImageInfo& image);
+
+    VkDescriptorSetLayout layout() const { return m_Layout; }
+    void WriteTo(VkDevice device, VkDescriptorSet set);
+
+    /// Returns a key that is equal for contents with equal layout and descriptors.
+    const std::vector<std::uint64_t>& key() const { return m_Key; }
+
+private:
+    void Add(std::uint32_t binding, VkDescriptorType type);
+
+    VkDescriptorSetLayout m_Layout = VK_NULL_HANDLE;
+    std::vector<std::uint64_t> m_Key;
+    std::vector<VkWriteDescriptorSet> m_Writes;
+    /// The descriptors of buffers, in the order of their writes.
+    std::vector<VkDescriptorBufferInfo> m_Buffers;
+    std::vector<VkDescriptorImageInfo> m_Images; ///< likewise
+};
 
 /// The descriptor sets of one frame in flight. They stay from frame to frame: a set that an earlier
 /// frame bound is neither allocated nor written again.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan.h>
@@ -30,6 +31,15 @@ VkResult FillList(std::vector<Element>& list, Call&& call)
         list.resize(result == VK_SUCCESS ? count : 0);
     }
     return result;
+}
+
+/// Returns whether one of the listed structures has this name.
+template <typename Element, std::size_t Size>
+bool Contains(const std::vector<Element>& list, char (Element::*member)[Size],
+              std::string_view name)
+{
+    return std::ranges::any_of(list,
+                               [&](const Element& element) { return element.*member == name; });
 }
 
 } // namespace limn::vulkan

@@ -11,13 +11,11 @@ Commands::Commands(const VulkanContext& context) : m_Device(context.device())
     poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
     poolInfo.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
     poolInfo.queueFamilyIndex = context.queueFamily();
-    VkCommandPool pool = VK_NULL_HANDLE;
-    Check(vkCreateCommandPool(m_Device, &poolInfo, nullptr, &pool), "vkCreateCommandPool");
-    m_Pool = UniqueCommandPool{m_Device, pool};
+    m_Pool = UniqueCommandPool{m_Device, vkCreateCommandPool, poolInfo, "vkCreateCommandPool"};
 
     VkCommandBufferAllocateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
-    info.commandPool = pool;
+    info.commandPool = m_Pool.get();
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     info.commandBufferCount = 1;
     Check(vkAllocateCommandBuffers(m_Device, &info, &m_Handle), "vkAllocateCommandBuffers");
@@ -37,13 +35,26 @@ void Commands::End()
     Check(vkEndCommandBuffer(m_Handle), "vkEndCommandBuffer");
 }
 
-void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier)
+void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> images,
+                    std::span<const VkMemoryBarrier2> memory)
 {
+    if (images.empty() && memory.empty())
+    {
+        return;
+    }
     VkDependencyInfo info{};
     info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
+    info.imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size());
+    info.pImageMemoryBarriers = images.data();
+    info.memoryBarrierCount = static_cast<std::uint32_t>(memory.size());
+    info.pMemoryBarriers = memory.data();
     vkCmdPipelineBarrier2(commands, &info);
+}
+
+void RecordBarrier(VkCommandBuffer commands, const UsageScope& from, const UsageScope& to)
+{
+    const VkMemoryBarrier2 barrier = MemoryBarrier(from, to);
+    RecordBarriers(commands, {}, {&barrier, 1});
 }
 
 } // namespace limn::vulkan

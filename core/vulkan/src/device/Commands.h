@@ -1,5 +1,6 @@
 #pragma once
 
+#include "device/Translate.h"
 #include "device/UniqueHandle.h"
 #include "device/VulkanContext.h"
 
@@ -24,6 +25,10 @@ private:
     VkCommandBuffer m_Handle = VK_NULL_HANDLE; ///< owned by the pool
 };
 
-void RecordBarrier(VkCommandBuffer commands, const VkMemoryBarrier2& barrier);
+/// Records the barriers; does nothing if there are none.
+void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> images,
+                    std::span<const VkMemoryBarrier2> memory = {});
+/// Records a barrier between two uses of memory.
+void RecordBarrier(VkCommandBuffer commands, const UsageScope& from, const UsageScope& to);
 
 } // namespace limn::vulkan

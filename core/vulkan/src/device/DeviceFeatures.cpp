@@ -2,7 +2,6 @@
 
 #include "device/Check.h"
 #include <algorithm>
-#include <cstring>
 
 namespace limn::vulkan
 {
@@ -10,12 +9,12 @@ namespace limn::vulkan
 namespace
 {
 
-/// A feature that limn uses where it is offered.
-struct OptionalFeature
+/// A feature that limn uses.
+struct Feature
 {
     const char* name; ///< Vulkan's
     VkBool32& (*in)(FeatureChain& chain);
-    const char* cost; ///< of a device without it
+    const char* meaning;
 };
 
 #define LIMN_FEATURE(structure, feature)                                                           \
@@ -23,7 +22,18 @@ struct OptionalFeature
         return chain.structure.feature;                                                            \
     }
 
-constexpr OptionalFeature k_OptionalFeatures[] = {
+/// Every feature without which limn does not draw, and what it is needed for.
+constexpr Feature k_NeededFeatures[] = {
+    {LIMN_FEATURE(core.features, independentBlend), "a blend state per target"},
+    {LIMN_FEATURE(core.features, fullDrawIndexUint32), "32-bit mesh indices"},
+    {LIMN_FEATURE(v12, timelineSemaphore), "to follow frames in flight"},
+    {LIMN_FEATURE(v13, dynamicRendering), "passes"},
+    {LIMN_FEATURE(v13, synchronization2), "barriers"},
+    {LIMN_FEATURE(v13, shaderDemoteToHelperInvocation), "clip() in shaders"},
+};
+
+/// Every feature that limn uses where it is offered, and what a device without it costs.
+constexpr Feature k_OptionalFeatures[] = {
     {LIMN_FEATURE(core.features, depthClamp), "ZClip False is refused"},
     {LIMN_FEATURE(core.features, logicOp), "logical BlendOps are refused"},
     {LIMN_FEATURE(core.features, geometryShader),
@@ -111,19 +121,22 @@ constexpr UsefulLimit k_UsefulLimits[] = {
      "numbers are the most that a vertex function can pass on"},
 };
 
+constexpr std::pair<bool OptionalExtensions::*, const char*> k_Extensions[] = {
+    {&OptionalExtensions::extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME},
+    {&OptionalExtensions::advancedBlend, VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME},
+    {&OptionalExtensions::conservative, VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME},
+    {&OptionalExtensions::portability, VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME},
+};
+
 } // namespace
 
 std::vector<const char*> OptionalExtensions::Names() const
 {
     std::vector<const char*> names;
-    const auto add = [&](bool has, const char* name)
+    for (const auto& [has, name] : k_Extensions)
     {
-        names.insert(names.end(), has ? 1 : 0, name);
-    };
-    add(extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME);
-    add(advancedBlend, VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME);
-    add(conservative, VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME);
-    add(portability, VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME);
+        names.insert(names.end(), this->*has ? 1 : 0, name);
+    }
     return names;
 }
 
@@ -135,16 +148,12 @@ OptionalExtensions FindExtensions(VkPhysicalDevice device)
         return vkEnumerateDeviceExtensionProperties(device, nullptr, count, list);
     };
     Check(FillList(extensions, fill), "vkEnumerateDeviceExtensionProperties");
-    const auto has = [&](const char* name)
+    OptionalExtensions found;
+    for (const auto& [has, name] : k_Extensions)
     {
-        return std::any_of(extensions.begin(), extensions.end(),
-                           [&](const VkExtensionProperties& extension)
-                           { return std::strcmp(extension.extensionName, name) == 0; });
-    };
-    return {has(VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME),
-            has(VK_EXT_BLEND_OPERATION_ADVANCED_EXTENSION_NAME),
-            has(VK_EXT_CONSERVATIVE_RASTERIZATION_EXTENSION_NAME),
-            has(VK_KHR_PORTABILITY_SUBSET_EXTENSION_NAME)};
+        found.*has = Contains(extensions, &VkExtensionProperties::extensionName, name);
+    }
+    return found;
 }
 
 FeatureChain::FeatureChain(const OptionalExtensions& extensions)
@@ -172,30 +181,15 @@ FeatureChain::FeatureChain(const OptionalExtensions& extensions)
     chain(extensions.portability, portability);
 }
 
-std::vector<std::string> MissingFeatures(const FeatureChain& offered)
+std::vector<std::string> MissingFeatures(FeatureChain& offered)
 {
-    struct Need
-    {
-        VkBool32 has;
-        const char* name;
-        const char* use;
-    };
-    const Need needs[] = {
-        {offered.core.features.independentBlend, "independentBlend", "a blend state per target"},
-        {offered.core.features.fullDrawIndexUint32, "fullDrawIndexUint32", "32-bit mesh indices"},
-        {offered.v12.timelineSemaphore, "timelineSemaphore", "to follow frames in flight"},
-        {offered.v13.dynamicRendering, "dynamicRendering", "passes"},
-        {offered.v13.synchronization2, "synchronization2", "barriers"},
-        {offered.v13.shaderDemoteToHelperInvocation, "shaderDemoteToHelperInvocation",
-         "clip() in shaders"},
-    };
     std::vector<std::string> missing;
-    for (const Need& need : needs)
+    for (const Feature& feature : k_NeededFeatures)
     {
-        if (need.has == VK_FALSE)
+        if (feature.in(offered) == VK_FALSE)
         {
-            missing.push_back(std::string("it lacks the feature ") + need.name + ", needed for " +
-                              need.use);
+            missing.push_back(std::string("it lacks the feature ") + feature.name +
+                              ", needed for " + feature.meaning);
         }
     }
     return missing;
@@ -266,9 +260,9 @@ std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& 
     {
         lacks.insert(lacks.end(), has ? 0 : 1, "it has no " + what + ": " + cost);
     };
-    for (const OptionalFeature& feature : k_OptionalFeatures)
+    for (const Feature& feature : k_OptionalFeatures)
     {
-        add(feature.in(offered) == VK_TRUE, feature.name, feature.cost);
+        add(feature.in(offered) == VK_TRUE, feature.name, feature.meaning);
     }
     add(extensions.extendedState, VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME,
         "each state of blending costs a pipeline");
@@ -289,14 +283,11 @@ std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& 
 
 void ChooseFeatures(FeatureChain& offered, FeatureChain& wanted)
 {
-    wanted.core.features.independentBlend = VK_TRUE;
-    wanted.core.features.fullDrawIndexUint32 = VK_TRUE;
-    wanted.v12.timelineSemaphore = VK_TRUE;
-    wanted.v13.dynamicRendering = VK_TRUE;
-    wanted.v13.synchronization2 = VK_TRUE;
-    wanted.v13.shaderDemoteToHelperInvocation = VK_TRUE;
-
-    for (const OptionalFeature& feature : k_OptionalFeatures)
+    for (const Feature& feature : k_NeededFeatures)
+    {
+        feature.in(wanted) = VK_TRUE;
+    }
+    for (const Feature& feature : k_OptionalFeatures)
     {
         feature.in(wanted) = feature.in(offered);
     }

@@ -41,7 +41,7 @@ struct FeatureChain
 };
 
 /// Returns one sentence for each feature that limn requires and that `offered` lacks.
-std::vector<std::string> MissingFeatures(const FeatureChain& offered);
+std::vector<std::string> MissingFeatures(FeatureChain& offered);
 
 /// Returns the sorted Unity names of features that a shader can require (`#pragma require`) and
 /// that a device with these enabled features lacks. They exclude what every device of Vulkan 1.3

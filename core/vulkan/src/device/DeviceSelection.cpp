@@ -1,5 +1,6 @@
 #include "device/DeviceSelection.h"
 
+#include "device/DeviceFeatures.h"
 #include "device/VulkanInstance.h"
 #include <algorithm>
 #include <functional>
@@ -11,20 +12,9 @@ namespace limn
 
 const char* ToString(VulkanDeviceType type)
 {
-    switch (type)
-    {
-    case VulkanDeviceType::IntegratedGpu:
-        return "integrated GPU";
-    case VulkanDeviceType::DiscreteGpu:
-        return "discrete GPU";
-    case VulkanDeviceType::VirtualGpu:
-        return "virtual GPU";
-    case VulkanDeviceType::Software:
-        return "software";
-    case VulkanDeviceType::Other:
-        break;
-    }
-    return "other";
+    static constexpr const char* k_Names[] = {"other", "integrated GPU", "discrete GPU",
+                                              "virtual GPU", "software"};
+    return k_Names[static_cast<std::size_t>(type)];
 }
 
 std::vector<VulkanDeviceInfo> EnumerateVulkanDevices()
@@ -118,6 +108,22 @@ DeviceChoice ChooseByDefault(const std::vector<VulkanDeviceInfo>& devices)
     Refuse(devices, "no usable Vulkan device:");
 }
 
+VulkanDeviceType ToDeviceType(VkPhysicalDeviceType type)
+{
+    static_assert(VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU ==
+                      static_cast<int>(VulkanDeviceType::IntegratedGpu) &&
+                  VK_PHYSICAL_DEVICE_TYPE_CPU == static_cast<int>(VulkanDeviceType::Software));
+    return type <= VK_PHYSICAL_DEVICE_TYPE_CPU ? static_cast<VulkanDeviceType>(type)
+                                               : VulkanDeviceType::Other;
+}
+
+std::string VersionText(std::uint32_t version)
+{
+    return std::to_string(VK_API_VERSION_MAJOR(version)) + "." +
+           std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+           std::to_string(VK_API_VERSION_PATCH(version));
+}
+
 } // namespace
 
 DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::string_view request)
@@ -147,6 +153,65 @@ DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::str
         return Chosen(devices, *found, asked);
     }
     Refuse(devices, "no usable Vulkan device is '" + std::string(request) + "'; there are:");
+}
+
+std::vector<VkQueueFamilyProperties> QueueFamilies(VkPhysicalDevice device)
+{
+    std::uint32_t count = 0;
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
+    std::vector<VkQueueFamilyProperties> families(count);
+    vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+    return families;
+}
+
+std::optional<std::uint32_t> GraphicsQueueFamily(VkPhysicalDevice device)
+{
+    const std::vector<VkQueueFamilyProperties> families = QueueFamilies(device);
+    // Vulkan promises one that does both where one draws.
+    for (const VkQueueFlags wanted : {VkQueueFlags{VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT},
+                                      VkQueueFlags{VK_QUEUE_GRAPHICS_BIT}})
+    {
+        for (std::uint32_t i = 0; i < families.size(); ++i)
+        {
+            if ((families[i].queueFlags & wanted) == wanted)
+            {
+                return i;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device)
+{
+    const auto driver = ReadProperties<VkPhysicalDeviceDriverProperties>(
+        device, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES);
+    VkPhysicalDeviceProperties properties{};
+    vkGetPhysicalDeviceProperties(device, &properties);
+    VulkanDeviceInfo info;
+    info.name = properties.deviceName;
+    info.type = ToDeviceType(properties.deviceType);
+    info.apiVersion = VersionText(properties.apiVersion);
+    info.driverName = driver.driverName;
+    info.driverInfo = driver.driverInfo;
+    const VkPhysicalDeviceLimits& limits = properties.limits;
+    info.subPixelPrecisionBits = static_cast<int>(limits.subPixelPrecisionBits);
+    if (properties.apiVersion < VK_API_VERSION_1_3)
+    {
+        // Its 1.3 features cannot even be asked for.
+        info.problems.push_back("it supports Vulkan " + info.apiVersion + ", but limn needs 1.3");
+        return info;
+    }
+    const OptionalExtensions extensions = FindExtensions(device);
+    FeatureChain offered{extensions};
+    vkGetPhysicalDeviceFeatures2(device, &offered.core);
+    info.problems = MissingFeatures(offered);
+    info.lacks = Lacks(offered, extensions, limits);
+    if (!GraphicsQueueFamily(device))
+    {
+        info.problems.push_back("it has no queue that draws");
+    }
+    return info;
 }
 
 } // namespace vulkan

@@ -20,6 +20,20 @@ DeviceChoice ChooseDevice(const std::vector<VulkanDeviceInfo>& devices, std::str
 
 VulkanDeviceInfo DescribeDevice(VkPhysicalDevice device);
 
+/// Returns one of the structures that extend VkPhysicalDeviceProperties2.
+template <typename Properties>
+Properties ReadProperties(VkPhysicalDevice device, VkStructureType type)
+{
+    Properties chained{};
+    chained.sType = type;
+    VkPhysicalDeviceProperties2 properties{};
+    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
+    properties.pNext = &chained;
+    vkGetPhysicalDeviceProperties2(device, &properties);
+    return chained;
+}
+
+std::vector<VkQueueFamilyProperties> QueueFamilies(VkPhysicalDevice device);
 /// Returns the first queue family that can draw.
 std::optional<std::uint32_t> GraphicsQueueFamily(VkPhysicalDevice device);
 

@@ -8,17 +8,6 @@
 namespace limn::vulkan
 {
 
-namespace
-{
-
-struct CapabilityNeed
-{
-    MissingCapability need;
-    VkBool32 isEnabled;
-};
-
-} // namespace
-
 VkSubgroupFeatureFlags SubgroupOperations(const VkPhysicalDeviceSubgroupProperties& device,
                                           VkShaderStageFlagBits stage)
 {
@@ -42,7 +31,7 @@ std::vector<MissingCapability> MissingCapabilities(const FeatureChain& enabled,
     {
         return (subgroup & operations) == operations ? VK_TRUE : VK_FALSE;
     };
-    const CapabilityNeed needs[] = {
+    const std::pair<MissingCapability, VkBool32> needs[] = {
         {{2, "geometryShader"}, core.geometryShader}, // SV_PrimitiveID in fragment functions, too
         {{3, "tessellationShader"}, core.tessellationShader},
         {{9, "shaderFloat16"}, v12.shaderFloat16},
@@ -76,12 +65,9 @@ std::vector<MissingCapability> MissingCapabilities(const FeatureChain& enabled,
         {{4427, "shaderDrawParameters"}, enabled.v11.shaderDrawParameters},
     };
     std::vector<MissingCapability> missing;
-    for (const CapabilityNeed& entry : needs)
+    for (const auto& [need, isEnabled] : needs)
     {
-        if (entry.isEnabled != VK_TRUE)
-        {
-            missing.push_back(entry.need);
-        }
+        missing.insert(missing.end(), isEnabled == VK_TRUE ? 0 : 1, need);
     }
     return missing;
 }

@@ -1,6 +1,5 @@
 #include "device/Translate.h"
 
-#include <array>
 #include <limn/base/Diagnostic.h>
 
 namespace limn::vulkan
@@ -9,9 +8,78 @@ namespace limn::vulkan
 namespace
 {
 
-[[noreturn]] void RefuseValue(const char* type, int value)
+/// The texel formats from R8_SRGB on, in their order.
+constexpr VkFormat k_Formats[] = {VK_FORMAT_R8_SRGB,          VK_FORMAT_R8G8_SRGB,
+                                  VK_FORMAT_R8G8B8_SRGB,      VK_FORMAT_R8G8B8A8_SRGB,
+                                  VK_FORMAT_R8_UNORM,         VK_FORMAT_R8G8_UNORM,
+                                  VK_FORMAT_R8G8B8_UNORM,     VK_FORMAT_R8G8B8A8_UNORM,
+                                  VK_FORMAT_R8_SNORM,         VK_FORMAT_R8G8_SNORM,
+                                  VK_FORMAT_R8G8B8_SNORM,     VK_FORMAT_R8G8B8A8_SNORM,
+                                  VK_FORMAT_R8_UINT,          VK_FORMAT_R8G8_UINT,
+                                  VK_FORMAT_R8G8B8_UINT,      VK_FORMAT_R8G8B8A8_UINT,
+                                  VK_FORMAT_R8_SINT,          VK_FORMAT_R8G8_SINT,
+                                  VK_FORMAT_R8G8B8_SINT,      VK_FORMAT_R8G8B8A8_SINT,
+                                  VK_FORMAT_R16_UNORM,        VK_FORMAT_R16G16_UNORM,
+                                  VK_FORMAT_R16G16B16_UNORM,  VK_FORMAT_R16G16B16A16_UNORM,
+                                  VK_FORMAT_R16_SNORM,        VK_FORMAT_R16G16_SNORM,
+                                  VK_FORMAT_R16G16B16_SNORM,  VK_FORMAT_R16G16B16A16_SNORM,
+                                  VK_FORMAT_R16_UINT,         VK_FORMAT_R16G16_UINT,
+                                  VK_FORMAT_R16G16B16_UINT,   VK_FORMAT_R16G16B16A16_UINT,
+                                  VK_FORMAT_R16_SINT,         VK_FORMAT_R16G16_SINT,
+                                  VK_FORMAT_R16G16B16_SINT,   VK_FORMAT_R16G16B16A16_SINT,
+                                  VK_FORMAT_R32_UINT,         VK_FORMAT_R32G32_UINT,
+                                  VK_FORMAT_R32G32B32_UINT,   VK_FORMAT_R32G32B32A32_UINT,
+                                  VK_FORMAT_R32_SINT,         VK_FORMAT_R32G32_SINT,
+                                  VK_FORMAT_R32G32B32_SINT,   VK_FORMAT_R32G32B32A32_SINT,
+                                  VK_FORMAT_R16_SFLOAT,       VK_FORMAT_R16G16_SFLOAT,
+                                  VK_FORMAT_R16G16B16_SFLOAT, VK_FORMAT_R16G16B16A16_SFLOAT,
+                                  VK_FORMAT_R32_SFLOAT,       VK_FORMAT_R32G32_SFLOAT,
+                                  VK_FORMAT_R32G32B32_SFLOAT, VK_FORMAT_R32G32B32A32_SFLOAT};
+/// The texel formats from B8G8R8_SRGB on, in their order.
+constexpr VkFormat k_ReversedAndPackedFormats[] = {VK_FORMAT_B8G8R8_SRGB,
+                                                   VK_FORMAT_B8G8R8A8_SRGB,
+                                                   VK_FORMAT_B8G8R8_UNORM,
+                                                   VK_FORMAT_B8G8R8A8_UNORM,
+                                                   VK_FORMAT_B8G8R8_SNORM,
+                                                   VK_FORMAT_B8G8R8A8_SNORM,
+                                                   VK_FORMAT_B8G8R8_UINT,
+                                                   VK_FORMAT_B8G8R8A8_UINT,
+                                                   VK_FORMAT_B8G8R8_SINT,
+                                                   VK_FORMAT_B8G8R8A8_SINT,
+                                                   VK_FORMAT_R4G4B4A4_UNORM_PACK16,
+                                                   VK_FORMAT_B4G4R4A4_UNORM_PACK16,
+                                                   VK_FORMAT_R5G6B5_UNORM_PACK16,
+                                                   VK_FORMAT_B5G6R5_UNORM_PACK16,
+                                                   VK_FORMAT_R5G5B5A1_UNORM_PACK16,
+                                                   VK_FORMAT_B5G5R5A1_UNORM_PACK16,
+                                                   VK_FORMAT_A1R5G5B5_UNORM_PACK16,
+                                                   VK_FORMAT_E5B9G9R9_UFLOAT_PACK32,
+                                                   VK_FORMAT_B10G11R11_UFLOAT_PACK32,
+                                                   VK_FORMAT_A2B10G10R10_UNORM_PACK32,
+                                                   VK_FORMAT_A2B10G10R10_UINT_PACK32,
+                                                   VK_FORMAT_A2B10G10R10_SINT_PACK32,
+                                                   VK_FORMAT_A2R10G10B10_UNORM_PACK32,
+                                                   VK_FORMAT_A2R10G10B10_UINT_PACK32,
+                                                   VK_FORMAT_A2R10G10B10_SINT_PACK32};
+
+constexpr UsageScope k_ColorScope{VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+                                  VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT |
+                                      VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+                                  VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL};
+
+/// Returns the element of a table that belongs to an enumerator.
+/// @param first  the enumerator of the first element
+/// @throws ContractError if the table has no such element
+template <typename Element, std::size_t Count, typename Enum>
+Element At(const Element (&table)[Count], const char* type, Enum value, Enum first = Enum{})
 {
-    throw ContractError(std::string(type) + " has no value " + std::to_string(value));
+    const int index = static_cast<int>(value) - static_cast<int>(first);
+    if (index < 0 || index >= static_cast<int>(Count))
+    {
+        throw ContractError(std::string(type) + " has no value " +
+                            std::to_string(static_cast<int>(value)));
+    }
+    return table[index];
 }
 
 } // namespace
@@ -22,168 +90,16 @@ VkFormat ToVkFormat(GraphicsFormat format)
     {
     case GraphicsFormat::None:
         throw ContractError("a texture of format None has no texels; give it a format");
-    case GraphicsFormat::R8_SRGB:
-        return VK_FORMAT_R8_SRGB;
-    case GraphicsFormat::R8G8_SRGB:
-        return VK_FORMAT_R8G8_SRGB;
-    case GraphicsFormat::R8G8B8_SRGB:
-        return VK_FORMAT_R8G8B8_SRGB;
-    case GraphicsFormat::R8G8B8A8_SRGB:
-        return VK_FORMAT_R8G8B8A8_SRGB;
-    case GraphicsFormat::R8_UNorm:
-        return VK_FORMAT_R8_UNORM;
-    case GraphicsFormat::R8G8_UNorm:
-        return VK_FORMAT_R8G8_UNORM;
-    case GraphicsFormat::R8G8B8_UNorm:
-        return VK_FORMAT_R8G8B8_UNORM;
-    case GraphicsFormat::R8G8B8A8_UNorm:
-        return VK_FORMAT_R8G8B8A8_UNORM;
-    case GraphicsFormat::R8_SNorm:
-        return VK_FORMAT_R8_SNORM;
-    case GraphicsFormat::R8G8_SNorm:
-        return VK_FORMAT_R8G8_SNORM;
-    case GraphicsFormat::R8G8B8_SNorm:
-        return VK_FORMAT_R8G8B8_SNORM;
-    case GraphicsFormat::R8G8B8A8_SNorm:
-        return VK_FORMAT_R8G8B8A8_SNORM;
-    case GraphicsFormat::R8_UInt:
-        return VK_FORMAT_R8_UINT;
-    case GraphicsFormat::R8G8_UInt:
-        return VK_FORMAT_R8G8_UINT;
-    case GraphicsFormat::R8G8B8_UInt:
-        return VK_FORMAT_R8G8B8_UINT;
-    case GraphicsFormat::R8G8B8A8_UInt:
-        return VK_FORMAT_R8G8B8A8_UINT;
-    case GraphicsFormat::R8_SInt:
-        return VK_FORMAT_R8_SINT;
-    case GraphicsFormat::R8G8_SInt:
-        return VK_FORMAT_R8G8_SINT;
-    case GraphicsFormat::R8G8B8_SInt:
-        return VK_FORMAT_R8G8B8_SINT;
-    case GraphicsFormat::R8G8B8A8_SInt:
-        return VK_FORMAT_R8G8B8A8_SINT;
-    case GraphicsFormat::R16_UNorm:
-        return VK_FORMAT_R16_UNORM;
-    case GraphicsFormat::R16G16_UNorm:
-        return VK_FORMAT_R16G16_UNORM;
-    case GraphicsFormat::R16G16B16_UNorm:
-        return VK_FORMAT_R16G16B16_UNORM;
-    case GraphicsFormat::R16G16B16A16_UNorm:
-        return VK_FORMAT_R16G16B16A16_UNORM;
-    case GraphicsFormat::R16_SNorm:
-        return VK_FORMAT_R16_SNORM;
-    case GraphicsFormat::R16G16_SNorm:
-        return VK_FORMAT_R16G16_SNORM;
-    case GraphicsFormat::R16G16B16_SNorm:
-        return VK_FORMAT_R16G16B16_SNORM;
-    case GraphicsFormat::R16G16B16A16_SNorm:
-        return VK_FORMAT_R16G16B16A16_SNORM;
-    case GraphicsFormat::R16_UInt:
-        return VK_FORMAT_R16_UINT;
-    case GraphicsFormat::R16G16_UInt:
-        return VK_FORMAT_R16G16_UINT;
-    case GraphicsFormat::R16G16B16_UInt:
-        return VK_FORMAT_R16G16B16_UINT;
-    case GraphicsFormat::R16G16B16A16_UInt:
-        return VK_FORMAT_R16G16B16A16_UINT;
-    case GraphicsFormat::R16_SInt:
-        return VK_FORMAT_R16_SINT;
-    case GraphicsFormat::R16G16_SInt:
-        return VK_FORMAT_R16G16_SINT;
-    case GraphicsFormat::R16G16B16_SInt:
-        return VK_FORMAT_R16G16B16_SINT;
-    case GraphicsFormat::R16G16B16A16_SInt:
-        return VK_FORMAT_R16G16B16A16_SINT;
-    case GraphicsFormat::R32_UInt:
-        return VK_FORMAT_R32_UINT;
-    case GraphicsFormat::R32G32_UInt:
-        return VK_FORMAT_R32G32_UINT;
-    case GraphicsFormat::R32G32B32_UInt:
-        return VK_FORMAT_R32G32B32_UINT;
-    case GraphicsFormat::R32G32B32A32_UInt:
-        return VK_FORMAT_R32G32B32A32_UINT;
-    case GraphicsFormat::R32_SInt:
-        return VK_FORMAT_R32_SINT;
-    case GraphicsFormat::R32G32_SInt:
-        return VK_FORMAT_R32G32_SINT;
-    case GraphicsFormat::R32G32B32_SInt:
-        return VK_FORMAT_R32G32B32_SINT;
-    case GraphicsFormat::R32G32B32A32_SInt:
-        return VK_FORMAT_R32G32B32A32_SINT;
-    case GraphicsFormat::R16_SFloat:
-        return VK_FORMAT_R16_SFLOAT;
-    case GraphicsFormat::R16G16_SFloat:
-        return VK_FORMAT_R16G16_SFLOAT;
-    case GraphicsFormat::R16G16B16_SFloat:
-        return VK_FORMAT_R16G16B16_SFLOAT;
-    case GraphicsFormat::R16G16B16A16_SFloat:
-        return VK_FORMAT_R16G16B16A16_SFLOAT;
-    case GraphicsFormat::R32_SFloat:
-        return VK_FORMAT_R32_SFLOAT;
-    case GraphicsFormat::R32G32_SFloat:
-        return VK_FORMAT_R32G32_SFLOAT;
-    case GraphicsFormat::R32G32B32_SFloat:
-        return VK_FORMAT_R32G32B32_SFLOAT;
-    case GraphicsFormat::R32G32B32A32_SFloat:
-        return VK_FORMAT_R32G32B32A32_SFLOAT;
-    case GraphicsFormat::B8G8R8_SRGB:
-        return VK_FORMAT_B8G8R8_SRGB;
-    case GraphicsFormat::B8G8R8A8_SRGB:
-        return VK_FORMAT_B8G8R8A8_SRGB;
-    case GraphicsFormat::B8G8R8_UNorm:
-        return VK_FORMAT_B8G8R8_UNORM;
-    case GraphicsFormat::B8G8R8A8_UNorm:
-        return VK_FORMAT_B8G8R8A8_UNORM;
-    case GraphicsFormat::B8G8R8_SNorm:
-        return VK_FORMAT_B8G8R8_SNORM;
-    case GraphicsFormat::B8G8R8A8_SNorm:
-        return VK_FORMAT_B8G8R8A8_SNORM;
-    case GraphicsFormat::B8G8R8_UInt:
-        return VK_FORMAT_B8G8R8_UINT;
-    case GraphicsFormat::B8G8R8A8_UInt:
-        return VK_FORMAT_B8G8R8A8_UINT;
-    case GraphicsFormat::B8G8R8_SInt:
-        return VK_FORMAT_B8G8R8_SINT;
-    case GraphicsFormat::B8G8R8A8_SInt:
-        return VK_FORMAT_B8G8R8A8_SINT;
-    case GraphicsFormat::R4G4B4A4_UNormPack16:
-        return VK_FORMAT_R4G4B4A4_UNORM_PACK16;
-    case GraphicsFormat::B4G4R4A4_UNormPack16:
-        return VK_FORMAT_B4G4R4A4_UNORM_PACK16;
-    case GraphicsFormat::R5G6B5_UNormPack16:
-        return VK_FORMAT_R5G6B5_UNORM_PACK16;
-    case GraphicsFormat::B5G6R5_UNormPack16:
-        return VK_FORMAT_B5G6R5_UNORM_PACK16;
-    case GraphicsFormat::R5G5B5A1_UNormPack16:
-        return VK_FORMAT_R5G5B5A1_UNORM_PACK16;
-    case GraphicsFormat::B5G5R5A1_UNormPack16:
-        return VK_FORMAT_B5G5R5A1_UNORM_PACK16;
-    case GraphicsFormat::A1R5G5B5_UNormPack16:
-        return VK_FORMAT_A1R5G5B5_UNORM_PACK16;
-    case GraphicsFormat::E5B9G9R9_UFloatPack32:
-        return VK_FORMAT_E5B9G9R9_UFLOAT_PACK32;
-    case GraphicsFormat::B10G11R11_UFloatPack32:
-        return VK_FORMAT_B10G11R11_UFLOAT_PACK32;
-    case GraphicsFormat::A2B10G10R10_UNormPack32:
-        return VK_FORMAT_A2B10G10R10_UNORM_PACK32;
-    case GraphicsFormat::A2B10G10R10_UIntPack32:
-        return VK_FORMAT_A2B10G10R10_UINT_PACK32;
-    case GraphicsFormat::A2B10G10R10_SIntPack32:
-        return VK_FORMAT_A2B10G10R10_SINT_PACK32;
-    case GraphicsFormat::A2R10G10B10_UNormPack32:
-        return VK_FORMAT_A2R10G10B10_UNORM_PACK32;
-    case GraphicsFormat::A2R10G10B10_UIntPack32:
-        return VK_FORMAT_A2R10G10B10_UINT_PACK32;
-    case GraphicsFormat::A2R10G10B10_SIntPack32:
-        return VK_FORMAT_A2R10G10B10_SINT_PACK32;
     case GraphicsFormat::D32_SFloat:
         return VK_FORMAT_D32_SFLOAT;
     case GraphicsFormat::D32_SFloat_S8_UInt:
         return VK_FORMAT_D32_SFLOAT_S8_UINT;
-    default: // of these no texture is made
-        break;
+    default: // of the others between and behind the tables no texture is made
+        return format < GraphicsFormat::B8G8R8_SRGB
+                   ? At(k_Formats, "GraphicsFormat", format, GraphicsFormat::R8_SRGB)
+                   : At(k_ReversedAndPackedFormats, "GraphicsFormat", format,
+                        GraphicsFormat::B8G8R8_SRGB);
     }
-    RefuseValue("GraphicsFormat", static_cast<int>(format));
 }
 
 VkCompareOp ToReversedDepthCompare(CompareFunction function)
@@ -205,133 +121,70 @@ VkCompareOp ToReversedDepthCompare(CompareFunction function)
 
 VkCompareOp ToStencilCompare(CompareFunction function)
 {
-    switch (function)
-    {
-    case CompareFunction::Disabled:
-    case CompareFunction::Always:
-        return VK_COMPARE_OP_ALWAYS;
-    case CompareFunction::Never:
-        return VK_COMPARE_OP_NEVER;
-    case CompareFunction::Less:
-        return VK_COMPARE_OP_LESS;
-    case CompareFunction::Equal:
-        return VK_COMPARE_OP_EQUAL;
-    case CompareFunction::LessEqual:
-        return VK_COMPARE_OP_LESS_OR_EQUAL;
-    case CompareFunction::Greater:
-        return VK_COMPARE_OP_GREATER;
-    case CompareFunction::NotEqual:
-        return VK_COMPARE_OP_NOT_EQUAL;
-    case CompareFunction::GreaterEqual:
-        return VK_COMPARE_OP_GREATER_OR_EQUAL;
-    }
-    RefuseValue("CompareFunction", static_cast<int>(function));
+    static constexpr VkCompareOp k_Compares[] = {
+        VK_COMPARE_OP_ALWAYS,        VK_COMPARE_OP_NEVER,
+        VK_COMPARE_OP_LESS,          VK_COMPARE_OP_EQUAL,
+        VK_COMPARE_OP_LESS_OR_EQUAL, VK_COMPARE_OP_GREATER,
+        VK_COMPARE_OP_NOT_EQUAL,     VK_COMPARE_OP_GREATER_OR_EQUAL,
+        VK_COMPARE_OP_ALWAYS};
+    return At(k_Compares, "CompareFunction", function);
 }
 
 VkStencilOp ToVkStencilOp(StencilOp op)
 {
-    switch (op)
-    {
-    case StencilOp::Keep:
-        return VK_STENCIL_OP_KEEP;
-    case StencilOp::Zero:
-        return VK_STENCIL_OP_ZERO;
-    case StencilOp::Replace:
-        return VK_STENCIL_OP_REPLACE;
-    case StencilOp::IncrementSaturate:
-        return VK_STENCIL_OP_INCREMENT_AND_CLAMP;
-    case StencilOp::DecrementSaturate:
-        return VK_STENCIL_OP_DECREMENT_AND_CLAMP;
-    case StencilOp::Invert:
-        return VK_STENCIL_OP_INVERT;
-    case StencilOp::IncrementWrap:
-        return VK_STENCIL_OP_INCREMENT_AND_WRAP;
-    case StencilOp::DecrementWrap:
-        return VK_STENCIL_OP_DECREMENT_AND_WRAP;
-    }
-    RefuseValue("StencilOp", static_cast<int>(op));
+    static constexpr VkStencilOp k_Operations[] = {VK_STENCIL_OP_KEEP,
+                                                   VK_STENCIL_OP_ZERO,
+                                                   VK_STENCIL_OP_REPLACE,
+                                                   VK_STENCIL_OP_INCREMENT_AND_CLAMP,
+                                                   VK_STENCIL_OP_DECREMENT_AND_CLAMP,
+                                                   VK_STENCIL_OP_INVERT,
+                                                   VK_STENCIL_OP_INCREMENT_AND_WRAP,
+                                                   VK_STENCIL_OP_DECREMENT_AND_WRAP};
+    return At(k_Operations, "StencilOp", op);
 }
 
 VkBlendFactor ToVkBlendFactor(BlendMode mode)
 {
-    switch (mode)
-    {
-    case BlendMode::Zero:
-        return VK_BLEND_FACTOR_ZERO;
-    case BlendMode::One:
-        return VK_BLEND_FACTOR_ONE;
-    case BlendMode::DstColor:
-        return VK_BLEND_FACTOR_DST_COLOR;
-    case BlendMode::SrcColor:
-        return VK_BLEND_FACTOR_SRC_COLOR;
-    case BlendMode::OneMinusDstColor:
-        return VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR;
-    case BlendMode::SrcAlpha:
-        return VK_BLEND_FACTOR_SRC_ALPHA;
-    case BlendMode::OneMinusSrcColor:
-        return VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR;
-    case BlendMode::DstAlpha:
-        return VK_BLEND_FACTOR_DST_ALPHA;
-    case BlendMode::OneMinusDstAlpha:
-        return VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA;
-    case BlendMode::SrcAlphaSaturate:
-        return VK_BLEND_FACTOR_SRC_ALPHA_SATURATE;
-    case BlendMode::OneMinusSrcAlpha:
-        return VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA;
-    }
-    RefuseValue("BlendMode", static_cast<int>(mode));
+    static constexpr VkBlendFactor k_Factors[] = {VK_BLEND_FACTOR_ZERO,
+                                                  VK_BLEND_FACTOR_ONE,
+                                                  VK_BLEND_FACTOR_DST_COLOR,
+                                                  VK_BLEND_FACTOR_SRC_COLOR,
+                                                  VK_BLEND_FACTOR_ONE_MINUS_DST_COLOR,
+                                                  VK_BLEND_FACTOR_SRC_ALPHA,
+                                                  VK_BLEND_FACTOR_ONE_MINUS_SRC_COLOR,
+                                                  VK_BLEND_FACTOR_DST_ALPHA,
+                                                  VK_BLEND_FACTOR_ONE_MINUS_DST_ALPHA,
+                                                  VK_BLEND_FACTOR_SRC_ALPHA_SATURATE,
+                                                  VK_BLEND_FACTOR_ONE_MINUS_SRC_ALPHA};
+    return At(k_Factors, "BlendMode", mode);
 }
 
 VkBlendOp ToVkBlendOp(BlendOp op)
 {
-    switch (op)
-    {
-    case BlendOp::Add:
-        return VK_BLEND_OP_ADD;
-    case BlendOp::Subtract:
-        return VK_BLEND_OP_SUBTRACT;
-    case BlendOp::ReverseSubtract:
-        return VK_BLEND_OP_REVERSE_SUBTRACT;
-    case BlendOp::Min:
-        return VK_BLEND_OP_MIN;
-    case BlendOp::Max:
-        return VK_BLEND_OP_MAX;
-    default:
-        break;
-    }
-    if (isLogical(op))
-    {
-        return VK_BLEND_OP_ADD;
-    }
-    constexpr std::array k_Advanced = {
+    static constexpr VkBlendOp k_Plain[] = {VK_BLEND_OP_ADD, VK_BLEND_OP_SUBTRACT,
+                                            VK_BLEND_OP_REVERSE_SUBTRACT, VK_BLEND_OP_MIN,
+                                            VK_BLEND_OP_MAX};
+    static constexpr VkBlendOp k_Advanced[] = {
         VK_BLEND_OP_MULTIPLY_EXT,       VK_BLEND_OP_SCREEN_EXT,    VK_BLEND_OP_OVERLAY_EXT,
         VK_BLEND_OP_DARKEN_EXT,         VK_BLEND_OP_LIGHTEN_EXT,   VK_BLEND_OP_COLORDODGE_EXT,
         VK_BLEND_OP_COLORBURN_EXT,      VK_BLEND_OP_HARDLIGHT_EXT, VK_BLEND_OP_SOFTLIGHT_EXT,
         VK_BLEND_OP_DIFFERENCE_EXT,     VK_BLEND_OP_EXCLUSION_EXT, VK_BLEND_OP_HSL_HUE_EXT,
         VK_BLEND_OP_HSL_SATURATION_EXT, VK_BLEND_OP_HSL_COLOR_EXT, VK_BLEND_OP_HSL_LUMINOSITY_EXT};
-    const auto index = static_cast<std::size_t>(op) - static_cast<std::size_t>(BlendOp::Multiply);
-    if (!isAdvanced(op) || index >= k_Advanced.size())
-    {
-        RefuseValue("BlendOp", static_cast<int>(op));
-    }
-    return k_Advanced.at(index);
+    return isLogical(op)    ? VK_BLEND_OP_ADD
+           : isAdvanced(op) ? At(k_Advanced, "BlendOp", op, BlendOp::Multiply)
+                            : At(k_Plain, "BlendOp", op);
 }
 
 VkLogicOp ToVkLogicOp(BlendOp op)
 {
-    constexpr std::array k_Logical = {
+    static constexpr VkLogicOp k_Logical[] = {
         VK_LOGIC_OP_CLEAR,         VK_LOGIC_OP_SET,          VK_LOGIC_OP_COPY,
         VK_LOGIC_OP_COPY_INVERTED, VK_LOGIC_OP_NO_OP,        VK_LOGIC_OP_INVERT,
         VK_LOGIC_OP_AND,           VK_LOGIC_OP_NAND,         VK_LOGIC_OP_OR,
         VK_LOGIC_OP_NOR,           VK_LOGIC_OP_XOR,          VK_LOGIC_OP_EQUIVALENT,
         VK_LOGIC_OP_AND_REVERSE,   VK_LOGIC_OP_AND_INVERTED, VK_LOGIC_OP_OR_REVERSE,
         VK_LOGIC_OP_OR_INVERTED};
-    if (!isLogical(op))
-    {
-        RefuseValue("logical BlendOp", static_cast<int>(op));
-    }
-    return k_Logical.at(static_cast<std::size_t>(op) -
-                        static_cast<std::size_t>(BlendOp::LogicalClear));
+    return At(k_Logical, "logical BlendOp", op, BlendOp::LogicalClear);
 }
 
 VkConservativeRasterizationModeEXT ToVkConservative(bool conservative)
@@ -350,16 +203,9 @@ VkPrimitiveTopology ToVkTopology(MeshTopology topology)
 
 VkCullModeFlags ToVkCullMode(CullMode mode)
 {
-    switch (mode)
-    {
-    case CullMode::Off:
-        return VK_CULL_MODE_NONE;
-    case CullMode::Front:
-        return VK_CULL_MODE_FRONT_BIT;
-    case CullMode::Back:
-        return VK_CULL_MODE_BACK_BIT;
-    }
-    RefuseValue("CullMode", static_cast<int>(mode));
+    static constexpr VkCullModeFlags k_Modes[] = {VK_CULL_MODE_NONE, VK_CULL_MODE_FRONT_BIT,
+                                                  VK_CULL_MODE_BACK_BIT};
+    return At(k_Modes, "CullMode", mode);
 }
 
 VkFrontFace ToVkFrontFace(bool flipped)
@@ -408,6 +254,33 @@ VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers)
                      flag(ShaderStage::Indirect, VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT);
 }
 
+VkMemoryBarrier2 MemoryBarrier(const UsageScope& from, const UsageScope& to)
+{
+    return {VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+            nullptr,
+            from.stages,
+            from.access,
+            to.stages,
+            to.access};
+}
+
+VkImageMemoryBarrier2 ImageBarrier(VkImage image, const VkImageSubresourceRange& range,
+                                   const UsageScope& from, const UsageScope& to)
+{
+    return {VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+            nullptr,
+            from.stages,
+            from.access,
+            to.stages,
+            to.access,
+            from.layout,
+            to.layout,
+            VK_QUEUE_FAMILY_IGNORED,
+            VK_QUEUE_FAMILY_IGNORED,
+            image,
+            range};
+}
+
 VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier)
 {
     constexpr ShaderStage k_Functions =
@@ -422,99 +295,61 @@ VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier)
     {
         read |= VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
     }
-    VkMemoryBarrier2 result{};
-    result.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    result.srcStageMask = ToPipelineStages(barrier.before);
-    result.srcAccessMask =
-        barrier.wasWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE;
-    result.dstStageMask = ToPipelineStages(barrier.after);
-    result.dstAccessMask =
-        read | (barrier.isWritten ? VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT : VK_ACCESS_2_NONE);
-    return result;
+    const VkAccessFlags2 write = VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT;
+    return MemoryBarrier(
+        {ToPipelineStages(barrier.before), barrier.wasWritten ? write : VK_ACCESS_2_NONE},
+        {ToPipelineStages(barrier.after), read | (barrier.isWritten ? write : VK_ACCESS_2_NONE)});
 }
 
 UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples, ShaderStage readers)
 {
+    static constexpr UsageScope k_Scopes[] = {
+        {VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT},
+        k_ColorScope,
+        {VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT | VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
+         VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
+             VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT,
+         VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL},
+        {VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_SHADER_SAMPLED_READ_BIT,
+         VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL},
+        {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+         VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL},
+        {VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+         VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+         VK_IMAGE_LAYOUT_GENERAL}};
+    UsageScope scope = At(k_Scopes, "TextureUsage", usage);
+    if (usage == TextureUsage::ShaderRead)
+    {
+        scope.stages = ToPipelineStages(readers);
+    }
     if (usage == TextureUsage::DepthStencilAttachment && samples > 1)
     {
-        UsageScope scope = ToUsageScope(usage);
-        const UsageScope resolve = ToUsageScope(TextureUsage::ColorAttachment);
-        scope.stages |= resolve.stages;
-        scope.access |= resolve.access;
-        return scope;
+        scope.stages |= k_ColorScope.stages;
+        scope.access |= k_ColorScope.access;
     }
-    switch (usage)
-    {
-    case TextureUsage::Undefined:
-        return {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                VK_ACCESS_2_MEMORY_WRITE_BIT};
-    case TextureUsage::ColorAttachment:
-        return {VK_IMAGE_LAYOUT_COLOR_ATTACHMENT_OPTIMAL,
-                VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                VK_ACCESS_2_COLOR_ATTACHMENT_READ_BIT | VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT};
-    case TextureUsage::DepthStencilAttachment:
-        return {VK_IMAGE_LAYOUT_DEPTH_STENCIL_ATTACHMENT_OPTIMAL,
-                VK_PIPELINE_STAGE_2_EARLY_FRAGMENT_TESTS_BIT |
-                    VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT,
-                VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_READ_BIT |
-                    VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT};
-    case TextureUsage::ShaderRead:
-        return {VK_IMAGE_LAYOUT_SHADER_READ_ONLY_OPTIMAL, ToPipelineStages(readers),
-                VK_ACCESS_2_SHADER_SAMPLED_READ_BIT};
-    case TextureUsage::CopySource:
-        return {VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL, VK_PIPELINE_STAGE_2_COPY_BIT,
-                VK_ACCESS_2_TRANSFER_READ_BIT};
-    case TextureUsage::RandomWrite:
-        return {VK_IMAGE_LAYOUT_GENERAL, VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
-                VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT};
-    }
-    RefuseValue("TextureUsage", static_cast<int>(usage));
+    return scope;
 }
 
 const char* ToString(TextureUsage usage)
 {
-    switch (usage)
-    {
-    case TextureUsage::Undefined:
-        return "Undefined";
-    case TextureUsage::ColorAttachment:
-        return "ColorAttachment";
-    case TextureUsage::DepthStencilAttachment:
-        return "DepthStencilAttachment";
-    case TextureUsage::ShaderRead:
-        return "ShaderRead";
-    case TextureUsage::CopySource:
-        return "CopySource";
-    case TextureUsage::RandomWrite:
-        return "RandomWrite";
-    }
-    RefuseValue("TextureUsage", static_cast<int>(usage));
+    static constexpr const char* k_Names[] = {
+        "Undefined",  "ColorAttachment", "DepthStencilAttachment",
+        "ShaderRead", "CopySource",      "RandomWrite"};
+    return At(k_Names, "TextureUsage", usage);
 }
 
 VkAttachmentLoadOp ToVkLoadOp(LoadOp op)
 {
-    switch (op)
-    {
-    case LoadOp::Load:
-        return VK_ATTACHMENT_LOAD_OP_LOAD;
-    case LoadOp::Clear:
-        return VK_ATTACHMENT_LOAD_OP_CLEAR;
-    case LoadOp::DontCare:
-        return VK_ATTACHMENT_LOAD_OP_DONT_CARE;
-    }
-    RefuseValue("LoadOp", static_cast<int>(op));
+    static constexpr VkAttachmentLoadOp k_Operations[] = {
+        VK_ATTACHMENT_LOAD_OP_LOAD, VK_ATTACHMENT_LOAD_OP_CLEAR, VK_ATTACHMENT_LOAD_OP_DONT_CARE};
+    return At(k_Operations, "LoadOp", op);
 }
 
 VkAttachmentStoreOp ToVkStoreOp(StoreOp op)
 {
-    switch (op)
-    {
-    case StoreOp::Store:
-        return VK_ATTACHMENT_STORE_OP_STORE;
-    case StoreOp::DontCare:
-        return VK_ATTACHMENT_STORE_OP_DONT_CARE;
-    }
-    RefuseValue("StoreOp", static_cast<int>(op));
+    static constexpr VkAttachmentStoreOp k_Operations[] = {VK_ATTACHMENT_STORE_OP_STORE,
+                                                           VK_ATTACHMENT_STORE_OP_DONT_CARE};
+    return At(k_Operations, "StoreOp", op);
 }
 
 } // namespace limn::vulkan

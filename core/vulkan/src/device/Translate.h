@@ -53,14 +53,17 @@ VkShaderStageFlags ToVkStages(ShaderStage stages);
 /// @param readers  None = all
 VkPipelineStageFlags2 ToPipelineStages(ShaderStage readers);
 
-VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier);
-
 struct UsageScope
 {
-    VkImageLayout layout;
-    VkPipelineStageFlags2 stages;
-    VkAccessFlags2 access;
+    VkPipelineStageFlags2 stages = VK_PIPELINE_STAGE_2_NONE;
+    VkAccessFlags2 access = VK_ACCESS_2_NONE;
+    VkImageLayout layout = VK_IMAGE_LAYOUT_UNDEFINED; ///< of an image
 };
+
+/// Returns the barrier between two uses of memory, or of levels of an image.
+VkMemoryBarrier2 MemoryBarrier(const UsageScope& from, const UsageScope& to);
+VkImageMemoryBarrier2 ImageBarrier(VkImage image, const VkImageSubresourceRange& range,
+                                   const UsageScope& from, const UsageScope& to);
 
 /// Returns the layout, stages and accesses of a use. Undefined waits for everything before, because
 /// an earlier frame may still use the image's memory.
@@ -69,6 +72,8 @@ struct UsageScope
 /// @param readers  see TextureBarrier
 UsageScope ToUsageScope(TextureUsage usage, std::uint32_t samples = 1,
                         ShaderStage readers = ShaderStage::None);
+
+VkMemoryBarrier2 ToMemoryBarrier(const BufferBarrier& barrier);
 
 const char* ToString(TextureUsage usage);
 

@@ -1,7 +1,8 @@
 #pragma once
 
+#include "device/Check.h"
+
 #include <utility>
-#include <vulkan/vulkan.h>
 
 namespace limn::vulkan
 {
@@ -13,6 +14,18 @@ class UniqueHandle
 public:
     UniqueHandle() = default;
     UniqueHandle(VkDevice device, T handle) : m_Device(device), m_Handle(handle) {}
+    /// Makes the object.
+    /// @param call  the name of `create`, for the error
+    /// @param name  the name of the object, likewise
+    /// @throws VulkanError
+    template <typename Info>
+    UniqueHandle(VkDevice device,
+                 VkResult (*create)(VkDevice, const Info*, const VkAllocationCallbacks*, T*),
+                 const Info& info, const char* call, const std::string& name = {})
+        : m_Device(device)
+    {
+        Check(create(device, &info, nullptr, &m_Handle), call, name);
+    }
     UniqueHandle(UniqueHandle&& other) noexcept
         : m_Device(other.m_Device), m_Handle(std::exchange(other.m_Handle, VK_NULL_HANDLE))
     {

@@ -8,22 +8,6 @@
 namespace limn::vulkan
 {
 
-namespace
-{
-
-std::uint32_t AdvancedBlendTargets(VkPhysicalDevice device)
-{
-    VkPhysicalDeviceBlendOperationAdvancedPropertiesEXT advanced{};
-    advanced.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_PROPERTIES_EXT;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &advanced;
-    vkGetPhysicalDeviceProperties2(device, &properties);
-    return advanced.advancedBlendMaxColorAttachments;
-}
-
-} // namespace
-
 VulkanContext::VulkanContext(const VulkanDeviceOptions& options) : m_Instance(options.validation)
 {
     ChoosePhysicalDevice(options.device);
@@ -60,20 +44,17 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
     ChooseFeatures(offered, wanted);
     m_Capabilities.dynamicBlend =
         wanted.extendedState.extendedDynamicState3ColorBlendEquation == VK_TRUE;
-    m_Capabilities.depthClamp = wanted.core.features.depthClamp == VK_TRUE;
-    m_Capabilities.logicOp = wanted.core.features.logicOp == VK_TRUE;
-    m_Capabilities.extendedImageFormats =
-        wanted.core.features.shaderStorageImageExtendedFormats == VK_TRUE;
-    m_Capabilities.cubeArray = wanted.core.features.imageCubeArray == VK_TRUE;
-    m_Capabilities.anisotropy = wanted.core.features.samplerAnisotropy == VK_TRUE;
+    m_Capabilities.features = wanted.core.features;
     m_Capabilities.mirrorOnce = wanted.v12.samplerMirrorClampToEdge == VK_TRUE;
     m_Capabilities.conservative = extensions.conservative;
     if (wanted.advancedBlend.advancedBlendCoherentOperations == VK_TRUE)
     {
-        m_Capabilities.advancedBlendTargets = AdvancedBlendTargets(m_PhysicalDevice);
+        m_Capabilities.advancedBlendTargets =
+            ReadProperties<VkPhysicalDeviceBlendOperationAdvancedPropertiesEXT>(
+                m_PhysicalDevice,
+                VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_BLEND_OPERATION_ADVANCED_PROPERTIES_EXT)
+                .advancedBlendMaxColorAttachments;
     }
-    m_Capabilities.vertexStores = wanted.core.features.vertexPipelineStoresAndAtomics == VK_TRUE;
-    m_Capabilities.fragmentStores = wanted.core.features.fragmentStoresAndAtomics == VK_TRUE;
     m_Capabilities.mipLodBias = wanted.portability.samplerMipLodBias == VK_TRUE;
     m_Capabilities.comparisonSamplers = wanted.portability.mutableComparisonSamplers == VK_TRUE;
     FindMissing(wanted);
@@ -104,22 +85,14 @@ void VulkanContext::ReadCapabilities()
     VkPhysicalDeviceProperties properties{};
     vkGetPhysicalDeviceProperties(m_PhysicalDevice, &properties);
     m_Capabilities.limits = properties.limits;
-    std::uint32_t count = 0;
-    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, nullptr);
-    std::vector<VkQueueFamilyProperties> families(count);
-    vkGetPhysicalDeviceQueueFamilyProperties(m_PhysicalDevice, &count, families.data());
-    m_Capabilities.timestampValidBits = families[m_QueueFamily].timestampValidBits;
-    m_Capabilities.nanosecondsPerTick = static_cast<double>(properties.limits.timestampPeriod);
+    m_Capabilities.timestampValidBits =
+        QueueFamilies(m_PhysicalDevice)[m_QueueFamily].timestampValidBits;
 }
 
 void VulkanContext::FindMissing(const FeatureChain& enabled)
 {
-    VkPhysicalDeviceSubgroupProperties subgroup{};
-    subgroup.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES;
-    VkPhysicalDeviceProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2;
-    properties.pNext = &subgroup;
-    vkGetPhysicalDeviceProperties2(m_PhysicalDevice, &properties);
+    const auto subgroup = ReadProperties<VkPhysicalDeviceSubgroupProperties>(
+        m_PhysicalDevice, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
     m_Capabilities.missingShaderFeatures = MissingShaderFeatures(
         enabled, m_Capabilities.limits, SubgroupOperations(subgroup, VK_SHADER_STAGE_FRAGMENT_BIT),
         SubgroupOperations(subgroup, VK_SHADER_STAGE_COMPUTE_BIT));

@@ -12,23 +12,16 @@ namespace limn::vulkan
 /// The abilities of the device beyond what limn requires, and its limits.
 struct DeviceCapabilities
 {
-    bool dynamicBlend = false; ///< the blend part of VK_EXT_extended_dynamic_state3
-    bool depthClamp = false;
-    bool logicOp = false;
-    bool conservative = false; ///< VK_EXT_conservative_rasterization
+    bool dynamicBlend = false;           ///< the blend part of VK_EXT_extended_dynamic_state3
+    VkPhysicalDeviceFeatures features{}; ///< those that are enabled
+    bool conservative = false;           ///< VK_EXT_conservative_rasterization
     /// The number of targets at once; coherent VK_EXT_blend_operation_advanced.
     std::uint32_t advancedBlendTargets = 0;
     bool mirrorOnce = false;
-    bool anisotropy = false;
-    bool cubeArray = false;
-    bool extendedImageFormats = false;    ///< for writable textures
     std::uint32_t timestampValidBits = 0; ///< 0 = nothing can be timed
-    double nanosecondsPerTick = 1.0;
     VkPhysicalDeviceLimits limits{};
     std::vector<std::string> missingShaderFeatures; ///< see MissingShaderFeatures
     std::map<VkShaderStageFlagBits, std::vector<MissingCapability>> missingCapabilities;
-    bool vertexStores = false; ///< vertex and geometry functions may write to buffers and textures
-    bool fragmentStores = false;
     /// A feature of samplers; not every device with VK_KHR_portability_subset has it.
     bool mipLodBias = false;
     bool comparisonSamplers = false; ///< likewise

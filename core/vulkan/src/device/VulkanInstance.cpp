@@ -1,10 +1,8 @@
 #include "device/VulkanInstance.h"
 
 #include "device/Check.h"
-#include <algorithm>
 #include <array>
 #include <cstdlib>
-#include <cstring>
 
 namespace limn::vulkan
 {
@@ -52,9 +50,7 @@ bool HasLayer(const char* name)
     std::vector<VkLayerProperties> layers;
     Check(FillList(layers, vkEnumerateInstanceLayerProperties),
           "vkEnumerateInstanceLayerProperties");
-    return std::any_of(layers.begin(), layers.end(),
-                       [&](const VkLayerProperties& layer)
-                       { return std::strcmp(layer.layerName, name) == 0; });
+    return Contains(layers, &VkLayerProperties::layerName, name);
 }
 
 bool HasInstanceExtension(const char* name, const char* layer)
@@ -65,9 +61,7 @@ bool HasInstanceExtension(const char* name, const char* layer)
         return vkEnumerateInstanceExtensionProperties(layer, count, list);
     };
     Check(FillList(extensions, fill), "vkEnumerateInstanceExtensionProperties");
-    return std::any_of(extensions.begin(), extensions.end(),
-                       [&](const VkExtensionProperties& extension)
-                       { return std::strcmp(extension.extensionName, name) == 0; });
+    return Contains(extensions, &VkExtensionProperties::extensionName, name);
 }
 
 std::uint32_t LoaderVersion()

@@ -8,23 +8,11 @@ namespace limn::vulkan
 namespace
 {
 
-VkBool32 ToVkBool(bool value)
-{
-    return value ? VK_TRUE : VK_FALSE;
-}
-
 /// Vulkan's structures of plain numbers.
 template <typename T>
 bool isSame(const T& a, const T& b)
 {
     return std::memcmp(&a, &b, sizeof(T)) == 0;
-}
-
-/// Returns whether a value must be set, because the bound one is unknown or different.
-template <typename T>
-bool Changes(const FixedState* known, const FixedState& state, T FixedState::*member)
-{
-    return known == nullptr || !isSame(known->*member, state.*member);
 }
 
 void SetStencilFace(VkCommandBuffer commands, VkStencilFaceFlags which,
@@ -89,70 +77,43 @@ void BoundState::BindPipeline(const PreparedDraw& draw, const DynamicState& stat
 
 void BoundState::SetFixed(const FixedState& state)
 {
-    const FixedState* known = m_Fixed ? &*m_Fixed : nullptr;
-    if (Changes(known, state, &FixedState::topology))
+    const auto changes = [&](const auto FixedState::*member)
     {
-        vkCmdSetPrimitiveTopology(m_Commands, state.topology);
-    }
-    if (Changes(known, state, &FixedState::cullMode))
+        return !m_Fixed || !isSame((*m_Fixed).*member, state.*member);
+    };
+    const auto set = [&](const auto FixedState::*member, const auto& command)
     {
-        vkCmdSetCullMode(m_Commands, state.cullMode);
-    }
-    if (Changes(known, state, &FixedState::frontFace))
-    {
-        vkCmdSetFrontFace(m_Commands, state.frontFace);
-    }
-    SetDepth(state, known);
-    SetStencil(state, known);
-    m_Fixed = state;
-}
-
-void BoundState::SetDepth(const FixedState& state, const FixedState* known)
-{
-    if (Changes(known, state, &FixedState::depthTest))
-    {
-        vkCmdSetDepthTestEnable(m_Commands, ToVkBool(state.depthTest));
-    }
-    if (Changes(known, state, &FixedState::depthWrite))
-    {
-        vkCmdSetDepthWriteEnable(m_Commands, ToVkBool(state.depthWrite));
-    }
-    if (Changes(known, state, &FixedState::depthCompare))
-    {
-        vkCmdSetDepthCompareOp(m_Commands, state.depthCompare);
-    }
-    if (Changes(known, state, &FixedState::depthBias))
-    {
-        vkCmdSetDepthBiasEnable(m_Commands, ToVkBool(state.depthBias));
-    }
-    if (Changes(known, state, &FixedState::depthBiasConstant) ||
-        Changes(known, state, &FixedState::depthBiasSlope))
+        if (changes(member))
+        {
+            command(m_Commands, state.*member);
+        }
+    };
+    set(&FixedState::topology, vkCmdSetPrimitiveTopology);
+    set(&FixedState::cullMode, vkCmdSetCullMode);
+    set(&FixedState::frontFace, vkCmdSetFrontFace);
+    set(&FixedState::depthTest, vkCmdSetDepthTestEnable);
+    set(&FixedState::depthWrite, vkCmdSetDepthWriteEnable);
+    set(&FixedState::depthCompare, vkCmdSetDepthCompareOp);
+    set(&FixedState::depthBias, vkCmdSetDepthBiasEnable);
+    if (changes(&FixedState::depthBiasConstant) || changes(&FixedState::depthBiasSlope))
     {
         vkCmdSetDepthBias(m_Commands, state.depthBiasConstant, 0.0f, state.depthBiasSlope);
     }
-}
-
-void BoundState::SetStencil(const FixedState& state, const FixedState* known)
-{
-    if (Changes(known, state, &FixedState::stencilTest))
-    {
-        vkCmdSetStencilTestEnable(m_Commands, ToVkBool(state.stencilTest));
-    }
-    const bool front = Changes(known, state, &FixedState::stencilFront);
-    const bool back = Changes(known, state, &FixedState::stencilBack);
-    if (front && back && isSame(state.stencilFront, state.stencilBack))
-    {
-        SetStencilFace(m_Commands, VK_STENCIL_FACE_FRONT_AND_BACK, state.stencilFront);
-        return;
-    }
+    set(&FixedState::stencilTest, vkCmdSetStencilTestEnable);
+    const bool front = changes(&FixedState::stencilFront);
+    const bool back = changes(&FixedState::stencilBack);
+    const bool both = front && back && isSame(state.stencilFront, state.stencilBack);
     if (front)
     {
-        SetStencilFace(m_Commands, VK_STENCIL_FACE_FRONT_BIT, state.stencilFront);
+        SetStencilFace(m_Commands,
+                       both ? VK_STENCIL_FACE_FRONT_AND_BACK : VK_STENCIL_FACE_FRONT_BIT,
+                       state.stencilFront);
     }
-    if (back)
+    if (back && !both)
     {
         SetStencilFace(m_Commands, VK_STENCIL_FACE_BACK_BIT, state.stencilBack);
     }
+    m_Fixed = state;
 }
 
 void BoundState::SetBlend(const BlendState& state)

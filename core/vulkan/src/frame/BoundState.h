@@ -33,8 +33,6 @@ private:
 
     static VertexBinding VerticesOf(const PreparedDraw& draw);
     void SetFixed(const FixedState& state);
-    void SetDepth(const FixedState& state, const FixedState* known);
-    void SetStencil(const FixedState& state, const FixedState* known);
     void SetBlend(const BlendState& state);
     void BindVertices(const VertexBinding& binding);
 

@@ -1,6 +1,5 @@
 #include "frame/DrawPreparer.h"
 
-#include "programs/ImageFormats.h"
 #include "programs/PipelineBuilder.h"
 #include <algorithm>
 #include <limn/core/ComputeShader.h>
@@ -196,7 +195,8 @@ ImageFormats DrawPreparer::FormatsFor(const DispatchSetup& setup) const
         const GraphicsFormat format = slot->texture->graphicsFormat();
         const bool isUntold = m_Context.ReadsWithoutFormat(format);
         const std::uint32_t imageFormat = ToImageFormat(format);
-        if (!isUntold && isExtended(imageFormat) && !m_Context.capabilities().extendedImageFormats)
+        if (!isUntold && isExtended(imageFormat) &&
+            !m_Context.capabilities().features.shaderStorageImageExtendedFormats)
         {
             throw DrawError(Subject(setup) + "it reads '" + declared.name +
                             "' and may write to it, but the device cannot do both for " +

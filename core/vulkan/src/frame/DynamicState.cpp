@@ -46,7 +46,7 @@ BlendState ToBlendState(const PipelineState& state, std::size_t targets, int col
 
 void RequireSupport(const PipelineState& state, const DeviceCapabilities& capabilities)
 {
-    if (!state.zClip && !capabilities.depthClamp)
+    if (!state.zClip && !capabilities.features.depthClamp)
     {
         throw DrawError("a draw has ZClip False, and the device lacks depthClamp; it draws "
                         "ZClip True only");
@@ -98,7 +98,7 @@ bool HasPlainBits(VkFormat format)
 /// "" where the device can.
 std::string ReasonAgainst(BlendOp op, std::size_t targets, const DeviceCapabilities& capabilities)
 {
-    if (isLogical(op) && !capabilities.logicOp)
+    if (isLogical(op) && !capabilities.features.logicOp)
     {
         return "lacks logicOp";
     }

@@ -24,8 +24,7 @@ template <typename Slot>
 const Slot& FindSlot(const std::vector<Slot>& slots, std::uint32_t binding, const char* kind,
                      const std::string& name)
 {
-    const auto found = std::find_if(slots.begin(), slots.end(),
-                                    [&](const Slot& slot) { return slot.binding == binding; });
+    const auto found = std::ranges::find(slots, binding, &Slot::binding);
     if (found == slots.end())
     {
         RefuseMissing(kind, name, binding);
@@ -40,12 +39,24 @@ const BufferSlot* FindBuffer(const DrawBindings& bindings, std::uint32_t binding
     return found == bindings.buffers.end() ? nullptr : &*found;
 }
 
-void AddBuffer(SetContent& content, const BufferSlot& slot, const DeviceResources& resources)
+void AddBuffer(SetContent& content, const BufferSlot& slot, DeviceResources& resources)
 {
     content.AddBuffer(
         slot.binding,
         slot.isUniform ? VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER : VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
         {resources.buffers.Find(*slot.buffer)->buffer.handle.get(), slot.offset, slot.size});
+}
+
+/// @param verb  what the shader does: "read"
+void RequireUsage(const PooledImage& image, const char* verb, const std::string& property,
+                  TextureUsage needed)
+{
+    if (image.use.usage != needed)
+    {
+        throw ContractError("texture '" + image.name + "' is " + verb + " as '" + property +
+                            "' while its use is " + ToString(image.use.usage) +
+                            "; a barrier must make it " + ToString(needed));
+    }
 }
 
 void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
@@ -56,19 +67,14 @@ void AddStorageTextures(SetContent& content, const PropertyLayout& layout,
         const StorageTextureSlot& slot =
             FindSlot(bindings.storageTextures, texture.binding, "texture", texture.name);
         const PooledImage& image = *resources.images.Find(*slot.texture);
-        if (image.use.usage != TextureUsage::RandomWrite)
-        {
-            throw ContractError("texture '" + image.name + "' is written to as '" + texture.name +
-                                "' while its use is " + ToString(image.use.usage) +
-                                "; a barrier must make it RandomWrite");
-        }
+        RequireUsage(image, "written to", texture.name, TextureUsage::RandomWrite);
         content.AddImage(texture.binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
                          {VK_NULL_HANDLE, image.view.get(), VK_IMAGE_LAYOUT_GENERAL});
     }
 }
 
 void AddUniforms(SetContent& content, const PropertyLayout& layout, const DrawBindings& bindings,
-                 const VkDescriptorBufferInfo& uploaded, const DeviceResources& resources)
+                 const VkDescriptorBufferInfo& uploaded, DeviceResources& resources)
 {
     for (const UniformBuffer& buffer : layout.buffers)
     {
@@ -133,12 +139,7 @@ void AddTextures(SetContent& content, const PropertyLayout& layout, const DrawBi
         const TextureSlot& slot =
             FindSlot(bindings.textures, texture.binding, "texture", texture.name);
         const PooledImage& image = *resources.images.Find(*slot.texture);
-        if (image.use.usage != TextureUsage::ShaderRead)
-        {
-            throw ContractError("texture '" + image.name + "' is read as '" + texture.name +
-                                "' while its use is " + ToString(image.use.usage) +
-                                "; a barrier must make it ShaderRead");
-        }
+        RequireUsage(image, "read", texture.name, TextureUsage::ShaderRead);
         RequireReader(image, texture);
         RequireDimension(*slot.texture, texture);
         RequireResolved(image, texture.name);
@@ -246,32 +247,31 @@ VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObje
                                       std::size_t piece, std::uint64_t number)
 {
     const DrawSetup& setup = m_Frame.Setup(draw);
-    const DrawBindings& bindings = setup.bindings ? *setup.bindings : k_NoBindings;
-    VkDescriptorSet& set =
-        m_Lists.sets[{&bindings, pass.setLayout.get(), draw.drawsObjects, piece}];
-    if (set == VK_NULL_HANDLE)
-    {
-        if (draw.drawsObjects)
-        {
-            UseObjects(number);
-        }
-        Use(bindings, number);
-        set = Create(setup.program->layout, bindings, pass.setLayout.get(),
-                     m_Lists.pieces[draw.drawsObjects ? 1 : 0], piece, number);
-    }
-    return set;
+    return Get(setup.program->layout, setup.bindings ? *setup.bindings : k_NoBindings, pass,
+               draw.drawsObjects, piece, number);
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
                                       std::uint64_t number)
 {
     const DispatchSetup& setup = m_Frame.Setup(dispatch);
-    VkDescriptorSet& set = m_Lists.sets[{setup.bindings.get(), kernel.setLayout.get(), false, 0}];
+    return Get(setup.program->layout, *setup.bindings, kernel, false, 0, number);
+}
+
+VkDescriptorSet FrameDescriptors::Get(const PropertyLayout& layout, const DrawBindings& bindings,
+                                      const ProgramObjects& program, bool readsObjects,
+                                      std::size_t piece, std::uint64_t number)
+{
+    VkDescriptorSet& set = m_Lists.sets[{&bindings, program.setLayout.get(), readsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
-        Use(*setup.bindings, number);
-        set = Create(setup.program->layout, *setup.bindings, kernel.setLayout.get(),
-                     m_Lists.pieces[0], 0, number);
+        if (readsObjects)
+        {
+            UseObjects(number);
+        }
+        Use(bindings, number);
+        set = Create(layout, bindings, program.setLayout.get(),
+                     m_Lists.pieces[readsObjects ? 1 : 0], piece, number);
     }
     return set;
 }

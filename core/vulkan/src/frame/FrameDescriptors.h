@@ -54,6 +54,9 @@ public:
     VkBuffer Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number);
 
 private:
+    VkDescriptorSet Get(const PropertyLayout& layout, const DrawBindings& bindings,
+                        const ProgramObjects& program, bool readsObjects, std::size_t piece,
+                        std::uint64_t number);
     void Use(const DrawBindings& bindings, std::uint64_t number);
     /// Updates the buffer of the objects, if a draw has any, before all passes.
     void UseObjects(std::uint64_t number);

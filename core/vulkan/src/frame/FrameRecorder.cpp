@@ -1,7 +1,7 @@
 #include "frame/FrameRecorder.h"
 
 #include "device/Translate.h"
-#include "frame/PassRecorder.h"
+#include "frame/BoundState.h"
 #include "frame/PassTargets.h"
 
 namespace limn::vulkan
@@ -40,6 +40,228 @@ void RequireBarrierFits(const TextureBarrier& barrier, const PooledImage& image,
     }
 }
 
+/// Records one pass of a prepared frame.
+/// @lifetime all references must live until Record() returns
+class PassRecorder
+{
+public:
+    PassRecorder(const VulkanContext& context, ImagePool& images, VkCommandBuffer commands,
+                 const CompiledRenderPass& pass, const PreparedPass& prepared,
+                 const PreparedFrame& frame, BoundState& bound)
+        : m_Context(context),
+          m_Images(images),
+          m_Commands(commands),
+          m_Pass(pass),
+          m_Prepared(prepared),
+          m_Frame(frame),
+          m_Bound(bound),
+          m_NextDraw(prepared.firstDraw),
+          m_NextDispatch(prepared.firstDispatch)
+    {
+    }
+
+    void Record()
+    {
+        if (!m_Pass.name.empty())
+        {
+            BeginLabel(m_Pass.name);
+        }
+        if (!m_Pass.isCompute())
+        {
+            RecordBeginRendering(m_Commands, m_Pass, m_Images, m_Frame.usesReversedZBuffer);
+            Run(SetViewportCommand{{0, 0, m_Pass.width, m_Pass.height}});
+        }
+        for (const PassCommand& command : m_Pass.commands)
+        {
+            std::visit([this](const auto& alternative) { Run(alternative); }, command);
+        }
+        // A sample that goes on in the next pass is cut here, so that labels nest.
+        while (m_OpenSamples > 0)
+        {
+            Run(EndSampleCommand{});
+        }
+        if (!m_Pass.isCompute())
+        {
+            vkCmdEndRendering(m_Commands);
+            GenerateMips();
+        }
+        const UsageScope written = ToUsageScope(TextureUsage::RandomWrite);
+        for (const auto& texture : m_Pass.mips)
+        {
+            RecordMips(m_Commands, m_Images.Find(*texture)->read().image.get(), *texture, written,
+                       written);
+        }
+        if (!m_Pass.name.empty())
+        {
+            EndLabel();
+        }
+    }
+
+private:
+    void GenerateMips() const
+    {
+        const UsageScope drawn = ToUsageScope(TextureUsage::ColorAttachment);
+        for (const ColorAttachment& color : m_Pass.colors)
+        {
+            if (color.generatesMips)
+            {
+                const RenderTexture& texture = color.resolve ? *color.resolve : *color.texture;
+                RecordMips(m_Commands, m_Images.Find(texture)->read().image.get(), texture, drawn,
+                           drawn);
+            }
+        }
+    }
+
+    void Run(const ClearCommand& clear)
+    {
+        std::vector<VkClearAttachment> attachments;
+        if (clear.flags & ClearFlag::Color)
+        {
+            for (std::uint32_t i = 0; i < m_Prepared.formats.colors.size(); ++i)
+            {
+                VkClearAttachment color{VK_IMAGE_ASPECT_COLOR_BIT, i, {}};
+                color.clearValue.color =
+                    ColorClearValue(clear.color, m_Pass.colors[i].texture->graphicsFormat());
+                attachments.push_back(color);
+            }
+        }
+        VkImageAspectFlags aspects = 0;
+        if ((clear.flags & ClearFlag::Depth) && m_Prepared.formats.depth != VK_FORMAT_UNDEFINED)
+        {
+            aspects |= VK_IMAGE_ASPECT_DEPTH_BIT;
+        }
+        if ((clear.flags & ClearFlag::Stencil) && m_Prepared.formats.stencil != VK_FORMAT_UNDEFINED)
+        {
+            aspects |= VK_IMAGE_ASPECT_STENCIL_BIT;
+        }
+        if (aspects != 0)
+        {
+            attachments.push_back(
+                {aspects, 0,
+                 DepthClearValue(clear.depth, clear.stencil, m_Frame.usesReversedZBuffer)});
+        }
+        const bool empty = m_Scissor.extent.width == 0 || m_Scissor.extent.height == 0;
+        if (attachments.empty() || empty)
+        {
+            return; // Vulkan forbids a clear of nothing
+        }
+        const VkClearRect rect{m_Scissor, 0, 1};
+        vkCmdClearAttachments(m_Commands, static_cast<std::uint32_t>(attachments.size()),
+                              attachments.data(), 1, &rect);
+    }
+
+    void Run(const SetViewportCommand& viewport)
+    {
+        m_Scissor = ClipToPass(viewport.rect, m_Pass);
+        m_Bound.SetViewport(ToVkViewport(viewport.rect));
+    }
+
+    void Run(const DrawCommand& draw)
+    {
+        const PreparedDraw& prepared = m_Frame.draws[m_NextDraw++];
+        m_Bound.SetScissor(draw.scissor ? Common(ClipToPass(*draw.scissor, m_Pass), m_Scissor)
+                                        : m_Scissor);
+        m_Bound.BindPipeline(prepared, m_Frame.states[prepared.state]);
+        m_Bound.BindMesh(prepared);
+        for (std::size_t i = 0; i < prepared.runCount; ++i)
+        {
+            const PreparedRun& run = m_Frame.runs[prepared.firstRun + i];
+            m_Bound.BindRun(prepared, run);
+            if (prepared.arguments.buffer != VK_NULL_HANDLE)
+            {
+                DrawIndirect(prepared);
+            }
+            else if (prepared.mesh == nullptr)
+            {
+                vkCmdDraw(m_Commands, draw.vertexCount, run.instances.count, 0,
+                          run.instances.first);
+            }
+            else
+            {
+                vkCmdDrawIndexed(m_Commands, prepared.indices.indexCount, run.instances.count,
+                                 prepared.mesh->range.firstIndex + prepared.indices.indexStart,
+                                 m_Bound.VertexOffset(prepared), run.instances.first);
+            }
+        }
+    }
+
+    void DrawIndirect(const PreparedDraw& draw) const
+    {
+        const auto& [buffer, offset] = draw.arguments;
+        if (draw.mesh == nullptr)
+        {
+            vkCmdDrawIndirect(m_Commands, buffer, offset, 1, 0);
+        }
+        else
+        {
+            vkCmdDrawIndexedIndirect(m_Commands, buffer, offset, 1, 0);
+        }
+    }
+
+    void Run(const DispatchCommand& dispatch)
+    {
+        const PreparedDispatch& prepared = m_Frame.dispatches[m_NextDispatch++];
+        vkCmdBindPipeline(m_Commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepared.pipeline);
+        if (prepared.set != VK_NULL_HANDLE)
+        {
+            vkCmdBindDescriptorSets(m_Commands, VK_PIPELINE_BIND_POINT_COMPUTE, prepared.layout, 0,
+                                    1, &prepared.set, 0, nullptr);
+        }
+        if (prepared.arguments.buffer != VK_NULL_HANDLE)
+        {
+            vkCmdDispatchIndirect(m_Commands, prepared.arguments.buffer, prepared.arguments.offset);
+            return;
+        }
+        vkCmdDispatch(m_Commands, dispatch.groups[0], dispatch.groups[1], dispatch.groups[2]);
+    }
+
+    void Run(const BeginSampleCommand& sample)
+    {
+        BeginLabel(sample.name.name());
+        ++m_OpenSamples;
+    }
+
+    void Run(const EndSampleCommand&)
+    {
+        if (m_OpenSamples > 0) // else it began in an earlier pass, which has closed it
+        {
+            EndLabel();
+            --m_OpenSamples;
+        }
+    }
+
+    void BeginLabel(const std::string& name)
+    {
+        if (m_Context.functions().beginLabel != nullptr)
+        {
+            VkDebugUtilsLabelEXT label{};
+            label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
+            label.pLabelName = name.c_str();
+            m_Context.functions().beginLabel(m_Commands, &label);
+        }
+    }
+
+    void EndLabel()
+    {
+        if (m_Context.functions().endLabel != nullptr)
+        {
+            m_Context.functions().endLabel(m_Commands);
+        }
+    }
+
+    const VulkanContext& m_Context;
+    ImagePool& m_Images;
+    VkCommandBuffer m_Commands;
+    const CompiledRenderPass& m_Pass;
+    const PreparedPass& m_Prepared;
+    const PreparedFrame& m_Frame;
+    BoundState& m_Bound;
+    std::size_t m_NextDraw;
+    std::size_t m_NextDispatch;
+    VkRect2D m_Scissor{}; ///< the scissor of the viewport
+    int m_OpenSamples = 0;
+};
+
 } // namespace
 
 FrameRecorder::FrameRecorder(const VulkanContext& context, DeviceResources& resources,
@@ -77,7 +299,15 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {
         PreparedPass& pass = m_Prepared.passes[i];
-        PrepareTargets(frame.passes[i]);
+        ForEachAttachment(frame.passes[i],
+                          [&](const auto& attachment)
+                          {
+                              m_Resources.images.Use(attachment.texture, m_Number);
+                              if (attachment.resolve)
+                              {
+                                  m_Resources.images.UseResolved(attachment.resolve, m_Number);
+                              }
+                          });
         pass.firstBarrier = m_Prepared.barriers.size();
         PrepareBarriers(frame.passes[i].barriers, &frame.passes[i]);
         pass.barrierCount = m_Prepared.barriers.size() - pass.firstBarrier;
@@ -123,26 +353,6 @@ bool FrameRecorder::Repeat(const CompiledFrame& frame)
     recording.data->Write(frame);
     recording.Use(m_Number);
     return true;
-}
-
-void FrameRecorder::PrepareTargets(const CompiledRenderPass& pass)
-{
-    const auto use = [&](const auto& attachment)
-    {
-        m_Resources.images.Use(attachment.texture, m_Number);
-        if (attachment.resolve)
-        {
-            m_Resources.images.UseResolved(attachment.resolve, m_Number);
-        }
-    };
-    for (const ColorAttachment& color : pass.colors)
-    {
-        use(color);
-    }
-    if (pass.depth)
-    {
-        use(*pass.depth);
-    }
 }
 
 void FrameRecorder::PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const

@@ -25,7 +25,6 @@ private:
     bool Repeat(const CompiledFrame& frame);
     void PrepareBarriers(const std::vector<TextureBarrier>& barriers,
                          const CompiledRenderPass* pass);
-    void PrepareTargets(const CompiledRenderPass& pass);
     void PrepareBufferBarriers(const CompiledRenderPass& pass, PreparedPass& prepared);
     void PrepareCommands(const CompiledRenderPass& pass, DrawPreparer& draws) const;
     void RecordPasses(const CompiledFrame& frame) const;

@@ -194,23 +194,17 @@ TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
 
 void MarkSamples(const CompiledRenderPass& pass, ImagePool& images)
 {
-    const auto mark = [&](const auto& attachment)
-    {
-        PooledImage& image = *images.Find(*attachment.texture);
-        image.use.isStale = image.samples > 1 && attachment.resolve != attachment.texture;
-    };
-    for (const ColorAttachment& color : pass.colors)
-    {
-        mark(color);
-    }
-    if (pass.depth)
-    {
-        mark(*pass.depth);
-    }
+    ForEachAttachment(pass,
+                      [&](const auto& attachment)
+                      {
+                          PooledImage& image = *images.Find(*attachment.texture);
+                          image.use.isStale =
+                              image.samples > 1 && attachment.resolve != attachment.texture;
+                      });
 }
 
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          const ImagePool& images, bool usesReversedZBuffer)
+                          ImagePool& images, bool usesReversedZBuffer)
 {
     std::array<VkRenderingAttachmentInfo, 8> colors{};
     std::uint32_t count = 0;
@@ -224,7 +218,7 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
             Attachment(image.view.get(), layout, color.load, color.store, clear);
         if (color.resolve)
         {
-            Resolve(target, images.Find(*color.resolve)->resolveView(),
+            Resolve(target, images.Find(*color.resolve)->read().view.get(),
                     VK_RESOLVE_MODE_AVERAGE_BIT);
         }
         colors.at(count++) = target;
@@ -250,7 +244,7 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
         stencil = Attachment(view, layout, target.stencilLoad, target.stencilStore, clear);
         if (target.resolve)
         {
-            const VkImageView resolved = images.Find(*target.resolve)->resolveView();
+            const VkImageView resolved = images.Find(*target.resolve)->read().view.get();
             Resolve(depth, resolved, VK_RESOLVE_MODE_SAMPLE_ZERO_BIT);
             Resolve(stencil, resolved, VK_RESOLVE_MODE_SAMPLE_ZERO_BIT);
         }

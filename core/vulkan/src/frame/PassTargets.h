@@ -12,11 +12,22 @@ namespace limn::vulkan
 TargetFormats TargetsOf(const CompiledRenderPass& pass, ImagePool& images,
                         const VkPhysicalDeviceLimits& limits);
 
+/// Calls `function` with each attachment of the pass.
+template <typename Function>
+void ForEachAttachment(const CompiledRenderPass& pass, const Function& function)
+{
+    std::ranges::for_each(pass.colors, function);
+    if (pass.depth)
+    {
+        function(*pass.depth);
+    }
+}
+
 /// Records which samples the pass leaves unresolved.
 void MarkSamples(const CompiledRenderPass& pass, ImagePool& images);
 
 void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pass,
-                          const ImagePool& images, bool usesReversedZBuffer);
+                          ImagePool& images, bool usesReversedZBuffer);
 
 /// @throws ContractError if the rectangle is empty or larger than the device supports
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,

@@ -4,11 +4,68 @@
 #include "device/Translate.h"
 #include "frame/FrameRecorder.h"
 #include "resources/ImageSupport.h"
-#include "submit/CopyBandwidth.h"
 #include "submit/ReadBackCopy.h"
+
+#include <algorithm>
+#include <chrono>
 
 namespace limn
 {
+
+namespace vulkan
+{
+
+namespace
+{
+
+constexpr VkDeviceSize k_Bytes = VkDeviceSize{64} << 20; // more than a processor's caches hold
+constexpr int k_Copies = 4;                              // beside which submitting takes no time
+constexpr int k_Rounds = 5;                              // the first meets memory never touched
+
+/// Seconds until all copies are done.
+double TimeCopies(const VulkanContext& context, MemoryAllocator& allocator, SubmitQueue& queue,
+                  VkBuffer from, VkBuffer to)
+{
+    FrameSlot slot{context, allocator};
+    slot.BeginRecording(0);
+    const VkBufferCopy region{0, 0, k_Bytes};
+    constexpr UsageScope k_BothWays{VK_PIPELINE_STAGE_2_COPY_BIT,
+                                    VK_ACCESS_2_TRANSFER_READ_BIT | VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    for (int i = 0; i < k_Copies; ++i)
+    {
+        RecordBarrier(slot.commands(), k_BothWays, k_BothWays);
+        vkCmdCopyBuffer(slot.commands(), from, to, 1, &region);
+    }
+    slot.EndRecording();
+    const auto begin = std::chrono::steady_clock::now();
+    slot.Submit(queue);
+    queue.Wait(slot.number());
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Returns the result of VulkanDevice::MeasureCopyBandwidth.
+double MeasureCopyBandwidth(const VulkanContext& context, MemoryAllocator& allocator,
+                            SubmitQueue& queue)
+{
+    const auto make = [&](VkBufferUsageFlags usage)
+    {
+        return Buffer{context.device(), allocator,       k_Bytes, usage,
+                      MemoryUse::Gpu,   "buffer to copy"};
+    };
+    const Buffer from = make(VK_BUFFER_USAGE_TRANSFER_SRC_BIT);
+    const Buffer to = make(VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+    double shortest = TimeCopies(context, allocator, queue, from.handle.get(), to.handle.get());
+    for (int i = 1; i < k_Rounds; ++i)
+    {
+        shortest = std::min(
+            shortest, TimeCopies(context, allocator, queue, from.handle.get(), to.handle.get()));
+    }
+    return 2.0 * k_Copies * static_cast<double>(k_Bytes) / shortest;
+}
+
+} // namespace
+
+} // namespace vulkan
 
 /// Members die bottom up: the queue waits for the device first, then resources go, then memory.
 class VulkanDevice::Impl
@@ -35,15 +92,105 @@ public:
     Impl& operator=(const Impl&) = delete;
 
     /// The slot for the next frame, once the GPU is done with it.
-    vulkan::FrameSlot& TakeSlot(std::uint64_t structure);
-    void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot);
-    void KeepTimings(vulkan::FrameSlot& slot);
-    Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect);
+    vulkan::FrameSlot& TakeSlot(std::uint64_t structure)
+    {
+        Measure(timeline, "wait for a slot", [&] { queue.Wait(slots.beforeLast()); });
+        vulkan::FrameSlot& slot = slots.Take(structure);
+        KeepTimings(slot);
+        return slot;
+    }
+
+    void Record(const CompiledFrame& frame, vulkan::FrameSlot& slot)
+    {
+        const std::uint64_t number = queue.nextNumber();
+        try
+        {
+            slot.Begin();
+            vulkan::FrameRecorder recorder{context, resources, slot, number, prepared};
+            if (!Measure(timeline, "prepare", [&] { return recorder.Prepare(frame); }))
+            {
+                ++recordedFrames;
+                Measure(timeline, "record commands", [&] { recorder.Record(frame); });
+            }
+            Measure(timeline, "submit", [&] { slot.Submit(queue); });
+        }
+        catch (...)
+        {
+            // Nothing here may throw, because the first error is the one that is reported.
+            resources.Rollback(number);
+            slot.Abandon();
+            throw;
+        }
+    }
+
+    void KeepTimings(vulkan::FrameSlot& slot)
+    {
+        if (slot.number() > timedFrame)
+        {
+            slot.ReadTimings(timings);
+            timedFrame = slot.number();
+        }
+    }
+
+    Image ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
+    {
+        Image image =
+            Measure(timeline, "wait", [&] { return Copy(texture, aspect)->WaitAndTake(); });
+        if (!texture.descriptor().isTopRowFirst)
+        {
+            image.texels = FlipRows(image.texels, image.height);
+        }
+        return image;
+    }
+
     std::shared_ptr<vulkan::ReadBackCopy> Copy(const RenderTexture& texture,
-                                               VkImageAspectFlagBits aspect);
-    std::shared_ptr<vulkan::ReadBackCopy> Copy(const GraphicsBuffer& buffer);
+                                               VkImageAspectFlagBits aspect)
+    {
+        const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";
+        vulkan::PooledImage* image = resources.images.Find(texture);
+        if (image == nullptr)
+        {
+            throw ContractError(subject + "no frame has drawn it");
+        }
+        if (image->use.usage != TextureUsage::CopySource)
+        {
+            throw ContractError(subject + "the last frame left it as " +
+                                vulkan::ToString(image->use.usage) +
+                                "; make it an output (CopySource)");
+        }
+        if (image->use.isStale)
+        {
+            throw ContractError(subject + "the last pass that drew into it did not resolve its " +
+                                std::to_string(image->samples) + " samples per texel");
+        }
+        auto copy = vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
+        image->lastUse = copy->number();
+        return copy;
+    }
+
+    std::shared_ptr<vulkan::ReadBackCopy> Copy(const GraphicsBuffer& buffer)
+    {
+        vulkan::PooledBuffer* pooled = resources.buffers.Find(buffer);
+        if (pooled == nullptr)
+        {
+            throw ContractError("buffer '" + buffer.name() +
+                                "' cannot be read back: no frame has used it");
+        }
+        auto copy = vulkan::CopyToCpu(context, allocator, queue, *pooled, buffer.bytes().size());
+        pooled->lastUse = copy->number();
+        return copy;
+    }
+
     /// Finishes the copies that are under way.
-    void FinishCopies();
+    void FinishCopies()
+    {
+        // A callback may begin others.
+        for (const auto& copy : std::vector(copies))
+        {
+            copy->Finish(false);
+        }
+        std::erase_if(copies, [](const auto& copy) { return copy->isDone(); });
+    }
 
     vulkan::VulkanContext context;
     vulkan::MemoryAllocator allocator;
@@ -59,46 +206,6 @@ public:
     vulkan::SubmitQueue queue;
     std::vector<std::shared_ptr<vulkan::ReadBackCopy>> copies; ///< that are under way
 };
-
-vulkan::FrameSlot& VulkanDevice::Impl::TakeSlot(std::uint64_t structure)
-{
-    Measure(timeline, "wait for a slot", [&] { queue.Wait(slots.beforeLast()); });
-    vulkan::FrameSlot& slot = slots.Take(structure);
-    KeepTimings(slot);
-    return slot;
-}
-
-void VulkanDevice::Impl::Record(const CompiledFrame& frame, vulkan::FrameSlot& slot)
-{
-    const std::uint64_t number = queue.nextNumber();
-    try
-    {
-        slot.Begin();
-        vulkan::FrameRecorder recorder{context, resources, slot, number, prepared};
-        if (!Measure(timeline, "prepare", [&] { return recorder.Prepare(frame); }))
-        {
-            ++recordedFrames;
-            Measure(timeline, "record commands", [&] { recorder.Record(frame); });
-        }
-        Measure(timeline, "submit", [&] { slot.Submit(queue); });
-    }
-    catch (...)
-    {
-        // Nothing here may throw, because the first error is the one that is reported.
-        resources.Rollback(number);
-        slot.Abandon();
-        throw;
-    }
-}
-
-void VulkanDevice::Impl::KeepTimings(vulkan::FrameSlot& slot)
-{
-    if (slot.number() > timedFrame)
-    {
-        slot.ReadTimings(timings);
-        timedFrame = slot.number();
-    }
-}
 
 VulkanDevice::VulkanDevice(const VulkanDeviceOptions& options)
     : m_Impl(std::make_unique<Impl>(options))
@@ -126,64 +233,6 @@ void VulkanDevice::Wait()
 {
     m_Impl->queue.Wait(m_Impl->queue.lastNumber());
     m_Impl->FinishCopies();
-}
-
-void VulkanDevice::Impl::FinishCopies()
-{
-    // A callback may begin others.
-    for (const auto& copy : std::vector(copies))
-    {
-        copy->Finish(false);
-    }
-    std::erase_if(copies, [](const auto& copy) { return copy->isDone(); });
-}
-
-std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const RenderTexture& texture,
-                                                               VkImageAspectFlagBits aspect)
-{
-    const std::string subject = "texture '" + texture.name() + "' cannot be read back: ";
-    vulkan::PooledImage* image = resources.images.Find(texture);
-    if (image == nullptr)
-    {
-        throw ContractError(subject + "no frame has drawn it");
-    }
-    if (image->use.usage != TextureUsage::CopySource)
-    {
-        throw ContractError(subject + "the last frame left it as " +
-                            vulkan::ToString(image->use.usage) +
-                            "; make it an output (CopySource)");
-    }
-    if (image->use.isStale)
-    {
-        throw ContractError(subject + "the last pass that drew into it did not resolve its " +
-                            std::to_string(image->samples) + " samples per texel");
-    }
-    auto copy = vulkan::CopyToCpu(context, allocator, queue, *image, texture, aspect);
-    image->lastUse = copy->number();
-    return copy;
-}
-
-std::shared_ptr<vulkan::ReadBackCopy> VulkanDevice::Impl::Copy(const GraphicsBuffer& buffer)
-{
-    vulkan::PooledBuffer* pooled = resources.buffers.Find(buffer);
-    if (pooled == nullptr)
-    {
-        throw ContractError("buffer '" + buffer.name() +
-                            "' cannot be read back: no frame has used it");
-    }
-    auto copy = vulkan::CopyToCpu(context, allocator, queue, *pooled, buffer.bytes().size());
-    pooled->lastUse = copy->number();
-    return copy;
-}
-
-Image VulkanDevice::Impl::ReadBack(const RenderTexture& texture, VkImageAspectFlagBits aspect)
-{
-    Image image = Measure(timeline, "wait", [&] { return Copy(texture, aspect)->WaitAndTake(); });
-    if (!texture.descriptor().isTopRowFirst)
-    {
-        image.texels = FlipRows(image.texels, image.height);
-    }
-    return image;
 }
 
 namespace

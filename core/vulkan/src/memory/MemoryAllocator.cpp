@@ -242,13 +242,11 @@ Buffer::Buffer(VkDevice device, MemoryAllocator& allocator, VkDeviceSize bytes,
     info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
     info.size = bytes;
     info.usage = usage;
-    VkBuffer buffer = VK_NULL_HANDLE;
-    Check(vkCreateBuffer(device, &info, nullptr, &buffer), "vkCreateBuffer", name);
-    handle = UniqueBuffer{device, buffer};
+    handle = UniqueBuffer{device, vkCreateBuffer, info, "vkCreateBuffer", name};
     VkMemoryRequirements needs{};
-    vkGetBufferMemoryRequirements(device, buffer, &needs);
+    vkGetBufferMemoryRequirements(device, handle.get(), &needs);
     memory = allocator.Allocate(needs, use, MemoryContent::Buffers, name);
-    Check(vkBindBufferMemory(device, buffer, memory.memory(), memory.offset()),
+    Check(vkBindBufferMemory(device, handle.get(), memory.memory(), memory.offset()),
           "vkBindBufferMemory", name);
 }
 

@@ -16,12 +16,33 @@ public:
     {
     }
 
-    void Reset(); ///< forgets all; the device must be done with it
-
-    VkCommandBuffer commands(); ///< the command buffer to record into; the first call begins it
+    /// Forgets all; the device must be done with it.
+    void Reset()
+    {
+        m_IsBegun = false;
+        m_Staging.Reset();
+    }
+    /// Returns the command buffer to record into. The first call begins it.
+    VkCommandBuffer commands()
+    {
+        if (!m_IsBegun)
+        {
+            m_Commands.Begin(VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT);
+            m_IsBegun = true;
+        }
+        return m_Commands.handle();
+    }
     LinearMemory& staging() { return m_Staging; }
     /// Ends recording. Returns the commands recorded since Reset(), or null if there are none.
-    VkCommandBuffer End();
+    VkCommandBuffer End()
+    {
+        if (!m_IsBegun)
+        {
+            return VK_NULL_HANDLE;
+        }
+        m_Commands.End();
+        return m_Commands.handle();
+    }
 
 private:
     Commands m_Commands;

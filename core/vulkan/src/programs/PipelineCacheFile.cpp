@@ -110,10 +110,8 @@ PipelineCacheFile::PipelineCacheFile(const VulkanContext& context,
     info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
     info.initialDataSize = payload.size();
     info.pInitialData = payload.data();
-    VkPipelineCache cache = VK_NULL_HANDLE;
-    Check(vkCreatePipelineCache(context.device(), &info, nullptr, &cache), "vkCreatePipelineCache",
-          m_Path.string());
-    m_Cache = UniquePipelineCache{context.device(), cache};
+    m_Cache = UniquePipelineCache{context.device(), vkCreatePipelineCache, info,
+                                  "vkCreatePipelineCache", m_Path.string()};
 }
 
 PipelineCacheFile::~PipelineCacheFile()

@@ -2,9 +2,7 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
-#include "programs/ImageFormats.h"
 #include "programs/PipelineBuilder.h"
-#include "programs/PointSize.h"
 #include <algorithm>
 #include <atomic>
 
@@ -187,7 +185,8 @@ void RequireStores(const PropertyLayout& layout, const DeviceCapabilities& can)
     const bool isFragment = (stages & VK_SHADER_STAGE_FRAGMENT_BIT) != 0;
     const bool isBefore =
         (stages & (VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_GEOMETRY_BIT)) != 0;
-    if ((isFragment && !can.fragmentStores) || (isBefore && !can.vertexStores))
+    if ((isFragment && !can.features.fragmentStoresAndAtomics) ||
+        (isBefore && !can.features.vertexPipelineStoresAndAtomics))
     {
         throw DrawError(
             std::string("a program needs ") +
@@ -239,11 +238,10 @@ ProgramPool::ProgramPool(const VulkanContext& context, const std::filesystem::pa
 ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& program,
                                  std::uint64_t number)
 {
-    const auto found = m_Programs.find({program, program.get()});
-    if (found != m_Programs.end())
+    if (ProgramObjects* found = FindPooled(m_Programs, Identity{program, program.get()}))
     {
-        found->second.lastUse = number;
-        return found->second;
+        found->lastUse = number;
+        return *found;
     }
     ProgramObjects objects;
     objects.lastUse = number;
@@ -257,14 +255,12 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
         objects.geometry = CreateModule(program->geometrySpirv, VK_SHADER_STAGE_GEOMETRY_BIT);
     }
     CreateLayouts(objects, program->layout);
-    if (!program->computeSpirv.empty())
+    if (program->computeSpirv.empty())
     {
-        return m_Programs.emplace(Identity{program, program.get()}, std::move(objects))
-            .first->second;
+        objects.vertex = CreateModule(program->vertexSpirv, VK_SHADER_STAGE_VERTEX_BIT);
+        objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, BuiltInVertexIndex);
+        objects.fragment = CreateModule(program->fragmentSpirv, VK_SHADER_STAGE_FRAGMENT_BIT);
     }
-    objects.vertex = CreateModule(program->vertexSpirv, VK_SHADER_STAGE_VERTEX_BIT);
-    objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, BuiltInVertexIndex);
-    objects.fragment = CreateModule(program->fragmentSpirv, VK_SHADER_STAGE_FRAGMENT_BIT);
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;
 }
 
@@ -333,17 +329,6 @@ VkPipeline ProgramPool::KernelPipeline(ProgramObjects& program, const ShaderProg
     return pipeline.get();
 }
 
-void ProgramPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
-{
-    for (auto& [identity, objects] : m_Programs)
-    {
-        if (objects.lastUse == number)
-        {
-            uses.push_back(&objects.lastUse);
-        }
-    }
-}
-
 void ProgramPool::Rollback(std::uint64_t number) noexcept
 {
     // A program's pipelines that are not compiled stand behind all others of its own, or behind
@@ -357,10 +342,7 @@ void ProgramPool::Rollback(std::uint64_t number) noexcept
         }
     }
     m_New.clear();
-    for (auto& [identity, objects] : m_Programs)
-    {
-        objects.lastUse = std::min(objects.lastUse, number - 1);
-    }
+    UndoPooledUses(m_Programs, number);
 }
 
 void ProgramPool::Sweep(std::uint64_t finished)
@@ -388,10 +370,7 @@ UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& s
     info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
     info.codeSize = spirv.size() * sizeof(std::uint32_t);
     info.pCode = spirv.data();
-    VkShaderModule handle = VK_NULL_HANDLE;
-    Check(vkCreateShaderModule(m_Context.device(), &info, nullptr, &handle),
-          "vkCreateShaderModule");
-    return {m_Context.device(), handle};
+    return {m_Context.device(), vkCreateShaderModule, info, "vkCreateShaderModule"};
 }
 
 void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& layout) const
@@ -404,10 +383,9 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
     setInfo.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO;
     setInfo.bindingCount = static_cast<std::uint32_t>(bindings.size());
     setInfo.pBindings = bindings.data();
-    VkDescriptorSetLayout set = VK_NULL_HANDLE;
-    Check(vkCreateDescriptorSetLayout(m_Context.device(), &setInfo, nullptr, &set),
-          "vkCreateDescriptorSetLayout");
-    objects.setLayout = UniqueSetLayout{m_Context.device(), set};
+    objects.setLayout = UniqueSetLayout{m_Context.device(), vkCreateDescriptorSetLayout, setInfo,
+                                        "vkCreateDescriptorSetLayout"};
+    const VkDescriptorSetLayout set = objects.setLayout.get();
 
     static_assert(sizeof(DrawConstants) <= 128); // which every device has
     const VkPushConstantRange constants{objects.pushStages, 0, sizeof(DrawConstants)};
@@ -417,10 +395,8 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
     info.pSetLayouts = &set;
     info.pushConstantRangeCount = objects.pushStages != 0 ? 1 : 0;
     info.pPushConstantRanges = &constants;
-    VkPipelineLayout handle = VK_NULL_HANDLE;
-    Check(vkCreatePipelineLayout(m_Context.device(), &info, nullptr, &handle),
-          "vkCreatePipelineLayout");
-    objects.layout = UniquePipelineLayout{m_Context.device(), handle};
+    objects.layout = UniquePipelineLayout{m_Context.device(), vkCreatePipelineLayout, info,
+                                          "vkCreatePipelineLayout"};
 }
 
 } // namespace limn::vulkan

@@ -2,12 +2,12 @@
 
 #include "device/VulkanContext.h"
 #include "programs/PipelineCacheFile.h"
+#include "programs/RewriteSpirv.h"
 #include "resources/MeshPool.h"
 #include <deque>
 #include <exception>
 #include <limn/core/PipelineState.h>
 #include <limn/shaderlab/ShaderProgram.h>
-#include <map>
 
 namespace limn::vulkan
 {
@@ -54,9 +54,6 @@ struct VertexFetch
     VkFormat format = VK_FORMAT_UNDEFINED;
 };
 
-/// SPIR-V's numbers of the formats of writable textures, by binding.
-using ImageFormats = std::map<std::uint32_t, std::uint32_t>;
-
 /// The Vulkan objects of one ShaderProgram. Vertex input i is binding i, its stride dynamic.
 struct ProgramObjects
 {
@@ -98,7 +95,10 @@ public:
     VkPipeline KernelPipeline(ProgramObjects& program, const ShaderProgram& compiled,
                               const ImageFormats& formats);
     /// Adds the ProgramObjects::lastUse of the programs that submission `number` uses.
-    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
+    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
+    {
+        AddPooledUses(m_Programs, number, uses);
+    }
     void Rollback(std::uint64_t number) noexcept; ///< the submission will never happen
     void Sweep(std::uint64_t finished);
     std::size_t pipelineCount() const;

@@ -1,6 +1,5 @@
 #include "resources/BufferPool.h"
 
-#include "device/Translate.h"
 #include <algorithm>
 
 namespace limn::vulkan
@@ -9,30 +8,15 @@ namespace limn::vulkan
 namespace
 {
 
-constexpr VkPipelineStageFlags2 k_CopyStages = VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT;
-constexpr VkAccessFlags2 k_ShaderAccess =
-    VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
-    VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT;
-
-void RecordBetween(VkCommandBuffer commands, const UsageScope& from, const UsageScope& to)
-{
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = from.stages;
-    barrier.srcAccessMask = from.access;
-    barrier.dstStageMask = to.stages;
-    barrier.dstAccessMask = to.access;
-    RecordBarrier(commands, barrier);
-}
-
-const UsageScope k_Copied{VK_IMAGE_LAYOUT_UNDEFINED, k_CopyStages, VK_ACCESS_2_TRANSFER_WRITE_BIT};
+constexpr UsageScope k_Copied{VK_PIPELINE_STAGE_2_ALL_TRANSFER_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
 UsageScope ShaderScope()
 {
-    return {VK_IMAGE_LAYOUT_UNDEFINED,
-            ToPipelineStages(ShaderStage::None) | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
-                k_CopyStages,
-            k_ShaderAccess | VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    return {ToPipelineStages(ShaderStage::None) | VK_PIPELINE_STAGE_2_DRAW_INDIRECT_BIT |
+                k_Copied.stages,
+            VK_ACCESS_2_SHADER_STORAGE_READ_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT |
+                VK_ACCESS_2_UNIFORM_READ_BIT | VK_ACCESS_2_INDIRECT_COMMAND_READ_BIT |
+                k_Copied.access};
 }
 
 /// Records the changes after `version`, the oldest first, because a later one may overlap an
@@ -47,12 +31,12 @@ void RecordChanges(const GraphicsBuffer& buffer, std::uint64_t version, VkBuffer
             continue;
         }
         VkCommandBuffer commands = uploads.commands();
-        RecordBetween(commands, ShaderScope(), k_Copied);
+        RecordBarrier(commands, ShaderScope(), k_Copied);
         const UploadedBytes bytes =
             uploads.staging().Upload(buffer.bytes().subspan(change.offset, change.size));
         const VkBufferCopy region{bytes.offset, change.offset, change.size};
         vkCmdCopyBuffer(commands, bytes.buffer, target, 1, &region);
-        RecordBetween(commands, k_Copied, ShaderScope());
+        RecordBarrier(commands, k_Copied, ShaderScope());
     }
 }
 
@@ -61,8 +45,8 @@ void RecordChanges(const GraphicsBuffer& buffer, std::uint64_t version, VkBuffer
 PooledBuffer& BufferPool::Use(const std::shared_ptr<const GraphicsBuffer>& buffer,
                               std::uint64_t number, UploadCommands& uploads)
 {
-    const auto found = m_Buffers.find(buffer->id());
-    PooledBuffer& pooled = found != m_Buffers.end() ? found->second : Add(buffer, number, uploads);
+    PooledBuffer* found = Find(*buffer);
+    PooledBuffer& pooled = found != nullptr ? *found : Add(buffer, number, uploads);
     if (pooled.lastUse != number)
     {
         pooled.lastUse = number;
@@ -98,20 +82,8 @@ PooledBuffer& BufferPool::Add(const std::shared_ptr<const GraphicsBuffer>& buffe
                            MemoryUse::Gpu,
                            buffer->name()};
     vkCmdFillBuffer(uploads.commands(), pooled.buffer.handle.get(), 0, VK_WHOLE_SIZE, 0);
-    RecordBetween(uploads.commands(), k_Copied, ShaderScope());
+    RecordBarrier(uploads.commands(), k_Copied, ShaderScope());
     return m_Buffers.emplace(buffer->id(), std::move(pooled)).first->second;
-}
-
-PooledBuffer* BufferPool::Find(const GraphicsBuffer& buffer)
-{
-    const auto found = m_Buffers.find(buffer.id());
-    return found == m_Buffers.end() ? nullptr : &found->second;
-}
-
-const PooledBuffer* BufferPool::Find(const GraphicsBuffer& buffer) const
-{
-    const auto found = m_Buffers.find(buffer.id());
-    return found == m_Buffers.end() ? nullptr : &found->second;
 }
 
 void BufferPool::AddUsed(std::uint64_t number,
@@ -128,7 +100,7 @@ void BufferPool::AddUsed(std::uint64_t number,
 
 void BufferPool::Rollback(std::uint64_t number) noexcept
 {
-    std::erase_if(m_Buffers, [&](const auto& entry) { return entry.second.createdBy == number; });
+    ErasePooledOf(m_Buffers, number);
     for (auto& [id, pooled] : m_Buffers)
     {
         if (pooled.lastUse == number)
@@ -137,12 +109,6 @@ void BufferPool::Rollback(std::uint64_t number) noexcept
             pooled.lastUse = number - 1;
         }
     }
-}
-
-void BufferPool::Sweep(std::uint64_t finished)
-{
-    std::erase_if(m_Buffers, [&](const auto& entry)
-                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
 }
 
 } // namespace limn::vulkan

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
+#include "resources/Pooled.h"
 #include <limn/core/GraphicsBuffer.h>
-#include <unordered_map>
 
 namespace limn::vulkan
 {
@@ -34,14 +34,12 @@ public:
     PooledBuffer& Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,
                       UploadCommands& uploads);
     /// Returns the buffer, or null if no frame has used it.
-    PooledBuffer* Find(const GraphicsBuffer& buffer);
-    const PooledBuffer* Find(const GraphicsBuffer& buffer) const;
+    PooledBuffer* Find(const GraphicsBuffer& buffer) { return FindPooled(m_Buffers, buffer.id()); }
     /// Adds the buffers that submission `number` uses.
     void AddUsed(std::uint64_t number,
                  std::vector<std::weak_ptr<const GraphicsBuffer>>& used) const;
     void Rollback(std::uint64_t number) noexcept;
-    void Sweep(std::uint64_t finished);
-    std::size_t size() const { return m_Buffers.size(); }
+    void Sweep(std::uint64_t finished) { SweepPooled(m_Buffers, finished); }
 
 private:
     PooledBuffer& Add(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number,

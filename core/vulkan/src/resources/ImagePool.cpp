@@ -1,10 +1,7 @@
 #include "resources/ImagePool.h"
 
 #include "device/Check.h"
-#include "device/Translate.h"
-#include "resources/ImageDescription.h"
 #include "resources/ImageSupport.h"
-#include "resources/MipChain.h"
 #include <algorithm>
 
 namespace limn::vulkan
@@ -16,30 +13,12 @@ namespace
 /// Images that ask for more have memory of their own.
 constexpr VkDeviceSize k_SharedAlignment = 65536;
 
-VkImageMemoryBarrier2 LayoutBarrier(const PooledImage& image, VkImageLayout before,
-                                    VkImageLayout after)
-{
-    VkImageMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2;
-    barrier.oldLayout = before;
-    barrier.newLayout = after;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image.image.get();
-    barrier.subresourceRange = {image.aspects, 0, VK_REMAINING_MIP_LEVELS, 0,
-                                VK_REMAINING_ARRAY_LAYERS};
-    return barrier;
-}
-
 VkImageMemoryBarrier2 ScopeBarrier(const PooledImage& image, const UsageScope& from,
                                    const UsageScope& to)
 {
-    VkImageMemoryBarrier2 barrier = LayoutBarrier(image, from.layout, to.layout);
-    barrier.srcStageMask = from.stages;
-    barrier.srcAccessMask = from.access;
-    barrier.dstStageMask = to.stages;
-    barrier.dstAccessMask = to.access;
-    return barrier;
+    return ImageBarrier(image.image.get(),
+                        {image.aspects, 0, VK_REMAINING_MIP_LEVELS, 0, VK_REMAINING_ARRAY_LAYERS},
+                        from, to);
 }
 
 /// Returns the uses that must end before something begins that ignores the image's contents.
@@ -51,7 +30,7 @@ UsageScope ScopeToForget(const PooledImage& image, TextureUsage last)
     }
     if (last == TextureUsage::Undefined) // nobody has used it, and its memory only in frames done
     {
-        return {VK_IMAGE_LAYOUT_UNDEFINED, VK_PIPELINE_STAGE_2_NONE, VK_ACCESS_2_NONE};
+        return {};
     }
     UsageScope scope = ToUsageScope(last, image.samples, image.use.readers);
     scope.layout = VK_IMAGE_LAYOUT_UNDEFINED;
@@ -82,6 +61,31 @@ void RecordCopy(UploadCommands& uploads, const PooledImage& image, const TexelTe
 bool HasMipsToMake(const TexelTexture& texture)
 {
     return texture.levelsOfTexels() < texture.mipmapCount();
+}
+
+constexpr UsageScope k_Source{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_READ_BIT,
+                              VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL};
+constexpr UsageScope k_Target{VK_PIPELINE_STAGE_2_BLIT_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                              VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
+
+VkOffset3D End(const Texture& texture, std::uint32_t level)
+{
+    const VkExtent3D size = Extent(texture, level);
+    return {static_cast<std::int32_t>(size.width), static_cast<std::int32_t>(size.height),
+            static_cast<std::int32_t>(size.depth)};
+}
+
+/// Records the copy from the level before.
+void RecordBlit(VkCommandBuffer commands, VkImage image, const Texture& texture,
+                std::uint32_t level)
+{
+    VkImageBlit region{};
+    region.srcSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level - 1, 0, LayerCount(texture)};
+    region.srcOffsets[1] = End(texture, level - 1);
+    region.dstSubresource = {VK_IMAGE_ASPECT_COLOR_BIT, level, 0, LayerCount(texture)};
+    region.dstOffsets[1] = End(texture, level);
+    vkCmdBlitImage(commands, image, k_Source.layout, image, k_Target.layout, 1, &region,
+                   VK_FILTER_LINEAR);
 }
 
 } // namespace
@@ -119,22 +123,6 @@ void ChangeUsage(PooledImage& image, const TextureBarrier& change,
     }
     image.use.usage = change.after;
     image.use.readers = change.readers;
-}
-
-void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers,
-                    std::span<const VkMemoryBarrier2> memoryBarriers)
-{
-    if (barriers.empty() && memoryBarriers.empty())
-    {
-        return;
-    }
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.imageMemoryBarrierCount = static_cast<std::uint32_t>(barriers.size());
-    info.pImageMemoryBarriers = barriers.data();
-    info.memoryBarrierCount = static_cast<std::uint32_t>(memoryBarriers.size());
-    info.pMemoryBarriers = memoryBarriers.data();
-    vkCmdPipelineBarrier2(commands, &info);
 }
 
 ImagePool::ImagePool(const VulkanContext& context, MemoryAllocator& allocator)
@@ -283,36 +271,21 @@ PooledImage& ImagePool::UseResolved(const std::shared_ptr<const Texture>& textur
     return image;
 }
 
-PooledImage* ImagePool::Find(const Texture& texture)
-{
-    const auto found = m_Images.find(texture.id());
-    return found == m_Images.end() ? nullptr : &found->second;
-}
-
-const PooledImage* ImagePool::Find(const Texture& texture) const
-{
-    const auto found = m_Images.find(texture.id());
-    return found == m_Images.end() ? nullptr : &found->second;
-}
-
 void ImagePool::RecordUploads(UploadCommands& uploads)
 {
     if (m_Uploads.empty())
     {
         return;
     }
-    constexpr UsageScope k_TexelsCopied{VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL,
-                                        VK_PIPELINE_STAGE_2_COPY_BIT,
-                                        VK_ACCESS_2_TRANSFER_WRITE_BIT};
+    constexpr UsageScope k_TexelsCopied{VK_PIPELINE_STAGE_2_COPY_BIT,
+                                        VK_ACCESS_2_TRANSFER_WRITE_BIT,
+                                        VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL};
     const UsageScope read = ToUsageScope(TextureUsage::ShaderRead);
     std::vector<VkImageMemoryBarrier2> before;
     std::vector<VkImageMemoryBarrier2> after;
     for (const Upload& upload : m_Uploads)
     {
-        before.push_back(LayoutBarrier(*upload.image, VK_IMAGE_LAYOUT_UNDEFINED,
-                                       VK_IMAGE_LAYOUT_TRANSFER_DST_OPTIMAL));
-        before.back().dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-        before.back().dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
+        before.push_back(ScopeBarrier(*upload.image, {}, k_TexelsCopied));
         if (!HasMipsToMake(*upload.texture))
         {
             after.push_back(ScopeBarrier(*upload.image, k_TexelsCopied, read));
@@ -344,7 +317,7 @@ void ImagePool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
     ++m_Changes;
-    std::erase_if(m_Images, [&](const auto& entry) { return entry.second.createdBy == number; });
+    ErasePooledOf(m_Images, number);
     for (Retired& retired : m_Retired)
     {
         if (retired.number == number)
@@ -356,25 +329,22 @@ void ImagePool::Rollback(std::uint64_t number) noexcept
     for (auto& [id, image] : m_Images)
     {
         image.use = image.submitted;
-        image.lastUse = std::min(image.lastUse, number - 1);
     }
+    UndoPooledUses(m_Images, number);
 }
 
 void ImagePool::Sweep(std::uint64_t finished)
 {
     m_Changes += std::erase_if(m_Retired, [&](const Retired& retired)
                                { return retired.image.lastUse <= finished; });
-    m_Changes +=
-        std::erase_if(m_Images, [&](const auto& entry)
-                      { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+    m_Changes += SweepPooled(m_Images, finished);
     std::erase_if(m_Shared, [](const auto& entry) { return entry.second.memory.use_count() == 1; });
 }
 
 void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedTexture* place) const
 {
-    const GraphicsFormat format = texture.graphicsFormat();
     image.isRenderTexture = dynamic_cast<const RenderTexture*>(&texture) != nullptr;
-    image.aspects = Aspects(format);
+    image.aspects = Aspects(texture.graphicsFormat());
     const VkImageCreateInfo info = Describe(texture, image.samples);
     RequireSupport(m_Context, info, texture);
     if (place != nullptr)
@@ -388,14 +358,13 @@ void ImagePool::Create(PooledImage& image, const Texture& texture, const PlacedT
     {
         image.image = CreateImage(info, image.name, image.memory);
     }
-    image.view = CreateView(image.image.get(), texture, image.aspects);
     if (image.samples == 1)
     {
-        image.mipView = CreateMipView(image.image.get(), texture, image.aspects);
+        CreateViews(image, texture);
     }
-    if (HasStencil(format) && image.samples == 1)
+    else
     {
-        image.depthView = CreateView(image.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
+        image.view = CreateView(image.image.get(), texture, image.aspects);
     }
 }
 
@@ -403,23 +372,16 @@ void ImagePool::CreateResolved(PooledImage& image, const Texture& texture)
 {
     const VkImageCreateInfo info = Describe(texture, 1);
     RequireSupport(m_Context, info, texture);
-    ResolvedImage resolved;
+    ImageObjects resolved;
     resolved.image = CreateImage(info, image.name + " (resolved)", resolved.memory);
-    resolved.view = CreateView(resolved.image.get(), texture, image.aspects);
-    resolved.mipView = CreateMipView(resolved.image.get(), texture, image.aspects);
-    if (HasStencil(texture.graphicsFormat()))
-    {
-        resolved.depthView = CreateView(resolved.image.get(), texture, VK_IMAGE_ASPECT_DEPTH_BIT);
-    }
+    CreateViews(resolved, texture);
     image.resolved = std::move(resolved);
     ++m_Changes;
 }
 
 UniqueImage ImagePool::CreateUnbound(const VkImageCreateInfo& info, const std::string& name) const
 {
-    VkImage handle = VK_NULL_HANDLE;
-    Check(vkCreateImage(m_Context.device(), &info, nullptr, &handle), "vkCreateImage", name);
-    return {m_Context.device(), handle};
+    return {m_Context.device(), vkCreateImage, info, "vkCreateImage", name};
 }
 
 void ImagePool::Bind(const UniqueImage& image, const MemoryAllocation& memory, VkDeviceSize offset,
@@ -444,11 +406,19 @@ UniqueImage ImagePool::CreateImage(const VkImageCreateInfo& info, const std::str
     return image;
 }
 
-UniqueImageView ImagePool::CreateMipView(VkImage image, const Texture& texture,
-                                         VkImageAspectFlags aspects) const
+void ImagePool::CreateViews(ImageObjects& objects, const Texture& texture) const
 {
-    const int count = texture.mipmapCount();
-    return count > 1 ? CreateView(image, texture, aspects, count) : UniqueImageView();
+    const VkImage image = objects.image.get();
+    const VkImageAspectFlags aspects = Aspects(texture.graphicsFormat());
+    objects.view = CreateView(image, texture, aspects);
+    if (texture.mipmapCount() > 1)
+    {
+        objects.mipView = CreateView(image, texture, aspects, texture.mipmapCount());
+    }
+    if (HasStencil(texture.graphicsFormat()))
+    {
+        objects.depthView = CreateView(image, texture, VK_IMAGE_ASPECT_DEPTH_BIT);
+    }
 }
 
 UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
@@ -461,10 +431,29 @@ UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
     info.format = ToVkFormat(texture.graphicsFormat());
     info.subresourceRange = {aspects, 0, static_cast<std::uint32_t>(mipCount), 0,
                              LayerCount(texture)};
-    VkImageView view = VK_NULL_HANDLE;
-    Check(vkCreateImageView(m_Context.device(), &info, nullptr, &view), "vkCreateImageView",
-          texture.name());
-    return {m_Context.device(), view};
+    return {m_Context.device(), vkCreateImageView, info, "vkCreateImageView", texture.name()};
+}
+
+void RecordMips(VkCommandBuffer commands, VkImage image, const Texture& texture,
+                const UsageScope& before, const UsageScope& after)
+{
+    const auto change =
+        [&](std::uint32_t first, std::uint32_t count, const UsageScope& from, const UsageScope& to)
+    {
+        const VkImageMemoryBarrier2 barrier = ImageBarrier(
+            image, {VK_IMAGE_ASPECT_COLOR_BIT, first, count, 0, VK_REMAINING_ARRAY_LAYERS}, from,
+            to);
+        RecordBarriers(commands, {&barrier, 1});
+    };
+    const auto count = static_cast<std::uint32_t>(texture.mipmapCount());
+    change(0, 1, before, k_Source);
+    change(1, count - 1, {before.stages, before.access}, k_Target); // what is in them is worthless
+    for (std::uint32_t level = 1; level < count; ++level)
+    {
+        RecordBlit(commands, image, texture, level);
+        change(level, 1, k_Target, k_Source);
+    }
+    change(0, count, k_Source, after);
 }
 
 } // namespace limn::vulkan

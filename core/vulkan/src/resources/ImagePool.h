@@ -2,22 +2,21 @@
 
 #include "device/VulkanContext.h"
 #include "memory/UploadCommands.h"
+#include "resources/Pooled.h"
 #include <limn/core/FrameCompiler.h>
-#include <map>
-#include <unordered_map>
 
 namespace limn::vulkan
 {
 
-/// The image with one sample per texel that readers of a texture with several samples see. It
-/// changes its use like the texture, while the samples stay an attachment.
-struct ResolvedImage
+/// An image with its memory and the views of it.
+struct ImageObjects
 {
-    MemoryAllocation memory;
+    MemoryAllocation memory;                  ///< empty if it lies in shared memory
+    std::shared_ptr<MemoryAllocation> shared; ///< null if it has its own memory
     UniqueImage image;
-    UniqueImageView view;
-    UniqueImageView depthView;
-    UniqueImageView mipView;
+    UniqueImageView view;      ///< all aspects of mip level 0, for attachments
+    UniqueImageView depthView; ///< the depth alone, if there is also stencil
+    UniqueImageView mipView;   ///< all mip levels, if there are several
 };
 
 /// The use of an image, and that of its samples.
@@ -32,19 +31,15 @@ struct ImageUse
 };
 
 /// The image behind one texture.
-struct PooledImage
+struct PooledImage : ImageObjects
 {
     std::weak_ptr<const Texture> owner;
     std::string name;
-    MemoryAllocation memory;                  ///< empty if it lies in shared memory
-    std::shared_ptr<MemoryAllocation> shared; ///< null if it has its own memory
-    std::uint64_t sharedOffset = 0;           ///< from the beginning of `shared`
-    UniqueImage image;
-    UniqueImageView view;      ///< all aspects of mip level 0, for attachments
-    UniqueImageView depthView; ///< the depth alone, if there is also stencil
-    UniqueImageView mipView;   ///< all mip levels, if there are several
-    /// The resolved image of one with several samples, once something reads them.
-    std::optional<ResolvedImage> resolved;
+    std::uint64_t sharedOffset = 0; ///< from the beginning of `shared`
+    /// The image with one sample per texel that readers of a texture with several samples see, once
+    /// there are readers. It changes its use like the texture, while the samples stay an
+    /// attachment.
+    std::optional<ImageObjects> resolved;
     VkImageAspectFlags aspects = 0;
     std::uint32_t samples = 1; ///< samples per texel
     bool isRenderTexture = false;
@@ -53,14 +48,14 @@ struct PooledImage
     std::uint64_t createdBy = 0; ///< number of the submission
     std::uint64_t lastUse = 0;   ///< likewise
 
-    VkImage readImage() const { return resolved ? resolved->image.get() : image.get(); }
-    VkImageView resolveView() const { return resolved ? resolved->view.get() : view.get(); }
+    /// Returns the objects that readers see.
+    const ImageObjects& read() const { return resolved ? *resolved : *this; }
     VkImageView sampledView() const
     {
-        const UniqueImageView& whole = resolved ? resolved->view : view;
-        const UniqueImageView& depth = resolved ? resolved->depthView : depthView;
-        const UniqueImageView& mips = resolved ? resolved->mipView : mipView;
-        return depth ? depth.get() : mips ? mips.get() : whole.get();
+        const ImageObjects& from = read();
+        return from.depthView ? from.depthView.get()
+               : from.mipView ? from.mipView.get()
+                              : from.view.get();
     }
 };
 
@@ -89,8 +84,7 @@ public:
     PooledImage& UseResolved(const std::shared_ptr<const Texture>& texture, std::uint64_t number);
 
     /// Returns the texture's image, or null if no frame has used the texture.
-    PooledImage* Find(const Texture& texture);
-    const PooledImage* Find(const Texture& texture) const;
+    PooledImage* Find(const Texture& texture) { return FindPooled(m_Images, texture.id()); }
 
     /// Records the copies of all queued texels.
     void RecordUploads(UploadCommands& uploads);
@@ -152,9 +146,8 @@ private:
               const std::string& name) const;
     UniqueImageView CreateView(VkImage image, const Texture& texture, VkImageAspectFlags aspects,
                                int mipCount = 1) const;
-    /// Returns null if there is only one level.
-    UniqueImageView CreateMipView(VkImage image, const Texture& texture,
-                                  VkImageAspectFlags aspects) const;
+    /// Makes the views that readers need.
+    void CreateViews(ImageObjects& objects, const Texture& texture) const;
 
     const VulkanContext& m_Context;
     MemoryAllocator& m_Allocator;
@@ -172,8 +165,11 @@ private:
 void ChangeUsage(PooledImage& image, const TextureBarrier& change,
                  std::vector<VkImageMemoryBarrier2>& barriers);
 
-/// Records the barriers; does nothing if there are none.
-void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarrier2> barriers,
-                    std::span<const VkMemoryBarrier2> memoryBarriers = {});
+/// Makes mip levels 1, 2 ... of a colour texture, each from the level before by the device's linear
+/// filter.
+/// @param image  all its levels and layers change from the use `before` to the use `after`; all
+///     levels but 0 lose their content
+void RecordMips(VkCommandBuffer commands, VkImage image, const Texture& texture,
+                const UsageScope& before, const UsageScope& after);
 
 } // namespace limn::vulkan

@@ -2,7 +2,6 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
-#include "resources/ImageDescription.h"
 #include <algorithm>
 #include <bit>
 #include <limn/core/DrawError.h>
@@ -12,6 +11,34 @@ namespace limn::vulkan
 
 namespace
 {
+
+/// Several samples are drawn into and resolved only.
+VkImageUsageFlags UsageFlags(const Texture& texture, std::uint32_t samples)
+{
+    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
+    if (target == nullptr)
+    {
+        return VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT |
+               (texture.mipmapCount() > 1 ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : 0);
+    }
+    const VkImageUsageFlags attachment = IsDepthFormat(texture.graphicsFormat())
+                                             ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT
+                                             : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
+    const VkImageUsageFlags made =
+        texture.mipmapCount() > 1 ? VK_IMAGE_USAGE_TRANSFER_DST_BIT : 0; // from level to level
+    const VkImageUsageFlags written =
+        target->descriptor().enableRandomWrite ? VK_IMAGE_USAGE_STORAGE_BIT : 0;
+    return samples == 1 ? attachment | made | written | VK_IMAGE_USAGE_SAMPLED_BIT |
+                              VK_IMAGE_USAGE_TRANSFER_SRC_BIT
+           : target->isTransient() ? attachment | VK_IMAGE_USAGE_TRANSIENT_ATTACHMENT_BIT
+                                   : attachment;
+}
+
+bool isCube(const Texture& texture)
+{
+    return texture.dimension() == TextureDimension::Cube ||
+           texture.dimension() == TextureDimension::CubeArray;
+}
 
 /// @param can  what the device makes of that kind
 void RequireFits(const Texture& texture, const VkImageFormatProperties& can)
@@ -107,6 +134,67 @@ std::string InsteadOf(const Texture& texture)
 
 } // namespace
 
+std::uint32_t SampleCount(const Texture& texture)
+{
+    const auto* target = dynamic_cast<const RenderTexture*>(&texture);
+    return target == nullptr ? 1 : static_cast<std::uint32_t>(target->descriptor().msaaSamples);
+}
+
+VkImageAspectFlags Aspects(GraphicsFormat format)
+{
+    if (!IsDepthFormat(format))
+    {
+        return VK_IMAGE_ASPECT_COLOR_BIT;
+    }
+    return HasStencil(format) ? VK_IMAGE_ASPECT_DEPTH_BIT | VK_IMAGE_ASPECT_STENCIL_BIT
+                              : VK_IMAGE_ASPECT_DEPTH_BIT;
+}
+
+VkExtent3D Extent(const Texture& texture, std::uint32_t level)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    const auto halved = [level](int size)
+    {
+        return std::max(static_cast<std::uint32_t>(size) >> level, 1U);
+    };
+    return {halved(texture.width()), halved(texture.height()),
+            isVolume ? halved(texture.slices()) : 1};
+}
+
+std::uint32_t LayerCount(const Texture& texture)
+{
+    const bool isVolume = texture.dimension() == TextureDimension::Tex3D;
+    return isVolume ? 1 : static_cast<std::uint32_t>(texture.slices());
+}
+
+VkImageViewType ViewType(TextureDimension dimension)
+{
+    static constexpr VkImageViewType k_Types[] = {
+        VK_IMAGE_VIEW_TYPE_2D, VK_IMAGE_VIEW_TYPE_3D, VK_IMAGE_VIEW_TYPE_CUBE,
+        VK_IMAGE_VIEW_TYPE_2D_ARRAY, VK_IMAGE_VIEW_TYPE_CUBE_ARRAY};
+    return k_Types[static_cast<int>(dimension) - static_cast<int>(TextureDimension::Tex2D)];
+}
+
+VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
+{
+    VkImageCreateInfo info{};
+    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    if (isCube(texture))
+    {
+        info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
+    }
+    info.imageType =
+        texture.dimension() == TextureDimension::Tex3D ? VK_IMAGE_TYPE_3D : VK_IMAGE_TYPE_2D;
+    info.format = ToVkFormat(texture.graphicsFormat());
+    info.extent = Extent(texture);
+    info.mipLevels = samples == 1 ? static_cast<std::uint32_t>(texture.mipmapCount()) : 1;
+    info.arrayLayers = LayerCount(texture);
+    info.samples = static_cast<VkSampleCountFlagBits>(samples);
+    info.tiling = VK_IMAGE_TILING_OPTIMAL;
+    info.usage = UsageFlags(texture, samples);
+    return info;
+}
+
 bool IsFormatSupported(const VulkanContext& context, GraphicsFormat format, FormatUsage usage)
 {
     const VkFormatFeatureFlags needed = FeaturesFor(format, usage);
@@ -151,7 +239,8 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
                     const Texture& texture)
 {
     const std::string subject = "texture '" + texture.name() + "': ";
-    if (texture.dimension() == TextureDimension::CubeArray && !context.capabilities().cubeArray)
+    if (texture.dimension() == TextureDimension::CubeArray &&
+        !context.capabilities().features.imageCubeArray)
     {
         throw DrawError(subject + "the device has no arrays of cubes");
     }

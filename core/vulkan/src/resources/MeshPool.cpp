@@ -31,6 +31,78 @@ std::array<std::array<float, 4>, k_VertexAttributeCount + 1> Constants()
 
 } // namespace
 
+AttributeSet AttributesOf(const MeshData& data)
+{
+    AttributeSet set;
+    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
+    {
+        set[i] = !VertexAttributes()[i].values(data).empty();
+    }
+    return set;
+}
+
+MeshSize SizeOf(const MeshData& data)
+{
+    return {static_cast<std::uint32_t>(std::max<std::size_t>(data.vertices.size(), 1)),
+            static_cast<std::uint32_t>(std::max<std::size_t>(data.triangles.size(), 1))};
+}
+
+MeshBlock::MeshBlock(VkDevice device, MemoryAllocator& allocator, const AttributeSet& attributes,
+                     const MeshSize& capacity, const std::string& name)
+    : m_Attributes(attributes), m_Vertices(capacity.vertices), m_Indices(capacity.indices)
+{
+    VkDeviceSize end = IndexOffset(capacity.indices);
+    for (std::size_t i = 0; i < k_VertexAttributeCount; ++i)
+    {
+        m_Arrays[i] = end;
+        end += attributes[i] ? Stride(i) * capacity.vertices : 0;
+    }
+    m_Buffer = Buffer{device,
+                      allocator,
+                      end,
+                      VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT |
+                          VK_BUFFER_USAGE_TRANSFER_DST_BIT,
+                      MemoryUse::Gpu,
+                      name};
+}
+
+std::optional<MeshBlock::Range> MeshBlock::Allocate(const MeshSize& size)
+{
+    const auto vertex = m_Vertices.Allocate(size.vertices, 1);
+    if (!vertex)
+    {
+        return std::nullopt;
+    }
+    const auto index = m_Indices.Allocate(size.indices, 1);
+    if (!index)
+    {
+        m_Vertices.Free(*vertex, size.vertices);
+        return std::nullopt;
+    }
+    return Range{static_cast<std::uint32_t>(*vertex), static_cast<std::uint32_t>(*index), size};
+}
+
+void MeshBlock::Free(const Range& range)
+{
+    m_Vertices.Free(range.firstVertex, range.size.vertices);
+    m_Indices.Free(range.firstIndex, range.size.indices);
+}
+
+VkDeviceSize MeshBlock::ArrayOffset(std::size_t attribute, std::uint32_t vertex) const
+{
+    return m_Arrays[attribute] + Stride(attribute) * vertex;
+}
+
+VkDeviceSize MeshBlock::IndexOffset(std::uint32_t index)
+{
+    return sizeof(std::uint32_t) * VkDeviceSize{index};
+}
+
+VkDeviceSize MeshBlock::Stride(std::size_t attribute)
+{
+    return VertexAttributes()[attribute].components * sizeof(float);
+}
+
 MeshPool::MeshPool(VkDevice device, MemoryAllocator& allocator)
     : m_Device(device),
       m_Allocator(allocator),
@@ -41,30 +113,13 @@ MeshPool::MeshPool(VkDevice device, MemoryAllocator& allocator)
     std::memcpy(m_Constants.memory.mapped(), constants.data(), sizeof(constants));
 }
 
-VkDeviceSize MeshPool::ConstantOffset(std::size_t attribute)
-{
-    return attribute * sizeof(VertexAttribute::missing);
-}
-
-PooledMesh& MeshPool::Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
-{
-    return Use(m_Meshes, mesh, number, false);
-}
-
-PooledMesh& MeshPool::UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh,
-                                         std::uint64_t number)
-{
-    return Use(m_Alone, mesh, number, true);
-}
-
 PooledMesh& MeshPool::Use(Meshes& meshes, const std::shared_ptr<const Mesh>& mesh,
                           std::uint64_t number, bool alone)
 {
-    const auto found = meshes.find(mesh->id());
-    if (found != meshes.end())
+    if (PooledMesh* found = FindPooled(meshes, mesh->id()))
     {
-        found->second.lastUse = number;
-        return found->second;
+        found->lastUse = number;
+        return *found;
     }
     PooledMesh pooled;
     pooled.owner = mesh;
@@ -121,17 +176,10 @@ void MeshPool::RecordUploads(UploadCommands& uploads)
     {
         RecordUpload(upload, uploads);
     }
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT;
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
-    info.memoryBarrierCount = 1;
-    info.pMemoryBarriers = &barrier;
-    vkCmdPipelineBarrier2(uploads.commands(), &info);
+    RecordBarrier(uploads.commands(),
+                  {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                  {VK_PIPELINE_STAGE_2_VERTEX_INPUT_BIT,
+                   VK_ACCESS_2_VERTEX_ATTRIBUTE_READ_BIT | VK_ACCESS_2_INDEX_READ_BIT});
     m_UploadCount += m_Uploads.size();
     m_Uploads.clear();
 }
@@ -142,8 +190,7 @@ void MeshPool::RecordUpload(const Upload& upload, UploadCommands& uploads) const
     const MeshBlock& block = *upload.pooled->block;
     const auto copy = [&](std::span<const std::byte> bytes, VkDeviceSize offset)
     {
-        const UploadedBytes staged = uploads.staging().Allocate(bytes.size());
-        std::memcpy(staged.mapped, bytes.data(), bytes.size());
+        const UploadedBytes staged = uploads.staging().Upload(bytes);
         const VkBufferCopy region{staged.offset, offset, bytes.size()};
         vkCmdCopyBuffer(uploads.commands(), staged.buffer, block.buffer(), 1, &region);
     };
@@ -164,16 +211,8 @@ void MeshPool::RecordUpload(const Upload& upload, UploadCommands& uploads) const
 
 void MeshPool::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
 {
-    for (Meshes* meshes : {&m_Meshes, &m_Alone})
-    {
-        for (auto& [id, mesh] : *meshes)
-        {
-            if (mesh.lastUse == number)
-            {
-                uses.push_back(&mesh.lastUse);
-            }
-        }
-    }
+    AddPooledUses(m_Meshes, number, uses);
+    AddPooledUses(m_Alone, number, uses);
 }
 
 /// Erases the meshes that meet the condition, and the shared blocks that become empty.
@@ -205,13 +244,8 @@ void MeshPool::Rollback(std::uint64_t number) noexcept
 {
     m_Uploads.clear();
     Erase([&](const PooledMesh& mesh) { return mesh.createdBy == number; });
-    for (Meshes* meshes : {&m_Meshes, &m_Alone})
-    {
-        for (auto& [id, mesh] : *meshes)
-        {
-            mesh.lastUse = std::min(mesh.lastUse, number - 1);
-        }
-    }
+    UndoPooledUses(m_Meshes, number);
+    UndoPooledUses(m_Alone, number);
 }
 
 void MeshPool::Sweep(std::uint64_t finished)

@@ -1,11 +1,67 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
-#include "resources/MeshBlock.h"
-#include <unordered_map>
+#include "resources/Pooled.h"
+#include <bitset>
+#include <limn/core/Mesh.h>
+#include <optional>
 
 namespace limn::vulkan
 {
+
+/// The set of VertexAttributes() that a mesh has.
+using AttributeSet = std::bitset<k_VertexAttributeCount>;
+
+AttributeSet AttributesOf(const MeshData& data);
+
+/// The numbers of vertices and of indices.
+struct MeshSize
+{
+    std::uint32_t vertices = 0;
+    std::uint32_t indices = 0;
+};
+
+/// Returns the size of a mesh, which is at least one vertex and one index, because Vulkan has no
+/// empty buffers.
+MeshSize SizeOf(const MeshData& data);
+
+/// A buffer that meshes with the same attributes share, so that draws of different meshes need no
+/// other binding. It has all indices, and behind them an array of each attribute. The indices come
+/// first, because lavapipe 22.3.6 draws nothing with vkCmdDrawIndexedIndirect if they are bound at
+/// an offset.
+class MeshBlock
+{
+public:
+    MeshBlock(VkDevice device, MemoryAllocator& allocator, const AttributeSet& attributes,
+              const MeshSize& capacity, const std::string& name);
+
+    /// The place of a mesh, counted in vertices and in indices.
+    struct Range
+    {
+        std::uint32_t firstVertex = 0;
+        std::uint32_t firstIndex = 0;
+        MeshSize size;
+    };
+
+    /// Returns a place for a mesh, or nullopt if there is not enough room.
+    std::optional<Range> Allocate(const MeshSize& size);
+    void Free(const Range& range);
+    bool isEmpty() const { return m_Vertices.usedBytes() == 0; }
+
+    const AttributeSet& attributes() const { return m_Attributes; }
+    VkBuffer buffer() const { return m_Buffer.handle.get(); }
+    /// @pre attributes()[attribute]
+    VkDeviceSize ArrayOffset(std::size_t attribute, std::uint32_t vertex) const;
+    static VkDeviceSize IndexOffset(std::uint32_t index);
+    static VkDeviceSize Stride(std::size_t attribute);
+
+private:
+    AttributeSet m_Attributes;
+    RangeAllocator m_Vertices;
+    RangeAllocator m_Indices;
+    std::array<VkDeviceSize, k_VertexAttributeCount> m_Arrays{};
+    Buffer m_Buffer;
+};
 
 /// The place of a mesh on the device.
 struct PooledMesh
@@ -25,10 +81,16 @@ class MeshPool
 public:
     MeshPool(VkDevice device, MemoryAllocator& allocator);
 
-    PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
+    PooledMesh& Use(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
+    {
+        return Use(m_Meshes, mesh, number, false);
+    }
     /// Returns the mesh in a block of its own. It begins there with vertex 0 and index 0, because
     /// the counts of an indirect draw assume so.
-    PooledMesh& UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number);
+    PooledMesh& UseDedicatedBuffer(const std::shared_ptr<const Mesh>& mesh, std::uint64_t number)
+    {
+        return Use(m_Alone, mesh, number, true);
+    }
     void RecordUploads(UploadCommands& uploads);
     /// Adds the PooledMesh::lastUse of the meshes that submission `number` uses.
     void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
@@ -42,7 +104,10 @@ public:
     /// that lack the attribute, and zeros for what no mesh has.
     VkBuffer constants() const { return m_Constants.handle.get(); }
     /// @param attribute  an index of VertexAttributes(), or their number for none of them
-    static VkDeviceSize ConstantOffset(std::size_t attribute);
+    static VkDeviceSize ConstantOffset(std::size_t attribute)
+    {
+        return attribute * sizeof(VertexAttribute::missing);
+    }
 
 private:
     using Meshes = std::unordered_map<std::uint64_t, PooledMesh>; ///< by Mesh::id

@@ -11,6 +11,7 @@ namespace
 
 constexpr VkPipelineStageFlags2 k_Readers =
     VK_PIPELINE_STAGE_2_PRE_RASTERIZATION_SHADERS_BIT | VK_PIPELINE_STAGE_2_FRAGMENT_SHADER_BIT;
+constexpr UsageScope k_ObjectsCopied{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT};
 
 /// Finds the destinations of objects that lie side by side in the staging memory. Neighbours are
 /// copied together.
@@ -42,20 +43,12 @@ void RecordCopies(const InstanceData& table, std::span<const std::uint32_t> obje
         place += sizeof data;
     }
     VkCommandBuffer commands = uploads.commands();
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = k_Readers | VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT;
-    RecordBarrier(commands, barrier);
+    RecordBarrier(commands, {k_Readers | k_ObjectsCopied.stages, k_ObjectsCopied.access},
+                  k_ObjectsCopied);
     FindRegions(objects, bytes.offset, regions);
     vkCmdCopyBuffer(commands, bytes.buffer, target, static_cast<std::uint32_t>(regions.size()),
                     regions.data());
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.dstStageMask = k_Readers;
-    barrier.dstAccessMask = VK_ACCESS_2_SHADER_STORAGE_READ_BIT;
-    RecordBarrier(commands, barrier);
+    RecordBarrier(commands, k_ObjectsCopied, {k_Readers, VK_ACCESS_2_SHADER_STORAGE_READ_BIT});
 }
 
 } // namespace
@@ -113,7 +106,7 @@ PooledObjects& ObjectPool::Use(const std::shared_ptr<const InstanceData>& table,
 
 void ObjectPool::Rollback(std::uint64_t number) noexcept
 {
-    std::erase_if(m_Objects, [&](const auto& entry) { return entry.second.createdBy == number; });
+    ErasePooledOf(m_Objects, number);
     for (auto& [id, pooled] : m_Objects)
     {
         if (pooled.lastUse == number)
@@ -125,8 +118,7 @@ void ObjectPool::Rollback(std::uint64_t number) noexcept
 
 void ObjectPool::Sweep(std::uint64_t finished)
 {
-    std::erase_if(m_Objects, [&](const auto& entry)
-                  { return entry.second.owner.expired() && entry.second.lastUse <= finished; });
+    SweepPooled(m_Objects, finished);
     std::erase_if(m_Outgrown,
                   [&](const PooledObjects& pooled) { return pooled.lastUse <= finished; });
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "memory/UploadCommands.h"
+#include "resources/Pooled.h"
 #include <limn/core/FrameCommands.h>
-#include <unordered_map>
 
 namespace limn::vulkan
 {

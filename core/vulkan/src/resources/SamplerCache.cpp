@@ -57,11 +57,10 @@ void RequireSupport(const SamplerState& state, const DeviceCapabilities& can)
 
 VkSampler SamplerCache::Get(const SamplerState& state, std::uint64_t number)
 {
-    const auto found = m_Samplers.find(Pack(state));
-    if (found != m_Samplers.end())
+    if (Entry* found = FindPooled(m_Samplers, Pack(state)))
     {
-        found->second.lastUse = number;
-        return found->second.sampler.get();
+        found->lastUse = number;
+        return found->sampler.get();
     }
     const std::uint32_t most = m_Context.capabilities().limits.maxSamplerAllocationCount;
     if (m_Samplers.size() >= most)
@@ -72,25 +71,6 @@ VkSampler SamplerCache::Get(const SamplerState& state, std::uint64_t number)
     }
     Entry entry{Create(state), number};
     return m_Samplers.emplace(Pack(state), std::move(entry)).first->second.sampler.get();
-}
-
-void SamplerCache::AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
-{
-    for (auto& [key, entry] : m_Samplers)
-    {
-        if (entry.lastUse == number)
-        {
-            uses.push_back(&entry.lastUse);
-        }
-    }
-}
-
-void SamplerCache::Rollback(std::uint64_t number) noexcept
-{
-    for (auto& [key, entry] : m_Samplers)
-    {
-        entry.lastUse = std::min(entry.lastUse, number - 1);
-    }
 }
 
 void SamplerCache::Sweep(std::uint64_t finished)
@@ -127,15 +107,13 @@ UniqueSampler SamplerCache::Create(const SamplerState& state) const
     info.mipLodBias =
         std::clamp(state.mipMapBias, -limits.maxSamplerLodBias, limits.maxSamplerLodBias);
     // As in Unity, the point filter takes one texel whatever the level is.
-    info.anisotropyEnable = m_Context.capabilities().anisotropy && state.anisoLevel > 1 &&
-                                    state.filterMode != FilterMode::Point
+    info.anisotropyEnable = m_Context.capabilities().features.samplerAnisotropy &&
+                                    state.anisoLevel > 1 && state.filterMode != FilterMode::Point
                                 ? VK_TRUE
                                 : VK_FALSE;
     info.maxAnisotropy =
         std::min(static_cast<float>(state.anisoLevel), limits.maxSamplerAnisotropy);
-    VkSampler handle = VK_NULL_HANDLE;
-    Check(vkCreateSampler(m_Context.device(), &info, nullptr, &handle), "vkCreateSampler");
-    return {m_Context.device(), handle};
+    return {m_Context.device(), vkCreateSampler, info, "vkCreateSampler"};
 }
 
 } // namespace limn::vulkan

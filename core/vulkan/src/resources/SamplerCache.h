@@ -2,8 +2,8 @@
 
 #include "device/UniqueHandle.h"
 #include "device/VulkanContext.h"
+#include "resources/Pooled.h"
 #include <limn/core/Texture.h>
-#include <map>
 
 namespace limn::vulkan
 {
@@ -22,8 +22,12 @@ public:
     /// @throws DrawError if the frames in flight need more samplers than the device has
     VkSampler Get(const SamplerState& state, std::uint64_t number);
     /// Adds the uses of the samplers that submission `number` uses.
-    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses);
-    void Rollback(std::uint64_t number) noexcept; ///< the submission will never happen
+    void AddUses(std::uint64_t number, std::vector<std::uint64_t*>& uses)
+    {
+        AddPooledUses(m_Samplers, number, uses);
+    }
+    /// The submission will never happen.
+    void Rollback(std::uint64_t number) noexcept { UndoPooledUses(m_Samplers, number); }
     void Sweep(std::uint64_t finished);
     std::uint64_t freedCount() const { return m_Freed; } ///< the number of samplers freed so far
 

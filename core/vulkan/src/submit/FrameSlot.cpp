@@ -7,6 +7,45 @@
 namespace limn::vulkan
 {
 
+void FrameRecording::Take(DeviceResources& resources, std::uint64_t number)
+{
+    changes = resources.changeCount();
+    images.clear();
+    resources.images.ForEachUsed(number,
+                                 [&](PooledImage& image) {
+                                     images.push_back({&image, image.submitted, image.use});
+                                 });
+    buffers.clear();
+    resources.buffers.AddUsed(number, buffers);
+    uses.clear();
+    resources.meshes.AddUses(number, uses);
+    resources.programs.AddUses(number, uses);
+    resources.samplers.AddUses(number, uses);
+}
+
+bool FrameRecording::isValid(const CompiledFrame& frame, std::uint64_t changeCount) const
+{
+    return structure != 0 && structure == frame.structure && changes == changeCount && data &&
+           data->Fits(frame) &&
+           (objects == VK_NULL_HANDLE ||
+            (frame.objects && frame.objects->count() == objectCount)) &&
+           std::ranges::all_of(images, [](const UsedImage& used)
+                               { return used.image->submitted == used.before; });
+}
+
+void FrameRecording::Use(std::uint64_t number) const
+{
+    for (const UsedImage& used : images)
+    {
+        used.image->lastUse = number;
+        used.image->use = used.after;
+    }
+    for (std::uint64_t* use : uses)
+    {
+        *use = number;
+    }
+}
+
 FrameSlot::FrameSlot(const VulkanContext& context, MemoryAllocator& allocator)
     : m_Context(context),
       m_Commands(context),
@@ -52,9 +91,8 @@ void FrameSlot::ReserveQueries(std::size_t passCount)
         info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
         info.queryCount = std::max(needed, 64U);
-        VkQueryPool pool = VK_NULL_HANDLE;
-        Check(vkCreateQueryPool(m_Context.device(), &info, nullptr, &pool), "vkCreateQueryPool");
-        m_Queries = UniqueQueryPool{m_Context.device(), pool};
+        m_Queries =
+            UniqueQueryPool{m_Context.device(), vkCreateQueryPool, info, "vkCreateQueryPool"};
         m_QueryCapacity = info.queryCount;
     }
     vkCmdResetQueryPool(commands(), m_Queries.get(), 0, needed);
@@ -102,7 +140,8 @@ void FrameSlot::ReadTimings(std::vector<PassTiming>& timings)
     {
         const std::uint64_t elapsed =
             ElapsedTicks(m_Ticks[from], m_Ticks[to], m_Context.capabilities().timestampValidBits);
-        return static_cast<double>(elapsed) * m_Context.capabilities().nanosecondsPerTick * 1e-6;
+        return static_cast<double>(elapsed) *
+               static_cast<double>(m_Context.capabilities().limits.timestampPeriod) * 1e-6;
     };
     for (std::size_t i = 0; i < m_TimedCount; ++i)
     {

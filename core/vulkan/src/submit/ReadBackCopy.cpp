@@ -19,23 +19,15 @@ GraphicsFormat CopiedFormat(GraphicsFormat format, VkImageAspectFlagBits aspect)
     }
 }
 
-VkMemoryBarrier2 BehindCopy(VkAccessFlags2 copied, VkPipelineStageFlags2 stages,
-                            VkAccessFlags2 access)
-{
-    VkMemoryBarrier2 barrier{};
-    barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-    barrier.srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-    barrier.srcAccessMask = copied;
-    barrier.dstStageMask = stages;
-    barrier.dstAccessMask = access;
-    return barrier;
-}
+constexpr UsageScope k_CopiedFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};
+/// Whatever writes a buffer before or after the copy.
+constexpr UsageScope k_AnyWrite{VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT, VK_ACCESS_2_MEMORY_WRITE_BIT};
 
 /// Records the barrier that makes the copied data visible to the CPU.
 void RecordHostBarrier(VkCommandBuffer commands)
 {
-    RecordBarrier(commands, BehindCopy(VK_ACCESS_2_TRANSFER_WRITE_BIT, VK_PIPELINE_STAGE_2_HOST_BIT,
-                                       VK_ACCESS_2_HOST_READ_BIT));
+    RecordBarrier(commands, {VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_WRITE_BIT},
+                  {VK_PIPELINE_STAGE_2_HOST_BIT, VK_ACCESS_2_HOST_READ_BIT});
 }
 
 void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image& size,
@@ -46,7 +38,7 @@ void RecordCopy(VkCommandBuffer commands, const PooledImage& image, const Image&
     region.imageSubresource.layerCount = 1;
     region.imageExtent = {static_cast<std::uint32_t>(size.width),
                           static_cast<std::uint32_t>(size.height), 1};
-    vkCmdCopyImageToBuffer(commands, image.readImage(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+    vkCmdCopyImageToBuffer(commands, image.read().image.get(), VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
                            target, 1, &region);
     RecordHostBarrier(commands);
 }
@@ -123,20 +115,12 @@ std::shared_ptr<ReadBackCopy> CopyToCpu(const VulkanContext& context, MemoryAllo
 {
     const auto record = [&](VkCommandBuffer commands, VkBuffer target)
     {
-        VkMemoryBarrier2 barrier{}; // whatever wrote it last
-        barrier.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2;
-        barrier.srcStageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-        barrier.srcAccessMask = VK_ACCESS_2_MEMORY_WRITE_BIT;
-        barrier.dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT;
-        barrier.dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT;
-        RecordBarrier(commands, barrier);
+        RecordBarrier(commands, k_AnyWrite, k_CopiedFrom);
         const VkBufferCopy region{0, 0, size};
         vkCmdCopyBuffer(commands, buffer.buffer.handle.get(), target, 1, &region);
         RecordHostBarrier(commands);
         // Whoever writes it next knows nothing of the copy.
-        RecordBarrier(commands, BehindCopy(VK_ACCESS_2_TRANSFER_READ_BIT,
-                                           VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT,
-                                           VK_ACCESS_2_MEMORY_WRITE_BIT));
+        RecordBarrier(commands, k_CopiedFrom, k_AnyWrite);
     };
     const Image shape{static_cast<int>(size), 1, GraphicsFormat::R8_UNorm, {}};
     return std::make_shared<ReadBackCopy>(context, allocator, queue, shape, record);

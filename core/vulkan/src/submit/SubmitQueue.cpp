@@ -15,10 +15,8 @@ SubmitQueue::SubmitQueue(const VulkanContext& context) : m_Context(context)
     VkSemaphoreCreateInfo info{};
     info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
     info.pNext = &type;
-    VkSemaphore semaphore = VK_NULL_HANDLE;
-    Check(vkCreateSemaphore(context.device(), &info, nullptr, &semaphore), "vkCreateSemaphore",
-          "frame timeline");
-    m_Timeline = UniqueSemaphore{context.device(), semaphore};
+    m_Timeline = UniqueSemaphore{context.device(), vkCreateSemaphore, info, "vkCreateSemaphore",
+                                 "frame timeline"};
 }
 
 SubmitQueue::~SubmitQueue()
