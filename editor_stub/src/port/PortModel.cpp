@@ -13,10 +13,10 @@ namespace limn
 namespace
 {
 
-/// Types that are called the same.
-bool IsSameType(std::string_view type)
+/// C++'s name of a type that is no class of the files; "" for one that is not known.
+std::string KnownType(const std::string& type)
 {
-    static const WordList types(
+    static const WordList same(
         "AccessFlags BlendMode BlendState BufferHandle CameraType ClearFlag ColorWriteMask "
         "CompareFunction CullMode DepthState DrawingSettings FilterMode FilteringSettings "
         "GraphicsFormat MaterialPropertyBlock RTHandle RasterState RenderPassEvent "
@@ -26,15 +26,9 @@ bool IsSameType(std::string_view type)
         "ShaderTagId SortingCriteria SortingSettings StencilOp StencilState TextureDesc "
         "TextureHandle TextureWrapMode Vector2 Vector2Int Vector3 Vector3Int Vector4 "
         "int float double bool Color LayerMask ProfilingSampler");
-    return types.Has(type);
-}
-
-/// C++'s name of a type that is no class of the files; "" of one that is not known.
-std::string KnownType(const std::string& type)
-{
     static const WordList made("Material ComputeShader GraphicsBuffer ComputeBuffer");
     static const WordList loaded("Shader Texture RenderTexture Mesh");
-    return IsSameType(type)      ? type
+    return same.Has(type)        ? type
            : type == "uint"      ? "std::uint32_t"
            : type == "string"    ? "std::string"
            : type == "Matrix4x4" ? "glm::mat4"
@@ -82,6 +76,13 @@ bool IsInterfaceName(std::string_view name)
     return name.size() > 1 && name[0] == 'I' && name[1] >= 'A' && name[1] <= 'Z';
 }
 
+/// Returns whether a body has `field = `.
+bool Assigns(CSharpWords body, std::string_view field)
+{
+    return std::ranges::adjacent_find(body, [&](const CSharpToken& word, const CSharpToken& next)
+                                      { return word.Is(field) && next.Is("="); }) != body.end();
+}
+
 } // namespace
 
 PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
@@ -96,8 +97,7 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
             Place(*file, one);
         }
     }
-    auto features = Of(PortRole::Feature);
-    std::erase_if(features, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
+    const auto features = TopLevel(PortRole::Feature);
     if (features.empty())
     {
         const std::string found = Joined(m_Index.all(), ", ", &CSharpClass::name);
@@ -177,6 +177,13 @@ std::vector<const CSharpClass*> PortModel::Of(PortRole role) const
     std::ranges::copy_if(m_Index.all(), std::back_inserter(result),
                          [&](const CSharpClass* one) { return RoleOf(*one) == role; });
     return result;
+}
+
+std::vector<const CSharpClass*> PortModel::TopLevel(PortRole role) const
+{
+    std::vector<const CSharpClass*> classes = Of(role);
+    std::erase_if(classes, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
+    return classes;
 }
 
 bool PortModel::isLeftOut(const CSharpClass& one) const
@@ -270,10 +277,8 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
                    : std::nullopt;
     }
     const auto cpp = CppType(type);
-    const bool isSmall =
-        cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own ||
-                *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+    const bool isSmall = own || IsIn(type, {"int", "float", "bool", "double", "uint",
+                                            "ShaderPropertyId", "RenderPassEvent", "LayerMask"});
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
 }
 
@@ -304,24 +309,9 @@ bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
         pass = OuterOf(*pass);
     }
     const bool isMade = !field.value.empty() && field.value.front().Is("new");
-    return isOne && pass && !field.isStatic && (!isMade || isAssigned(*pass, field.name));
-}
-
-bool PortModel::isAssigned(const CSharpClass& one, std::string_view field)
-{
-    return std::ranges::any_of(one.methods,
-                               [&](const CSharpMethod& method)
-                               {
-                                   const CSharpWords body = method.body;
-                                   for (std::size_t i = 0; i + 1 < body.size(); ++i)
-                                   {
-                                       if (body[i].Is(field) && body[i + 1].Is("="))
-                                       {
-                                           return true;
-                                       }
-                                   }
-                                   return false;
-                               });
+    return isOne && pass && !field.isStatic &&
+           (!isMade || std::ranges::any_of(pass->methods, [&](const CSharpMethod& method)
+                                           { return Assigns(method.body, field.name); }));
 }
 
 bool PortModel::isSetting(const std::string& type) const
@@ -342,8 +332,7 @@ bool PortModel::isSerialized(const CSharpField& field) const
 
 std::string PortModel::CppName(const std::string& name) const
 {
-    const bool isType = !KnownType(name).empty() || Find(name);
-    return isType || IsCppWord(name) ? name + "_" : name;
+    return !KnownType(name).empty() || Find(name) || IsCppWord(name) ? name + "_" : name;
 }
 
 } // namespace limn

@@ -36,12 +36,13 @@ public:
     void Label(std::string_view line) { text.append(line).append("\n"); } ///< public:
     /// Writes `// TODO: why, place`, and the C# below it as comments.
     void Todo(const std::string& why, const std::string& place, std::string_view csharp);
+    /// Writes the C# of a method like that.
+    void TodoBody(const std::string& why, const CSharpClass& one, const CSharpMethod& method);
     /// Writes C# as comments, moved to the left as far as possible.
     void Comment(std::string_view csharp);
 
     void Done(PortedThing thing) { m_Things.push_back(std::move(thing)); }
     const std::vector<PortedThing>& things() const { return m_Things; }
-    std::vector<PortedThing>& things() { return m_Things; }
 
 private:
     PortModel& m_Model;
@@ -104,6 +105,8 @@ std::string LocalName(const PortModel& model, const CSharpClass& one, const std:
 /// C++.
 /// @return false, and writes nothing, if the method adds no passes
 bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
+/// Notes the passes that a method adds to a render graph as ones that stay comments.
+void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// Returns the C++ value of a field in the methods of its class.
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
 /// Returns the text between the braces of a method.

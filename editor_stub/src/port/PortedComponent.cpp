@@ -180,8 +180,7 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
 {
     const PortModel& model = code.model();
     const std::string place = model.Place(one, field.location);
-    const std::string csharp = field.type + " " + field.name + " = " +
-                               std::string(TextOf(model.FileOf(one), field.value)) + ";";
+    const std::string csharp = field.type + " " + field.name + " = " + model.Text(one, field.value);
     const bool isWhole = !field.value.empty() && field.value.back().Is(")");
     const auto arguments = isWhole ? NewArguments(field.value) : std::nullopt;
     std::string line;
@@ -200,11 +199,10 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
                    ? NumberParameterText(model, scope, field, *arguments)
                    : EnumParameterText(model, scope, field, *arguments);
     }
-    code.Done({"parameter", one.name + "." + field.name, csharp.substr(0, csharp.size() - 1), place,
-               !line.empty()});
+    code.Done({"parameter", one.name + "." + field.name, csharp, place, !line.empty()});
     if (line.empty())
     {
-        code.Todo("a parameter", place, csharp);
+        code.Todo("a parameter", place, csharp + ";");
         return;
     }
     code.Line(line);
@@ -227,7 +225,7 @@ void WriteQuestion(PortedCode& code, const CSharpClass& one, const std::string& 
     code.Open("bool " + name + "() const override");
     if (method && !value)
     {
-        code.Todo("port", model.Place(one, method->location), BodyText(model.FileOf(one), *method));
+        code.TodoBody("port", one, *method);
     }
     code.Line("return " + (value ? value->cpp : "false") + ";");
     code.Close();

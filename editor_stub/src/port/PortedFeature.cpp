@@ -55,26 +55,23 @@ bool isMutableReference(const PortModel& model, const CSharpClass& one,
 std::string MakePass(const PortModel& model, const CSharpClass& pass, const PortScope& scope,
                      CSharpWords words)
 {
-    const auto found = NewArguments(words);
-    if (!found)
+    const auto arguments = NewArguments(words);
+    if (!arguments)
     {
         return "";
     }
-    const std::vector<CSharpWords>& arguments = *found;
-    const CSharpMethod* constructor = ConstructorOf(model, pass, arguments.size());
-    const bool hasNone = std::ranges::none_of(pass.methods, [](const CSharpMethod& method)
-                                              { return method.isConstructor(); });
-    if (!constructor && !(hasNone && arguments.empty()))
+    const CSharpMethod* constructor = ConstructorOf(model, pass, arguments->size());
+    const bool hasNone = std::ranges::none_of(pass.methods, &CSharpMethod::isConstructor);
+    if (!constructor && !(hasNone && arguments->empty()))
     {
         return "";
     }
     std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
-    for (std::size_t i = 0; i < arguments.size(); ++i)
+    for (std::size_t i = 0; i < arguments->size(); ++i)
     {
         const CSharpParameter& parameter = constructor->parameters[i];
-        const auto value = Translate(model, scope, arguments[i], TypeIn(model, pass, parameter));
-        const bool isReference = isMutableReference(model, pass, parameter);
-        if (!value || (isReference && !value->isVariable))
+        const auto value = Translate(model, scope, (*arguments)[i], TypeIn(model, pass, parameter));
+        if (!value || (isMutableReference(model, pass, parameter) && !value->isVariable))
         {
             return "";
         }
@@ -90,9 +87,7 @@ CSharpWords InitializedEvent(CSharpWords words)
     {
         if (words[i].Is("{") && words[i + 1].Is("renderPassEvent") && words[i + 2].Is("="))
         {
-            const auto end = i + static_cast<std::size_t>(words[i].match);
-            const CSharpWords rest = words.subspan(i + 3, end - i - 3);
-            return SplitArguments(rest).front();
+            return SplitArguments(words[i].Inside().subspan(2)).front();
         }
     }
     return {};
@@ -133,7 +128,7 @@ private:
     {
         const std::string making = MakePass(m_Model, pass, m_Scope, value);
         const std::string name = m_Model.CppName(field.name);
-        m_Code.Done({"made in Create", m_One.name + "." + field.name, Text(value),
+        m_Code.Done({"made in Create", m_One.name + "." + field.name, m_Model.Text(m_One, value),
                      m_Model.Place(m_One, value.empty() ? field.location : value[0].location),
                      !making.empty()});
         if (making.empty())
@@ -157,16 +152,12 @@ private:
                                     ? Translate(m_Model, m_Scope, value,
                                                 isEvent ? "RenderPassEvent" : "ProfilingSampler")
                                     : std::nullopt;
-        m_Code.Done({isEvent ? "event" : "name of a pass", field.type + "." + member, Text(value),
-                     m_Model.Place(m_One, value.front().location), translated.has_value()});
+        m_Code.Done({isEvent ? "event" : "name of a pass", field.type + "." + member,
+                     m_Model.Text(m_One, value), m_Model.Place(m_One, value.front().location),
+                     translated.has_value()});
         m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member + " = " +
                                      translated->cpp + ";"
                                : "// TODO: " + field.name + "'s " + member);
-    }
-
-    std::string Text(CSharpWords words) const
-    {
-        return std::string(TextOf(m_Model.FileOf(m_One), words));
     }
 
     PortedCode& m_Code;
@@ -299,16 +290,15 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
     code.Line(className + "::~" + className + "() = default;");
     for (const CSharpMethod& method : one.methods)
     {
-        const std::string place = model.Place(one, method.location);
         const auto signature = SignatureOf(model, one, method);
         code.Line();
         if (!signature || !model.isDeclared(method))
         {
-            code.Todo(method.name, place, BodyText(model.FileOf(one), method));
+            code.TodoBody(method.name, one, method);
             continue;
         }
         code.Open(signature->Text(className + "::"));
-        code.Todo("port", place, BodyText(model.FileOf(one), method));
+        code.TodoBody("port", one, method);
         if (signature->isOverride && method.name == "Create")
         {
             CreateWriter writer(code, one, method);

@@ -1,4 +1,3 @@
-#include "port/GraphPasses.h"
 #include "port/PortedCode.h"
 #include "port/csharp/CSharpTokens.h"
 
@@ -93,7 +92,7 @@ void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assi
     if (name == "renderPassEvent" || name == "profilingSampler")
     {
         code.Done({name == "renderPassEvent" ? "event" : "name of a pass", one.name + "." + name,
-                   std::string(TextOf(code.model().FileOf(one), assignment.value)),
+                   code.model().Text(one, assignment.value),
                    code.model().Place(one, assignment.target.front().location), isDone});
     }
 }
@@ -118,16 +117,14 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
 {
     const PortModel& model = code.model();
     const auto signature = SignatureOf(model, one, method);
-    const std::string place = model.Place(one, method.location);
     if (!signature)
     {
-        code.Todo("a constructor; limn has no such parameters", place,
-                  BodyText(model.FileOf(one), method));
+        code.TodoBody("a constructor; limn has no such parameters", one, method);
         return;
     }
     const bool isConversion = method.parameters.size() == 1;
     code.Open((isConversion ? "explicit " : "") + signature->Text());
-    code.Todo("port", place, BodyText(model.FileOf(one), method));
+    code.TodoBody("port", one, method);
     PortScope scope = ScopeOf(model, one, method);
     std::set<std::string> unset = TakePointers(scope);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
@@ -155,50 +152,31 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
     code.Close();
 }
 
-/// Notes passes of a render graph that stay comments.
-void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
-{
-    const PortModel& model = code.model();
-    for (const CSharpGraphPass& pass : FindGraphPasses(method))
-    {
-        code.Done({"graph pass", one.name + "." + pass.call,
-                   std::string(TextOf(model.FileOf(one), pass.name)),
-                   model.Place(one, pass.location), false});
-    }
-}
-
 void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
-    const PortModel& model = code.model();
-    const std::string place = model.Place(one, method.location);
-    const std::string_view body = BodyText(model.FileOf(one), method);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
         Note(code, one, assignment, false);
     }
-    const auto signature = SignatureOf(model, one, method);
-    if (!signature || IsCompatibilityMethod(one, method))
+    const auto signature = SignatureOf(code.model(), one, method);
+    const bool isOld = IsCompatibilityMethod(one, method);
+    if (!signature || isOld)
     {
-        const bool isOld = IsCompatibilityMethod(one, method);
-        code.Todo(method.name + (isOld ? ": Unity 6's compatibility mode; limn runs it where the "
-                                         "pipeline's enableRenderCompatibilityMode is on"
-                                       : ""),
-                  place, body);
+        code.TodoBody(method.name + (isOld
+                                         ? ": Unity 6's compatibility mode; limn runs it where the "
+                                           "pipeline's enableRenderCompatibilityMode is on"
+                                         : ""),
+                      one, method);
         NoteGraphPasses(code, one, method);
         return;
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
     if (!WriteGraphPasses(code, one, method))
     {
-        code.Todo("port", place, body);
+        code.TodoBody("port", one, method);
     }
     WriteResult(code, *signature);
     code.Close();
-}
-
-bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
-{
-    return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
 }
 
 /// Returns whether C++ has one of the methods that limn runs.
@@ -274,8 +252,8 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     {
         const auto& known = MethodsOf(model.RoleOf(one));
         const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
-        if (found == known.end() || found->parameters.size() != method.parameters.size() ||
-            HasTwins(one, method))
+        const bool isTwin = method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
+        if (found == known.end() || found->parameters.size() != method.parameters.size() || isTwin)
         {
             return std::nullopt;
         }
@@ -398,8 +376,7 @@ void WritePass(PortedCode& code, const CSharpClass& one)
         const auto signature = SignatureOf(model, one, method);
         if (signature && !signatures.insert(signature->name + signature->parameters).second)
         {
-            code.Todo(method.name + ", a second one of these parameters",
-                      model.Place(one, method.location), BodyText(model.FileOf(one), method));
+            code.TodoBody(method.name + ", a second one of these parameters", one, method);
             continue;
         }
         method.isConstructor() && !method.isStatic ? WriteConstructor(code, one, method)

@@ -15,8 +15,8 @@ namespace
 
 std::string FieldText(const PortModel& model, const CSharpClass& one, const CSharpField& field)
 {
-    const std::string_view value = TextOf(model.FileOf(one), field.value);
-    return field.type + " " + field.name + (value.empty() ? "" : " = " + std::string(value));
+    return field.type + " " + field.name +
+           (field.value.empty() ? "" : " = " + model.Text(one, field.value));
 }
 
 constexpr std::int64_t k_LargestInt = 2147483647;
@@ -269,7 +269,7 @@ void WriteReset(PortedCode& code, const CSharpClass& one, const CSharpMethod& me
     const PortModel& model = code.model();
     code.Line();
     code.Open("void Reset() override");
-    code.Todo("port", model.Place(one, method.location), BodyText(model.FileOf(one), method));
+    code.TodoBody("port", one, method);
     const PortScope scope = ScopeOf(model, one, method);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
@@ -310,7 +310,7 @@ void WriteEnum(PortedCode& code, const CSharpClass& one)
     for (std::size_t i = 0; i < values.size(); ++i)
     {
         const CSharpEnumerator& entry = one.enumerators[i];
-        const std::string text(TextOf(model.FileOf(one), entry.value));
+        const std::string text = model.Text(one, entry.value);
         const std::string name = model.CppName(entry.name);
         const bool isPlain = !isLarge && IsPlainEnumValue(entry.value);
         code.Line(text.empty() ? name + ","
@@ -421,19 +421,11 @@ void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes
     const PortModel& model = code.model();
     for (const CSharpClass* one : SortedByNeeds(model, classes))
     {
-        switch (model.RoleOf(*one))
+        const PortRole role = model.RoleOf(*one);
+        if (role == PortRole::Enum || role == PortRole::Data || role == PortRole::Context)
         {
-        case PortRole::Enum:
-            WriteEnum(code, *one);
+            role == PortRole::Enum ? WriteEnum(code, *one) : WriteData(code, *one);
             code.Line();
-            break;
-        case PortRole::Data:
-        case PortRole::Context:
-            WriteData(code, *one);
-            code.Line();
-            break;
-        default:
-            break;
         }
     }
 }
@@ -441,20 +433,17 @@ void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
                  std::set<std::string>& signatures)
 {
-    const PortModel& model = code.model();
-    const std::string place = model.Place(one, method.location);
-    const std::string_view body = BodyText(model.FileOf(one), method);
     const auto signature = method.isOverride || method.isConstructor()
                                ? std::nullopt
-                               : SignatureOf(model, one, method);
+                               : SignatureOf(code.model(), one, method);
     code.Line();
     if (!signature || !signatures.insert(signature->name + signature->parameters).second)
     {
-        code.Todo(method.name, place, body);
+        code.TodoBody(method.name, one, method);
         return;
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
-    code.Todo("port", place, body);
+    code.TodoBody("port", one, method);
     WriteResult(code, *signature);
     code.Close();
 }

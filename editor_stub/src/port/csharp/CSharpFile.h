@@ -3,16 +3,12 @@
 #include "port/csharp/CSharpTokens.h"
 
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace limn
 {
-
-/// Words of a CSharpFile; a part of them has no End.
-using CSharpWords = std::span<const CSharpToken>;
 
 /// An attribute: [Range(0, 1)].
 struct CSharpAttribute
@@ -50,7 +46,6 @@ struct CSharpMethod
     std::string name;
     std::string type; ///< the type that it returns; "" for a constructor
     bool isOverride = false;
-    bool isProtected = false;
     bool isStatic = false;
     bool isProperty = false;
     bool isExpression = false; ///< => instead of { }
