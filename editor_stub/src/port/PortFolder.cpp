@@ -1,27 +1,21 @@
 #include "port/PortFolder.h"
 
 #include "console/Texts.h"
-#include "port/PortExpression.h"
-#include "port/PortModel.h"
 #include "port/PortedCode.h"
 
-#include <array>
 #include <filesystem>
 #include <limn/base/EmbeddedFile.h>
 
 namespace limn
 {
 
+namespace embedded
+{
+std::span<const EmbeddedFile> PortTemplate();
+}
+
 namespace
 {
-
-/// One line of the three.
-struct FilterLine
-{
-    const char* member;
-    const char* type;
-    std::string value;
-};
 
 /// The arguments of the C# code, in the order of the constructor of Unity's FilteringSettings.
 struct FoundFilter
@@ -35,11 +29,10 @@ void FindIn(CSharpWords words, const CSharpClass& owner, FoundFilter& found)
 {
     for (std::size_t i = 0; i + 1 < words.size() && !found.owner; ++i)
     {
-        if (words[i].Is("FilteringSettings") && words[i + 1].Is("(") && words[i + 1].match > 1)
+        const CSharpToken& open = words[i + 1];
+        if (words[i].Is("FilteringSettings") && open.Is("(") && !open.Inside().empty())
         {
-            const auto length = static_cast<std::size_t>(words[i + 1].match);
-            found = {&owner, words.subspan(i, length + 2),
-                     SplitArguments(words.subspan(i + 2, length - 1))};
+            found = {&owner, {&words[i], open.Behind()}, SplitArguments(open.Inside())};
         }
     }
 }
@@ -79,37 +72,28 @@ std::string Flat(std::string_view text)
 /// `new FilteringSettings(...)` of the C# says where that is known, everything elsewhere.
 std::string FilterLines(const PortModel& model)
 {
-    std::array<FilterLine, 3> lines = {
-        {{"renderQueueRange", "RenderQueueRange", "RenderQueueRange::all"},
-         {"layerMask", "LayerMask", "LayerMask::Everything()"},
-         {"renderingLayerMask", "RenderingLayerMask", "RenderingLayerMask::Everything()"}}};
+    constexpr const char* k_Members[] = {"renderQueueRange", "layerMask", "renderingLayerMask"};
+    constexpr const char* k_Types[] = {"RenderQueueRange", "LayerMask", "RenderingLayerMask"};
     const FoundFilter found = FindFilter(model);
     std::string text;
     if (found.owner)
     {
         text = "    // C#: " + model.Place(*found.owner, found.words.front().location) + ": " +
-               Flat(TextOf(model.FileOf(*found.owner), found.words)) + "\n";
+               Flat(model.Text(*found.owner, found.words)) + "\n";
     }
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < std::size(k_Types); ++i)
     {
         const auto value = i < found.arguments.size()
-                               ? Translate(model, {}, found.arguments[i], lines[i].type)
+                               ? Translate(model, {}, found.arguments[i], k_Types[i])
                                : std::nullopt;
-        text += "    filtering." + std::string(lines[i].member) + " = " +
-                (value ? value->cpp : lines[i].value) + ";\n";
+        text += "    filtering." + std::string(k_Members[i]) + " = " +
+                (value    ? value->cpp
+                 : i == 0 ? "RenderQueueRange::all"
+                          : k_Types[i] + std::string("::Everything()")) +
+                ";\n";
     }
     return text;
 }
-
-} // namespace
-
-namespace embedded
-{
-std::span<const EmbeddedFile> PortTemplate();
-}
-
-namespace
-{
 
 /// Returns the number of things that the porter has left to do.
 int CountTodos(const std::string& text)
@@ -141,11 +125,9 @@ void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector
         text = Replaced(std::move(text), "@REGISTERED@", RegisteredName(feature));
         files.push_back({name, Replaced(std::move(text), "@VOLUMES@\n", volumes)});
     }
-    std::string profile;
-    for (const CSharpClass* component : components)
-    {
-        profile += model.OuterOf(*component) ? "" : RegisteredName(*component) + ": {}\n";
-    }
+    const std::string profile =
+        Joined(model.TopLevel(PortRole::Component), "",
+               [](const CSharpClass* component) { return RegisteredName(*component) + ": {}\n"; });
     if (!profile.empty())
     {
         files.push_back({model.name() + ".profile.yaml", profile});
@@ -166,18 +148,13 @@ PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
     {
         sources.push_back(std::filesystem::path(file->path).filename().string());
     }
-    auto features = model.Of(PortRole::Feature);
-    std::erase_if(features, [&](const CSharpClass* one) { return model.OuterOf(*one) != nullptr; });
-    const CSharpClass& feature = *features.front();
+    const CSharpClass& feature = *model.TopLevel(PortRole::Feature).front();
     folder.files.push_back({feature.name + ".h", PortedHeader(code, sources)});
     folder.files.push_back({feature.name + ".cpp", PortedSource(code)});
     folder.left = CountTodos(folder.files[0].text) + CountTodos(folder.files[1].text);
     AddTemplate(model, feature, folder.files);
     folder.files.push_back({"PORTING.md", PortingReport(model, code.things(), folder.uses)});
-    for (const PortedThing& thing : code.things())
-    {
-        folder.done += thing.isDone ? 1 : 0;
-    }
+    folder.done = static_cast<int>(std::ranges::count(code.things(), true, &PortedThing::isDone));
     return folder;
 }
 
