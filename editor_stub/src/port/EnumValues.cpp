@@ -1,6 +1,5 @@
 #include "port/PortExpression.h"
 
-#include <algorithm>
 #include <charconv>
 #include <map>
 
@@ -15,55 +14,28 @@ using Bits = std::uint64_t;
 using Number = std::optional<Bits>;
 using Members = std::map<std::string_view, Bits>;
 
-struct Operator
-{
-    std::string_view word;
-    int strength; ///< how tightly it binds
-    Bits (*apply)(Bits, Bits);
-};
-
 constexpr int k_Shift = 4; ///< the strength of << and >>, which are two words each
-constexpr Operator k_Operators[] = {{"|", 1,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a | b;
-                                     }},
-                                    {"^", 2,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a ^ b;
-                                     }},
-                                    {"&", 3,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a & b;
-                                     }},
-                                    {"<", k_Shift,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a << (b & 31);
-                                     }},
-                                    {">", k_Shift,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return static_cast<Bits>(static_cast<std::int64_t>(a) >>
-                                                                  (b & 31));
-                                     }},
-                                    {"+", 5,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a + b;
-                                     }},
-                                    {"-", 5,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a - b;
-                                     }},
-                                    {"*", 6,
-                                     [](Bits a, Bits b)
-                                     {
-                                         return a * b;
-                                     }}};
+
+/// Returns how tightly an operator of C# binds; 0 if it is no operator of whole numbers.
+int EnumStrength(std::string_view word)
+{
+    constexpr std::string_view k_Operators = "|^&<>+-*";
+    constexpr int k_Strengths[] = {1, 2, 3, k_Shift, k_Shift, 5, 5, 6};
+    const std::size_t index = word.size() == 1 ? k_Operators.find(word) : word.npos;
+    return index == word.npos ? 0 : k_Strengths[index];
+}
+
+Bits Apply(char operation, Bits a, Bits b)
+{
+    return operation == '|'   ? a | b
+           : operation == '^' ? a ^ b
+           : operation == '&' ? a & b
+           : operation == '<' ? a << (b & 31)
+           : operation == '>' ? static_cast<Bits>(static_cast<std::int64_t>(a) >> (b & 31))
+           : operation == '+' ? a + b
+           : operation == '-' ? a - b
+                              : a * b;
+}
 
 class Evaluator
 {
@@ -92,18 +64,19 @@ private:
         Number left = Unary();
         while (left && m_At < m_End)
         {
-            const auto* known = std::ranges::find(k_Operators, m_At->text, &Operator::word);
-            if (known == std::end(k_Operators) || known->strength < least)
+            const std::string_view word = m_At->text;
+            const int strength = EnumStrength(word);
+            if (strength < least)
             {
                 break;
             }
             ++m_At;
-            if (known->strength == k_Shift && !Next(known->word))
+            if (strength == k_Shift && !Next(word))
             {
                 return std::nullopt;
             }
-            const Number right = Binary(known->strength + 1);
-            left = right ? Number(known->apply(*left, *right)) : std::nullopt;
+            const Number right = Binary(strength + 1);
+            left = right ? Number(Apply(word[0], *left, *right)) : std::nullopt;
         }
         return left;
     }

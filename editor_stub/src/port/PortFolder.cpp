@@ -3,7 +3,6 @@
 #include "console/Texts.h"
 #include "port/PortedCode.h"
 
-#include <filesystem>
 #include <limn/base/EmbeddedFile.h>
 
 namespace limn
@@ -134,6 +133,83 @@ void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector
     }
 }
 
+constexpr std::size_t k_MostPlaces = 8;
+
+/// Returns the text for a cell of a Markdown table.
+std::string Cell(std::string_view text)
+{
+    return Replaced(Replaced(Replaced(std::string(text), "|", "\\|"), "\n", " "), "\r", " ");
+}
+
+std::string Code(std::string_view text)
+{
+    return text.empty() ? "" : "`" + Cell(text) + "`";
+}
+
+/// Returns how much work a use asks of the porter.
+int Weight(const UsedMember& use)
+{
+    return use.entry ? 3 - static_cast<int>(use.entry->verdict) : -1;
+}
+
+/// Returns at most `most` places as text: "A.cs:12, 14, B.cs:3".
+std::string PlacesText(const std::vector<CSharpPlace>& places, std::size_t most)
+{
+    std::string text;
+    const CSharpFile* file = nullptr;
+    for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+    {
+        text += i == 0 ? "" : ", ";
+        if (places[i].file != file)
+        {
+            file = places[i].file;
+            text += file->name() + ":";
+        }
+        text += std::to_string(places[i].location.line) + ":" +
+                std::to_string(places[i].location.column);
+    }
+    return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more"
+                                : text;
+}
+
+std::string UseRow(const UsedMember& use)
+{
+    return "| " + Code(use.key) + " | " + PlacesText(use.places, k_MostPlaces) + " | " +
+           (use.entry ? ToString(use.entry->verdict) : "**unknown**") + " | " +
+           (use.entry ? use.entry->words : use.problem) + " |\n";
+}
+
+/// Returns the text of PORTING.md: what each thing became, and every use with its verdict.
+std::string PortingReport(const PortModel& model, const std::vector<PortedThing>& things,
+                          std::vector<UsedMember> uses)
+{
+    std::string text =
+        "# Porting " + model.name() +
+        "\n\nBodies stand as comments in the C++, each "
+        "below a TODO. A row that says TODO is a comment there, too.\n\n"
+        "## What the C# says of itself\n\n| | C# | | at | |\n| --- | --- | --- | --- "
+        "| --- |\n";
+    for (const PortedThing& thing : things)
+    {
+        text += "| " + thing.what + " | " + Code(thing.name) + " | " + Code(thing.text) + " | " +
+                thing.place + " | " + (thing.isDone ? "done" : "TODO") + " |\n";
+    }
+    for (const auto& file : model.files())
+    {
+        for (const CSharpCondition& condition : file->tokens.conditions)
+        {
+            text += "| condition | " + Code("#if " + condition.text) + " | " +
+                    (condition.isTrue ? "read" : "left out") + " | " +
+                    PlacesText({{file.get(), condition.location}}, 1) + " | |\n";
+        }
+    }
+    text +=
+        "\n## What it uses\n\nEvery type, member and attribute, by what there is to do.\n\n| Unity "
+        "| at | here | |\n| --- | --- | --- | --- |\n";
+    std::ranges::stable_sort(uses, {}, Weight);
+    return text + Joined(uses, "", UseRow);
+}
+
 } // namespace
 
 PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
@@ -143,13 +219,8 @@ PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
     MarkPropertyIds(files);
     PortModel model(files, table);
     PortedCode code(model);
-    std::vector<std::string> sources;
-    for (const auto& file : files)
-    {
-        sources.push_back(std::filesystem::path(file->path).filename().string());
-    }
     const CSharpClass& feature = *model.TopLevel(PortRole::Feature).front();
-    folder.files.push_back({feature.name + ".h", PortedHeader(code, sources)});
+    folder.files.push_back({feature.name + ".h", PortedHeader(code)});
     folder.files.push_back({feature.name + ".cpp", PortedSource(code)});
     folder.left = CountTodos(folder.files[0].text) + CountTodos(folder.files[1].text);
     AddTemplate(model, feature, folder.files);

@@ -4,7 +4,6 @@
 #include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limn/base/WordList.h>
 
 namespace limn
@@ -207,8 +206,7 @@ std::string PortModel::QualifiedName(const CSharpClass& one) const
 
 std::string PortModel::Place(const CSharpClass& one, const SourceLocation& location) const
 {
-    return std::filesystem::path(FileOf(one).path).filename().string() + ":" +
-           std::to_string(location.line);
+    return FileOf(one).name() + ":" + std::to_string(location.line);
 }
 
 std::optional<std::string> PortModel::CppType(const std::string& type) const

@@ -143,20 +143,16 @@ std::vector<PortedAssignment> AssignmentsOf(CSharpWords body)
     return assignments;
 }
 
-std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources)
+std::string PortedHeader(PortedCode& code)
 {
     PortModel& model = code.model();
     code.text = "#pragma once\n\n#include <limn/core/ComputeShader.h>\n#include "
                 "<limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
-    code.Line("// Begun by `limn port` from " + Joined(sources, ", ") +
-              "; PORTING.md says what is left.");
-    code.Line();
-    code.Line("namespace " + model.name() + "Plugin");
-    code.Line("{");
-    code.Line();
-    code.Line("using namespace limn;");
-    code.Line();
+    code.text += "// Begun by `limn port` from " +
+                 Joined(model.files(), ", ", [](const auto& file) { return file->name(); }) +
+                 "; PORTING.md says what is left.\n\nnamespace " + model.name() +
+                 "Plugin\n{\n\nusing namespace limn;\n\n";
     for (const CSharpClass* pass : model.TopLevel(PortRole::Pass))
     {
         code.Line("class " + model.ClassName(*pass) + ";");
@@ -183,11 +179,9 @@ std::string PortedSource(PortedCode& code)
 {
     PortModel& model = code.model();
     const auto features = model.TopLevel(PortRole::Feature);
-    code.text =
-        "#include \"" + features.front()->name + ".h\"\n\n#include <limn/features/Plugin.h>\n\n";
-    code.Line("namespace " + model.name() + "Plugin");
-    code.Line("{");
-    code.Line();
+    code.text = "#include \"" + features.front()->name +
+                ".h\"\n\n#include <limn/features/Plugin.h>\n\nnamespace " + model.name() +
+                "Plugin\n{\n\n";
     for (const CSharpClass* one : model.classes())
     {
         const CSharpClass* outer = model.OuterOf(*one);
@@ -214,15 +208,14 @@ std::string PortedSource(PortedCode& code)
     code.Line("} // namespace " + model.name() + "Plugin");
     code.Line();
     code.Open("LIMN_PLUGIN(features, components)");
-    for (const CSharpClass* feature : features)
+    for (const PortRole role : {PortRole::Feature, PortRole::Component})
     {
-        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) +
-                  ">(\"" + RegisteredName(*feature) + "\");");
-    }
-    for (const CSharpClass* component : model.TopLevel(PortRole::Component))
-    {
-        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) +
-                  ">(\"" + RegisteredName(*component) + "\");");
+        const std::string registry = role == PortRole::Feature ? "features" : "components";
+        for (const CSharpClass* one : model.TopLevel(role))
+        {
+            code.Line(registry + ".Register<" + model.name() + "Plugin::" + model.ClassName(*one) +
+                      ">(\"" + RegisteredName(*one) + "\");");
+        }
     }
     code.Close();
     return std::move(code.text);

@@ -124,7 +124,7 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment);
 
 /// Returns the header of a plug-in with the features; PortedSource returns its source.
-std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources);
+std::string PortedHeader(PortedCode& code);
 std::string PortedSource(PortedCode& code);
 /// Returns the name by which limn knows a feature or component of the plug-in: the class's name,
 /// with "Port" behind it if limn already has that name.

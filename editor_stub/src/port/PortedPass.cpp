@@ -41,49 +41,9 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
 /// alone.
 bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
 {
-    const bool isOld =
-        method.name == "Execute" || method.name == "OnCameraSetup" || method.name == "Configure";
-    return isOld && method.isOverride && one.FindMethod("RecordRenderGraph");
+    return IsIn(method.name, {"Execute", "OnCameraSetup", "Configure"}) && method.isOverride &&
+           one.FindMethod("RecordRenderGraph");
 }
-
-} // namespace
-
-std::string AssignmentText(const PortModel& model, const PortScope& scope,
-                           const PortedAssignment& assignment)
-{
-    CSharpWords target = assignment.target;
-    std::string name(target.back().text);
-    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
-    if (!(target.size() == 1 || isThis) || !target.back().isName())
-    {
-        return "";
-    }
-    if (name == "renderPassEvent" || name == "profilingSampler")
-    {
-        const bool isEvent = name == "renderPassEvent";
-        const auto value = Translate(model, scope, assignment.value,
-                                     isEvent ? "RenderPassEvent" : "ProfilingSampler");
-        return value ? name + " = " + value->cpp + ";" : "";
-    }
-    const auto field = scope.find("this." + name);
-    if (field == scope.end())
-    {
-        return "";
-    }
-    if (field->second.isPointer)
-    {
-        const auto value = Translate(model, scope, assignment.value, "");
-        const bool isSame = value && value->isVariable && model.Find(value->type) &&
-                            model.Find(value->type) == model.Find(field->second.type);
-        return isSame ? field->second.cpp + " = " + (value->isPointer ? "" : "&") + value->cpp + ";"
-                      : "";
-    }
-    const auto value = Translate(model, scope, assignment.value, field->second.type);
-    return value ? field->second.cpp + " = " + value->cpp + ";" : "";
-}
-
-namespace
-{
 
 /// Notes events and names of the pass that an assignment sets.
 void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
@@ -182,39 +142,13 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
 /// Returns whether C++ has one of the methods that limn runs.
 bool HasWork(const PortModel& model, const CSharpClass& one)
 {
-    return std::ranges::any_of(one.methods,
-                               [&](const CSharpMethod& method)
-                               {
-                                   const bool isWork = method.name == "Execute" ||
-                                                       method.name == "RecordRenderGraph";
-                                   return isWork && method.isOverride &&
-                                          !IsCompatibilityMethod(one, method) &&
-                                          SignatureOf(model, one, method);
-                               });
-}
-
-} // namespace
-
-std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
-{
-    bool isHiding = name == "renderPassEvent" || name == "profilingSampler" || name == "name";
-    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    const auto isWork = [&](const CSharpMethod& method)
     {
-        isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
-    }
-    const std::string cpp = model.CppName(name);
-    return isHiding && cpp == name ? name + "_" : cpp;
+        return IsIn(method.name, {"Execute", "RecordRenderGraph"}) && method.isOverride &&
+               !IsCompatibilityMethod(one, method) && SignatureOf(model, one, method);
+    };
+    return std::ranges::any_of(one.methods, isWork);
 }
-
-std::string PortedSignature::Text(const std::string& owner) const
-{
-    std::string text = result.empty() ? "" : result + " ";
-    text += owner + name + parameters;
-    return isOverride && owner.empty() ? text + " override" : text;
-}
-
-namespace
-{
 
 /// Returns whether a body assigns to a parameter or to a member of it.
 bool IsChanged(CSharpWords body, std::string_view name)
@@ -238,6 +172,51 @@ bool IsChanged(CSharpWords body, std::string_view name)
 
 } // namespace
 
+std::string AssignmentText(const PortModel& model, const PortScope& scope,
+                           const PortedAssignment& assignment)
+{
+    CSharpWords target = assignment.target;
+    std::string name(target.back().text);
+    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
+    if (!(target.size() == 1 || isThis) || !target.back().isName())
+    {
+        return "";
+    }
+    const auto found = scope.find("this." + name);
+    const PortValue field = name == "renderPassEvent"    ? PortValue{name, "RenderPassEvent"}
+                            : name == "profilingSampler" ? PortValue{name, "ProfilingSampler"}
+                            : found != scope.end()       ? found->second
+                                                         : PortValue{};
+    if (field.cpp.empty())
+    {
+        return "";
+    }
+    const auto value = Translate(model, scope, assignment.value, field.isPointer ? "" : field.type);
+    const bool isSame =
+        value && (!field.isPointer || (value->isVariable && model.Find(value->type) &&
+                                       model.Find(value->type) == model.Find(field.type)));
+    const bool isAddress = field.isPointer && isSame && !value->isPointer;
+    return isSame ? field.cpp + " = " + (isAddress ? "&" : "") + value->cpp + ";" : "";
+}
+
+std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
+{
+    bool isHiding = name == "renderPassEvent" || name == "profilingSampler" || name == "name";
+    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    {
+        isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
+    }
+    const std::string cpp = model.CppName(name);
+    return isHiding && cpp == name ? name + "_" : cpp;
+}
+
+std::string PortedSignature::Text(const std::string& owner) const
+{
+    std::string text = result.empty() ? "" : result + " ";
+    text += owner + name + parameters;
+    return isOverride && owner.empty() ? text + " override" : text;
+}
+
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method)
 {
@@ -246,37 +225,32 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     {
         return std::nullopt; // no C#
     }
-    PortedSignature signature{"void", model.CppName(method.name), "(", false};
+    const auto& known = MethodsOf(model.RoleOf(one));
+    const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
+    const bool isKnown =
+        found != known.end() && found->parameters.size() == method.parameters.size();
+    const bool isTwin = method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
+    PortedSignature signature{"void", model.CppName(method.name), "(", method.isOverride};
     std::vector<std::string> types;
     if (method.isOverride)
     {
-        const auto& known = MethodsOf(model.RoleOf(one));
-        const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
-        const bool isTwin = method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
-        if (found == known.end() || found->parameters.size() != method.parameters.size() || isTwin)
+        if (!isKnown || isTwin)
         {
             return std::nullopt;
         }
         signature.name = found->name;
-        signature.isOverride = true;
         types = found->parameters;
     }
     else
     {
-        const auto result =
-            method.type == "void" ? std::optional<std::string>("void") : model.CppType(method.type);
-        const auto& known = MethodsOf(model.RoleOf(one));
-        const bool isHiding =
-            std::ranges::any_of(known,
-                                [&](const KnownMethod& other) {
-                                    return other.name == method.name &&
-                                           other.parameters.size() == method.parameters.size();
-                                });
-        if (method.isProperty || (!method.isConstructor() && !result) || isHiding)
+        const auto result = method.isConstructor() || method.type == "void"
+                                ? std::optional(method.type)
+                                : model.CppType(method.type);
+        if (method.isProperty || !result || isKnown) // which it would hide
         {
             return std::nullopt;
         }
-        signature.result = method.isConstructor() ? "" : *result;
+        signature.result = *result;
         signature.name = method.isConstructor() ? model.ClassName(one) : signature.name;
         for (const CSharpParameter& parameter : method.parameters)
         {
@@ -334,13 +308,12 @@ void WriteUsing(PortedCode& code, const CSharpClass& one)
     const bool isFeature = model.RoleOf(one) == PortRole::Feature;
     for (const KnownMethod& known : MethodsOf(model.RoleOf(one)))
     {
-        const bool isOverloaded = std::ranges::any_of(one.methods,
-                                                      [&](const CSharpMethod& method) {
-                                                          return method.name == known.name &&
-                                                                 SignatureOf(model, one, method) &&
-                                                                 !method.isOverride;
-                                                      });
-        if (isOverloaded)
+        const auto isOverload = [&](const CSharpMethod& method)
+        {
+            return method.name == known.name && SignatureOf(model, one, method) &&
+                   !method.isOverride;
+        };
+        if (std::ranges::any_of(one.methods, isOverload))
         {
             code.Line(std::string("using ") +
                       (isFeature ? "ScriptableRendererFeature::" : "ScriptableRenderPass::") +

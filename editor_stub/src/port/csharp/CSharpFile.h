@@ -2,6 +2,7 @@
 
 #include "port/csharp/CSharpTokens.h"
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
@@ -99,6 +100,8 @@ struct CSharpFile
     std::string text;
     CSharpTokens tokens; ///< of text
     std::vector<CSharpClass> classes;
+
+    std::string name() const { return std::filesystem::path(path).filename().string(); }
 
     CSharpFile() = default;
     CSharpFile(const CSharpFile&) = delete;
