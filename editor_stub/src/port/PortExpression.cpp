@@ -79,13 +79,11 @@ private:
             return value;
         }
         const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
-        if (wanted == "float" && value.type == "int" && value.isLiteral && !isHex)
-        {
-            return PortValue{value.cpp + ".0f", "float", true};
-        }
         if (wanted == "float" && value.type == "int")
         {
-            return PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
+            return value.isLiteral && !isHex
+                       ? PortValue{value.cpp + ".0f", "float", true}
+                       : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
         }
         if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
         {
@@ -157,10 +155,11 @@ private:
                               left.type == "ScriptableRenderPassInput");
         const bool isLogic =
             (word == "&&" || word == "||") && left.type == "bool" && right.type == "bool";
+        const bool isSame = left.type == right.type;
         const bool isComparison = Strength(word) == 4 || Strength(word) == 5;
-        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && left.type == right.type;
+        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && isSame;
         if (!isEvent && !isFlags && !isLogic && !isSum &&
-            !(isComparison && left.type == right.type && left.type != "null"))
+            !(isComparison && isSame && left.type != "null"))
         {
             return std::nullopt;
         }
@@ -188,8 +187,8 @@ private:
             value->cpp = word + value->cpp;
             return value;
         }
-        if (m_At->Is("(") && m_At[1].isName() && m_At + 2 < m_End && m_At[2].Is(")") &&
-            (m_At[1].Is("int") || m_At[1].Is("float")))
+        if (m_At->Is("(") && (m_At[1].Is("int") || m_At[1].Is("float")) && m_At + 2 < m_End &&
+            m_At[2].Is(")"))
         {
             const std::string type(m_At[1].text);
             m_At += 3;
@@ -198,10 +197,9 @@ private:
                        ? Result(PortValue{"static_cast<" + type + ">(" + value->cpp + ")", type})
                        : std::nullopt;
         }
-        if (m_At->Is("("))
+        if (Next("("))
         {
-            ++m_At;
-            Result value = ReadBinary(1, wanted);
+            const Result value = ReadBinary(1, wanted);
             return Next(")") ? value : std::nullopt;
         }
         return ReadPrimary(wanted);

@@ -293,14 +293,13 @@ std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parame
 
 bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
 {
-    const CSharpClass* own = Find(field.type);
-    const bool isAlone = own && PlainTypeName(field.type).size() == field.type.size();
-    if (isAlone && RoleOf(*own) == PortRole::Component)
+    const CSharpClass* own = FindPlain(field.type);
+    if (own && RoleOf(*own) == PortRole::Component)
     {
         const bool isNull = field.value.empty() || field.value.front().Is("null");
         return !OuterOf(*own) && isDeclared(*own) && !field.isStatic && isNull;
     }
-    const bool isOne = isAlone && RoleOf(*own) == PortRole::Data && own->keyword == "class";
+    const bool isOne = own && RoleOf(*own) == PortRole::Data && own->keyword == "class";
     const CSharpClass* pass = &one;
     while (pass && RoleOf(*pass) != PortRole::Pass)
     {

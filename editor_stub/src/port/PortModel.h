@@ -50,6 +50,11 @@ public:
     /// Returns the class that a type's name means in the class of the PortContext, or null if the
     /// files have none.
     const CSharpClass* Find(std::string_view type) const { return m_Index.Find(type, m_Context); }
+    /// Returns it like Find if the type has neither type arguments nor brackets.
+    const CSharpClass* FindPlain(const std::string& type) const
+    {
+        return PlainTypeName(type).size() == type.size() ? Find(type) : nullptr;
+    }
     static std::string ClassName(const CSharpClass& one);    ///< "Settings"; never a keyword of C++
     std::string QualifiedName(const CSharpClass& one) const; ///< "Feature::Settings"
     std::string Place(const CSharpClass& one, const SourceLocation& location) const; ///< "A.cs:12"

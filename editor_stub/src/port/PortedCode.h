@@ -112,6 +112,16 @@ PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CShar
 /// Returns the text between the braces of a method.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 
+/// A member of every pass that C# sets and C++ has.
+struct PassMember
+{
+    std::string name;
+    std::string type;
+    std::string what; ///< of a PortedThing
+};
+/// Returns the member of this name, or null if there is none.
+const PassMember* FindPassMember(std::string_view name);
+
 /// A statement `a = b;` outside of brackets in a body.
 struct PortedAssignment
 {

@@ -13,23 +13,21 @@ namespace
 
 const CSharpClass* PassOf(const PortModel& model, const CSharpField& field)
 {
-    const CSharpClass* own = model.Find(field.type);
-    const bool isOne = own && model.RoleOf(*own) == PortRole::Pass &&
-                       PlainTypeName(field.type).size() == field.type.size();
-    return isOne && !model.isLeftOut(*own) ? own : nullptr;
+    const CSharpClass* own = model.FindPlain(field.type);
+    const bool isOne = own && model.RoleOf(*own) == PortRole::Pass && !model.isLeftOut(*own);
+    return isOne ? own : nullptr;
 }
 
 /// Returns the constructor that the pass has in C++ for this number of arguments, or null.
 const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pass,
                                   std::size_t arguments)
 {
-    const auto found = std::ranges::find_if(pass.methods,
-                                            [&](const CSharpMethod& method)
-                                            {
-                                                return method.isConstructor() && !method.isStatic &&
-                                                       method.parameters.size() == arguments &&
-                                                       SignatureOf(model, pass, method);
-                                            });
+    const auto fits = [&](const CSharpMethod& method)
+    {
+        return method.isConstructor() && !method.isStatic &&
+               method.parameters.size() == arguments && SignatureOf(model, pass, method);
+    };
+    const auto found = std::ranges::find_if(pass.methods, fits);
     return found == pass.methods.end() ? nullptr : &*found;
 }
 
@@ -37,9 +35,8 @@ const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pas
 std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpParameter& parameter)
 {
     const PortContext context(model, one);
-    const CSharpClass* own = model.Find(parameter.type);
-    const bool isPlain = PlainTypeName(parameter.type).size() == parameter.type.size();
-    return Replaced(own && isPlain ? model.QualifiedName(*own) : parameter.type, "::", ".");
+    const CSharpClass* own = model.FindPlain(parameter.type);
+    return Replaced(own ? model.QualifiedName(*own) : parameter.type, "::", ".");
 }
 
 /// Returns whether the argument must be a variable.
@@ -109,17 +106,16 @@ public:
         {
             target = target.subspan(2);
         }
-        const bool isEvent = target.size() == 3 && target[2].Is("renderPassEvent");
-        const bool isName = target.size() == 3 && target[2].Is("profilingSampler");
+        const PassMember* member = target.size() == 3 ? FindPassMember(target[2].text) : nullptr;
         const CSharpField* field = m_One.FindField(std::string(target[0].text));
         const CSharpClass* pass = field ? PassOf(m_Model, *field) : nullptr;
         if (pass && target.size() == 1)
         {
             WriteMaking(*field, *pass, assignment.value);
         }
-        else if (pass && (isEvent || isName))
+        else if (pass && member)
         {
-            WriteMember(*field, std::string(target[2].text), assignment.value);
+            WriteMember(*field, *member, assignment.value);
         }
     }
 
@@ -141,23 +137,20 @@ private:
         const CSharpWords event = InitializedEvent(value);
         if (!event.empty())
         {
-            WriteMember(field, "renderPassEvent", event);
+            WriteMember(field, *FindPassMember("renderPassEvent"), event);
         }
     }
 
-    void WriteMember(const CSharpField& field, const std::string& member, CSharpWords value)
+    void WriteMember(const CSharpField& field, const PassMember& member, CSharpWords value)
     {
-        const bool isEvent = member == "renderPassEvent";
         const auto translated = m_Made.contains(field.name)
-                                    ? Translate(m_Model, m_Scope, value,
-                                                isEvent ? "RenderPassEvent" : "ProfilingSampler")
+                                    ? Translate(m_Model, m_Scope, value, member.type)
                                     : std::nullopt;
-        m_Code.Done({isEvent ? "event" : "name of a pass", field.type + "." + member,
-                     m_Model.Text(m_One, value), m_Model.Place(m_One, value.front().location),
-                     translated.has_value()});
-        m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member + " = " +
+        m_Code.Done({member.what, field.type + "." + member.name, m_Model.Text(m_One, value),
+                     m_Model.Place(m_One, value.front().location), translated.has_value()});
+        m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member.name + " = " +
                                      translated->cpp + ";"
-                               : "// TODO: " + field.name + "'s " + member);
+                               : "// TODO: " + field.name + "'s " + member.name);
     }
 
     PortedCode& m_Code;
@@ -205,12 +198,6 @@ void WriteEnqueuing(PortedCode& code, const CSharpClass& one, const CSharpMethod
     }
 }
 
-bool HasOwn(const CSharpClass& one, const PortModel& model, const char* name)
-{
-    const CSharpMethod* method = one.FindMethod(name);
-    return method && SignatureOf(model, one, *method);
-}
-
 } // namespace
 
 std::string RegisteredName(const CSharpClass& one)
@@ -256,13 +243,16 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     code.Line(className + "();");
     code.Line("~" + className + "() override;");
     code.Line();
-    if (!HasOwn(one, model, "Create"))
+    for (const auto& [name, otherwise] :
+         {std::pair("Create", "void Create() override {} // TODO: the C# has none"),
+          std::pair("AddRenderPasses",
+                    "void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}")})
     {
-        code.Line("void Create() override {} // TODO: the C# has none");
-    }
-    if (!HasOwn(one, model, "AddRenderPasses"))
-    {
-        code.Line("void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}");
+        const CSharpMethod* method = one.FindMethod(name);
+        if (!method || !SignatureOf(model, one, *method))
+        {
+            code.Line(otherwise);
+        }
     }
     WriteUsing(code, one);
     std::set<std::string> signatures;

@@ -48,10 +48,9 @@ bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
 /// Notes events and names of the pass that an assignment sets.
 void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
 {
-    const std::string name(assignment.target.back().text);
-    if (name == "renderPassEvent" || name == "profilingSampler")
+    if (const PassMember* member = FindPassMember(assignment.target.back().text))
     {
-        code.Done({name == "renderPassEvent" ? "event" : "name of a pass", one.name + "." + name,
+        code.Done({member->what, one.name + "." + member->name,
                    code.model().Text(one, assignment.value),
                    code.model().Place(one, assignment.target.front().location), isDone});
     }
@@ -172,6 +171,15 @@ bool IsChanged(CSharpWords body, std::string_view name)
 
 } // namespace
 
+const PassMember* FindPassMember(std::string_view name)
+{
+    static const PassMember members[] = {
+        {"renderPassEvent", "RenderPassEvent", "event"},
+        {"profilingSampler", "ProfilingSampler", "name of a pass"}};
+    const auto* found = std::ranges::find(members, name, &PassMember::name);
+    return found == std::end(members) ? nullptr : found;
+}
+
 std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment)
 {
@@ -182,11 +190,11 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
     {
         return "";
     }
+    const PassMember* member = FindPassMember(name);
     const auto found = scope.find("this." + name);
-    const PortValue field = name == "renderPassEvent"    ? PortValue{name, "RenderPassEvent"}
-                            : name == "profilingSampler" ? PortValue{name, "ProfilingSampler"}
-                            : found != scope.end()       ? found->second
-                                                         : PortValue{};
+    const PortValue field = member                 ? PortValue{name, member->type}
+                            : found != scope.end() ? found->second
+                                                   : PortValue{};
     if (field.cpp.empty())
     {
         return "";
@@ -201,7 +209,7 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
 
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
 {
-    bool isHiding = name == "renderPassEvent" || name == "profilingSampler" || name == "name";
+    bool isHiding = FindPassMember(name) || name == "name";
     for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
     {
         isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too

@@ -33,22 +33,21 @@ std::string InComment(std::string text)
 bool IsPlainEnumValue(CSharpWords words)
 {
     std::string_view only;
-    return std::ranges::all_of(
-        words,
-        [&](const CSharpToken& word)
+    const auto isPlain = [&](const CSharpToken& word)
+    {
+        if (word.kind != CSharpTokenKind::Punctuation)
         {
-            if (word.kind != CSharpTokenKind::Punctuation)
-            {
-                constexpr std::size_t k_MostDigits = 9; // of an int for sure
-                return word.isName() ||
-                       (word.text.size() <= k_MostDigits &&
-                        (word.text.starts_with("0x") ||
-                         word.text.find_first_of("_bBuUlL") == std::string_view::npos));
-            }
-            const bool isSame = only.empty() || only == word.text;
-            only = word.text;
-            return isSame && !word.Is("(") && !word.Is("^");
-        });
+            constexpr std::size_t k_MostDigits = 9; // of an int for sure
+            return word.isName() ||
+                   (word.text.size() <= k_MostDigits &&
+                    (word.text.starts_with("0x") ||
+                     word.text.find_first_of("_bBuUlL") == std::string_view::npos));
+        }
+        const bool isSame = only.empty() || only == word.text;
+        only = word.text;
+        return isSame && !word.Is("(") && !word.Is("^");
+    };
+    return std::ranges::all_of(words, isPlain);
 }
 
 std::string EntriesName(const PortModel& model, const CSharpClass& one)
@@ -94,20 +93,20 @@ std::string AttributeText(const CSharpField& field, std::string_view attribute)
 /// ", {0, 1}" of [Range(0, 1)], {.min = 0} of [Min(0)]; "" for none.
 std::string RangeText(const PortModel& model, const CSharpField& field)
 {
-    const bool isNumber = field.type == "int" || field.type == "float" || field.type == "uint";
-    if (const CSharpAttribute* range = field.Find("Range"); range && isNumber)
+    if (!IsIn(field.type, {"int", "float", "uint"}))
+    {
+        return "";
+    }
+    if (const CSharpAttribute* range = field.Find("Range"))
     {
         const auto limits = SplitArguments(range->arguments);
         const auto low = limits.size() == 2 ? TranslateNumber(model, limits[0]) : std::nullopt;
-        const auto high = limits.size() == 2 ? TranslateNumber(model, limits[1]) : std::nullopt;
-        return low && high ? ", {" + *low + ", " + *high + "}" : "";
+        const auto high = low ? TranslateNumber(model, limits[1]) : std::nullopt;
+        return high ? ", {" + *low + ", " + *high + "}" : "";
     }
-    if (const CSharpAttribute* least = field.Find("Min"); least && isNumber)
-    {
-        const auto low = TranslateNumber(model, least->arguments);
-        return low ? ", {.min = " + *low + "}" : "";
-    }
-    return "";
+    const CSharpAttribute* least = field.Find("Min");
+    const auto low = least ? TranslateNumber(model, least->arguments) : std::nullopt;
+    return low ? ", {.min = " + *low + "}" : "";
 }
 
 void DescribeField(PortedCode& code, const CSharpField& field)
@@ -273,8 +272,7 @@ void WriteReset(PortedCode& code, const CSharpClass& one, const CSharpMethod& me
     const PortScope scope = ScopeOf(model, one, method);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
-        const std::string line = AssignmentText(model, scope, assignment);
-        if (!line.empty())
+        if (const std::string line = AssignmentText(model, scope, assignment); !line.empty())
         {
             code.Line(line);
         }
@@ -393,17 +391,11 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
             continue;
         }
         const bool isDone = model.isSetting(field.type) && model.isDeclared(field);
-        code.Done({"setting", one.name + "." + field.name, FieldText(model, one, field),
-                   model.Place(one, field.location), isDone});
-        if (isDone)
-        {
-            DescribeField(code, field);
-        }
-        else
-        {
-            code.Todo("no setting of limn has this type", model.Place(one, field.location),
-                      FieldText(model, one, field) + ";");
-        }
+        const std::string csharp = FieldText(model, one, field);
+        const std::string place = model.Place(one, field.location);
+        code.Done({"setting", one.name + "." + field.name, csharp, place, isDone});
+        isDone ? DescribeField(code, field)
+               : code.Todo("no setting of limn has this type", place, csharp + ";");
     }
     code.Close();
 }

@@ -55,9 +55,9 @@ std::string ElementType(const std::string& type)
 
 bool IsBuiltinType(std::string_view word)
 {
-    return IsIn(word, {"int",  "uint",    "float", "double",  "bool",   "string", "object",
-                       "void", "byte",    "sbyte", "short",   "ushort", "long",   "ulong",
-                       "char", "decimal", "var",   "dynamic", "nint",   "nuint"});
+    static const WordList types("int uint float double bool string object void byte sbyte short "
+                                "ushort long ulong char decimal var dynamic nint nuint");
+    return types.Has(word);
 }
 
 bool IsGenericName(std::string_view word)
