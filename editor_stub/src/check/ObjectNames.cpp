@@ -1,5 +1,7 @@
 #include "check/ObjectNames.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <optional>
@@ -50,12 +52,7 @@ struct ObjectNames::Node
 
     std::string PathText() const
     {
-        std::string text = "/";
-        for (const std::string& name : path)
-        {
-            text += name + "/";
-        }
-        return text;
+        return "/" + Joined(path, "", [](const std::string& name) { return name + "/"; });
     }
 };
 

@@ -1,5 +1,3 @@
-#include "check/UpdateExpectations.h"
-
 #include "check/Differences.h"
 #include "console/Texts.h"
 

@@ -2,8 +2,7 @@
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
-#include "check/CheckReport.h"
-#include "check/UpdateExpectations.h"
+#include "check/Expectations.h"
 
 #include <algorithm>
 #include <limn/base/WriteFile.h>
