@@ -5,11 +5,23 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <unordered_map>
 
 namespace limn
 {
+
+namespace
+{
+
+std::size_t CountIn(const RendererSet& set, const std::vector<std::size_t>& renderers)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(renderers, [&](std::size_t renderer) { return set[renderer]; }));
+}
+
+} // namespace
 
 /// An object, or a place in the hierarchy that several objects of one path share.
 struct ObjectNames::Node
@@ -127,8 +139,7 @@ private:
             if (!node.path.empty() && next != state && AreRight(node.own, next))
             {
                 Items items{ItemOf(node, next)};
-                const Items more = FixChildren(node, next);
-                items.insert(items.end(), more.begin(), more.end());
+                std::ranges::copy(FixChildren(node, next), std::back_inserter(items));
                 offer(std::move(items));
             }
         }
@@ -140,8 +151,7 @@ private:
         Items items;
         for (const std::unique_ptr<Node>& child : node.children)
         {
-            const Items& more = Fix(*child, state);
-            items.insert(items.end(), more.begin(), more.end());
+            std::ranges::copy(Fix(*child, state), std::back_inserter(items));
         }
         return items;
     }
@@ -253,11 +263,8 @@ RendererSet ObjectNames::Evaluate(const std::vector<std::string>& items) const
 std::string ObjectNames::UnknownSentence(std::string_view item) const
 {
     const std::string_view name = IsTakenAway(item) ? item.substr(4) : item;
-    std::set<std::string> known;
-    for (const auto& [each, places] : m_PlacesOf)
-    {
-        known.insert(each);
-    }
+    const auto names = std::views::keys(m_PlacesOf);
+    std::set<std::string> known(names.begin(), names.end());
     const auto slashes = std::ranges::count(name, '/');
     for (const std::string& path : m_Paths) // all that have as many names as this one
     {
@@ -310,14 +317,8 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
     {
         const std::vector<std::size_t> named = Find(item);
         const bool isTakenAway = IsTakenAway(item);
-        std::size_t wantedCount = 0;
-        bool takesAway = false;
-        for (const std::size_t renderer : named)
-        {
-            wantedCount += wanted[renderer] ? 1 : 0;
-            takesAway = takesAway || listed[renderer];
-        }
-        if (isTakenAway ? takesAway && wantedCount == 0
+        const std::size_t wantedCount = CountIn(wanted, named);
+        if (isTakenAway ? CountIn(listed, named) > 0 && wantedCount == 0
                         : wantedCount > 0 && 2 * wantedCount >= named.size())
         {
             for (const std::size_t renderer : named)
@@ -327,11 +328,9 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
             kept.push_back(std::move(item));
         }
     }
-    items = std::move(kept);
-    const std::vector<std::string> more =
-        Fixer(*this, listed, wanted).Fix(*m_Root, Fixer::State::AsListed);
-    items.insert(items.end(), more.begin(), more.end());
-    return items;
+    std::ranges::copy(Fixer(*this, listed, wanted).Fix(*m_Root, Fixer::State::AsListed),
+                      std::back_inserter(kept));
+    return kept;
 }
 
 std::vector<std::string> ObjectNames::Describe(const RendererSet& members,
@@ -345,13 +344,8 @@ std::vector<std::string> ObjectNames::Describe(const RendererSet& members,
 void ObjectNames::Describe(const Node& node, const RendererSet& members, const RendererSet& others,
                            std::vector<std::string>& names) const
 {
-    std::size_t count = 0;
-    bool isPure = !node.path.empty();
-    for (const std::size_t renderer : node.all)
-    {
-        count += members[renderer] ? 1 : 0;
-        isPure = isPure && !others[renderer];
-    }
+    const std::size_t count = CountIn(members, node.all);
+    const bool isPure = !node.path.empty() && CountIn(others, node.all) == 0;
     if (count > 0 && isPure && 2 * count > node.all.size())
     {
         names.push_back(Spell(node) + (count == node.all.size()

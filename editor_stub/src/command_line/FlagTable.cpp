@@ -155,10 +155,8 @@ std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width
                TableText("options of every verb", RowsOf(table.limn, false), width);
     }
     Rows verbs;
-    for (const Verb& each : table.verbs)
-    {
-        verbs.emplace_back(each.name, each.help);
-    }
+    std::ranges::transform(table.verbs, std::back_inserter(verbs),
+                           [](const Verb& each) { return std::pair(each.name, each.help); });
     return text + TableText("verbs", verbs, width) + options + "\n" +
            Wrapped(k_ExitCodes, 0, 0, width);
 }
