@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <optional>
-#include <ranges>
 #include <set>
 #include <unordered_map>
 
@@ -263,8 +262,11 @@ RendererSet ObjectNames::Evaluate(const std::vector<std::string>& items) const
 std::string ObjectNames::UnknownSentence(std::string_view item) const
 {
     const std::string_view name = IsTakenAway(item) ? item.substr(4) : item;
-    const auto names = std::views::keys(m_PlacesOf);
-    std::set<std::string> known(names.begin(), names.end());
+    std::set<std::string> known;
+    for (const auto& [each, places] : m_PlacesOf)
+    {
+        known.insert(each);
+    }
     const auto slashes = std::ranges::count(name, '/');
     for (const std::string& path : m_Paths) // all that have as many names as this one
     {

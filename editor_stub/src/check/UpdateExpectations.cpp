@@ -1,3 +1,5 @@
+#include "check/Expectations.h"
+
 #include "check/Differences.h"
 #include "console/Texts.h"
 

@@ -4,7 +4,6 @@
 #include <limn/base/WordList.h>
 #include <map>
 #include <optional>
-#include <ranges>
 #include <set>
 
 namespace limn
@@ -122,7 +121,8 @@ public:
     std::vector<UsedMember> Uses() const
     {
         std::vector<UsedMember> uses;
-        std::ranges::copy(m_Uses | std::views::values, std::back_inserter(uses));
+        std::ranges::transform(m_Uses, std::back_inserter(uses),
+                               [](const auto& entry) { return entry.second; });
         return uses;
     }
 
@@ -416,13 +416,13 @@ private:
         {
             return inner.bases.front();
         }
-        for (const CSharpClass* one : m_Classes | std::views::reverse)
+        for (auto one = m_Classes.rbegin(); one != m_Classes.rend(); ++one)
         {
-            if (const auto type = TypeOfMember(*one, name))
+            if (const auto type = TypeOfMember(**one, name))
             {
                 return *type;
             }
-            for (const std::string& base : one->bases)
+            for (const std::string& base : (*one)->bases)
             {
                 if (const PortEntry* entry =
                         UseInherited(PlainTypeName(base), name, word->location, true))
