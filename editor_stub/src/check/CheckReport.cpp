@@ -1,4 +1,4 @@
-#include "check/CheckReport.h"
+#include "check/Expectations.h"
 
 #include "console/Json.h"
 #include "console/Texts.h"

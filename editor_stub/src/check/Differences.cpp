@@ -14,19 +14,6 @@ namespace limn
 namespace
 {
 
-bool IsListed(const std::vector<std::string>& names, const std::string& name)
-{
-    return std::ranges::find(names, name) != names.end();
-}
-
-void AddOnce(std::vector<std::string>& names, const std::string& name)
-{
-    if (!IsListed(names, name))
-    {
-        names.push_back(name);
-    }
-}
-
 /// Adds a line for each group of renderers that are missing for the same reason.
 void AddMissing(const ObjectNames& objects, const RendererSet& missing, const RendererSet& asked,
                 const DrawnFacts& facts, std::vector<std::string>& lines)
@@ -106,18 +93,19 @@ NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<st
 {
     NameDifference result;
     const RendererSet asked = objects.Evaluate(items);
+    const bool isExact = kind == ListKind::Exact;
+    const bool isNone = kind == ListKind::None;
     RendererSet missing(asked.size());
     RendererSet extra(asked.size());
     RendererSet wanted(asked.size());
+    RendererSet others(asked.size()); // which are no part of what is extra
     for (std::size_t i = 0; i < asked.size(); ++i)
     {
-        missing[i] = kind != ListKind::None && asked[i] && !facts.drawn[i];
-        extra[i] = kind == ListKind::Exact  ? facts.drawn[i] && !asked[i]
-                   : kind == ListKind::None ? facts.drawn[i] && asked[i]
-                                            : false;
-        wanted[i] = kind == ListKind::Exact  ? facts.drawn[i]
-                    : kind == ListKind::None ? asked[i] && !facts.drawn[i]
-                                             : asked[i] && facts.drawn[i];
+        const bool isDrawn = facts.drawn[i];
+        missing[i] = !isNone && asked[i] && !isDrawn;
+        extra[i] = isDrawn && ((isExact && !asked[i]) || (isNone && asked[i]));
+        wanted[i] = isExact ? isDrawn : asked[i] && isDrawn != isNone;
+        others[i] = !extra[i] && (isNone ? isDrawn : asked[i]);
     }
     for (const std::string& item : items)
     {
@@ -127,11 +115,6 @@ NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<st
         }
     }
     AddMissing(objects, missing, asked, facts, result.lines);
-    RendererSet others(asked.size());
-    for (std::size_t i = 0; i < asked.size(); ++i)
-    {
-        others[i] = !extra[i] && (kind == ListKind::None ? facts.drawn[i] : asked[i]);
-    }
     for (const std::string& name : objects.Describe(extra, others))
     {
         result.lines.push_back("+ " + name + "  drawn, but not expected");
@@ -151,7 +134,7 @@ NameDifference CompareNames(const std::vector<std::string>& items,
         if (i < items.size() && !inItems[i])
         {
             const std::string hint =
-                IsListed(actual, items[i]) ? "" : NearestHint(items[i], actual);
+                std::ranges::count(actual, items[i]) > 0 ? "" : NearestHint(items[i], actual);
             result.lines.push_back("- " + items[i++] + "  " + words.missing + hint);
         }
         else if (j < actual.size() && !inActual[j])

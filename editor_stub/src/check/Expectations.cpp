@@ -5,6 +5,7 @@
 #include "scene/ProfileContext.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -83,11 +84,11 @@ private:
         return isKnown;
     }
 
-    Expectation& Add(std::string name, const YamlNode& parent, std::string_view key, bool isList)
+    Expectation& Add(std::string name, const YamlMapReader& map, std::string_view key)
     {
         Expectation& result = m_Results.emplace_back();
         result.name = std::move(name);
-        for (const YamlEntry& entry : parent.entries())
+        for (const YamlEntry& entry : map.node().entries())
         {
             if (entry.key == key)
             {
@@ -95,7 +96,6 @@ private:
                 result.value = entry.value;
             }
         }
-        result.isList = isList;
         return result;
     }
 
@@ -126,14 +126,41 @@ private:
         return items.size() == node->items().size() ? std::optional(items) : std::nullopt;
     }
 
+    /// Compares the lists of a map that has one of each ListKind, or fewer.
+    /// @param prefix   what the name of an expectation has in front of the key
+    /// @param keys     by ListKind
+    /// @param read     reads the list of a key
+    /// @param compare  compares a list's names
+    template <typename Read, typename Compare>
+    void Lists(const YamlMapReader& map, const std::string& prefix,
+               const std::array<const char*, 3>& keys, const Read& read, const Compare& compare)
+    {
+        for (const ListKind kind : {ListKind::Exact, ListKind::AtLeast, ListKind::None})
+        {
+            const char* key = keys[static_cast<std::size_t>(kind)];
+            if (const auto items = read(key))
+            {
+                AddList(prefix + key, map, key, compare(TextsOf(*items), kind));
+            }
+        }
+    }
+
+    void AddList(std::string name, const YamlMapReader& map, const char* key,
+                 NameDifference difference)
+    {
+        Expectation& result = Add(std::move(name), map, key);
+        result.isList = true;
+        result.diff = std::move(difference.lines);
+        result.truth = std::move(difference.truth);
+    }
+
     /// Reports names that no object has.
     std::optional<std::vector<ListItem>> ObjectList(YamlMapReader& map, std::string_view key)
     {
         std::optional<std::vector<ListItem>> items = List(map, key);
         bool isGood = items.has_value();
-        for (std::size_t i = 0; items && i < items->size(); ++i)
+        for (const ListItem& item : items.value_or(std::vector<ListItem>()))
         {
-            const ListItem& item = (*items)[i];
             if (m_Unknown == UnknownObjects::AreErrors && m_Facts.objects().Find(item.text).empty())
             {
                 m_Diagnostics.Error(item.location,
@@ -167,10 +194,7 @@ private:
     void Pass(const YamlEntry& entry)
     {
         std::vector<std::string> passes = m_Facts.PassesOf(std::nullopt);
-        for (const ExecutedPassReport& pass : m_Facts.explanation().report.passes)
-        {
-            passes.push_back(pass.name.name());
-        }
+        std::ranges::copy(m_Facts.ExecutedPasses(), std::back_inserter(passes));
         YamlMapReader map(entry.value, "passes." + entry.key, m_Diagnostics);
         Renderers(map, std::nullopt, entry.key, Absence(entry.key, passes));
         map.Finish();
@@ -190,21 +214,19 @@ private:
     void Renderers(YamlMapReader& map, const std::optional<std::string>& feature,
                    const std::optional<std::string>& pass, const std::string& absence = "")
     {
-        for (const char* key : {"drawn", "drawnAtLeast", "notDrawn"})
+        const auto compare = [&](const std::vector<std::string>& items, ListKind kind)
         {
-            if (const auto items = ObjectList(map, key))
+            NameDifference difference =
+                CompareRenderers(m_Facts.objects(), items, m_Facts.Drawn(feature, pass), kind);
+            if (!absence.empty())
             {
-                const std::string_view kind = key;
-                Expectation& result = Add(map.SubjectOf(key), map.node(), key, true);
-                const NameDifference difference = CompareRenderers(
-                    m_Facts.objects(), TextsOf(*items), m_Facts.Drawn(feature, pass),
-                    kind == "drawn"          ? ListKind::Exact
-                    : kind == "drawnAtLeast" ? ListKind::AtLeast
-                                             : ListKind::None);
-                result.diff = absence.empty() ? difference.lines : std::vector{absence};
-                result.truth = difference.truth;
+                difference.lines = {absence};
             }
-        }
+            return difference;
+        };
+        Lists(
+            map, map.SubjectOf(""), {"drawn", "drawnAtLeast", "notDrawn"},
+            [&](const char* key) { return ObjectList(map, key); }, compare);
     }
 
     void Values(const YamlNode* node)
@@ -226,23 +248,18 @@ private:
     {
         YamlMapReader map(node, subject, m_Diagnostics);
         std::optional<glm::vec3> position;
-        bool isPlace = false;
-        if (const YamlNode* at = map.Require("at"))
+        const YamlNode* at = map.Require("at");
+        bool isPlace = at && at->isScalar() && at->scalar() == "camera";
+        if (at && at->isScalar() && !isPlace)
         {
-            isPlace = at->isScalar() && at->scalar() == "camera";
-            if (at->isScalar() && !isPlace)
-            {
-                m_Diagnostics.Error(at->location(), map.SubjectOf("at") + ": found " +
-                                                        at->Describe() +
-                                                        "; camera or {x: 0, y: 1, z: 0} is "
-                                                        "expected");
-            }
-            else if (!isPlace)
-            {
-                const auto vector = ReadVector(*at, 3, map.SubjectOf("at"), m_Diagnostics);
-                isPlace = vector.has_value();
-                position = vector ? std::optional(glm::vec3(*vector)) : std::nullopt;
-            }
+            m_Diagnostics.Error(at->location(), map.SubjectOf("at") + ": found " + at->Describe() +
+                                                    "; camera or {x: 0, y: 1, z: 0} is expected");
+        }
+        else if (at && !isPlace)
+        {
+            const auto vector = ReadVector(*at, 3, map.SubjectOf("at"), m_Diagnostics);
+            isPlace = vector.has_value();
+            position = vector ? std::optional(glm::vec3(*vector)) : std::nullopt;
         }
         float tolerance = 0.0f;
         const bool hasTolerance = map.Read("tolerance", tolerance, {0.0, 1e30});
@@ -261,8 +278,7 @@ private:
                const std::optional<glm::vec3>& position, std::optional<double> tolerance)
     {
         const std::vector<std::string> names = SplitText(entry.key, '.');
-        const std::vector<std::string_view> components =
-            m_Facts.assets().volumeComponents().names();
+        const VolumeComponentRegistry& components = m_Facts.assets().volumeComponents();
         if (names.size() < 2)
         {
             m_Diagnostics.Error(entry.keyLocation,
@@ -275,11 +291,10 @@ private:
         if (!found)
         {
             m_Diagnostics.Error(entry.keyLocation, subject + ": unknown volume component " +
-                                                       UnknownName(names[0], components));
+                                                       UnknownName(names[0], components.names()));
             return;
         }
-        const std::unique_ptr<VolumeComponent> expected =
-            m_Facts.assets().volumeComponents().Create(names[0]);
+        const std::unique_ptr<VolumeComponent> expected = components.Create(names[0]);
         VolumeParameter* actual = FindParameter(*found, names, entry, subject);
         VolumeParameter* wanted =
             actual ? FindParameter(*expected, names, entry, subject) : nullptr;
@@ -338,20 +353,13 @@ private:
     {
         if (const auto items = List(map, key))
         {
-            Expectation& result = Add(key, map.node(), key, true);
-            NameDifference difference = CompareNames(TextsOf(*items), actual, words);
-            result.diff = std::move(difference.lines);
-            result.truth = std::move(difference.truth);
+            AddList(key, map, key, CompareNames(TextsOf(*items), actual, words));
         }
     }
 
     void ExecutedPasses(YamlMapReader& map)
     {
-        std::vector<std::string> passes;
-        for (const ExecutedPassReport& pass : m_Facts.explanation().report.passes)
-        {
-            passes.push_back(pass.name.name());
-        }
+        const std::vector<std::string> passes = m_Facts.ExecutedPasses();
         Names(map, "order", passes,
               {ListKind::Exact, "expected here, but it does not run here",
                "runs here, but is not expected here"});
@@ -361,22 +369,13 @@ private:
 
     void LeftOutThings(YamlMapReader& map)
     {
-        const std::vector<LeftOut>& leftOut = m_Facts.explanation().frame.leftOut;
-        for (const char* key : {"leftOut", "leftOutAtLeast", "notLeftOut"})
+        const auto compare = [&](const std::vector<std::string>& items, ListKind kind)
         {
-            if (const auto items = List(map, key))
-            {
-                const std::string_view kind = key;
-                Expectation& result = Add(key, map.node(), key, true);
-                NameDifference difference =
-                    CompareLeftOut(TextsOf(*items), leftOut,
-                                   kind == "leftOut"          ? ListKind::Exact
-                                   : kind == "leftOutAtLeast" ? ListKind::AtLeast
-                                                              : ListKind::None);
-                result.diff = std::move(difference.lines);
-                result.truth = std::move(difference.truth);
-            }
-        }
+            return CompareLeftOut(items, m_Facts.explanation().frame.leftOut, kind);
+        };
+        Lists(
+            map, "", {"leftOut", "leftOutAtLeast", "notLeftOut"},
+            [&](const char* key) { return List(map, key); }, compare);
     }
 
     void Texture(const YamlEntry& entry)
@@ -394,7 +393,7 @@ private:
             {
                 return;
             }
-            Expectation& result = Add(map.SubjectOf(key), map.node(), key, false);
+            Expectation& result = Add(map.SubjectOf(key), map, key);
             for (const ExplainedTexture& texture : all)
             {
                 if (texture.name == entry.key)

@@ -41,4 +41,29 @@ std::vector<Expectation> CompareExpectations(const std::string& text, const std:
 ///     them
 bool IsSameValue(std::string_view a, std::string_view b, std::optional<double> tolerance);
 
+/// Returns the text with only the values that do not hold written anew. All other bytes stay.
+/// @param file  the file's name in errors
+/// @throws AssetError if a value cannot be replaced, such as one that an alias repeats
+std::string UpdateExpectations(const std::string& text, const std::string& file,
+                               const std::vector<Expectation>& expectations);
+
+/// Returns a file that expects all that is true of a scene now: what each feature draws, the volume
+/// values at the camera, the passes, the textures that are drawn into, and what is left out.
+/// @param head  a comment for its beginning, without the '#'
+std::string FullExpectations(SceneFacts& facts, const std::string& head);
+
+/// Returns one line for each expectation that fails, with its differences below it, and a summary:
+/// "5 expectations, 1 failed".
+/// @param failed  the summary's word for expectations that do not hold
+std::string CheckText(const std::vector<Expectation>& expectations, const std::string& file,
+                      const std::string& failed, bool isLong);
+
+/// Returns {scene, file, expectations: [{name, line, column, holds, diff}], failed}.
+std::string CheckJson(const std::vector<Expectation>& expectations, const std::string& file,
+                      const std::string& scene);
+
+/// Returns the XML that continuous integration reads as the results of tests.
+std::string JUnitXml(const std::vector<Expectation>& expectations, const std::string& file,
+                     const std::string& scene);
+
 } // namespace limn

@@ -1,5 +1,7 @@
 #include "check/ObjectNames.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <optional>
@@ -8,6 +10,17 @@
 
 namespace limn
 {
+
+namespace
+{
+
+std::size_t CountIn(const RendererSet& set, const std::vector<std::size_t>& renderers)
+{
+    return static_cast<std::size_t>(
+        std::ranges::count_if(renderers, [&](std::size_t renderer) { return set[renderer]; }));
+}
+
+} // namespace
 
 /// An object, or a place in the hierarchy that several objects of one path share.
 struct ObjectNames::Node
@@ -50,12 +63,7 @@ struct ObjectNames::Node
 
     std::string PathText() const
     {
-        std::string text = "/";
-        for (const std::string& name : path)
-        {
-            text += name + "/";
-        }
-        return text;
+        return "/" + Joined(path, "", [](const std::string& name) { return name + "/"; });
     }
 };
 
@@ -130,8 +138,7 @@ private:
             if (!node.path.empty() && next != state && AreRight(node.own, next))
             {
                 Items items{ItemOf(node, next)};
-                const Items more = FixChildren(node, next);
-                items.insert(items.end(), more.begin(), more.end());
+                std::ranges::copy(FixChildren(node, next), std::back_inserter(items));
                 offer(std::move(items));
             }
         }
@@ -143,8 +150,7 @@ private:
         Items items;
         for (const std::unique_ptr<Node>& child : node.children)
         {
-            const Items& more = Fix(*child, state);
-            items.insert(items.end(), more.begin(), more.end());
+            std::ranges::copy(Fix(*child, state), std::back_inserter(items));
         }
         return items;
     }
@@ -313,14 +319,8 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
     {
         const std::vector<std::size_t> named = Find(item);
         const bool isTakenAway = IsTakenAway(item);
-        std::size_t wantedCount = 0;
-        bool takesAway = false;
-        for (const std::size_t renderer : named)
-        {
-            wantedCount += wanted[renderer] ? 1 : 0;
-            takesAway = takesAway || listed[renderer];
-        }
-        if (isTakenAway ? takesAway && wantedCount == 0
+        const std::size_t wantedCount = CountIn(wanted, named);
+        if (isTakenAway ? CountIn(listed, named) > 0 && wantedCount == 0
                         : wantedCount > 0 && 2 * wantedCount >= named.size())
         {
             for (const std::size_t renderer : named)
@@ -330,11 +330,9 @@ std::vector<std::string> ObjectNames::Fix(std::vector<std::string> items,
             kept.push_back(std::move(item));
         }
     }
-    items = std::move(kept);
-    const std::vector<std::string> more =
-        Fixer(*this, listed, wanted).Fix(*m_Root, Fixer::State::AsListed);
-    items.insert(items.end(), more.begin(), more.end());
-    return items;
+    std::ranges::copy(Fixer(*this, listed, wanted).Fix(*m_Root, Fixer::State::AsListed),
+                      std::back_inserter(kept));
+    return kept;
 }
 
 std::vector<std::string> ObjectNames::Describe(const RendererSet& members,
@@ -348,13 +346,8 @@ std::vector<std::string> ObjectNames::Describe(const RendererSet& members,
 void ObjectNames::Describe(const Node& node, const RendererSet& members, const RendererSet& others,
                            std::vector<std::string>& names) const
 {
-    std::size_t count = 0;
-    bool isPure = !node.path.empty();
-    for (const std::size_t renderer : node.all)
-    {
-        count += members[renderer] ? 1 : 0;
-        isPure = isPure && !others[renderer];
-    }
+    const std::size_t count = CountIn(members, node.all);
+    const bool isPure = !node.path.empty() && CountIn(others, node.all) == 0;
     if (count > 0 && isPure && 2 * count > node.all.size())
     {
         names.push_back(Spell(node) + (count == node.all.size()

@@ -2,8 +2,6 @@
 
 #include "console/Texts.h"
 
-#include <algorithm>
-
 namespace limn
 {
 
@@ -15,10 +13,7 @@ std::vector<std::string> FeatureNames(const SceneAsset& asset)
     std::vector<std::string> names;
     for (const std::unique_ptr<ScriptableRendererFeature>& feature : asset.renderer.features)
     {
-        if (std::ranges::find(names, feature->name) == names.end())
-        {
-            names.push_back(feature->name);
-        }
+        AddOnce(names, feature->name);
     }
     return names;
 }
@@ -46,26 +41,26 @@ SceneFacts::SceneFacts(SceneAsset asset, AssetContext& assets)
     }
 }
 
+std::vector<std::string> SceneFacts::ExecutedPasses() const
+{
+    std::vector<std::string> passes;
+    std::ranges::transform(m_Explanation.report.passes, std::back_inserter(passes),
+                           [](const ExecutedPassReport& pass) { return pass.name.name(); });
+    return passes;
+}
+
 std::vector<std::string> SceneFacts::PassesOf(const std::optional<std::string>& feature) const
 {
     std::vector<std::string> passes;
-    const auto add = [&passes](const std::string& name)
-    {
-        if (std::ranges::find(passes, name) == passes.end())
-        {
-            passes.push_back(name);
-        }
-    };
     const RenderReport& report = m_Explanation.report;
     for (const auto* filters : {&report.draws, &report.filters})
     {
         for (const DrawRenderersReport& filter : *filters)
         {
-            const bool isOfFeature = filter.feature < report.features.size();
-            if (!feature ||
-                (isOfFeature && report.features[filter.feature].name.name() == *feature))
+            if (!feature || (filter.feature < report.features.size() &&
+                             report.features[filter.feature].name.name() == *feature))
             {
-                add(filter.pass.name());
+                AddOnce(passes, filter.pass.name());
             }
         }
     }

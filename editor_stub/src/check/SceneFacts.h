@@ -2,6 +2,7 @@
 
 #include "check/ObjectNames.h"
 
+#include <algorithm>
 #include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeManager.h>
@@ -9,6 +10,15 @@
 
 namespace limn
 {
+
+/// Adds a name to a list that does not have it.
+inline void AddOnce(std::vector<std::string>& names, const std::string& name)
+{
+    if (std::ranges::find(names, name) == names.end())
+    {
+        names.push_back(name);
+    }
+}
 
 /// The verdicts of one or several filters on the renderers of a scene.
 struct DrawnFacts
@@ -30,6 +40,9 @@ public:
     const std::vector<std::string>& features() const { return m_Features; }
     const LayerNames& layers() const { return m_Layers; }
     AssetContext& assets() const { return m_Assets; }
+
+    /// Returns the names of the passes that run, in their order.
+    std::vector<std::string> ExecutedPasses() const;
 
     /// Returns the passes that ask for renderers, each once: those of a feature, or those of the
     /// whole frame if no feature is given.

@@ -1,4 +1,4 @@
-#include "check/UpdateExpectations.h"
+#include "check/Expectations.h"
 
 #include "check/Differences.h"
 #include "console/Texts.h"
@@ -247,12 +247,7 @@ public:
     {
         Features();
         Values();
-        std::vector<std::string> passes;
-        for (const ExecutedPassReport& pass : m_Facts.explanation().report.passes)
-        {
-            passes.push_back(pass.name.name());
-        }
-        List("", "order", passes);
+        List("", "order", m_Facts.ExecutedPasses());
         Textures();
         List("", "leftOut",
              CompareLeftOut({}, m_Facts.explanation().frame.leftOut, ListKind::Exact).truth);

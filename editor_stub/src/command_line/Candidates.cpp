@@ -67,8 +67,7 @@ void AddComponents(Candidates& candidates, const std::string& word, const Inspec
 
 Candidates FileCandidates(const std::string& word, const std::vector<std::string>& endings)
 {
-    const std::size_t slash = word.rfind('/');
-    const std::string folder = slash == std::string::npos ? "" : word.substr(0, slash + 1);
+    const std::string folder = word.substr(0, word.rfind('/') + 1); // of -1 as well
     const std::string begin = word.substr(folder.size());
     Candidates candidates;
     std::error_code error;

@@ -10,7 +10,6 @@
 
 #include <filesystem>
 #include <limn/base/TerminalText.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Version.h>
 #include <utility>
 
@@ -72,7 +71,7 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
     return {
         SceneArgument(options.scene),
         SceneFlag(options),
-        {"output", "FILE", outputHelp, Into(options.output, check), Once, 'o'},
+        {"output", "FILE", outputHelp, Into(options.output, check), Once, {}, 'o'},
         SizeFlag(options),
         {"time", "SECONDS", "The value of _Time in the first frame, in seconds",
          IntoTime(options.time)},
@@ -157,13 +156,8 @@ Verb ExplainVerb(ExplainOptions& options)
             },
             {SceneArgument(options.rendering.scene),
              SceneFlag(options.rendering),
-             {"object",
-              "NAME",
-              "Explain only the objects of this name and their children",
-              Into(options.object),
-              AtMostOnce,
-              '\0',
-              {},
+             {"object", "NAME", "Explain only the objects of this name and their children",
+              Into(options.object), AtMostOnce,
               [&options](const std::string&)
               {
                   return ObjectCandidates(options.rendering);
@@ -229,9 +223,14 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
         {Argument("SCENE|DIR",
                   "A scene, as for 'limn render'; for --merge and --compare folders of reports",
                   Into(options.paths), AtLeastOnce, Files({".scene.yaml", ".unity"})),
-         {"output", "DIR",
+         {"output",
+          "DIR",
           "The folder for the report; what an interrupted run left there is taken over",
-          Into(options.output, CheckOutput), Once, 'o', "compare"},
+          Into(options.output, CheckOutput),
+          Once,
+          {},
+          'o',
+          "compare"},
          Switch("quick", "Fewer widths, shapes and sizes: within a minute", options.isQuick),
          Switch("stability",
                 "Only test the techniques with extreme inputs, in all pairs, under the Vulkan "
@@ -240,13 +239,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
          Switch("all-combinations",
                 "Test all combinations of extreme inputs in place of all pairs; this takes days",
                 options.isFull),
-         {"technique",
-          "NAME",
-          "Measure only this technique",
-          Into(options.techniques),
-          Any,
-          '\0',
-          {},
+         {"technique", "NAME", "Measure only this technique", Into(options.techniques), Any,
           [&render](const std::string&)
           {
               return TechniqueCandidates(render.plugins);
@@ -323,8 +316,13 @@ Verb ShaderVerb(ShaderOptions& options)
         [&options](Console& console) { return RunShader(options, console); },
         {Argument("FILE|DIR", "Files, and folders with .shader files below them; or .compute files",
                   Into(options.paths), AtLeastOnce, Files({".shader", ".compute"})),
-         {"output", "DIR", "Where --emit writes", Into(options.outputFolder, CheckFolder),
-          AtMostOnce, 'o'},
+         {"output",
+          "DIR",
+          "Where --emit writes",
+          Into(options.outputFolder, CheckFolder),
+          AtMostOnce,
+          {},
+          'o'},
          {"emit", "spirv|glsl|glsles|msl|hlsl", "Write the compiled programs", Into(options.emit)},
          Switch("print", "Print the files as canonical ShaderLab text; compile nothing",
                 options.print),
@@ -332,8 +330,13 @@ Verb ShaderVerb(ShaderOptions& options)
          Switch("variants", "Count variants; compile nothing", options.variants),
          {"keywords", "A,B", "Compile with these keywords, not with those of a new material",
           IntoWords(options.keywords), Any},
-         {"jobs", "N", "The number of files to check at a time; without it one per core",
-          IntoNumber(options.jobs, 256), AtMostOnce, 'j'},
+         {"jobs",
+          "N",
+          "The number of files to check at a time; without it one per core",
+          IntoNumber(options.jobs, 256),
+          AtMostOnce,
+          {},
+          'j'},
          Switch("json", "Print {files: [...], summary: {...}}: what was parsed, compiled, refused",
                 options.json),
          PackageFlag(options.packages),
@@ -396,10 +399,10 @@ Verb DoctorVerb(CommandLine& line)
             {DeviceFlag(line.doctorDevice), Switch("json", "Print JSON", line.wantsJson)}};
 }
 
-int Print(const std::string& text, Console& console)
+ExitCode Print(const std::string& text, Console& console)
 {
     console.out() << text;
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 Verb CompletionVerb(std::string& shell)
@@ -521,12 +524,12 @@ std::string ProblemText(const ParsedFlags& parsed)
     return use.empty() ? parsed.problem : "'" + word + "' is no verb but " + use;
 }
 
-int WrongUsage(const FlagTable& table, const ParsedFlags& parsed, Console& console)
+ExitCode WrongUsage(const FlagTable& table, const ParsedFlags& parsed, Console& console)
 {
     console.Error(Sentence(ProblemText(parsed)));
     const std::string verb = parsed.verb == &table.limn ? "" : " " + parsed.verb->name;
     console.Line("usage: " + UsageText(table, *parsed.verb) + "; see 'limn help" + verb + "'");
-    return static_cast<int>(ExitCode::WrongUsage);
+    return ExitCode::WrongUsage;
 }
 
 /// Returns whether there is a working directory, without which no file can be found.
@@ -547,7 +550,7 @@ bool HasWorkingDirectory(Console& console)
 
 } // namespace
 
-int RunCommandLine(std::span<const std::string> args, Console& console)
+ExitCode RunCommandLine(std::span<const std::string> args, Console& console)
 {
     CommandLine line;
     FlagTable table;
@@ -571,8 +574,7 @@ int RunCommandLine(std::span<const std::string> args, Console& console)
     {
         return WrongUsage(table, parsed, console);
     }
-    return HasWorkingDirectory(console) ? parsed.verb->run(console)
-                                        : static_cast<int>(ExitCode::MachineLacksIt);
+    return HasWorkingDirectory(console) ? parsed.verb->run(console) : ExitCode::MachineLacksIt;
 }
 
 } // namespace limn

@@ -2,6 +2,7 @@
 
 #include "console/Console.h"
 
+#include <limn/editor_stub/RunLimn.h>
 #include <span>
 #include <string>
 
@@ -9,7 +10,6 @@ namespace limn
 {
 
 /// Parses the arguments and runs the verb; errors come as exceptions.
-/// @return an ExitCode
-int RunCommandLine(std::span<const std::string> args, Console& console);
+ExitCode RunCommandLine(std::span<const std::string> args, Console& console);
 
 } // namespace limn

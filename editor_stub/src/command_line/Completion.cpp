@@ -158,14 +158,11 @@ std::string CompletionText(const FlagTable& table, std::span<const std::string> 
     }
     if (isFlag && equals != std::string::npos)
     {
-        for (const Flag* flag : table.FlagsOf(*before.verb))
-        {
-            if (flag->Name() == word.substr(0, equals))
-            {
-                return ValuesOf(*flag, word.substr(equals + 1), word.substr(0, equals + 1));
-            }
-        }
-        return "";
+        const std::vector<const Flag*> flags = table.FlagsOf(*before.verb);
+        const auto flag = std::ranges::find(flags, word.substr(0, equals), &Flag::Name);
+        return flag == flags.end()
+                   ? ""
+                   : ValuesOf(**flag, word.substr(equals + 1), word.substr(0, equals + 1));
     }
     if (isFlag || (!before.next && before.verb != &table.limn))
     {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
+#include <limn/features/Version.h>
 
 namespace limn
 {
@@ -39,6 +40,29 @@ Rows RowsOf(const Verb& verb, bool areArguments)
         }
     }
     return rows;
+}
+
+/// A line of text as troff takes it: with its backslashes and hyphens, and not as a request.
+std::string TroffLine(const std::string& text)
+{
+    std::string line = text.starts_with('.') || text.starts_with('\'') ? "\\&" : "";
+    for (const char c : text)
+    {
+        line += c == '\\' ? "\\e" : c == '-' ? "\\-" : std::string(1, c);
+    }
+    return line + "\n";
+}
+
+std::string TroffFlags(const std::vector<Flag>& flags)
+{
+    std::string text;
+    for (const Flag& flag : flags)
+    {
+        const std::string name = flag.FullText();
+        text +=
+            ".TP\n.B " + TroffLine(name.substr(name.find_first_not_of(' '))) + TroffLine(flag.help);
+    }
+    return text;
 }
 
 } // namespace
@@ -131,12 +155,26 @@ std::string HelpText(const FlagTable& table, const Verb& verb, std::size_t width
                TableText("options of every verb", RowsOf(table.limn, false), width);
     }
     Rows verbs;
-    for (const Verb& each : table.verbs)
-    {
-        verbs.emplace_back(each.name, each.help);
-    }
+    std::ranges::transform(table.verbs, std::back_inserter(verbs),
+                           [](const Verb& each) { return std::pair(each.name, each.help); });
     return text + TableText("verbs", verbs, width) + options + "\n" +
            Wrapped(k_ExitCodes, 0, 0, width);
+}
+
+std::string ManPage(const FlagTable& table)
+{
+    std::string text = ".TH LIMN 1 \"\" \"limn " LIMN_VERSION_TEXT "\" \"User Commands\"\n"
+                       ".SH NAME\nlimn \\- draw scenes as Unity's render pipeline does\n"
+                       ".SH SYNOPSIS\n.B " +
+                       TroffLine(UsageText(table, table.limn)) + ".SH DESCRIPTION\n" +
+                       TroffLine(table.limn.help) + ".SH VERBS\n";
+    for (const Verb& verb : table.verbs)
+    {
+        text += ".SS " + TroffLine(UsageText(table, verb)) + TroffLine(verb.help + ".") +
+                TroffFlags(verb.flags);
+    }
+    return text + ".SH OPTIONS OF EVERY VERB\n" + TroffFlags(table.limn.flags) +
+           ".SH EXIT STATUS\n" + TroffLine(k_ExitCodes);
 }
 
 } // namespace limn

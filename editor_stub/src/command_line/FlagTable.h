@@ -3,6 +3,7 @@
 #include "console/Console.h"
 
 #include <functional>
+#include <limn/editor_stub/RunLimn.h>
 #include <span>
 #include <string>
 #include <vector>
@@ -35,11 +36,11 @@ struct Flag
     /// Stores the value, and returns what is wrong with it, or "" if nothing is.
     std::function<std::string(const std::string&)> store;
     Times times = Times::AtMostOnce;
-    char letter = '\0';      ///< 'o', as in -o; '\0' if there is none
-    std::string unless = {}; ///< the flag whose presence makes this one optional
     /// Returns what the value may be where a person has begun to type it, once the words before it
     /// are stored. Null where a shell offers the names of all files. May throw what loaders throw.
     std::function<std::vector<std::string>(const std::string&)> candidates = {};
+    char letter = '\0';      ///< 'o', as in -o; '\0' if there is none
+    std::string unless = {}; ///< the flag whose presence makes this one optional
 
     bool isArgument() const { return name.empty(); }
     bool isRequired() const { return times == Times::Once || times == Times::AtLeastOnce; }
@@ -64,7 +65,7 @@ struct Verb
 {
     std::string name;
     std::string help;
-    std::function<int(Console&)> run;
+    std::function<ExitCode(Console&)> run;
     std::vector<Flag> flags; ///< in the order in which help lists them, the arguments first
     std::vector<FlagRule> rules = {};
     bool isRead = false; ///< true if it prints at its end, for people to read

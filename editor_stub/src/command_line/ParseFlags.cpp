@@ -185,10 +185,7 @@ private:
     void ComplainOfUnknown(const std::string& spelling)
     {
         std::vector<std::string> known;
-        for (const Flag* flag : m_Table.FlagsOf(*m_Verb))
-        {
-            known.push_back(flag->Name());
-        }
+        std::ranges::transform(m_Table.FlagsOf(*m_Verb), std::back_inserter(known), &Flag::Name);
         const std::string nearest(NearestName(spelling, {known.begin(), known.end()}));
         Complain("unknown option '" + Shortened(spelling, 64) + "'" +
                  (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));

@@ -75,15 +75,6 @@ ExitCode ExitCodeOf(Console& console)
         console.Error(error.what());
         return ExitCode::BadInput;
     }
-    catch (const std::filesystem::filesystem_error& error)
-    {
-        if (error.code() == std::errc::not_enough_memory)
-        {
-            return NoMemory(console);
-        }
-        console.Print({Severity::Error, error.path1().string(), {}, error.code().message()});
-        return ExitCode::BadInput;
-    }
     catch (const VulkanError& error)
     {
         console.Error(error.what());
@@ -98,6 +89,11 @@ ExitCode ExitCodeOf(Console& console)
         if (error.code() == std::errc::not_enough_memory)
         {
             return NoMemory(console);
+        }
+        if (const auto* ofFile = dynamic_cast<const std::filesystem::filesystem_error*>(&error))
+        {
+            console.Print({Severity::Error, ofFile->path1().string(), {}, error.code().message()});
+            return ExitCode::BadInput;
         }
         console.Error(error.what());
         return ExitCode::MachineLacksIt;
@@ -114,7 +110,7 @@ ExitCode ExitCodeOf(Console& console)
 }
 
 /// Results that did not all go out are as good as none.
-int CheckResults(int exitCode, Console& console)
+ExitCode CheckResults(ExitCode exitCode, Console& console)
 {
     console.ShowCollected();
     if (console.out().flush())
@@ -123,7 +119,7 @@ int CheckResults(int exitCode, Console& console)
     }
     console.Error("the results cannot be written to standard output: its disk is full, or nobody "
                   "reads it");
-    return static_cast<int>(ExitCode::MachineLacksIt);
+    return ExitCode::MachineLacksIt;
 }
 
 } // namespace
@@ -134,7 +130,7 @@ int RunLimn(std::span<const std::string> args, std::ostream& out, std::ostream& 
     const FeatureLog log(console);
     try
     {
-        return CheckResults(RunCommandLine(args, console), console);
+        return static_cast<int>(CheckResults(RunCommandLine(args, console), console));
     }
     catch (...)
     {

@@ -10,7 +10,7 @@ using enum Times;
 Flag Argument(const char* value, const char* help, StoreValue store, Times times,
               GetCandidates candidates)
 {
-    return {"", value, help, std::move(store), times, '\0', {}, std::move(candidates)};
+    return {"", value, help, std::move(store), times, std::move(candidates)};
 }
 
 GetCandidates Files(std::vector<std::string> endings)
@@ -41,7 +41,7 @@ Flag SceneArgument(std::string& scene)
 
 Flag Switch(const char* name, const char* help, bool& isGiven, char letter)
 {
-    return {name, "", help, Into(isGiven), AtMostOnce, letter};
+    return {name, "", help, Into(isGiven), AtMostOnce, {}, letter};
 }
 
 Flag RootFlag(std::vector<std::string>& roots)
@@ -67,8 +67,6 @@ Flag PluginFlag(std::vector<std::string>& plugins)
             "Load features, volume components and shaders from a module, whose code runs",
             Into(plugins),
             Any,
-            '\0',
-            {},
             Files({".so"})};
 }
 
@@ -104,8 +102,6 @@ Flag ProfileFlag(std::string& profile)
             "Use this volume profile in place of that of every global volume",
             Into(profile),
             AtMostOnce,
-            '\0',
-            {},
             Files({".profile.yaml", ".asset"})};
 }
 
@@ -121,14 +117,12 @@ Flag SetFlag(RenderOptions& options)
             "type",
             Into(options.overrides, CheckAssignment),
             Any,
-            '\0',
-            {},
             candidates};
 }
 
 Flag NewFolderFlag(std::string& folder)
 {
-    return {"output", "DIR", "A new or empty folder", Into(folder, CheckFolder), Once, 'o'};
+    return {"output", "DIR", "A new or empty folder", Into(folder, CheckFolder), Once, {}, 'o'};
 }
 
 Flag SelectFlag(RenderOptions& options)
@@ -139,8 +133,6 @@ Flag SelectFlag(RenderOptions& options)
             "get the rendering layer that outline features look for; \"\" selects nothing",
             IntoSelection(options.selection, SelectionStep::Kind::Select),
             Any,
-            '\0',
-            {},
             [&options](const std::string&)
             {
                 return ObjectCandidates(options);

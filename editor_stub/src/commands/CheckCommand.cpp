@@ -2,12 +2,10 @@
 
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
-#include "check/CheckReport.h"
-#include "check/UpdateExpectations.h"
+#include "check/Expectations.h"
 
 #include <algorithm>
 #include <limn/base/WriteFile.h>
-#include <limn/editor_stub/RunLimn.h>
 
 namespace limn
 {
@@ -59,7 +57,7 @@ void Update(const CheckOptions& options, const std::string& text, SceneFacts& fa
 
 } // namespace
 
-int RunCheck(const CheckOptions& options, Console& console)
+ExitCode RunCheck(const CheckOptions& options, Console& console)
 {
     const RenderOptions& rendering = options.rendering;
     RequireKind(rendering.scene, {FileKind::Scene, FileKind::UnityScene}, "check");
@@ -75,7 +73,7 @@ int RunCheck(const CheckOptions& options, Console& console)
     if (options.isUpdate)
     {
         isNew ? WriteFull(options, facts, console) : Update(options, text, facts, console);
-        return static_cast<int>(ExitCode::Done);
+        return ExitCode::Done;
     }
     inputs.insert(options.expectations);
     RequireOwnFiles(own, inputs);
@@ -88,8 +86,7 @@ int RunCheck(const CheckOptions& options, Console& console)
     options.json
         ? console.Data(CheckJson(results, options.expectations, rendering.scene))
         : console.Results(CheckText(results, options.expectations, "failed", console.isVerbose()));
-    return static_cast<int>(std::ranges::all_of(results, &Expectation::holds) ? ExitCode::Done
-                                                                              : ExitCode::BadInput);
+    return std::ranges::all_of(results, &Expectation::holds) ? ExitCode::Done : ExitCode::BadInput;
 }
 
 } // namespace limn

@@ -3,6 +3,7 @@
 #include "console/Console.h"
 #include "view/SceneView.h"
 
+#include <limn/editor_stub/RunLimn.h>
 #include <map>
 #include <span>
 #include <string>
@@ -12,9 +13,9 @@ namespace limn
 {
 
 /// Draws the scene into a PNG file.
-/// @return an ExitCode: BadInput if a validation layer reported errors
+/// @return BadInput if a validation layer reported errors
 /// @throws AssetError, VulkanError, and then writes nothing
-int RunRender(const RenderOptions& options, Console& console);
+ExitCode RunRender(const RenderOptions& options, Console& console);
 
 /// Draws the scene into a PNG file, and again whenever a file that it reaches changes, until SIGINT
 /// or SIGTERM. If something is wrong with a file, that is printed and the last good picture stays.
@@ -22,7 +23,7 @@ int RunRender(const RenderOptions& options, Console& console);
 /// @return ExitCode::Done
 /// @throws AssetError if the scene file or the output's folder is missing when it starts
 /// @throws VulkanError
-int RunWatch(const RenderOptions& options, Console& console);
+ExitCode RunWatch(const RenderOptions& options, Console& console);
 
 /// The arguments of `limn inspect`.
 struct InspectOptions
@@ -46,7 +47,7 @@ InspectReport InspectFile(const InspectOptions& options, Console& console);
 /// set. Needs no device and compiles nothing.
 /// @return ExitCode::Done
 /// @throws AssetError
-int RunInspect(const InspectOptions& options, Console& console);
+ExitCode RunInspect(const InspectOptions& options, Console& console);
 
 /// The arguments of `limn explain`.
 struct ExplainOptions
@@ -61,10 +62,9 @@ struct ExplainOptions
 
 /// Prints what a scene's frame draws and why: volume values, passes, textures, variants, objects;
 /// or what becomes of the draws at one pixel.
-/// @return an ExitCode
 /// @throws AssetError, also if the scene has no object of that name with a mesh
 /// @throws VulkanError only if a pixel is asked about
-int RunExplain(const ExplainOptions& options, Console& console);
+ExitCode RunExplain(const ExplainOptions& options, Console& console);
 
 /// The arguments of `limn check`.
 struct CheckOptions
@@ -78,9 +78,9 @@ struct CheckOptions
 
 /// Compares a scene's frame with what a file expects of it, and prints what differs. Needs no
 /// device.
-/// @return an ExitCode: BadInput if an expectation does not hold
+/// @return BadInput if an expectation does not hold
 /// @throws AssetError, also for unknown names in the expectations; nothing is then written
-int RunCheck(const CheckOptions& options, Console& console);
+ExitCode RunCheck(const CheckOptions& options, Console& console);
 
 /// The arguments of `limn report`.
 struct ReportCommandOptions
@@ -101,9 +101,9 @@ struct ReportCommandOptions
 
 /// Measures the error and the cost of outline techniques in a scene, and writes a report.
 /// @param render  the picture's size, the device, caches, packages and roots
-/// @return an ExitCode: BadInput if merged parts lack cells, or compared ones differ
+/// @return BadInput if merged parts lack cells, or compared ones differ
 /// @throws AssetError, VulkanError; results that were measured before stay in the folder
-int RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console);
+ExitCode RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console);
 
 /// The arguments of `limn set`.
 struct SetOptions
@@ -118,16 +118,14 @@ struct SetOptions
 /// Changes a profile's parameters, or the settings of a scene's or renderer's features, in place,
 /// and prints their old values. It makes all of the changes or none. With `undo` it brings back the
 /// text from before the last change of the file, which is kept in the user's cache folder.
-/// @return an ExitCode
 /// @throws AssetError as SetScalars and SetFeatureSettings do, and if nothing can be undone
-int RunSet(const SetOptions& options, Console& console);
+ExitCode RunSet(const SetOptions& options, Console& console);
 
 /// Prints the JSON Schema (draft 2020-12) of one kind of file.
 /// @param kind     "scene", "profile" or "material"
 /// @param plugins  modules whose features and components the schema has
-/// @return an ExitCode
 /// @throws AssetError if a plug-in cannot be used
-int RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console);
+ExitCode RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console);
 
 /// The arguments of `limn shader`.
 struct ShaderOptions
@@ -148,9 +146,9 @@ struct ShaderOptions
 };
 
 /// Checks ShaderLab files and describes them; compiles the kernels of .compute files.
-/// @return an ExitCode: BadInput if a file has an error
+/// @return BadInput if a file has an error
 /// @throws AssetError if a path is missing or something cannot be written
-int RunShader(const ShaderOptions& options, Console& console);
+ExitCode RunShader(const ShaderOptions& options, Console& console);
 
 /// The arguments of `limn new`.
 struct NewOptions
@@ -164,11 +162,11 @@ struct NewOptions
 
 /// Writes the folder of a render feature that builds and draws at once (component, feature, pass,
 /// shader, scene, test), or a scene with its profile, a profile or a material. No file is replaced.
-/// @return an ExitCode: WrongUsage for a name that cannot be a class, and for options of other
+/// @return WrongUsage for a name that cannot be a class, and for options of other
 /// kinds
 /// @throws AssetError if a file cannot be written or is there already, the folder is not empty, or
 ///     a component or shader is unknown
-int RunNew(const NewOptions& options, Console& console);
+ExitCode RunNew(const NewOptions& options, Console& console);
 
 /// The arguments of `limn port`.
 struct PortOptions
@@ -179,17 +177,15 @@ struct PortOptions
 
 /// Writes the folder of a plug-in with the beginning of a Unity render feature in C++, and reports
 /// which parts of the C# limn does not have or know.
-/// @return an ExitCode
 /// @throws AssetError if a file is no C#, no file has a feature, or the folder cannot be written
-int RunPort(const PortOptions& options, Console& console);
+ExitCode RunPort(const PortOptions& options, Console& console);
 
 /// Prints what limn finds on this machine.
 /// @param device  the wanted device, as VulkanDeviceOptions::device
-/// @return an ExitCode: MachineLacksIt if no device can be used
-int RunDoctor(const std::string& device, bool wantsJson, Console& console);
+/// @return MachineLacksIt if no device can be used
+ExitCode RunDoctor(const std::string& device, bool wantsJson, Console& console);
 
 /// Prints limn's version, in JSON with those of the libraries.
-/// @return an ExitCode
-int RunVersion(bool wantsJson, Console& console);
+ExitCode RunVersion(bool wantsJson, Console& console);
 
 } // namespace limn

@@ -4,7 +4,6 @@
 #include "console/Json.h"
 #include "console/Texts.h"
 
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Version.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <limn/vulkan/VulkanError.h>
@@ -184,7 +183,7 @@ Json FactsJson(const CacheFacts& cache, const VulkanFacts& vulkan)
 
 } // namespace
 
-int RunDoctor(const std::string& device, bool wantsJson, Console& console)
+ExitCode RunDoctor(const std::string& device, bool wantsJson, Console& console)
 {
     const CacheFacts cache = FindCache();
     const VulkanFacts vulkan = FindVulkan(device);
@@ -192,14 +191,14 @@ int RunDoctor(const std::string& device, bool wantsJson, Console& console)
         ? console.Data(JsonText(FactsJson(cache, vulkan)))
         : console.Results(Row("limn", LIMN_VERSION_TEXT) + Row("libraries", LIMN_LIBRARY_VERSIONS) +
                           Row("cache folder", CacheText(cache)) + VulkanText(vulkan));
-    return static_cast<int>(vulkan.choice.empty() ? ExitCode::MachineLacksIt : ExitCode::Done);
+    return vulkan.choice.empty() ? ExitCode::MachineLacksIt : ExitCode::Done;
 }
 
-int RunVersion(bool wantsJson, Console& console)
+ExitCode RunVersion(bool wantsJson, Console& console)
 {
     const Json json{{"limn", LIMN_VERSION_TEXT}, {"libraries", LibrariesJson()}};
     wantsJson ? console.Data(JsonText(json)) : console.Result("limn " LIMN_VERSION_TEXT);
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
 
@@ -171,7 +170,7 @@ void Select(Explanation& explanation, const ExplainOptions& options)
         return object.name != options.object &&
                std::ranges::find(object.parents, options.object) == object.parents.end();
     };
-    objects.erase(std::remove_if(objects.begin(), objects.end(), isOther), objects.end());
+    std::erase_if(objects, isOther);
     if (objects.empty())
     {
         throw AssetError(options.rendering.scene, {},
@@ -180,7 +179,7 @@ void Select(Explanation& explanation, const ExplainOptions& options)
     }
 }
 
-int ExplainPixel(const ExplainOptions& options, Console& console)
+ExitCode ExplainPixel(const ExplainOptions& options, Console& console)
 {
     const RenderOptions& rendering = options.rendering;
     ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(rendering, console);
@@ -209,12 +208,12 @@ int ExplainPixel(const ExplainOptions& options, Console& console)
     console.Progress("");
     options.json ? console.Data(JsonText(PixelJson(history)))
                  : console.Results(PixelText(history, console.isVerbose()));
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace
 
-int RunExplain(const ExplainOptions& options, Console& console)
+ExitCode RunExplain(const ExplainOptions& options, Console& console)
 {
     RequireKind(options.rendering.scene, {FileKind::Scene, FileKind::UnityScene}, "explain");
     if (!options.pixel.empty())
@@ -236,16 +235,13 @@ int RunExplain(const ExplainOptions& options, Console& console)
     {
         Select(explanation, options);
     }
-    if (options.json)
-    {
-        console.Data(JsonText(ToJson(explanation)));
-        return static_cast<int>(ExitCode::Done);
-    }
-    console.Results(!options.object.empty()
-                        ? ObjectText(explanation, options.object, console.isVerbose())
-                    : console.isVerbose() ? LongText(explanation)
-                                          : ShortText(explanation));
-    return static_cast<int>(ExitCode::Done);
+    options.json
+        ? console.Data(JsonText(ToJson(explanation)))
+        : console.Results(!options.object.empty()
+                              ? ObjectText(explanation, options.object, console.isVerbose())
+                          : console.isVerbose() ? LongText(explanation)
+                                                : ShortText(explanation));
+    return ExitCode::Done;
 }
 
 } // namespace limn

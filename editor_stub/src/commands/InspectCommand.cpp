@@ -3,7 +3,6 @@
 #include "assets/FileKind.h"
 #include "explain/InspectReport.h"
 
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/editor_stub/UnityRendererData.h>
 
 namespace limn
@@ -12,19 +11,12 @@ namespace limn
 namespace
 {
 
-std::string KindOf(const std::filesystem::path& path, const std::vector<YamlNode>& documents)
-{
-    // Without a camera it is no scene; a wrong one should still be called a scene.
-    const bool isScene =
-        FileKindOf(path) == FileKind::Scene || documents.front().Find("camera") != nullptr;
-    return isScene ? "scene" : "profile";
-}
-
 InspectReport InspectScene(const std::string& file, AssetContext& assets, Console& console)
 {
     const SceneAsset asset = LoadScene(file, assets, InactiveObjects::Check);
     console.Print(asset.notes);
     InspectReport report;
+    report.kind = "scene";
     for (const Volume& volume : asset.volumes)
     {
         if (!volume.sharedProfile)
@@ -44,18 +36,14 @@ InspectReport InspectScene(const std::string& file, AssetContext& assets, Consol
 InspectReport InspectOwn(const std::vector<YamlNode>& documents, const std::string& file,
                          AssetContext& assets, Console& console)
 {
-    const std::string kind = KindOf(file, documents);
+    // Without a camera it is no scene; a wrong one should still be called a scene.
+    if (FileKindOf(file) == FileKind::Scene || documents.front().Find("camera"))
+    {
+        return InspectScene(file, assets, console);
+    }
     InspectReport report;
-    if (kind == "scene")
-    {
-        report = InspectScene(file, assets, console);
-    }
-    else
-    {
-        report.volumes.emplace_back().components =
-            InspectProfileFile(file, documents, assets, console);
-    }
-    report.kind = kind;
+    report.kind = "profile";
+    report.volumes.emplace_back().components = InspectProfileFile(file, documents, assets, console);
     return report;
 }
 
@@ -113,18 +101,14 @@ InspectReport InspectFile(const InspectOptions& options, Console& console)
     }
     if (FileKindOf(file) == FileKind::UnityScene)
     {
-        InspectReport scene = InspectScene(file, assets, console);
-        scene.kind = "scene";
-        return scene;
+        return InspectScene(file, assets, console);
     }
     const std::string text = ReadYamlText(file);
-    InspectReport report = IsUnityAsset(text)
-                               ? InspectUnity(UnityAsset(text, file), assets, console)
-                               : InspectOwn(ParseYaml(text, file), file, assets, console);
-    return report;
+    return IsUnityAsset(text) ? InspectUnity(UnityAsset(text, file), assets, console)
+                              : InspectOwn(ParseYaml(text, file), file, assets, console);
 }
 
-int RunInspect(const InspectOptions& options, Console& console)
+ExitCode RunInspect(const InspectOptions& options, Console& console)
 {
     if (FileKindOf(options.file) != FileKind::UnityMaterial)
     {
@@ -133,7 +117,7 @@ int RunInspect(const InspectOptions& options, Console& console)
     }
     const InspectReport report = InspectFile(options, console);
     options.json ? console.Data(ToJson(report)) : console.Results(ToText(report));
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

@@ -8,7 +8,6 @@
 #include <limn/base/EmbeddedFile.h>
 #include <limn/base/WriteFile.h>
 #include <limn/editor_stub/AssetContext.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
 #include <map>
 
@@ -27,14 +26,9 @@ constexpr std::size_t k_LongestName = 40;
 
 bool isClassName(const std::string& name)
 {
-    const auto isIn = [](char c, char first, char last)
-    {
-        return c >= first && c <= last;
-    };
-    return !name.empty() && name.size() <= k_LongestName && isIn(name[0], 'A', 'Z') &&
-           std::ranges::all_of(
-               name,
-               [&](char c) { return isIn(c, 'A', 'Z') || isIn(c, 'a', 'z') || isIn(c, '0', '9'); });
+    return !name.empty() && name.size() <= k_LongestName && name[0] >= 'A' && name[0] <= 'Z' &&
+           std::ranges::all_of(name,
+                               [](char c) { return c != '_' && (isLetter(c) || isDigit(c)); });
 }
 
 /// Returns the fault of the name, "" if it has none.
@@ -80,7 +74,7 @@ std::string FileName(std::string_view file, const std::string& name)
     return result.starts_with("Name") ? name + result.substr(4) : result;
 }
 
-int NewFeature(const NewOptions& options, Console& console)
+ExitCode NewFeature(const NewOptions& options, Console& console)
 {
     const std::string problem =
         options.folder.empty()      ? "a feature needs '-o DIR', a new or empty folder"
@@ -89,7 +83,7 @@ int NewFeature(const NewOptions& options, Console& console)
     if (!problem.empty())
     {
         console.Error(problem);
-        return static_cast<int>(ExitCode::WrongUsage);
+        return ExitCode::WrongUsage;
     }
     std::vector<NewFile> files;
     for (const auto& [file, text] : FilesOf(options.style))
@@ -98,7 +92,7 @@ int NewFeature(const NewOptions& options, Console& console)
             {FileName(file, options.name), Replaced(std::string(text), "@NAME@", options.name)});
     }
     WriteFeatureFolder(options.folder, files, console);
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 /// Returns "a/hero.scene.yaml" for "a/hero" and for itself.
@@ -152,7 +146,7 @@ std::string MaterialText(const std::vector<std::string>& contents, AssetContext&
     return NewMaterial(*shader);
 }
 
-int NewYamlFile(const NewOptions& options, Console& console)
+ExitCode NewYamlFile(const NewOptions& options, Console& console)
 {
     const std::size_t allowed = options.kind == "profile"    ? options.contents.size()
                                 : options.kind == "material" ? 1
@@ -164,7 +158,7 @@ int NewYamlFile(const NewOptions& options, Console& console)
                       : !options.style.empty() ? "--style is for features"
                       : allowed == 1           ? "a material has one shader; quote its name"
                                      : "'" + options.contents[0] + "' is one word too many");
-        return static_cast<int>(ExitCode::WrongUsage);
+        return ExitCode::WrongUsage;
     }
     AssetContext assets;
     const std::string file = WithEnding(options.name, options.kind);
@@ -196,12 +190,12 @@ int NewYamlFile(const NewOptions& options, Console& console)
         WriteFile(newFile.name, newFile.text);
         console.Result(newFile.name);
     }
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace
 
-int RunNew(const NewOptions& options, Console& console)
+ExitCode RunNew(const NewOptions& options, Console& console)
 {
     return options.kind == "feature" ? NewFeature(options, console) : NewYamlFile(options, console);
 }

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <limn/base/ReadFile.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <set>
 #include <utility>
 
@@ -41,13 +40,12 @@ CSharpFiles ReadFor(const std::vector<std::pair<std::string, std::string>>& text
 
 bool HasFeature(const CSharpFiles& files)
 {
-    return std::ranges::any_of(files,
-                               [](const std::unique_ptr<CSharpFile>& file)
-                               {
-                                   return std::ranges::any_of(
-                                       file->classes, [](const CSharpClass& one)
-                                       { return one.Derives("ScriptableRendererFeature"); });
-                               });
+    const auto isFeature = [](const CSharpClass& one)
+    {
+        return one.Derives("ScriptableRendererFeature");
+    };
+    return std::ranges::any_of(files, [&](const auto& file)
+                               { return std::ranges::any_of(file->classes, isFeature); });
 }
 
 bool HasConditions(const CSharpFiles& files)
@@ -133,7 +131,7 @@ void NoteConditions(const ReadCSharpFiles& read, Console& console)
 
 } // namespace
 
-int RunPort(const PortOptions& options, Console& console)
+ExitCode RunPort(const PortOptions& options, Console& console)
 {
     std::vector<std::pair<std::string, std::string>> texts;
     for (const std::string& path : options.files)
@@ -156,7 +154,7 @@ int RunPort(const PortOptions& options, Console& console)
                  " names of Unity: " + Counts(port.uses) + "; " + std::to_string(port.done) +
                  " of its settings, passes and events are C++, and " + std::to_string(port.left) +
                  (port.left == 1 ? " TODO is" : " TODOs are") + " left; see PORTING.md");
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

@@ -8,7 +8,6 @@
 #include "view/VolumeGizmos.h"
 
 #include <future>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <set>
 #include <thread>
@@ -83,13 +82,13 @@ void WritePicture(const RenderOptions& options, const Image& image, Console& con
 
 } // namespace
 
-int RunRender(const RenderOptions& options, Console& console)
+ExitCode RunRender(const RenderOptions& options, Console& console)
 {
     if (options.output == k_Stdout && console.isOutTerminal())
     {
         console.Error("-o -: stdout is a terminal, which shows no PNG; lead it elsewhere: "
                       "'limn render SCENE -o - > out.png'");
-        return static_cast<int>(ExitCode::WrongUsage);
+        return ExitCode::WrongUsage;
     }
     RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "render");
     Allocations::isAsked = !options.statsFile.empty();
@@ -148,7 +147,7 @@ int RunRender(const RenderOptions& options, Console& console)
     {
         WriteTrace(options.traceFile, measurements);
     }
-    return static_cast<int>(PrintValidation(validation, console));
+    return PrintValidation(validation, console);
 }
 
 } // namespace limn

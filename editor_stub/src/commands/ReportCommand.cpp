@@ -19,7 +19,6 @@
 #include <iomanip>
 #include <limn/base/HashContent.h>
 #include <limn/base/ReadFile.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Version.h>
 #include <span>
 #include <sstream>
@@ -88,9 +87,9 @@ std::vector<std::string> TechniqueNames(const std::vector<std::string>& wanted,
         const Technique* technique = FindTechnique(techniques, name);
         if (technique == nullptr)
         {
-            std::vector<std::string_view> known;
-            std::ranges::transform(techniques, std::back_inserter(known), &Technique::name);
-            throw AssetError("--technique", {}, "unknown technique " + UnknownName(name, known));
+            throw AssetError("--technique", {},
+                             "unknown technique " +
+                                 UnknownName(name, NamesOf(techniques, &Technique::name)));
         }
         names.push_back(technique->name);
     }
@@ -164,13 +163,8 @@ private:
     void Measure(const std::vector<CellId>& unit, TimeLeft& left, Console& console)
     {
         std::vector<CellId> missing;
-        for (const CellId& id : unit)
-        {
-            if (!folder.Has(id))
-            {
-                missing.push_back(id);
-            }
-        }
+        std::ranges::copy_if(unit, std::back_inserter(missing),
+                             [this](const CellId& id) { return !folder.Has(id); });
         if (missing.empty())
         {
             left.Skip(WorkOf(unit));
@@ -216,14 +210,8 @@ void PrintReport(const ReportFiles& report, Console& console)
     {
         console.Verbose("wrote " + file.string());
     }
-    for (const std::string& warning : report.warnings)
-    {
-        console.Warning(warning);
-    }
-    for (const std::string& remark : report.sceneRemarks)
-    {
-        console.Line(remark);
-    }
+    std::ranges::for_each(report.warnings, [&](const auto& each) { console.Warning(each); });
+    std::ranges::for_each(report.sceneRemarks, [&](const auto& each) { console.Line(each); });
     console.Line(report.recommendation);
 }
 
@@ -237,7 +225,7 @@ ReportOptions PageOptions(const ReportCommandOptions& options)
     return pages;
 }
 
-int Merge(const ReportCommandOptions& options, Console& console)
+ExitCode Merge(const ReportCommandOptions& options, Console& console)
 {
     std::vector<Study> parts;
     for (const std::string& folder : options.paths)
@@ -283,10 +271,10 @@ int Merge(const ReportCommandOptions& options, Console& console)
     {
         console.Data(JsonText({{"reports", json}}));
     }
-    return static_cast<int>(isWhole ? ExitCode::Done : ExitCode::BadInput);
+    return isWhole ? ExitCode::Done : ExitCode::BadInput;
 }
 
-int Compare(const ReportCommandOptions& options, Console& console)
+ExitCode Compare(const ReportCommandOptions& options, Console& console)
 {
     const Study first = ReadStudy(options.paths[0]);
     const Study second = ReadStudy(options.paths[1]);
@@ -295,21 +283,20 @@ int Compare(const ReportCommandOptions& options, Console& console)
     {
         console.Data(JsonText(
             {{"cells", {first.cells.size(), second.cells.size()}}, {"differences", differences}}));
-        return static_cast<int>(differences.empty() ? ExitCode::Done : ExitCode::BadInput);
     }
-    for (const std::string& difference : differences)
+    else
     {
-        console.Result(difference);
+        std::ranges::for_each(differences, [&](const auto& each) { console.Result(each); });
+        console.Note(std::to_string(first.cells.size()) + " and " +
+                     std::to_string(second.cells.size()) + " cells, " +
+                     std::to_string(differences.size()) + " differ, times apart");
     }
-    console.Note(std::to_string(first.cells.size()) + " and " +
-                 std::to_string(second.cells.size()) + " cells, " +
-                 std::to_string(differences.size()) + " differ, times apart");
-    return static_cast<int>(differences.empty() ? ExitCode::Done : ExitCode::BadInput);
+    return differences.empty() ? ExitCode::Done : ExitCode::BadInput;
 }
 
 } // namespace
 
-int RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console)
+ExitCode RunReport(RenderOptions render, const ReportCommandOptions& options, Console& console)
 {
     if (options.isMerge)
     {
@@ -320,7 +307,7 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
     {
         console.Error(options.isCompare ? "report --compare: two folders of reports are expected"
                                         : "report: one scene is expected");
-        return static_cast<int>(ExitCode::WrongUsage);
+        return ExitCode::WrongUsage;
     }
     if (options.isCompare)
     {
@@ -356,11 +343,11 @@ int RunReport(RenderOptions render, const ReportCommandOptions& options, Console
         options.json ? console.Data(JsonText({{"folder", options.output},
                                               {"shard", {options.shard, options.shards}}}))
                      : console.Result(options.output);
-        return static_cast<int>(ExitCode::Done);
+        return ExitCode::Done;
     }
     const ReportFiles report = WriteReport(study, options.output, PageOptions(options));
     options.json ? console.Data(JsonText(ReportJson(report))) : PrintReport(report, console);
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

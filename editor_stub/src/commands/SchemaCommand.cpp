@@ -3,7 +3,6 @@
 #include "plugins/LoadPlugin.h"
 #include "schema/Schemas.h"
 
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/features/Features.h>
 
 namespace limn
@@ -21,23 +20,17 @@ Json SchemaOf(const std::string& kind, std::span<const std::string> plugins)
     {
         LoadPlugin(plugin, features, components);
     }
-    if (kind == "scene")
-    {
-        return SceneSchema(features);
-    }
-    if (kind == "material")
-    {
-        return MaterialFileSchema();
-    }
-    return ProfileSchema(components);
+    return kind == "scene"      ? SceneSchema(features)
+           : kind == "material" ? MaterialFileSchema()
+                                : ProfileSchema(components);
 }
 
 } // namespace
 
-int RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console)
+ExitCode RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console)
 {
     console.Results(JsonText(SchemaOf(kind, plugins)));
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

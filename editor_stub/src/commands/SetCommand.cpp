@@ -8,7 +8,6 @@
 #include <limn/base/FileCache.h>
 #include <limn/base/HashContent.h>
 #include <limn/base/WriteFile.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/volume/UnityAsset.h>
 
 namespace limn
@@ -99,14 +98,14 @@ void PrintChanges(const SetOptions& options, const std::vector<ScalarChange>& ch
 
 } // namespace
 
-int RunSet(const SetOptions& options, Console& console)
+ExitCode RunSet(const SetOptions& options, Console& console)
 {
     RequireKind(options.file, {FileKind::Scene, FileKind::Profile}, "set");
     if (options.undo)
     {
         Undo(options.file);
         PrintUndone(options, console);
-        return static_cast<int>(ExitCode::Done);
+        return ExitCode::Done;
     }
     AssetContext assets;
     for (const std::string& plugin : options.plugins)
@@ -125,7 +124,7 @@ int RunSet(const SetOptions& options, Console& console)
             : SetScalars(options.file, edits, assets.volumeComponents(), &written);
     KeepForUndo(options.file, written);
     PrintChanges(options, changes, console);
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

@@ -11,7 +11,6 @@
 #include <future>
 #include <limn/base/TerminalText.h>
 #include <limn/base/WorkerProcess.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/PrintShaderLab.h>
@@ -38,13 +37,14 @@ std::set<std::string> DeclaredKeywords(const std::vector<ShaderCheck>& checks)
         {
             for (const CheckedPass& pass : subShader.passes)
             {
-                const std::vector<KeywordSet> none;
-                for (const KeywordSet& set :
-                     pass.pass->program ? pass.pass->program->keywordSets : none)
-                {
-                    declared.insert(set.keywords.begin(), set.keywords.end());
-                }
                 declared.insert(pass.keywords.begin(), pass.keywords.end());
+                if (pass.pass->program)
+                {
+                    for (const KeywordSet& set : pass.pass->program->keywordSets)
+                    {
+                        declared.insert(set.keywords.begin(), set.keywords.end());
+                    }
+                }
             }
         }
     }
@@ -311,7 +311,7 @@ std::string CanonicalText(const std::filesystem::path& file, Console& console)
     }
 }
 
-int PrintFiles(const ShaderOptions& options, Console& console)
+ExitCode PrintFiles(const ShaderOptions& options, Console& console)
 {
     bool hasErrors = false;
     for (const std::filesystem::path& file : FindFiles(options.paths))
@@ -321,7 +321,7 @@ int PrintFiles(const ShaderOptions& options, Console& console)
         // A file of its own where it goes into one, and text for people on a terminal.
         console.out() << (console.isOutTerminal() ? SeveralLines(text) : text);
     }
-    return static_cast<int>(hasErrors ? ExitCode::BadInput : ExitCode::Done);
+    return hasErrors ? ExitCode::BadInput : ExitCode::Done;
 }
 
 bool isCompute(const std::string& path)
@@ -357,7 +357,7 @@ bool CheckKernel(const PassProgram& kernel, const ShaderOptions& options, Shader
     }
 }
 
-int CheckComputeFiles(const ShaderOptions& options, Console& console)
+ExitCode CheckComputeFiles(const ShaderOptions& options, Console& console)
 {
     const bool isForShaders =
         options.json || options.print || options.variants || !options.emit.empty();
@@ -365,7 +365,7 @@ int CheckComputeFiles(const ShaderOptions& options, Console& console)
     {
         console.Error("shader: .compute files are checked on their own; --emit, --json, --print "
                       "and --variants, and other files beside them, are not for them");
-        return static_cast<int>(ExitCode::WrongUsage);
+        return ExitCode::WrongUsage;
     }
     const std::shared_ptr<ShaderCompiler> compiler = MakeCompiler(options);
     bool isGood = true;
@@ -376,7 +376,7 @@ int CheckComputeFiles(const ShaderOptions& options, Console& console)
             isGood = CheckKernel(kernel, options, *compiler, console) && isGood;
         }
     }
-    return static_cast<int>(isGood ? ExitCode::Done : ExitCode::BadInput);
+    return isGood ? ExitCode::Done : ExitCode::BadInput;
 }
 
 /// Returns the exit code for the checks, and prints a sentence if no error explains it.
@@ -395,7 +395,7 @@ ExitCode PrintVerdict(const std::vector<ShaderCheck>& checks, Console& console)
 
 } // namespace
 
-int RunShader(const ShaderOptions& options, Console& console)
+ExitCode RunShader(const ShaderOptions& options, Console& console)
 {
     if (std::ranges::any_of(options.paths, isCompute))
     {
@@ -411,9 +411,7 @@ int RunShader(const ShaderOptions& options, Console& console)
     }
     ParallelCheck running(FindFiles(options.paths), options);
     const std::vector<ShaderCheck> checks = CheckAll(running, options, console);
-    std::error_code ignored;
-    const bool isOneFile =
-        options.paths.size() == 1 && !std::filesystem::is_directory(options.paths.front(), ignored);
+    const bool isOneFile = options.paths.size() == 1 && !isFolder(options.paths.front());
     if (options.json)
     {
         console.Data(ShadersAsJson(checks));
@@ -422,16 +420,13 @@ int RunShader(const ShaderOptions& options, Console& console)
     {
         console.Results(DescribeVariants(checks));
     }
-    else if (isOneFile && options.emit.empty())
-    {
-        console.Results(DescribeShader(checks.front()));
-    }
     else if (options.emit.empty())
     {
-        console.Result(ToString(Summarize(checks)));
+        isOneFile ? console.Results(DescribeShader(checks.front()))
+                  : console.Result(ToString(Summarize(checks)));
     }
     PrintUnknownKeywords(checks, options.keywords, console);
-    return static_cast<int>(PrintVerdict(checks, console));
+    return PrintVerdict(checks, console);
 }
 
 } // namespace limn

@@ -5,8 +5,6 @@
 #include "view/Redrawer.h"
 #include <limn/base/StopSignals.h>
 
-#include <limn/editor_stub/RunLimn.h>
-
 namespace limn
 {
 
@@ -51,7 +49,7 @@ void RequireStart(const RenderOptions& options)
 
 } // namespace
 
-int RunWatch(const RenderOptions& options, Console& console)
+ExitCode RunWatch(const RenderOptions& options, Console& console)
 {
     RequireStart(options);
     RequireKind(options.scene, {FileKind::Scene, FileKind::UnityScene}, "watch");
@@ -67,7 +65,7 @@ int RunWatch(const RenderOptions& options, Console& console)
         }
         redrawer.Redraw(changes);
     }
-    return static_cast<int>(ExitCode::Done);
+    return ExitCode::Done;
 }
 
 } // namespace limn

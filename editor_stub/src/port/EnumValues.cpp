@@ -9,47 +9,32 @@ namespace limn
 namespace
 {
 
-using Number = std::optional<std::int64_t>;
-using Members = std::map<std::string_view, std::int64_t>;
+/// A whole number, wrapped around as C# does where it does not check.
+using Bits = std::uint64_t;
+using Number = std::optional<Bits>;
+using Members = std::map<std::string_view, Bits>;
+
+constexpr int k_Shift = 4; ///< the strength of << and >>, which are two words each
 
 /// Returns how tightly an operator of C# binds; 0 if it is no operator of whole numbers.
 int EnumStrength(std::string_view word)
 {
-    return word == "|"   ? 1
-           : word == "^" ? 2
-           : word == "&" ? 3
-           : word == "<" ? 4 // << and >>, each two words
-           : word == ">" ? 4
-           : word == "+" ? 5
-           : word == "-" ? 5
-           : word == "*" ? 6
-                         : 0;
+    constexpr std::string_view k_Operators = "|^&<>+-*";
+    constexpr int k_Strengths[] = {1, 2, 3, k_Shift, k_Shift, 5, 5, 6};
+    const std::size_t index = word.size() == 1 ? k_Operators.find(word) : word.npos;
+    return index == word.npos ? 0 : k_Strengths[index];
 }
 
-/// Wraps around as C# does where it does not check.
-Number Apply(std::string_view word, std::int64_t left, std::int64_t right)
+Bits Apply(char operation, Bits a, Bits b)
 {
-    const auto a = static_cast<std::uint64_t>(left);
-    const auto b = static_cast<std::uint64_t>(right);
-    switch (word[0])
-    {
-    case '|':
-        return left | right;
-    case '^':
-        return left ^ right;
-    case '&':
-        return left & right;
-    case '<':
-        return static_cast<std::int64_t>(a << (b & 31));
-    case '>':
-        return left >> (b & 31);
-    case '+':
-        return static_cast<std::int64_t>(a + b);
-    case '-':
-        return static_cast<std::int64_t>(a - b);
-    default:
-        return static_cast<std::int64_t>(a * b);
-    }
+    return operation == '|'   ? a | b
+           : operation == '^' ? a ^ b
+           : operation == '&' ? a & b
+           : operation == '<' ? a << (b & 31)
+           : operation == '>' ? static_cast<Bits>(static_cast<std::int64_t>(a) >> (b & 31))
+           : operation == '+' ? a + b
+           : operation == '-' ? a - b
+                              : a * b;
 }
 
 class Evaluator
@@ -81,17 +66,17 @@ private:
         {
             const std::string_view word = m_At->text;
             const int strength = EnumStrength(word);
-            if (strength < least || strength == 0)
+            if (strength < least)
             {
                 break;
             }
             ++m_At;
-            if (strength == EnumStrength("<") && !Next(word))
+            if (strength == k_Shift && !Next(word))
             {
                 return std::nullopt;
             }
             const Number right = Binary(strength + 1);
-            left = right ? Apply(word, *left, *right) : std::nullopt;
+            left = right ? Number(Apply(word[0], *left, *right)) : std::nullopt;
         }
         return left;
     }
@@ -107,7 +92,7 @@ private:
         Number value = Operand();
         while (value && sign != first)
         {
-            value = (--sign)->Is("-") ? Apply("-", 0, *value) : ~*value;
+            value = (--sign)->Is("-") ? 0 - *value : ~*value;
         }
         return value;
     }
@@ -145,7 +130,8 @@ private:
         const char* end = text.data() + text.size();
         std::int64_t value = 0;
         const auto read = std::from_chars(begin, end, value, isHex ? 16 : isBinary ? 2 : 10);
-        return read.ec == std::errc{} && read.ptr == end ? Number(value) : std::nullopt;
+        return read.ec == std::errc{} && read.ptr == end ? Number(static_cast<Bits>(value))
+                                                         : std::nullopt;
     }
 
     const CSharpToken* m_At;
@@ -154,13 +140,12 @@ private:
 };
 
 /// Returns the value as an enum with this base type holds it.
-std::int64_t Wrapped(std::int64_t value, const std::vector<std::string>& bases)
+std::int64_t Wrapped(Bits value, const std::vector<std::string>& bases)
 {
     const std::string type = bases.empty() ? "int" : bases.front();
-    return type == "uint"    ? static_cast<std::int64_t>(static_cast<std::uint32_t>(value))
-           : type == "long"  ? value
-           : type == "ulong" ? value
-                             : static_cast<std::int64_t>(static_cast<std::int32_t>(value));
+    return type == "uint"                      ? static_cast<std::uint32_t>(value)
+           : type == "long" || type == "ulong" ? static_cast<std::int64_t>(value)
+                                               : static_cast<std::int32_t>(value);
 }
 
 } // namespace
@@ -169,19 +154,18 @@ std::vector<std::optional<std::int64_t>> EnumValues(const CSharpClass& one)
 {
     std::vector<std::optional<std::int64_t>> values;
     Members members;
-    std::optional<std::int64_t> next = 0;
+    Number next = 0;
     for (const CSharpEnumerator& entry : one.enumerators)
     {
         if (!entry.value.empty())
         {
             next = Evaluator(entry.value, members).Run();
         }
-        next = next ? Number(Wrapped(*next, one.bases)) : next;
-        values.push_back(next);
+        values.push_back(next ? std::optional(Wrapped(*next, one.bases)) : std::nullopt);
         if (next)
         {
-            members[entry.name] = *next;
-            next = Apply("+", *next, 1);
+            members[entry.name] = static_cast<Bits>(*values.back());
+            next = members[entry.name] + 1;
         }
     }
     return values;

@@ -1,10 +1,6 @@
 #include "port/PortExpression.h"
 
-#include "port/PortModel.h"
-#include "port/csharp/CSharpTokens.h"
-
 #include <array>
-#include <limn/core/Inspector.h>
 
 namespace limn
 {
@@ -27,6 +23,16 @@ int Strength(std::string_view word)
         {"<=", 5}, {">=", 5}, {"+", 6}, {"-", 6},  {"*", 7},  {"/", 7}};
     const auto found = strengths.find(word);
     return found == strengths.end() ? 0 : found->second;
+}
+
+/// C++ once had characters that begin with ??.
+std::string WithoutTrigraphs(std::string text)
+{
+    for (std::size_t at = text.find("??"); at != std::string::npos; at = text.find("??", at))
+    {
+        text.insert(++at, "\\");
+    }
+    return text;
 }
 
 class Translator
@@ -56,11 +62,7 @@ private:
 
     Result ReadAny(const std::string& wanted)
     {
-        if (m_At < m_End && m_At->Is("{"))
-        {
-            return ReadElements(wanted);
-        }
-        return ReadBinary(1, wanted);
+        return m_At < m_End && m_At->Is("{") ? ReadElements(wanted) : ReadBinary(1, wanted);
     }
 
     Result Convert(PortValue value, const std::string& wanted) const
@@ -77,13 +79,11 @@ private:
             return value;
         }
         const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
-        if (wanted == "float" && value.type == "int" && value.isLiteral && !isHex)
-        {
-            return PortValue{value.cpp + ".0f", "float", true};
-        }
         if (wanted == "float" && value.type == "int")
         {
-            return PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
+            return value.isLiteral && !isHex
+                       ? PortValue{value.cpp + ".0f", "float", true}
+                       : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
         }
         if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
         {
@@ -99,11 +99,11 @@ private:
             {
                 return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
             }
-            const bool isBits = isRendering && value.cpp[0] != '-' && value.cpp[0] != '~';
-            return isBits
-                       ? Result(PortValue{
-                             wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted})
-                       : std::nullopt;
+            if (!isRendering || value.cpp[0] == '-' || value.cpp[0] == '~')
+            {
+                return std::nullopt;
+            }
+            return PortValue{wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted};
         }
         if (value.type == "null")
         {
@@ -138,14 +138,15 @@ private:
             {
                 return std::nullopt;
             }
-            const Result a = Convert(left, "float");
-            const Result b = Convert(right, "float");
-            if (!a || !b)
+            for (PortValue* side : {&left, &right})
             {
-                return std::nullopt;
+                const Result converted = Convert(*side, "float");
+                if (!converted)
+                {
+                    return std::nullopt;
+                }
+                *side = *converted;
             }
-            left = *a;
-            right = *b;
         }
         const bool isEvent =
             left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
@@ -154,10 +155,11 @@ private:
                               left.type == "ScriptableRenderPassInput");
         const bool isLogic =
             (word == "&&" || word == "||") && left.type == "bool" && right.type == "bool";
+        const bool isSame = left.type == right.type;
         const bool isComparison = Strength(word) == 4 || Strength(word) == 5;
-        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && left.type == right.type;
+        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && isSame;
         if (!isEvent && !isFlags && !isLogic && !isSum &&
-            !(isComparison && left.type == right.type && left.type != "null"))
+            !(isComparison && isSame && left.type != "null"))
         {
             return std::nullopt;
         }
@@ -185,8 +187,8 @@ private:
             value->cpp = word + value->cpp;
             return value;
         }
-        if (m_At->Is("(") && m_At[1].isName() && m_At + 2 < m_End && m_At[2].Is(")") &&
-            (m_At[1].Is("int") || m_At[1].Is("float")))
+        if (m_At->Is("(") && (m_At[1].Is("int") || m_At[1].Is("float")) && m_At + 2 < m_End &&
+            m_At[2].Is(")"))
         {
             const std::string type(m_At[1].text);
             m_At += 3;
@@ -195,10 +197,9 @@ private:
                        ? Result(PortValue{"static_cast<" + type + ">(" + value->cpp + ")", type})
                        : std::nullopt;
         }
-        if (m_At->Is("("))
+        if (Next("("))
         {
-            ++m_At;
-            Result value = ReadBinary(1, wanted);
+            const Result value = ReadBinary(1, wanted);
             return Next(")") ? value : std::nullopt;
         }
         return ReadPrimary(wanted);
@@ -277,7 +278,7 @@ private:
         const CSharpToken* at = m_At;
         std::string type = at < m_End && !at->Is("(") ? ReadCSharpType(at) : "";
         m_At = at;
-        if (m_At < m_End && m_At->Is("[") && m_At->match > 0) // new T[3]
+        if (m_At < m_End && m_At->Is("[")) // new T[3]
         {
             return std::nullopt;
         }
@@ -285,8 +286,7 @@ private:
         std::vector<CSharpWords> arguments;
         if (m_At < m_End && m_At->Is("("))
         {
-            arguments = SplitArguments({m_At + 1, m_At + m_At->match});
-            m_At += m_At->match + 1;
+            arguments = TakeArguments();
         }
         if (m_At < m_End && m_At->Is("{"))
         {
@@ -298,7 +298,8 @@ private:
     Result Construct(const std::string& type, const std::vector<CSharpWords>& arguments)
     {
         static const std::map<std::string, std::pair<std::size_t, std::size_t>> counts = {
-            {"Color", {3, 4}}, {"Vector2", {2, 2}}, {"Vector3", {3, 3}}, {"Vector4", {4, 4}}};
+            {"Color", {3, 4}},   {"Vector2", {2, 2}},     {"Vector3", {3, 3}},
+            {"Vector4", {4, 4}}, {"ShaderTagId", {1, 1}}, {"ProfilingSampler", {1, 1}}};
         const auto cpp = m_Model.CppType(type);
         if (!cpp)
         {
@@ -311,26 +312,42 @@ private:
                        : Result(PortValue{*cpp + PortModel::CppDefault(*cpp), type});
         }
         const auto count = counts.find(type);
-        const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
-        const bool isKnown = count != counts.end() ? arguments.size() >= count->second.first &&
-                                                         arguments.size() <= count->second.second
-                                                   : isNamed && arguments.size() == 1;
-        if (!isKnown)
+        if (count == counts.end() || arguments.size() < count->second.first ||
+            arguments.size() > count->second.second)
         {
             return std::nullopt;
         }
-        std::string text = *cpp + (type == "Color" ? "{" : "(");
-        for (const CSharpWords& argument : arguments)
+        const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
+        const auto values = List(arguments, isNamed ? "string" : "float");
+        const bool isColor = type == "Color";
+        return values ? Result(PortValue{
+                            *cpp + (isColor ? "{" : "(") + *values + (isColor ? "}" : ")"), type})
+                      : std::nullopt;
+    }
+
+    /// Returns the arguments of the bracket that stands here, and continues behind it.
+    std::vector<CSharpWords> TakeArguments()
+    {
+        const CSharpWords words = m_At->Inside();
+        m_At = m_At->Behind();
+        return SplitArguments(words);
+    }
+
+    /// Returns "a, b", or nothing if one of the values is not known.
+    std::optional<std::string> List(const std::vector<CSharpWords>& items,
+                                    const std::string& type) const
+    {
+        std::string text;
+        for (const CSharpWords& words : items)
         {
-            const Result value =
-                Translate(m_Model, m_Scope, argument, isNamed ? "string" : "float");
+            const Result value = Translate(m_Model, m_Scope, words, type);
             if (!value)
             {
                 return std::nullopt;
             }
-            text += (&argument == arguments.data() ? "" : ", ") + value->cpp;
+            text += (text.empty() ? "" : ", ") + value->cpp;
         }
-        return PortValue{text + (type == "Color" ? "}" : ")"), type};
+        return text;
     }
 
     /// {a, b}
@@ -338,34 +355,14 @@ private:
     {
         const bool isArray = type.ends_with("[]");
         const bool isList = type.starts_with("List<");
-        const auto elements = SplitArguments({m_At + 1, m_At + m_At->match});
-        m_At += m_At->match + 1;
+        const auto elements = TakeArguments();
         if (!isArray && !isList)
         {
             return std::nullopt;
         }
-        const std::string element = type.substr(isList ? 5 : 0, type.size() - (isList ? 6 : 2));
-        std::string text = "{";
-        for (const CSharpWords& words : elements)
-        {
-            const Result value = Translate(m_Model, m_Scope, words, element);
-            if (!value)
-            {
-                return std::nullopt;
-            }
-            text += (text.size() == 1 ? "" : ", ") + value->cpp;
-        }
-        return PortValue{text + "}", type};
-    }
-
-    /// Shader.PropertyToID("_X"), whose bracket is the next word.
-    Result ReadPropertyId()
-    {
-        const CSharpToken* close = m_At + m_At->match;
-        const Result name = Translate(m_Model, m_Scope, {m_At + 1, close}, "string");
-        m_At = close + 1;
-        return name ? Result(PortValue{"Shader::PropertyToID(" + name->cpp + ")", k_PropertyIdType})
-                    : std::nullopt;
+        const auto values =
+            List(elements, type.substr(isList ? 5 : 0, type.size() - (isList ? 6 : 2)));
+        return values ? Result(PortValue{"{" + *values + "}", type}) : std::nullopt;
     }
 
     /// a.b.c
@@ -380,10 +377,14 @@ private:
             }
             names.emplace_back((m_At++)->text);
         } while (Next("."));
-        const bool isCall = m_At < m_End && m_At->Is("(") && m_At->match > 0;
-        if (isCall && names == std::vector<std::string>{"Shader", "PropertyToID"})
+        if (m_At < m_End && m_At->Is("(") &&
+            names == std::vector<std::string>{"Shader", "PropertyToID"})
         {
-            return ReadPropertyId();
+            const Result name = Translate(m_Model, m_Scope, m_At->Inside(), "string");
+            m_At = m_At->Behind();
+            return name ? Result(PortValue{"Shader::PropertyToID(" + name->cpp + ")",
+                                           k_PropertyIdType})
+                        : std::nullopt;
         }
         if (names.front() == "this" && names.size() > 1)
         {
@@ -517,6 +518,44 @@ std::optional<PortValue> Translate(const PortModel& model, const PortScope& scop
                                    CSharpWords words, const std::string& wanted)
 {
     return words.empty() ? std::nullopt : Translator(model, scope, words).Run(wanted);
+}
+
+std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
+{
+    for (std::size_t i = 0; i < words.size() && words.front().Is("new"); ++i)
+    {
+        if (words[i].Is("("))
+        {
+            return SplitArguments(words[i].Inside());
+        }
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> PlainText(CSharpWords words)
+{
+    if (words.size() > 2 && words.size() % 2 == 1 && words[1].Is("+"))
+    {
+        const auto first = PlainText(words.first(1));
+        const auto rest = PlainText(words.subspan(2));
+        return first && rest ? std::optional(WithoutTrigraphs(*first + *rest)) : std::nullopt;
+    }
+    if (words.size() != 1 || words[0].kind != CSharpTokenKind::String)
+    {
+        return std::nullopt;
+    }
+    const std::string_view text = words[0].text;
+    const bool isPlain = text.size() >= 2 && text[0] == '"' && !text.starts_with("\"\"\"");
+    const std::string_view inner = isPlain ? text.substr(1, text.size() - 2) : "\\";
+    for (std::size_t at = inner.find('\\'); at < inner.size(); at = inner.find('\\', at + 2))
+    {
+        if (at + 1 >= inner.size() ||
+            std::string_view("\\\"nt").find(inner[at + 1]) == std::string_view::npos)
+        {
+            return std::nullopt;
+        }
+    }
+    return WithoutTrigraphs(std::string(inner));
 }
 
 std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words)

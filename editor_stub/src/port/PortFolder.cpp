@@ -1,27 +1,20 @@
 #include "port/PortFolder.h"
 
 #include "console/Texts.h"
-#include "port/PortExpression.h"
-#include "port/PortModel.h"
 #include "port/PortedCode.h"
 
-#include <array>
-#include <filesystem>
 #include <limn/base/EmbeddedFile.h>
 
 namespace limn
 {
 
+namespace embedded
+{
+std::span<const EmbeddedFile> PortTemplate();
+}
+
 namespace
 {
-
-/// One line of the three.
-struct FilterLine
-{
-    const char* member;
-    const char* type;
-    std::string value;
-};
 
 /// The arguments of the C# code, in the order of the constructor of Unity's FilteringSettings.
 struct FoundFilter
@@ -35,11 +28,10 @@ void FindIn(CSharpWords words, const CSharpClass& owner, FoundFilter& found)
 {
     for (std::size_t i = 0; i + 1 < words.size() && !found.owner; ++i)
     {
-        if (words[i].Is("FilteringSettings") && words[i + 1].Is("(") && words[i + 1].match > 1)
+        const CSharpToken& open = words[i + 1];
+        if (words[i].Is("FilteringSettings") && open.Is("(") && !open.Inside().empty())
         {
-            const auto length = static_cast<std::size_t>(words[i + 1].match);
-            found = {&owner, words.subspan(i, length + 2),
-                     SplitArguments(words.subspan(i + 2, length - 1))};
+            found = {&owner, {&words[i], open.Behind()}, SplitArguments(open.Inside())};
         }
     }
 }
@@ -79,37 +71,28 @@ std::string Flat(std::string_view text)
 /// `new FilteringSettings(...)` of the C# says where that is known, everything elsewhere.
 std::string FilterLines(const PortModel& model)
 {
-    std::array<FilterLine, 3> lines = {
-        {{"renderQueueRange", "RenderQueueRange", "RenderQueueRange::all"},
-         {"layerMask", "LayerMask", "LayerMask::Everything()"},
-         {"renderingLayerMask", "RenderingLayerMask", "RenderingLayerMask::Everything()"}}};
+    constexpr const char* k_Members[] = {"renderQueueRange", "layerMask", "renderingLayerMask"};
+    constexpr const char* k_Types[] = {"RenderQueueRange", "LayerMask", "RenderingLayerMask"};
     const FoundFilter found = FindFilter(model);
     std::string text;
     if (found.owner)
     {
         text = "    // C#: " + model.Place(*found.owner, found.words.front().location) + ": " +
-               Flat(TextOf(model.FileOf(*found.owner), found.words)) + "\n";
+               Flat(model.Text(*found.owner, found.words)) + "\n";
     }
-    for (std::size_t i = 0; i < lines.size(); ++i)
+    for (std::size_t i = 0; i < std::size(k_Types); ++i)
     {
         const auto value = i < found.arguments.size()
-                               ? Translate(model, {}, found.arguments[i], lines[i].type)
+                               ? Translate(model, {}, found.arguments[i], k_Types[i])
                                : std::nullopt;
-        text += "    filtering." + std::string(lines[i].member) + " = " +
-                (value ? value->cpp : lines[i].value) + ";\n";
+        text += "    filtering." + std::string(k_Members[i]) + " = " +
+                (value    ? value->cpp
+                 : i == 0 ? "RenderQueueRange::all"
+                          : k_Types[i] + std::string("::Everything()")) +
+                ";\n";
     }
     return text;
 }
-
-} // namespace
-
-namespace embedded
-{
-std::span<const EmbeddedFile> PortTemplate();
-}
-
-namespace
-{
 
 /// Returns the number of things that the porter has left to do.
 int CountTodos(const std::string& text)
@@ -141,15 +124,90 @@ void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector
         text = Replaced(std::move(text), "@REGISTERED@", RegisteredName(feature));
         files.push_back({name, Replaced(std::move(text), "@VOLUMES@\n", volumes)});
     }
-    std::string profile;
-    for (const CSharpClass* component : components)
-    {
-        profile += model.OuterOf(*component) ? "" : RegisteredName(*component) + ": {}\n";
-    }
+    const std::string profile =
+        Joined(model.TopLevel(PortRole::Component), "",
+               [](const CSharpClass* component) { return RegisteredName(*component) + ": {}\n"; });
     if (!profile.empty())
     {
         files.push_back({model.name() + ".profile.yaml", profile});
     }
+}
+
+constexpr std::size_t k_MostPlaces = 8;
+
+/// Returns the text for a cell of a Markdown table.
+std::string Cell(std::string_view text)
+{
+    return Replaced(Replaced(Replaced(std::string(text), "|", "\\|"), "\n", " "), "\r", " ");
+}
+
+std::string Code(std::string_view text)
+{
+    return text.empty() ? "" : "`" + Cell(text) + "`";
+}
+
+/// Returns how much work a use asks of the porter.
+int Weight(const UsedMember& use)
+{
+    return use.entry ? 3 - static_cast<int>(use.entry->verdict) : -1;
+}
+
+/// Returns at most `most` places as text: "A.cs:12, 14, B.cs:3".
+std::string PlacesText(const std::vector<CSharpPlace>& places, std::size_t most)
+{
+    std::string text;
+    const CSharpFile* file = nullptr;
+    for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+    {
+        text += i == 0 ? "" : ", ";
+        if (places[i].file != file)
+        {
+            file = places[i].file;
+            text += file->name() + ":";
+        }
+        text += std::to_string(places[i].location.line) + ":" +
+                std::to_string(places[i].location.column);
+    }
+    return places.size() > most ? text + " and " + std::to_string(places.size() - most) + " more"
+                                : text;
+}
+
+std::string UseRow(const UsedMember& use)
+{
+    return "| " + Code(use.key) + " | " + PlacesText(use.places, k_MostPlaces) + " | " +
+           (use.entry ? ToString(use.entry->verdict) : "**unknown**") + " | " +
+           (use.entry ? use.entry->words : use.problem) + " |\n";
+}
+
+/// Returns the text of PORTING.md: what each thing became, and every use with its verdict.
+std::string PortingReport(const PortModel& model, const std::vector<PortedThing>& things,
+                          std::vector<UsedMember> uses)
+{
+    std::string text =
+        "# Porting " + model.name() +
+        "\n\nBodies stand as comments in the C++, each "
+        "below a TODO. A row that says TODO is a comment there, too.\n\n"
+        "## What the C# says of itself\n\n| | C# | | at | |\n| --- | --- | --- | --- "
+        "| --- |\n";
+    for (const PortedThing& thing : things)
+    {
+        text += "| " + thing.what + " | " + Code(thing.name) + " | " + Code(thing.text) + " | " +
+                thing.place + " | " + (thing.isDone ? "done" : "TODO") + " |\n";
+    }
+    for (const auto& file : model.files())
+    {
+        for (const CSharpCondition& condition : file->tokens.conditions)
+        {
+            text += "| condition | " + Code("#if " + condition.text) + " | " +
+                    (condition.isTrue ? "read" : "left out") + " | " +
+                    PlacesText({{file.get(), condition.location}}, 1) + " | |\n";
+        }
+    }
+    text +=
+        "\n## What it uses\n\nEvery type, member and attribute, by what there is to do.\n\n| Unity "
+        "| at | here | |\n| --- | --- | --- | --- |\n";
+    std::ranges::stable_sort(uses, {}, Weight);
+    return text + Joined(uses, "", UseRow);
 }
 
 } // namespace
@@ -161,23 +219,13 @@ PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
     MarkPropertyIds(files);
     PortModel model(files, table);
     PortedCode code(model);
-    std::vector<std::string> sources;
-    for (const auto& file : files)
-    {
-        sources.push_back(std::filesystem::path(file->path).filename().string());
-    }
-    auto features = model.Of(PortRole::Feature);
-    std::erase_if(features, [&](const CSharpClass* one) { return model.OuterOf(*one) != nullptr; });
-    const CSharpClass& feature = *features.front();
-    folder.files.push_back({feature.name + ".h", PortedHeader(code, sources)});
+    const CSharpClass& feature = *model.TopLevel(PortRole::Feature).front();
+    folder.files.push_back({feature.name + ".h", PortedHeader(code)});
     folder.files.push_back({feature.name + ".cpp", PortedSource(code)});
     folder.left = CountTodos(folder.files[0].text) + CountTodos(folder.files[1].text);
     AddTemplate(model, feature, folder.files);
     folder.files.push_back({"PORTING.md", PortingReport(model, code.things(), folder.uses)});
-    for (const PortedThing& thing : code.things())
-    {
-        folder.done += thing.isDone ? 1 : 0;
-    }
+    folder.done = static_cast<int>(std::ranges::count(code.things(), true, &PortedThing::isDone));
     return folder;
 }
 

@@ -23,11 +23,4 @@ struct PortFolder
 /// @throws AssetError if there is no feature in the files
 PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table);
 
-/// Returns the text of PORTING.md: what each thing became, and every use with its verdict.
-std::string PortingReport(const PortModel& model, const std::vector<struct PortedThing>& things,
-                          const std::vector<UsedMember>& uses);
-
-/// Returns at most `most` places as text: "A.cs:12, 14, B.cs:3".
-std::string PlacesText(const std::vector<CSharpPlace>& places, std::size_t most);
-
 } // namespace limn

@@ -4,7 +4,6 @@
 #include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <limn/base/WordList.h>
 
 namespace limn
@@ -13,10 +12,10 @@ namespace limn
 namespace
 {
 
-/// Types that are called the same.
-bool IsSameType(std::string_view type)
+/// C++'s name of a type that is no class of the files; "" for one that is not known.
+std::string KnownType(const std::string& type)
 {
-    static const WordList types(
+    static const WordList same(
         "AccessFlags BlendMode BlendState BufferHandle CameraType ClearFlag ColorWriteMask "
         "CompareFunction CullMode DepthState DrawingSettings FilterMode FilteringSettings "
         "GraphicsFormat MaterialPropertyBlock RTHandle RasterState RenderPassEvent "
@@ -26,15 +25,9 @@ bool IsSameType(std::string_view type)
         "ShaderTagId SortingCriteria SortingSettings StencilOp StencilState TextureDesc "
         "TextureHandle TextureWrapMode Vector2 Vector2Int Vector3 Vector3Int Vector4 "
         "int float double bool Color LayerMask ProfilingSampler");
-    return types.Has(type);
-}
-
-/// C++'s name of a type that is no class of the files; "" of one that is not known.
-std::string KnownType(const std::string& type)
-{
     static const WordList made("Material ComputeShader GraphicsBuffer ComputeBuffer");
     static const WordList loaded("Shader Texture RenderTexture Mesh");
-    return IsSameType(type)      ? type
+    return same.Has(type)        ? type
            : type == "uint"      ? "std::uint32_t"
            : type == "string"    ? "std::string"
            : type == "Matrix4x4" ? "glm::mat4"
@@ -82,6 +75,13 @@ bool IsInterfaceName(std::string_view name)
     return name.size() > 1 && name[0] == 'I' && name[1] >= 'A' && name[1] <= 'Z';
 }
 
+/// Returns whether a body has `field = `.
+bool Assigns(CSharpWords body, std::string_view field)
+{
+    return std::ranges::adjacent_find(body, [&](const CSharpToken& word, const CSharpToken& next)
+                                      { return word.Is(field) && next.Is("="); }) != body.end();
+}
+
 } // namespace
 
 PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
@@ -96,8 +96,7 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
             Place(*file, one);
         }
     }
-    auto features = Of(PortRole::Feature);
-    std::erase_if(features, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
+    const auto features = TopLevel(PortRole::Feature);
     if (features.empty())
     {
         const std::string found = Joined(m_Index.all(), ", ", &CSharpClass::name);
@@ -179,6 +178,13 @@ std::vector<const CSharpClass*> PortModel::Of(PortRole role) const
     return result;
 }
 
+std::vector<const CSharpClass*> PortModel::TopLevel(PortRole role) const
+{
+    std::vector<const CSharpClass*> classes = Of(role);
+    std::erase_if(classes, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
+    return classes;
+}
+
 bool PortModel::isLeftOut(const CSharpClass& one) const
 {
     const CSharpClass* outer = OuterOf(one);
@@ -200,8 +206,7 @@ std::string PortModel::QualifiedName(const CSharpClass& one) const
 
 std::string PortModel::Place(const CSharpClass& one, const SourceLocation& location) const
 {
-    return std::filesystem::path(FileOf(one).path).filename().string() + ":" +
-           std::to_string(location.line);
+    return FileOf(one).name() + ":" + std::to_string(location.line);
 }
 
 std::optional<std::string> PortModel::CppType(const std::string& type) const
@@ -270,10 +275,8 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
                    : std::nullopt;
     }
     const auto cpp = CppType(type);
-    const bool isSmall =
-        cpp && (*cpp == "int" || *cpp == "float" || *cpp == "bool" || *cpp == "double" ||
-                *cpp == "std::uint32_t" || *cpp == "ShaderPropertyId" || own ||
-                *cpp == "RenderPassEvent" || *cpp == "LayerMask");
+    const bool isSmall = own || IsIn(type, {"int", "float", "bool", "double", "uint",
+                                            "ShaderPropertyId", "RenderPassEvent", "LayerMask"});
     return !cpp || isSmall ? cpp : std::optional("const " + *cpp + "&");
 }
 
@@ -290,38 +293,22 @@ std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parame
 
 bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
 {
-    const CSharpClass* own = Find(field.type);
-    const bool isAlone = own && PlainTypeName(field.type).size() == field.type.size();
-    if (isAlone && RoleOf(*own) == PortRole::Component)
+    const CSharpClass* own = FindPlain(field.type);
+    if (own && RoleOf(*own) == PortRole::Component)
     {
         const bool isNull = field.value.empty() || field.value.front().Is("null");
         return !OuterOf(*own) && isDeclared(*own) && !field.isStatic && isNull;
     }
-    const bool isOne = isAlone && RoleOf(*own) == PortRole::Data && own->keyword == "class";
+    const bool isOne = own && RoleOf(*own) == PortRole::Data && own->keyword == "class";
     const CSharpClass* pass = &one;
     while (pass && RoleOf(*pass) != PortRole::Pass)
     {
         pass = OuterOf(*pass);
     }
     const bool isMade = !field.value.empty() && field.value.front().Is("new");
-    return isOne && pass && !field.isStatic && (!isMade || isAssigned(*pass, field.name));
-}
-
-bool PortModel::isAssigned(const CSharpClass& one, std::string_view field)
-{
-    return std::ranges::any_of(one.methods,
-                               [&](const CSharpMethod& method)
-                               {
-                                   const CSharpWords body = method.body;
-                                   for (std::size_t i = 0; i + 1 < body.size(); ++i)
-                                   {
-                                       if (body[i].Is(field) && body[i + 1].Is("="))
-                                       {
-                                           return true;
-                                       }
-                                   }
-                                   return false;
-                               });
+    return isOne && pass && !field.isStatic &&
+           (!isMade || std::ranges::any_of(pass->methods, [&](const CSharpMethod& method)
+                                           { return Assigns(method.body, field.name); }));
 }
 
 bool PortModel::isSetting(const std::string& type) const
@@ -342,8 +329,7 @@ bool PortModel::isSerialized(const CSharpField& field) const
 
 std::string PortModel::CppName(const std::string& name) const
 {
-    const bool isType = !KnownType(name).empty() || Find(name);
-    return isType || IsCppWord(name) ? name + "_" : name;
+    return !KnownType(name).empty() || Find(name) || IsCppWord(name) ? name + "_" : name;
 }
 
 } // namespace limn

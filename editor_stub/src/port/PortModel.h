@@ -38,6 +38,8 @@ public:
     const std::string& name() const { return m_Name; } ///< the feature's name without "...Feature"
     const std::vector<const CSharpClass*>& classes() const { return m_Index.all(); }
     std::vector<const CSharpClass*> Of(PortRole role) const;
+    /// Returns those of the role that are in no other class.
+    std::vector<const CSharpClass*> TopLevel(PortRole role) const;
 
     PortRole RoleOf(const CSharpClass& one) const { return m_Places.at(&one).role; }
     const CSharpFile& FileOf(const CSharpClass& one) const { return *m_Places.at(&one).file; }
@@ -48,9 +50,19 @@ public:
     /// Returns the class that a type's name means in the class of the PortContext, or null if the
     /// files have none.
     const CSharpClass* Find(std::string_view type) const { return m_Index.Find(type, m_Context); }
+    /// Returns it like Find if the type has neither type arguments nor brackets.
+    const CSharpClass* FindPlain(const std::string& type) const
+    {
+        return PlainTypeName(type).size() == type.size() ? Find(type) : nullptr;
+    }
     static std::string ClassName(const CSharpClass& one);    ///< "Settings"; never a keyword of C++
     std::string QualifiedName(const CSharpClass& one) const; ///< "Feature::Settings"
     std::string Place(const CSharpClass& one, const SourceLocation& location) const; ///< "A.cs:12"
+    /// Returns the text of words of the class, as its file has it.
+    std::string Text(const CSharpClass& one, CSharpWords words) const
+    {
+        return std::string(TextOf(FileOf(one), words));
+    }
 
     /// Returns the C++ type for a type of C#, or nothing if it is not known.
     std::optional<std::string> CppType(const std::string& type) const;
@@ -95,7 +107,6 @@ private:
     friend class PortContext;
 
     void Place(const CSharpFile& file, const CSharpClass& one);
-    static bool isAssigned(const CSharpClass& one, std::string_view field);
     PortRole ChooseRole(const CSharpClass& one, int depth = 0) const;
 
     const CSharpFiles& m_Files;

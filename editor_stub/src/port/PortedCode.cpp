@@ -10,28 +10,20 @@ namespace limn
 namespace
 {
 
-std::vector<std::string_view> LinesOf(std::string_view text)
+/// Returns the lines without blanks at their ends, and without empty lines around them.
+std::vector<std::string> LinesOf(std::string_view text)
 {
-    std::vector<std::string_view> lines;
-    while (!text.empty())
+    std::vector<std::string> lines = SplitText(std::string(text), '\n');
+    for (std::string& line : lines)
     {
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        lines.push_back(text.substr(0, end));
-        text.remove_prefix(std::min(end + 1, text.size()));
-        while (!lines.back().empty() && (lines.back().back() == '\r' ||
-                                         lines.back().back() == ' ' || lines.back().back() == '\t'))
-        {
-            lines.back().remove_suffix(1);
-        }
+        line.resize(line.find_last_not_of("\r \t") + 1); // of -1 as well
     }
-    while (!lines.empty() && lines.front().empty())
+    const auto isFilled = [](const std::string& line)
     {
-        lines.erase(lines.begin());
-    }
-    while (!lines.empty() && lines.back().empty())
-    {
-        lines.pop_back();
-    }
+        return !line.empty();
+    };
+    lines.erase(lines.begin(), std::ranges::find_if(lines, isFilled));
+    lines.erase(std::find_if(lines.rbegin(), lines.rend(), isFilled).base(), lines.end());
     return lines;
 }
 
@@ -52,13 +44,6 @@ std::string Harmless(std::string_view line)
     }
     const bool isContinued = text.ends_with("\\") || text.ends_with("?\?/");
     return isContinued ? text + " //" : text;
-}
-
-std::vector<const CSharpClass*> TopLevel(const PortModel& model, PortRole role)
-{
-    std::vector<const CSharpClass*> classes = model.Of(role);
-    std::erase_if(classes, [&](const CSharpClass* one) { return model.OuterOf(*one) != nullptr; });
-    return classes;
 }
 
 } // namespace
@@ -90,11 +75,8 @@ void PortedCode::Close(std::string_view end)
 
 void PortedCode::Comment(std::string_view csharp)
 {
-    std::vector<std::string> lines;
-    for (const std::string_view line : LinesOf(csharp))
-    {
-        lines.push_back(Harmless(line));
-    }
+    std::vector<std::string> lines = LinesOf(csharp);
+    std::ranges::transform(lines, lines.begin(), Harmless);
     std::size_t shared = std::string::npos;
     for (std::size_t i = 0; i < lines.size(); ++i)
     {
@@ -115,6 +97,12 @@ void PortedCode::Todo(const std::string& why, const std::string& place, std::str
     Comment(csharp);
 }
 
+void PortedCode::TodoBody(const std::string& why, const CSharpClass& one,
+                          const CSharpMethod& method)
+{
+    Todo(why, m_Model.Place(one, method.location), BodyText(m_Model.FileOf(one), method));
+}
+
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method)
 {
     if (method.isExpression)
@@ -133,59 +121,52 @@ std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method)
 std::vector<PortedAssignment> AssignmentsOf(CSharpWords body)
 {
     std::vector<PortedAssignment> assignments;
-    std::size_t begin = 0;
-    std::size_t equals = 0;
-    for (std::size_t i = 0; i < body.size();)
+    const CSharpToken* const end = body.data() + body.size();
+    const CSharpToken* begin = body.data();
+    const CSharpToken* equals = nullptr;
+    for (const CSharpToken* at = begin; at < end; at = at->Behind())
     {
-        if (body[i].Is("=") && equals == 0)
+        if (at->Is("=") && !equals)
         {
-            equals = i;
+            equals = at;
         }
-        const bool isBlock = body[i].Is("{") && equals == 0;
-        if (body[i].Is(";") || isBlock)
+        if (at->Is(";") || (at->Is("{") && !equals))
         {
-            if (equals > begin)
+            if (equals && equals > begin)
             {
-                assignments.push_back({body.subspan(begin, equals - begin),
-                                       body.subspan(equals + 1, i - equals - 1)});
+                assignments.push_back({{begin, equals}, {equals + 1, at}});
             }
-            equals = 0;
+            begin = at->Behind();
+            equals = nullptr;
         }
-        const bool ends = body[i].Is(";") || isBlock;
-        i += body[i].match > 0 ? static_cast<std::size_t>(body[i].match) + 1 : 1;
-        begin = ends ? i : begin;
     }
     return assignments;
 }
 
-std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources)
+std::string PortedHeader(PortedCode& code)
 {
     PortModel& model = code.model();
     code.text = "#pragma once\n\n#include <limn/core/ComputeShader.h>\n#include "
                 "<limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
-    code.Line("// Begun by `limn port` from " + Joined(sources, ", ") +
-              "; PORTING.md says what is left.");
-    code.Line();
-    code.Line("namespace " + model.name() + "Plugin");
-    code.Line("{");
-    code.Line();
-    code.Line("using namespace limn;");
-    code.Line();
-    for (const CSharpClass* pass : TopLevel(model, PortRole::Pass))
+    code.text += "// Begun by `limn port` from " +
+                 Joined(model.files(), ", ", [](const auto& file) { return file->name(); }) +
+                 "; PORTING.md says what is left.\n\nnamespace " + model.name() +
+                 "Plugin\n{\n\nusing namespace limn;\n\n";
+    for (const CSharpClass* pass : model.TopLevel(PortRole::Pass))
     {
         code.Line("class " + model.ClassName(*pass) + ";");
     }
-    std::vector<const CSharpClass*> types = TopLevel(model, PortRole::Enum);
-    std::ranges::copy(TopLevel(model, PortRole::Data), std::back_inserter(types));
-    std::ranges::copy(TopLevel(model, PortRole::Context), std::back_inserter(types));
+    std::vector<const CSharpClass*> types = model.TopLevel(PortRole::Enum);
+    std::ranges::copy(model.TopLevel(PortRole::Data), std::back_inserter(types));
+    std::ranges::copy(model.TopLevel(PortRole::Context), std::back_inserter(types));
     WriteTypes(code, types);
-    for (const CSharpClass* component : TopLevel(model, PortRole::Component))
+    for (const CSharpClass* component : model.TopLevel(PortRole::Component))
     {
         WriteComponent(code, *component);
         code.Line();
     }
-    for (const CSharpClass* feature : TopLevel(model, PortRole::Feature))
+    for (const CSharpClass* feature : model.TopLevel(PortRole::Feature))
     {
         WriteFeature(code, *feature);
         code.Line();
@@ -197,12 +178,10 @@ std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sourc
 std::string PortedSource(PortedCode& code)
 {
     PortModel& model = code.model();
-    const auto features = TopLevel(model, PortRole::Feature);
-    code.text =
-        "#include \"" + features.front()->name + ".h\"\n\n#include <limn/features/Plugin.h>\n\n";
-    code.Line("namespace " + model.name() + "Plugin");
-    code.Line("{");
-    code.Line();
+    const auto features = model.TopLevel(PortRole::Feature);
+    code.text = "#include \"" + features.front()->name +
+                ".h\"\n\n#include <limn/features/Plugin.h>\n\nnamespace " + model.name() +
+                "Plugin\n{\n\n";
     for (const CSharpClass* one : model.classes())
     {
         const CSharpClass* outer = model.OuterOf(*one);
@@ -229,15 +208,14 @@ std::string PortedSource(PortedCode& code)
     code.Line("} // namespace " + model.name() + "Plugin");
     code.Line();
     code.Open("LIMN_PLUGIN(features, components)");
-    for (const CSharpClass* feature : features)
+    for (const PortRole role : {PortRole::Feature, PortRole::Component})
     {
-        code.Line("features.Register<" + model.name() + "Plugin::" + model.ClassName(*feature) +
-                  ">(\"" + RegisteredName(*feature) + "\");");
-    }
-    for (const CSharpClass* component : TopLevel(model, PortRole::Component))
-    {
-        code.Line("components.Register<" + model.name() + "Plugin::" + model.ClassName(*component) +
-                  ">(\"" + RegisteredName(*component) + "\");");
+        const std::string registry = role == PortRole::Feature ? "features" : "components";
+        for (const CSharpClass* one : model.TopLevel(role))
+        {
+            code.Line(registry + ".Register<" + model.name() + "Plugin::" + model.ClassName(*one) +
+                      ">(\"" + RegisteredName(*one) + "\");");
+        }
     }
     code.Close();
     return std::move(code.text);

@@ -36,12 +36,13 @@ public:
     void Label(std::string_view line) { text.append(line).append("\n"); } ///< public:
     /// Writes `// TODO: why, place`, and the C# below it as comments.
     void Todo(const std::string& why, const std::string& place, std::string_view csharp);
+    /// Writes the C# of a method like that.
+    void TodoBody(const std::string& why, const CSharpClass& one, const CSharpMethod& method);
     /// Writes C# as comments, moved to the left as far as possible.
     void Comment(std::string_view csharp);
 
     void Done(PortedThing thing) { m_Things.push_back(std::move(thing)); }
     const std::vector<PortedThing>& things() const { return m_Things; }
-    std::vector<PortedThing>& things() { return m_Things; }
 
 private:
     PortModel& m_Model;
@@ -104,10 +105,22 @@ std::string LocalName(const PortModel& model, const CSharpClass& one, const std:
 /// C++.
 /// @return false, and writes nothing, if the method adds no passes
 bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
+/// Notes the passes that a method adds to a render graph as ones that stay comments.
+void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// Returns the C++ value of a field in the methods of its class.
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
 /// Returns the text between the braces of a method.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
+
+/// A member of every pass that C# sets and C++ has.
+struct PassMember
+{
+    std::string name;
+    std::string type;
+    std::string what; ///< of a PortedThing
+};
+/// Returns the member of this name, or null if there is none.
+const PassMember* FindPassMember(std::string_view name);
 
 /// A statement `a = b;` outside of brackets in a body.
 struct PortedAssignment
@@ -121,7 +134,7 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
                            const PortedAssignment& assignment);
 
 /// Returns the header of a plug-in with the features; PortedSource returns its source.
-std::string PortedHeader(PortedCode& code, const std::vector<std::string>& sources);
+std::string PortedHeader(PortedCode& code);
 std::string PortedSource(PortedCode& code);
 /// Returns the name by which limn knows a feature or component of the plug-in: the class's name,
 /// with "Port" behind it if limn already has that name.

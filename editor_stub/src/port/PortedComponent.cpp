@@ -34,16 +34,13 @@ std::vector<std::string> ArgumentTypes(const std::string& type)
             value = name;
         }
     }
-    const bool isBetween =
-        type.find("Clamped") != std::string::npos || type.find("FloatRange") != std::string::npos;
-    const bool isLimited =
-        type.find("Min") != std::string::npos || type.find("Max") != std::string::npos;
+    const auto has = [&](const char* part)
+    {
+        return type.find(part) != std::string::npos;
+    };
+    const std::size_t limits = has("Clamped") || has("FloatRange") ? 2 : has("Min") || has("Max");
     std::vector<std::string> types{value};
-    types.insert(types.end(),
-                 isBetween   ? 2
-                 : isLimited ? 1
-                             : 0,
-                 value == "Vector2" ? "float" : value);
+    types.insert(types.end(), limits, value == "Vector2" ? "float" : value);
     if (value == "Color")
     {
         types.insert(types.end(), {"bool", "bool", "bool"});
@@ -105,6 +102,15 @@ std::string TooltipText(const CSharpField& field)
     return text ? ", {.tooltip = \"" + *text + "\"}" : "";
 }
 
+/// "FloatParameter width{this, "width", 1.0f};"
+/// @param arguments  those behind the name: ", 1.0f"
+std::string ParameterText(const PortModel& model, const CSharpField& field, const std::string& type,
+                          const std::string& arguments)
+{
+    return type + " " + model.CppName(field.name) + "{this, \"" + field.name + "\"" + arguments +
+           TooltipText(field) + "};";
+}
+
 /// "EnumParameter<Mode> mode{this, "mode", Mode::Off, {{"Off", Mode::Off}}};"; "" if it is none.
 std::string EnumParameterText(const PortModel& model, const PortScope& scope,
                               const CSharpField& field, const std::vector<CSharpWords>& arguments)
@@ -132,15 +138,13 @@ std::string EnumParameterText(const PortModel& model, const PortScope& scope,
         return "";
     }
     const std::string cpp = model.QualifiedName(*type);
-    std::string names;
-    for (const CSharpEnumerator& entry : type->enumerators)
-    {
-        names += (names.empty() ? "{\"" : ", {\"") + entry.name + "\", " + cpp +
-                 "::" + model.CppName(entry.name) + "}";
-    }
-    return "EnumParameter<" + cpp + "> " + model.CppName(field.name) + "{this, \"" + field.name +
-           "\", " + value->cpp + ", {" + names + "}" + (isOn->cpp.empty() ? "" : ", " + isOn->cpp) +
-           TooltipText(field) + "};";
+    const std::string names = Joined(
+        type->enumerators, ", ",
+        [&](const CSharpEnumerator& entry)
+        { return "{\"" + entry.name + "\", " + cpp + "::" + model.CppName(entry.name) + "}"; });
+    return ParameterText(model, field, "EnumParameter<" + cpp + ">",
+                         ", " + value->cpp + ", {" + names + "}" +
+                             (isOn->cpp.empty() ? "" : ", " + isOn->cpp));
 }
 
 /// Returns X of VolumeParameter<X>, or of a class that derives from it; "" for other types.
@@ -170,9 +174,8 @@ std::string NumberParameterText(const PortModel& model, const PortScope& scope,
         text = isMask ? ", " + mask + "::Nothing()" : ", 0u";
     }
     return !text ? ""
-                 : std::string(isMask ? "RenderingLayerMaskParameter " : "UIntParameter ") +
-                       model.CppName(field.name) + "{this, \"" + field.name + "\"" + *text +
-                       TooltipText(field) + "};";
+                 : ParameterText(model, field,
+                                 isMask ? "RenderingLayerMaskParameter" : "UIntParameter", *text);
 }
 
 void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField& field,
@@ -180,8 +183,7 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
 {
     const PortModel& model = code.model();
     const std::string place = model.Place(one, field.location);
-    const std::string csharp = field.type + " " + field.name + " = " +
-                               std::string(TextOf(model.FileOf(one), field.value)) + ";";
+    const std::string csharp = field.type + " " + field.name + " = " + model.Text(one, field.value);
     const bool isWhole = !field.value.empty() && field.value.back().Is(")");
     const auto arguments = isWhole ? NewArguments(field.value) : std::nullopt;
     std::string line;
@@ -189,9 +191,7 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     {
         const auto text = Arguments(model, scope, *arguments, ArgumentTypes(field.type),
                                     !TooltipText(field).empty());
-        line = text ? field.type + " " + model.CppName(field.name) + "{this, \"" + field.name +
-                          "\"" + *text + TooltipText(field) + "};"
-                    : "";
+        line = text ? ParameterText(model, field, field.type, *text) : "";
     }
     else if (arguments)
     {
@@ -200,11 +200,10 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
                    ? NumberParameterText(model, scope, field, *arguments)
                    : EnumParameterText(model, scope, field, *arguments);
     }
-    code.Done({"parameter", one.name + "." + field.name, csharp.substr(0, csharp.size() - 1), place,
-               !line.empty()});
+    code.Done({"parameter", one.name + "." + field.name, csharp, place, !line.empty()});
     if (line.empty())
     {
-        code.Todo("a parameter", place, csharp);
+        code.Todo("a parameter", place, csharp + ";");
         return;
     }
     code.Line(line);
@@ -227,7 +226,7 @@ void WriteQuestion(PortedCode& code, const CSharpClass& one, const std::string& 
     code.Open("bool " + name + "() const override");
     if (method && !value)
     {
-        code.Todo("port", model.Place(one, method->location), BodyText(model.FileOf(one), *method));
+        code.TodoBody("port", one, *method);
     }
     code.Line("return " + (value ? value->cpp : "false") + ";");
     code.Close();

@@ -13,23 +13,21 @@ namespace
 
 const CSharpClass* PassOf(const PortModel& model, const CSharpField& field)
 {
-    const CSharpClass* own = model.Find(field.type);
-    const bool isOne = own && model.RoleOf(*own) == PortRole::Pass &&
-                       PlainTypeName(field.type).size() == field.type.size();
-    return isOne && !model.isLeftOut(*own) ? own : nullptr;
+    const CSharpClass* own = model.FindPlain(field.type);
+    const bool isOne = own && model.RoleOf(*own) == PortRole::Pass && !model.isLeftOut(*own);
+    return isOne ? own : nullptr;
 }
 
 /// Returns the constructor that the pass has in C++ for this number of arguments, or null.
 const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pass,
                                   std::size_t arguments)
 {
-    const auto found = std::ranges::find_if(pass.methods,
-                                            [&](const CSharpMethod& method)
-                                            {
-                                                return method.isConstructor() && !method.isStatic &&
-                                                       method.parameters.size() == arguments &&
-                                                       SignatureOf(model, pass, method);
-                                            });
+    const auto fits = [&](const CSharpMethod& method)
+    {
+        return method.isConstructor() && !method.isStatic &&
+               method.parameters.size() == arguments && SignatureOf(model, pass, method);
+    };
+    const auto found = std::ranges::find_if(pass.methods, fits);
     return found == pass.methods.end() ? nullptr : &*found;
 }
 
@@ -37,9 +35,8 @@ const CSharpMethod* ConstructorOf(const PortModel& model, const CSharpClass& pas
 std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpParameter& parameter)
 {
     const PortContext context(model, one);
-    const CSharpClass* own = model.Find(parameter.type);
-    const bool isPlain = PlainTypeName(parameter.type).size() == parameter.type.size();
-    return Replaced(own && isPlain ? model.QualifiedName(*own) : parameter.type, "::", ".");
+    const CSharpClass* own = model.FindPlain(parameter.type);
+    return Replaced(own ? model.QualifiedName(*own) : parameter.type, "::", ".");
 }
 
 /// Returns whether the argument must be a variable.
@@ -55,26 +52,23 @@ bool isMutableReference(const PortModel& model, const CSharpClass& one,
 std::string MakePass(const PortModel& model, const CSharpClass& pass, const PortScope& scope,
                      CSharpWords words)
 {
-    const auto found = NewArguments(words);
-    if (!found)
+    const auto arguments = NewArguments(words);
+    if (!arguments)
     {
         return "";
     }
-    const std::vector<CSharpWords>& arguments = *found;
-    const CSharpMethod* constructor = ConstructorOf(model, pass, arguments.size());
-    const bool hasNone = std::ranges::none_of(pass.methods, [](const CSharpMethod& method)
-                                              { return method.isConstructor(); });
-    if (!constructor && !(hasNone && arguments.empty()))
+    const CSharpMethod* constructor = ConstructorOf(model, pass, arguments->size());
+    const bool hasNone = std::ranges::none_of(pass.methods, &CSharpMethod::isConstructor);
+    if (!constructor && !(hasNone && arguments->empty()))
     {
         return "";
     }
     std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
-    for (std::size_t i = 0; i < arguments.size(); ++i)
+    for (std::size_t i = 0; i < arguments->size(); ++i)
     {
         const CSharpParameter& parameter = constructor->parameters[i];
-        const auto value = Translate(model, scope, arguments[i], TypeIn(model, pass, parameter));
-        const bool isReference = isMutableReference(model, pass, parameter);
-        if (!value || (isReference && !value->isVariable))
+        const auto value = Translate(model, scope, (*arguments)[i], TypeIn(model, pass, parameter));
+        if (!value || (isMutableReference(model, pass, parameter) && !value->isVariable))
         {
             return "";
         }
@@ -90,9 +84,7 @@ CSharpWords InitializedEvent(CSharpWords words)
     {
         if (words[i].Is("{") && words[i + 1].Is("renderPassEvent") && words[i + 2].Is("="))
         {
-            const auto end = i + static_cast<std::size_t>(words[i].match);
-            const CSharpWords rest = words.subspan(i + 3, end - i - 3);
-            return SplitArguments(rest).front();
+            return SplitArguments(words[i].Inside().subspan(2)).front();
         }
     }
     return {};
@@ -114,17 +106,16 @@ public:
         {
             target = target.subspan(2);
         }
-        const bool isEvent = target.size() == 3 && target[2].Is("renderPassEvent");
-        const bool isName = target.size() == 3 && target[2].Is("profilingSampler");
+        const PassMember* member = target.size() == 3 ? FindPassMember(target[2].text) : nullptr;
         const CSharpField* field = m_One.FindField(std::string(target[0].text));
         const CSharpClass* pass = field ? PassOf(m_Model, *field) : nullptr;
         if (pass && target.size() == 1)
         {
             WriteMaking(*field, *pass, assignment.value);
         }
-        else if (pass && (isEvent || isName))
+        else if (pass && member)
         {
-            WriteMember(*field, std::string(target[2].text), assignment.value);
+            WriteMember(*field, *member, assignment.value);
         }
     }
 
@@ -133,7 +124,7 @@ private:
     {
         const std::string making = MakePass(m_Model, pass, m_Scope, value);
         const std::string name = m_Model.CppName(field.name);
-        m_Code.Done({"made in Create", m_One.name + "." + field.name, Text(value),
+        m_Code.Done({"made in Create", m_One.name + "." + field.name, m_Model.Text(m_One, value),
                      m_Model.Place(m_One, value.empty() ? field.location : value[0].location),
                      !making.empty()});
         if (making.empty())
@@ -146,27 +137,20 @@ private:
         const CSharpWords event = InitializedEvent(value);
         if (!event.empty())
         {
-            WriteMember(field, "renderPassEvent", event);
+            WriteMember(field, *FindPassMember("renderPassEvent"), event);
         }
     }
 
-    void WriteMember(const CSharpField& field, const std::string& member, CSharpWords value)
+    void WriteMember(const CSharpField& field, const PassMember& member, CSharpWords value)
     {
-        const bool isEvent = member == "renderPassEvent";
         const auto translated = m_Made.contains(field.name)
-                                    ? Translate(m_Model, m_Scope, value,
-                                                isEvent ? "RenderPassEvent" : "ProfilingSampler")
+                                    ? Translate(m_Model, m_Scope, value, member.type)
                                     : std::nullopt;
-        m_Code.Done({isEvent ? "event" : "name of a pass", field.type + "." + member, Text(value),
+        m_Code.Done({member.what, field.type + "." + member.name, m_Model.Text(m_One, value),
                      m_Model.Place(m_One, value.front().location), translated.has_value()});
-        m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member + " = " +
+        m_Code.Line(translated ? m_Model.CppName(field.name) + "->" + member.name + " = " +
                                      translated->cpp + ";"
-                               : "// TODO: " + field.name + "'s " + member);
-    }
-
-    std::string Text(CSharpWords words) const
-    {
-        return std::string(TextOf(m_Model.FileOf(m_One), words));
+                               : "// TODO: " + field.name + "'s " + member.name);
     }
 
     PortedCode& m_Code;
@@ -214,12 +198,6 @@ void WriteEnqueuing(PortedCode& code, const CSharpClass& one, const CSharpMethod
     }
 }
 
-bool HasOwn(const CSharpClass& one, const PortModel& model, const char* name)
-{
-    const CSharpMethod* method = one.FindMethod(name);
-    return method && SignatureOf(model, one, *method);
-}
-
 } // namespace
 
 std::string RegisteredName(const CSharpClass& one)
@@ -265,13 +243,16 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     code.Line(className + "();");
     code.Line("~" + className + "() override;");
     code.Line();
-    if (!HasOwn(one, model, "Create"))
+    for (const auto& [name, otherwise] :
+         {std::pair("Create", "void Create() override {} // TODO: the C# has none"),
+          std::pair("AddRenderPasses",
+                    "void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}")})
     {
-        code.Line("void Create() override {} // TODO: the C# has none");
-    }
-    if (!HasOwn(one, model, "AddRenderPasses"))
-    {
-        code.Line("void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}");
+        const CSharpMethod* method = one.FindMethod(name);
+        if (!method || !SignatureOf(model, one, *method))
+        {
+            code.Line(otherwise);
+        }
     }
     WriteUsing(code, one);
     std::set<std::string> signatures;
@@ -299,16 +280,15 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
     code.Line(className + "::~" + className + "() = default;");
     for (const CSharpMethod& method : one.methods)
     {
-        const std::string place = model.Place(one, method.location);
         const auto signature = SignatureOf(model, one, method);
         code.Line();
         if (!signature || !model.isDeclared(method))
         {
-            code.Todo(method.name, place, BodyText(model.FileOf(one), method));
+            code.TodoBody(method.name, one, method);
             continue;
         }
         code.Open(signature->Text(className + "::"));
-        code.Todo("port", place, BodyText(model.FileOf(one), method));
+        code.TodoBody("port", one, method);
         if (signature->isOverride && method.name == "Create")
         {
             CreateWriter writer(code, one, method);

@@ -1,6 +1,4 @@
-#include "port/GraphPasses.h"
 #include "port/PortedCode.h"
-#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 
@@ -9,6 +7,253 @@ namespace limn
 
 namespace
 {
+
+/// A call of AddRasterRenderPass, AddUnsafePass or AddComputePass with the block of its builder:
+/// renderGraph.AddRasterRenderPass<PassData>("Name", out var passData).
+struct GraphPass
+{
+    std::string call; ///< "AddRasterRenderPass"
+    SourceLocation location;
+    CSharpWords name;      ///< the first argument; empty where there is none
+    std::string problem;   ///< why the rest is not known; "" if it is known
+    std::string graph;     ///< "renderGraph"
+    std::string data;      ///< the type of the pass's data
+    std::string dataName;  ///< "passData"
+    CSharpWords sampler;   ///< the third argument; empty where there is none
+    std::string builder;   ///< the builder's name
+    CSharpWords body;      ///< the words behind the call, until the builder's scope ends
+    std::size_t begin = 0; ///< where its statement begins in the file's text
+    std::size_t end = 0;   ///< the place behind its statement
+};
+
+/// A call builder.SetRenderFunc(...) in a body.
+struct RenderFunction
+{
+    std::vector<std::string> parameters; ///< two, or none if they are not known
+    CSharpWords body;                    ///< the function's body; for `{ ... }` without the braces
+    SourceLocation location;
+    std::size_t begin = 0; ///< where the statement begins in the file's text
+    std::size_t end = 0;   ///< the place behind its ;
+};
+
+using Word = const CSharpToken*;
+
+bool AddsGraphPass(const CSharpToken& word)
+{
+    return word.Is("AddRasterRenderPass") || word.Is("AddUnsafePass") || word.Is("AddComputePass");
+}
+
+/// Reads `out var data` or `out T data`.
+/// @return its type; "" where it is none
+std::string ReadOut(CSharpWords argument)
+{
+    if (argument.size() < 3 || !argument.front().Is("out"))
+    {
+        return "";
+    }
+    Word at = &argument[1];
+    const std::string type = ReadCSharpType(at);
+    return at == &argument.back() && at->isName() ? type : "";
+}
+
+/// Reads `var builder = graph.AddX<T>(name, out var data, sampler)`, and without the <T> where a T
+/// stands behind `out`.
+/// @return behind its last bracket; null where it is none, which the pass's problem then says
+Word ReadCall(GraphPass& pass, Word at)
+{
+    pass.problem = "'var builder = renderGraph." + pass.call +
+                   "<PassData>(name, out var passData)' is expected";
+    const bool isDeclared = !ReadCSharpType(at).empty() && at->isName() && at[1].Is("=");
+    if (!isDeclared)
+    {
+        return nullptr;
+    }
+    pass.builder = at->text;
+    at += 2;
+    if (!at->isName() || !at[1].Is(".") || !AddsGraphPass(at[2]))
+    {
+        return nullptr;
+    }
+    pass.graph = at->text;
+    at += 3;
+    const std::string generics = at->Is("<") ? ReadCSharpGenerics(at) : "";
+    if (!at->Is("("))
+    {
+        return nullptr;
+    }
+    const auto arguments = SplitArguments(at->Inside());
+    const std::string type = arguments.size() > 1 ? ReadOut(arguments[1]) : "";
+    pass.data = generics.size() > 2 ? generics.substr(1, generics.size() - 2) : type;
+    if (type.empty() || pass.data == "var")
+    {
+        return nullptr;
+    }
+    pass.dataName = arguments[1].back().text;
+    pass.sampler = arguments.size() > 2 ? arguments[2] : CSharpWords();
+    pass.problem.clear();
+    return at->Behind();
+}
+
+/// `using (call) { ... }` or `using call; ...` at `at`.
+/// @param end  of the block that it stands in
+void ReadUsing(GraphPass& pass, Word at, Word end)
+{
+    const bool hasBlock = at[1].Is("(");
+    const Word call = ReadCall(pass, at + (hasBlock ? 2 : 1));
+    if (!call)
+    {
+        return;
+    }
+    const bool ends = hasBlock ? call + 1 == at[1].Behind() : call->Is(";");
+    Word body = call + 1;
+    if (!ends || (hasBlock && !body->Is("{")))
+    {
+        pass.problem = "one builder in a 'using' of its own is expected";
+        return;
+    }
+    const Word last = hasBlock ? body->Behind() - 1 : end;
+    pass.body = {hasBlock ? body + 1 : body, last};
+    pass.begin = at->offset;
+    pass.end = hasBlock ? last->offset + 1 : last->offset;
+}
+
+/// Returns the name and the location of a call, whether or not the rest can be read.
+GraphPass PassAt(Word word, Word end)
+{
+    GraphPass pass;
+    pass.call = word->text;
+    pass.location = word->location;
+    pass.problem = "it stands under a condition, in a loop or without 'using'";
+    for (Word open = word; open < end && !open->Is(";"); ++open)
+    {
+        if (open->Is("(") && !open->Inside().empty())
+        {
+            pass.name = SplitArguments(open->Inside()).front();
+            break;
+        }
+    }
+    return pass;
+}
+
+RenderFunction ReadFunction(CSharpWords words)
+{
+    RenderFunction function;
+    function.location = words.front().location;
+    function.body = words;
+    Word at = words.data() + (words.front().Is("static") ? 1 : 0);
+    const Word end = words.data() + words.size();
+    if (at == end || !at->Is("(") || at->Behind() >= end || !at->Behind()->Is("=>"))
+    {
+        return function;
+    }
+    for (const CSharpWords& parameter : SplitArguments(at->Inside()))
+    {
+        function.parameters.emplace_back(parameter.empty() ? "" : parameter.back().text);
+    }
+    if (function.parameters.size() != 2)
+    {
+        function.parameters.clear();
+        return function;
+    }
+    at = at->Behind() + 1;
+    const bool isBlock = at < end && at->Is("{") && at->Behind() == end;
+    function.body = isBlock ? at->Inside() : CSharpWords(at, end);
+    return function;
+}
+
+/// Returns the graph passes of a method in their order. A pass under a condition or in a loop has a
+/// problem.
+std::vector<GraphPass> FindGraphPasses(const CSharpMethod& method)
+{
+    std::vector<GraphPass> passes;
+    const Word end = method.body.data() + method.body.size();
+    Word statement = nullptr; ///< a `using` outside of all brackets
+    Word statementEnd = nullptr;
+    Word outer = method.body.data(); ///< the next word outside of all brackets
+    for (Word at = method.body.data(); at < end; ++at)
+    {
+        if (at == outer)
+        {
+            outer = at->Behind();
+            if (at->Is("using"))
+            {
+                statement = at;
+                statementEnd = at[1].Behind();
+                while (statementEnd < end && !at[1].Is("(") && !statementEnd->Is(";"))
+                {
+                    statementEnd = statementEnd->Behind();
+                }
+            }
+        }
+        if (AddsGraphPass(*at))
+        {
+            passes.push_back(PassAt(at, end));
+            if (statement && at < statementEnd)
+            {
+                ReadUsing(passes.back(), statement, end);
+                statement = nullptr;
+            }
+        }
+    }
+    return passes;
+}
+
+/// Returns the render functions among the statements of the pass's body.
+std::vector<RenderFunction> FindRenderFunctions(const GraphPass& pass)
+{
+    std::vector<RenderFunction> functions;
+    const Word end = pass.body.data() + pass.body.size();
+    for (Word at = pass.body.data(); at < end; at = at->Behind())
+    {
+        if (end - at < 5 || !at->Is(pass.builder) || !at[1].Is(".") || !at[2].Is("SetRenderFunc"))
+        {
+            continue;
+        }
+        Word open = at + 3;
+        if (open->Is("<"))
+        {
+            ReadCSharpGenerics(open);
+        }
+        if (open->Is("(") && !open->Inside().empty())
+        {
+            functions.push_back(ReadFunction(open->Inside()));
+            const Word last = open->Behind();
+            functions.back().begin = at->offset;
+            functions.back().end = last->Is(";") ? last->offset + 1 : 0;
+        }
+    }
+    return functions;
+}
+
+/// Returns the words of each statement like `builder.AllowPassCulling(false);`, whose argument is
+/// true or false.
+std::vector<CSharpWords> FindSwitches(const GraphPass& pass)
+{
+    std::vector<CSharpWords> switches;
+    const Word end = pass.body.data() + pass.body.size();
+    for (Word at = pass.body.data(); at < end; at = at->Behind())
+    {
+        const bool isStatement = at == pass.body.data() || IsIn(at[-1].text, {";", "}", "{"});
+        const bool isSwitch =
+            isStatement && end - at > 6 && at->Is(pass.builder) && at[1].Is(".") && at[3].Is("(") &&
+            at[5].Is(")") && (at[4].Is("true") || at[4].Is("false")) && at[6].Is(";") &&
+            (IsIn(at[2].text,
+                  {"AllowPassCulling", "AllowGlobalStateModification", "UseAllGlobalTextures"}) ||
+             (at[2].Is("EnableAsyncCompute") && pass.call == "AddComputePass"));
+        if (isSwitch)
+        {
+            switches.push_back({at, at + 6});
+        }
+    }
+    return switches;
+}
+
+void NotePass(PortedCode& code, const CSharpClass& one, const GraphPass& pass)
+{
+    const PortModel& model = code.model();
+    code.Done({"graph pass", one.name + "." + pass.call, model.Text(one, pass.name),
+               model.Place(one, pass.location), pass.problem.empty()});
+}
 
 std::string ContextOf(const std::string& call)
 {
@@ -32,12 +277,12 @@ public:
     }
 
     /// The method's C# as comments, and in its place each pass that is understood.
-    void Write(std::vector<CSharpGraphPass> passes)
+    void Write(std::vector<GraphPass> passes)
     {
         const std::string_view body = BodyText(m_File, m_Method);
         std::size_t at = static_cast<std::size_t>(body.data() - m_File.text.data());
         const std::size_t end = at + body.size();
-        for (CSharpGraphPass& pass : passes)
+        for (GraphPass& pass : passes)
         {
             Understand(pass);
             if (pass.problem.empty())
@@ -46,10 +291,10 @@ public:
                 WritePass(pass);
                 at = pass.end;
             }
-            Note(pass);
+            NotePass(m_Code, m_One, pass);
         }
         WriteText(at, end);
-        for (const CSharpGraphPass& pass : passes)
+        for (const GraphPass& pass : passes)
         {
             if (!pass.problem.empty())
             {
@@ -61,7 +306,7 @@ public:
 
 private:
     /// Gives a pass the problem that it has in C++.
-    void Understand(CSharpGraphPass& pass)
+    void Understand(GraphPass& pass)
     {
         if (!pass.problem.empty())
         {
@@ -80,12 +325,12 @@ private:
         }
         else if (!Name(pass))
         {
-            pass.problem = "its name, '" + std::string(TextOf(m_File, pass.name)) +
-                           "', is not known before it runs";
+            pass.problem =
+                "its name, '" + m_Model.Text(m_One, pass.name) + "', is not known before it runs";
         }
     }
 
-    std::optional<std::string> Name(const CSharpGraphPass& pass) const
+    std::optional<std::string> Name(const GraphPass& pass) const
     {
         const CSharpWords local = pass.name.size() == 1 ? Local(pass.name[0].text) : CSharpWords();
         const auto name = Translate(m_Model, m_Scope, local.empty() ? pass.name : local, "string");
@@ -109,18 +354,15 @@ private:
             {
                 return {};
             }
-            std::size_t end = i + 2;
-            while (end < body.size() && !body[end].Is(";"))
-            {
-                ++end;
-            }
-            value = body.subspan(i + 2, end - i - 2);
+            value = body.subspan(i + 2);
+            value = {value.begin(),
+                     std::ranges::find(value, std::string_view(";"), &CSharpToken::text)};
         }
         return value;
     }
 
     /// ", profilingSampler"; "" where it is not known, as it changes nothing.
-    std::string SamplerText(const CSharpGraphPass& pass) const
+    std::string SamplerText(const GraphPass& pass) const
     {
         const CSharpWords& words = pass.sampler;
         const bool isBase = !words.empty() && words.back().Is("profilingSampler") &&
@@ -132,18 +374,11 @@ private:
     }
 
     /// Returns the type of the data, as the pass's class calls it.
-    std::string TypeOf(const CSharpGraphPass& pass) const
+    std::string TypeOf(const GraphPass& pass) const
     {
         const std::string type = *m_Model.CppType(pass.data);
         const std::string owner = m_Model.QualifiedName(m_One) + "::";
         return type.starts_with(owner) ? type.substr(owner.size()) : type;
-    }
-
-    void Note(const CSharpGraphPass& pass)
-    {
-        m_Code.Done({"graph pass", m_One.name + "." + pass.call,
-                     std::string(TextOf(m_File, pass.name)), m_Model.Place(m_One, pass.location),
-                     pass.problem.empty()});
     }
 
     /// C# between passes.
@@ -154,13 +389,12 @@ private:
         if (first != std::string_view::npos)
         {
             const std::string_view before = std::string_view(m_File.text).substr(0, begin + first);
-            SourceLocation location;
-            location.line = 1 + static_cast<int>(std::ranges::count(before, '\n'));
-            m_Code.Todo("port", m_Model.Place(m_One, location), text);
+            const auto line = 1 + std::ranges::count(before, '\n');
+            m_Code.Todo("port", m_Model.Place(m_One, {static_cast<int>(line)}), text);
         }
     }
 
-    void WritePass(const CSharpGraphPass& pass)
+    void WritePass(const GraphPass& pass)
     {
         const std::string data = LocalName(m_Model, m_One, pass.dataName);
         const std::string builder = LocalName(m_Model, m_One, pass.builder);
@@ -182,13 +416,13 @@ private:
             m_Code.Line(functions.empty() ? "// TODO: no SetRenderFunc stands in its block"
                                           : "// TODO: several SetRenderFunc stand in its block");
         }
-        WriteFunction(pass, builder, functions.size() == 1 ? functions[0] : CSharpRenderFunction());
+        WriteFunction(pass, builder, functions.size() == 1 ? functions[0] : RenderFunction());
         m_Code.Close();
     }
 
     /// The pass's C# without the one function that stands below it.
-    std::string TextWithout(const CSharpGraphPass& pass,
-                            const std::vector<CSharpRenderFunction>& functions) const
+    std::string TextWithout(const GraphPass& pass,
+                            const std::vector<RenderFunction>& functions) const
     {
         std::string text = m_File.text.substr(pass.begin, pass.end - pass.begin);
         if (functions.size() == 1 && functions[0].end > functions[0].begin)
@@ -201,8 +435,8 @@ private:
         return text;
     }
 
-    void WriteFunction(const CSharpGraphPass& pass, const std::string& builder,
-                       const CSharpRenderFunction& function)
+    void WriteFunction(const GraphPass& pass, const std::string& builder,
+                       const RenderFunction& function)
     {
         const std::string context = ContextOf(pass.call);
         const bool isKnown = !function.parameters.empty();
@@ -232,13 +466,12 @@ private:
 
     bool isParameter(const std::string& name) const
     {
-        return std::ranges::any_of(m_Method.parameters, [&](const CSharpParameter& parameter)
-                                   { return parameter.name == name; });
+        return std::ranges::count(m_Method.parameters, name, &CSharpParameter::name) > 0;
     }
 
     /// The pass's own function that does it all: Draw of `(data, context) => Draw(data, context)`
     /// and of `Draw`. "" = there is none in C++.
-    std::string OwnCall(const CSharpGraphPass& pass, const CSharpRenderFunction& function,
+    std::string OwnCall(const GraphPass& pass, const RenderFunction& function,
                         const std::string& context) const
     {
         CSharpWords words = function.body;
@@ -254,15 +487,12 @@ private:
         {
             return "";
         }
-        const auto isNamed = [&](const CSharpMethod& method)
-        {
-            return method.name == words[0].text;
-        };
-        const CSharpMethod* method = m_One.FindMethod(words[0].text);
-        const bool fits = method && std::ranges::count_if(m_One.methods, isNamed) == 1 &&
-                          method->isStatic && method->parameters.size() == 2 &&
-                          method->parameters[0].type == pass.data &&
-                          method->parameters[1].type == context;
+        const std::string_view name = words[0].text;
+        const CSharpMethod* method = m_One.FindMethod(name);
+        const bool fits =
+            method && std::ranges::count(m_One.methods, name, &CSharpMethod::name) == 1 &&
+            method->isStatic && method->parameters.size() == 2 &&
+            method->parameters[0].type == pass.data && method->parameters[1].type == context;
         const auto signature = fits ? SignatureOf(m_Model, m_One, *method) : std::nullopt;
         return signature ? signature->name : "";
     }
@@ -279,13 +509,22 @@ private:
 
 bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
-    std::vector<CSharpGraphPass> passes = FindGraphPasses(method);
+    std::vector<GraphPass> passes = FindGraphPasses(method);
     if (passes.empty())
     {
         return false;
     }
     GraphMethodWriter(code, one, method).Write(std::move(passes));
     return true;
+}
+
+void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
+{
+    for (GraphPass& pass : FindGraphPasses(method))
+    {
+        pass.problem = "it stays a comment";
+        NotePass(code, one, pass);
+    }
 }
 
 } // namespace limn

@@ -1,4 +1,3 @@
-#include "port/GraphPasses.h"
 #include "port/PortedCode.h"
 #include "port/csharp/CSharpTokens.h"
 
@@ -42,58 +41,17 @@ const std::vector<KnownMethod>& MethodsOf(PortRole role)
 /// alone.
 bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
 {
-    const bool isOld =
-        method.name == "Execute" || method.name == "OnCameraSetup" || method.name == "Configure";
-    return isOld && method.isOverride && one.FindMethod("RecordRenderGraph");
+    return IsIn(method.name, {"Execute", "OnCameraSetup", "Configure"}) && method.isOverride &&
+           one.FindMethod("RecordRenderGraph");
 }
-
-} // namespace
-
-std::string AssignmentText(const PortModel& model, const PortScope& scope,
-                           const PortedAssignment& assignment)
-{
-    CSharpWords target = assignment.target;
-    std::string name(target.back().text);
-    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
-    if (!(target.size() == 1 || isThis) || !target.back().isName())
-    {
-        return "";
-    }
-    if (name == "renderPassEvent" || name == "profilingSampler")
-    {
-        const bool isEvent = name == "renderPassEvent";
-        const auto value = Translate(model, scope, assignment.value,
-                                     isEvent ? "RenderPassEvent" : "ProfilingSampler");
-        return value ? name + " = " + value->cpp + ";" : "";
-    }
-    const auto field = scope.find("this." + name);
-    if (field == scope.end())
-    {
-        return "";
-    }
-    if (field->second.isPointer)
-    {
-        const auto value = Translate(model, scope, assignment.value, "");
-        const bool isSame = value && value->isVariable && model.Find(value->type) &&
-                            model.Find(value->type) == model.Find(field->second.type);
-        return isSame ? field->second.cpp + " = " + (value->isPointer ? "" : "&") + value->cpp + ";"
-                      : "";
-    }
-    const auto value = Translate(model, scope, assignment.value, field->second.type);
-    return value ? field->second.cpp + " = " + value->cpp + ";" : "";
-}
-
-namespace
-{
 
 /// Notes events and names of the pass that an assignment sets.
 void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
 {
-    const std::string name(assignment.target.back().text);
-    if (name == "renderPassEvent" || name == "profilingSampler")
+    if (const PassMember* member = FindPassMember(assignment.target.back().text))
     {
-        code.Done({name == "renderPassEvent" ? "event" : "name of a pass", one.name + "." + name,
-                   std::string(TextOf(code.model().FileOf(one), assignment.value)),
+        code.Done({member->what, one.name + "." + member->name,
+                   code.model().Text(one, assignment.value),
                    code.model().Place(one, assignment.target.front().location), isDone});
     }
 }
@@ -118,16 +76,14 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
 {
     const PortModel& model = code.model();
     const auto signature = SignatureOf(model, one, method);
-    const std::string place = model.Place(one, method.location);
     if (!signature)
     {
-        code.Todo("a constructor; limn has no such parameters", place,
-                  BodyText(model.FileOf(one), method));
+        code.TodoBody("a constructor; limn has no such parameters", one, method);
         return;
     }
     const bool isConversion = method.parameters.size() == 1;
     code.Open((isConversion ? "explicit " : "") + signature->Text());
-    code.Todo("port", place, BodyText(model.FileOf(one), method));
+    code.TodoBody("port", one, method);
     PortScope scope = ScopeOf(model, one, method);
     std::set<std::string> unset = TakePointers(scope);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
@@ -155,88 +111,43 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
     code.Close();
 }
 
-/// Notes passes of a render graph that stay comments.
-void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
-{
-    const PortModel& model = code.model();
-    for (const CSharpGraphPass& pass : FindGraphPasses(method))
-    {
-        code.Done({"graph pass", one.name + "." + pass.call,
-                   std::string(TextOf(model.FileOf(one), pass.name)),
-                   model.Place(one, pass.location), false});
-    }
-}
-
 void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
-    const PortModel& model = code.model();
-    const std::string place = model.Place(one, method.location);
-    const std::string_view body = BodyText(model.FileOf(one), method);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
         Note(code, one, assignment, false);
     }
-    const auto signature = SignatureOf(model, one, method);
-    if (!signature || IsCompatibilityMethod(one, method))
+    const auto signature = SignatureOf(code.model(), one, method);
+    const bool isOld = IsCompatibilityMethod(one, method);
+    if (!signature || isOld)
     {
-        const bool isOld = IsCompatibilityMethod(one, method);
-        code.Todo(method.name + (isOld ? ": Unity 6's compatibility mode; limn runs it where the "
-                                         "pipeline's enableRenderCompatibilityMode is on"
-                                       : ""),
-                  place, body);
+        code.TodoBody(method.name + (isOld
+                                         ? ": Unity 6's compatibility mode; limn runs it where the "
+                                           "pipeline's enableRenderCompatibilityMode is on"
+                                         : ""),
+                      one, method);
         NoteGraphPasses(code, one, method);
         return;
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
     if (!WriteGraphPasses(code, one, method))
     {
-        code.Todo("port", place, body);
+        code.TodoBody("port", one, method);
     }
     WriteResult(code, *signature);
     code.Close();
 }
 
-bool HasTwins(const CSharpClass& one, const CSharpMethod& method)
-{
-    return method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
-}
-
 /// Returns whether C++ has one of the methods that limn runs.
 bool HasWork(const PortModel& model, const CSharpClass& one)
 {
-    return std::ranges::any_of(one.methods,
-                               [&](const CSharpMethod& method)
-                               {
-                                   const bool isWork = method.name == "Execute" ||
-                                                       method.name == "RecordRenderGraph";
-                                   return isWork && method.isOverride &&
-                                          !IsCompatibilityMethod(one, method) &&
-                                          SignatureOf(model, one, method);
-                               });
-}
-
-} // namespace
-
-std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
-{
-    bool isHiding = name == "renderPassEvent" || name == "profilingSampler" || name == "name";
-    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    const auto isWork = [&](const CSharpMethod& method)
     {
-        isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
-    }
-    const std::string cpp = model.CppName(name);
-    return isHiding && cpp == name ? name + "_" : cpp;
+        return IsIn(method.name, {"Execute", "RecordRenderGraph"}) && method.isOverride &&
+               !IsCompatibilityMethod(one, method) && SignatureOf(model, one, method);
+    };
+    return std::ranges::any_of(one.methods, isWork);
 }
-
-std::string PortedSignature::Text(const std::string& owner) const
-{
-    std::string text = result.empty() ? "" : result + " ";
-    text += owner + name + parameters;
-    return isOverride && owner.empty() ? text + " override" : text;
-}
-
-namespace
-{
 
 /// Returns whether a body assigns to a parameter or to a member of it.
 bool IsChanged(CSharpWords body, std::string_view name)
@@ -260,6 +171,60 @@ bool IsChanged(CSharpWords body, std::string_view name)
 
 } // namespace
 
+const PassMember* FindPassMember(std::string_view name)
+{
+    static const PassMember members[] = {
+        {"renderPassEvent", "RenderPassEvent", "event"},
+        {"profilingSampler", "ProfilingSampler", "name of a pass"}};
+    const auto* found = std::ranges::find(members, name, &PassMember::name);
+    return found == std::end(members) ? nullptr : found;
+}
+
+std::string AssignmentText(const PortModel& model, const PortScope& scope,
+                           const PortedAssignment& assignment)
+{
+    CSharpWords target = assignment.target;
+    std::string name(target.back().text);
+    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
+    if (!(target.size() == 1 || isThis) || !target.back().isName())
+    {
+        return "";
+    }
+    const PassMember* member = FindPassMember(name);
+    const auto found = scope.find("this." + name);
+    const PortValue field = member                 ? PortValue{name, member->type}
+                            : found != scope.end() ? found->second
+                                                   : PortValue{};
+    if (field.cpp.empty())
+    {
+        return "";
+    }
+    const auto value = Translate(model, scope, assignment.value, field.isPointer ? "" : field.type);
+    const bool isSame =
+        value && (!field.isPointer || (value->isVariable && model.Find(value->type) &&
+                                       model.Find(value->type) == model.Find(field.type)));
+    const bool isAddress = field.isPointer && isSame && !value->isPointer;
+    return isSame ? field.cpp + " = " + (isAddress ? "&" : "") + value->cpp + ";" : "";
+}
+
+std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
+{
+    bool isHiding = FindPassMember(name) || name == "name";
+    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    {
+        isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
+    }
+    const std::string cpp = model.CppName(name);
+    return isHiding && cpp == name ? name + "_" : cpp;
+}
+
+std::string PortedSignature::Text(const std::string& owner) const
+{
+    std::string text = result.empty() ? "" : result + " ";
+    text += owner + name + parameters;
+    return isOverride && owner.empty() ? text + " override" : text;
+}
+
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method)
 {
@@ -268,37 +233,32 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
     {
         return std::nullopt; // no C#
     }
-    PortedSignature signature{"void", model.CppName(method.name), "(", false};
+    const auto& known = MethodsOf(model.RoleOf(one));
+    const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
+    const bool isKnown =
+        found != known.end() && found->parameters.size() == method.parameters.size();
+    const bool isTwin = method.name == "FrameCleanup" && one.FindMethod("OnCameraCleanup");
+    PortedSignature signature{"void", model.CppName(method.name), "(", method.isOverride};
     std::vector<std::string> types;
     if (method.isOverride)
     {
-        const auto& known = MethodsOf(model.RoleOf(one));
-        const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
-        if (found == known.end() || found->parameters.size() != method.parameters.size() ||
-            HasTwins(one, method))
+        if (!isKnown || isTwin)
         {
             return std::nullopt;
         }
         signature.name = found->name;
-        signature.isOverride = true;
         types = found->parameters;
     }
     else
     {
-        const auto result =
-            method.type == "void" ? std::optional<std::string>("void") : model.CppType(method.type);
-        const auto& known = MethodsOf(model.RoleOf(one));
-        const bool isHiding =
-            std::ranges::any_of(known,
-                                [&](const KnownMethod& other) {
-                                    return other.name == method.name &&
-                                           other.parameters.size() == method.parameters.size();
-                                });
-        if (method.isProperty || (!method.isConstructor() && !result) || isHiding)
+        const auto result = method.isConstructor() || method.type == "void"
+                                ? std::optional(method.type)
+                                : model.CppType(method.type);
+        if (method.isProperty || !result || isKnown) // which it would hide
         {
             return std::nullopt;
         }
-        signature.result = method.isConstructor() ? "" : *result;
+        signature.result = *result;
         signature.name = method.isConstructor() ? model.ClassName(one) : signature.name;
         for (const CSharpParameter& parameter : method.parameters)
         {
@@ -356,13 +316,12 @@ void WriteUsing(PortedCode& code, const CSharpClass& one)
     const bool isFeature = model.RoleOf(one) == PortRole::Feature;
     for (const KnownMethod& known : MethodsOf(model.RoleOf(one)))
     {
-        const bool isOverloaded = std::ranges::any_of(one.methods,
-                                                      [&](const CSharpMethod& method) {
-                                                          return method.name == known.name &&
-                                                                 SignatureOf(model, one, method) &&
-                                                                 !method.isOverride;
-                                                      });
-        if (isOverloaded)
+        const auto isOverload = [&](const CSharpMethod& method)
+        {
+            return method.name == known.name && SignatureOf(model, one, method) &&
+                   !method.isOverride;
+        };
+        if (std::ranges::any_of(one.methods, isOverload))
         {
             code.Line(std::string("using ") +
                       (isFeature ? "ScriptableRendererFeature::" : "ScriptableRenderPass::") +
@@ -398,8 +357,7 @@ void WritePass(PortedCode& code, const CSharpClass& one)
         const auto signature = SignatureOf(model, one, method);
         if (signature && !signatures.insert(signature->name + signature->parameters).second)
         {
-            code.Todo(method.name + ", a second one of these parameters",
-                      model.Place(one, method.location), BodyText(model.FileOf(one), method));
+            code.TodoBody(method.name + ", a second one of these parameters", one, method);
             continue;
         }
         method.isConstructor() && !method.isStatic ? WriteConstructor(code, one, method)

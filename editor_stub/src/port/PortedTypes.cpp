@@ -15,8 +15,8 @@ namespace
 
 std::string FieldText(const PortModel& model, const CSharpClass& one, const CSharpField& field)
 {
-    const std::string_view value = TextOf(model.FileOf(one), field.value);
-    return field.type + " " + field.name + (value.empty() ? "" : " = " + std::string(value));
+    return field.type + " " + field.name +
+           (field.value.empty() ? "" : " = " + model.Text(one, field.value));
 }
 
 constexpr std::int64_t k_LargestInt = 2147483647;
@@ -33,22 +33,21 @@ std::string InComment(std::string text)
 bool IsPlainEnumValue(CSharpWords words)
 {
     std::string_view only;
-    return std::ranges::all_of(
-        words,
-        [&](const CSharpToken& word)
+    const auto isPlain = [&](const CSharpToken& word)
+    {
+        if (word.kind != CSharpTokenKind::Punctuation)
         {
-            if (word.kind != CSharpTokenKind::Punctuation)
-            {
-                constexpr std::size_t k_MostDigits = 9; // of an int for sure
-                return word.isName() ||
-                       (word.text.size() <= k_MostDigits &&
-                        (word.text.starts_with("0x") ||
-                         word.text.find_first_of("_bBuUlL") == std::string_view::npos));
-            }
-            const bool isSame = only.empty() || only == word.text;
-            only = word.text;
-            return isSame && !word.Is("(") && !word.Is("^");
-        });
+            constexpr std::size_t k_MostDigits = 9; // of an int for sure
+            return word.isName() ||
+                   (word.text.size() <= k_MostDigits &&
+                    (word.text.starts_with("0x") ||
+                     word.text.find_first_of("_bBuUlL") == std::string_view::npos));
+        }
+        const bool isSame = only.empty() || only == word.text;
+        only = word.text;
+        return isSame && !word.Is("(") && !word.Is("^");
+    };
+    return std::ranges::all_of(words, isPlain);
 }
 
 std::string EntriesName(const PortModel& model, const CSharpClass& one)
@@ -94,20 +93,20 @@ std::string AttributeText(const CSharpField& field, std::string_view attribute)
 /// ", {0, 1}" of [Range(0, 1)], {.min = 0} of [Min(0)]; "" for none.
 std::string RangeText(const PortModel& model, const CSharpField& field)
 {
-    const bool isNumber = field.type == "int" || field.type == "float" || field.type == "uint";
-    if (const CSharpAttribute* range = field.Find("Range"); range && isNumber)
+    if (!IsIn(field.type, {"int", "float", "uint"}))
+    {
+        return "";
+    }
+    if (const CSharpAttribute* range = field.Find("Range"))
     {
         const auto limits = SplitArguments(range->arguments);
         const auto low = limits.size() == 2 ? TranslateNumber(model, limits[0]) : std::nullopt;
-        const auto high = limits.size() == 2 ? TranslateNumber(model, limits[1]) : std::nullopt;
-        return low && high ? ", {" + *low + ", " + *high + "}" : "";
+        const auto high = low ? TranslateNumber(model, limits[1]) : std::nullopt;
+        return high ? ", {" + *low + ", " + *high + "}" : "";
     }
-    if (const CSharpAttribute* least = field.Find("Min"); least && isNumber)
-    {
-        const auto low = TranslateNumber(model, least->arguments);
-        return low ? ", {.min = " + *low + "}" : "";
-    }
-    return "";
+    const CSharpAttribute* least = field.Find("Min");
+    const auto low = least ? TranslateNumber(model, least->arguments) : std::nullopt;
+    return low ? ", {.min = " + *low + "}" : "";
 }
 
 void DescribeField(PortedCode& code, const CSharpField& field)
@@ -269,12 +268,11 @@ void WriteReset(PortedCode& code, const CSharpClass& one, const CSharpMethod& me
     const PortModel& model = code.model();
     code.Line();
     code.Open("void Reset() override");
-    code.Todo("port", model.Place(one, method.location), BodyText(model.FileOf(one), method));
+    code.TodoBody("port", one, method);
     const PortScope scope = ScopeOf(model, one, method);
     for (const PortedAssignment& assignment : AssignmentsOf(method.body))
     {
-        const std::string line = AssignmentText(model, scope, assignment);
-        if (!line.empty())
+        if (const std::string line = AssignmentText(model, scope, assignment); !line.empty())
         {
             code.Line(line);
         }
@@ -310,7 +308,7 @@ void WriteEnum(PortedCode& code, const CSharpClass& one)
     for (std::size_t i = 0; i < values.size(); ++i)
     {
         const CSharpEnumerator& entry = one.enumerators[i];
-        const std::string text(TextOf(model.FileOf(one), entry.value));
+        const std::string text = model.Text(one, entry.value);
         const std::string name = model.CppName(entry.name);
         const bool isPlain = !isLarge && IsPlainEnumValue(entry.value);
         code.Line(text.empty() ? name + ","
@@ -393,17 +391,11 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
             continue;
         }
         const bool isDone = model.isSetting(field.type) && model.isDeclared(field);
-        code.Done({"setting", one.name + "." + field.name, FieldText(model, one, field),
-                   model.Place(one, field.location), isDone});
-        if (isDone)
-        {
-            DescribeField(code, field);
-        }
-        else
-        {
-            code.Todo("no setting of limn has this type", model.Place(one, field.location),
-                      FieldText(model, one, field) + ";");
-        }
+        const std::string csharp = FieldText(model, one, field);
+        const std::string place = model.Place(one, field.location);
+        code.Done({"setting", one.name + "." + field.name, csharp, place, isDone});
+        isDone ? DescribeField(code, field)
+               : code.Todo("no setting of limn has this type", place, csharp + ";");
     }
     code.Close();
 }
@@ -421,19 +413,11 @@ void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes
     const PortModel& model = code.model();
     for (const CSharpClass* one : SortedByNeeds(model, classes))
     {
-        switch (model.RoleOf(*one))
+        const PortRole role = model.RoleOf(*one);
+        if (role == PortRole::Enum || role == PortRole::Data || role == PortRole::Context)
         {
-        case PortRole::Enum:
-            WriteEnum(code, *one);
+            role == PortRole::Enum ? WriteEnum(code, *one) : WriteData(code, *one);
             code.Line();
-            break;
-        case PortRole::Data:
-        case PortRole::Context:
-            WriteData(code, *one);
-            code.Line();
-            break;
-        default:
-            break;
         }
     }
 }
@@ -441,20 +425,17 @@ void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
                  std::set<std::string>& signatures)
 {
-    const PortModel& model = code.model();
-    const std::string place = model.Place(one, method.location);
-    const std::string_view body = BodyText(model.FileOf(one), method);
     const auto signature = method.isOverride || method.isConstructor()
                                ? std::nullopt
-                               : SignatureOf(model, one, method);
+                               : SignatureOf(code.model(), one, method);
     code.Line();
     if (!signature || !signatures.insert(signature->name + signature->parameters).second)
     {
-        code.Todo(method.name, place, body);
+        code.TodoBody(method.name, one, method);
         return;
     }
     code.Open((method.isStatic ? "static " : "") + signature->Text());
-    code.Todo("port", place, body);
+    code.TodoBody("port", one, method);
     WriteResult(code, *signature);
     code.Close();
 }

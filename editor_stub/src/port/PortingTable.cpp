@@ -1,10 +1,12 @@
 #include "port/PortingTable.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <array>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/EmbeddedFile.h>
-#include <span>
+#include <limn/base/WordList.h>
 
 namespace limn
 {
@@ -25,21 +27,6 @@ constexpr PortVerdict k_Verdicts[] = {PortVerdict::Same, PortVerdict::Differs, P
     throw ContractError("porting.txt:" + std::to_string(line) + ": " + message);
 }
 
-std::vector<std::string> Split(std::string_view text, char separator)
-{
-    std::vector<std::string> parts;
-    while (!text.empty())
-    {
-        const std::size_t end = std::min(text.find(separator), text.size());
-        if (end > 0)
-        {
-            parts.emplace_back(text.substr(0, end));
-        }
-        text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    return parts;
-}
-
 /// "{A,B}.{c,d}>T" → A.c>T, A.d>T, B.c>T, B.d>T; what stands inside may have its own >T.
 std::vector<std::string> Expand(const std::string& key)
 {
@@ -50,8 +37,7 @@ std::vector<std::string> Expand(const std::string& key)
     }
     const std::size_t close = key.find('}', open);
     std::vector<std::string> keys;
-    for (const std::string& part :
-         Split(std::string_view(key).substr(open + 1, close - open - 1), ','))
+    for (const std::string& part : SplitText(key.substr(open + 1, close - open - 1), ','))
     {
         for (std::string& expanded : Expand(key.substr(0, open) + part + key.substr(close + 1)))
         {
@@ -81,23 +67,20 @@ PortingTable::PortingTable(std::string_view text)
 {
     std::string rowWords;
     int number = 0;
-    while (!text.empty())
+    for (const std::string& line : SplitText(std::string(text), '\n'))
     {
         ++number;
-        const std::size_t end = std::min(text.find('\n'), text.size());
-        const std::string_view line = text.substr(0, end);
-        text.remove_prefix(std::min(end + 1, text.size()));
         if (line.empty())
         {
             rowWords.clear();
         }
         else if (line.front() == '|')
         {
-            if (line.find(" | ") == std::string_view::npos || !line.ends_with(" |"))
+            if (line.find(" | ") == std::string::npos || !line.ends_with(" |"))
             {
                 Fail(number, "'| Unity | limn |' is expected");
             }
-            m_Rows.emplace_back(line);
+            m_Rows.push_back(line);
             rowWords = RowWords(line);
         }
         else if (line.front() != '#')
@@ -111,7 +94,7 @@ void PortingTable::ReadVerdict(std::string_view line, const std::string& rowWord
 {
     const std::size_t colon = line.find(" : ");
     const bool hasWords = colon != std::string_view::npos;
-    const std::vector<std::string> words = Split(line.substr(0, colon), ' ');
+    const std::vector<std::string_view> words = SplitWords(line.substr(0, colon));
     const auto* verdict =
         std::ranges::find(k_Verdicts, words.front(), [](PortVerdict one) { return ToString(one); });
     if (verdict == std::end(k_Verdicts) || words.size() < 2)
@@ -129,7 +112,7 @@ void PortingTable::ReadVerdict(std::string_view line, const std::string& rowWord
     }
     for (std::size_t i = 1; i < words.size(); ++i)
     {
-        for (const std::string& key : Expand(words[i]))
+        for (const std::string& key : Expand(std::string(words[i])))
         {
             Add(key, entry, number);
         }

@@ -33,7 +33,6 @@ struct PortEntry
 class PortingTable
 {
 public:
-    /// @param text  must outlive this
     /// @throws ContractError naming the line that is neither row nor verdict, or that repeats an
     ///     entry
     explicit PortingTable(std::string_view text);

@@ -1,7 +1,5 @@
 #include "port/PortModel.h"
 
-#include "port/csharp/CSharpTokens.h"
-
 namespace limn
 {
 
@@ -134,10 +132,8 @@ private:
     void LookAtAssignment(CSharpClass& one, CSharpMethod& method, std::size_t at)
     {
         const CSharpWords words = method.body.subspan(at);
-        const std::size_t index = words.size() > 1 && words[1].Is("[") && words[1].match > 0
-                                      ? static_cast<std::size_t>(words[1].match) + 1
-                                      : 0;
-        const std::size_t equals = 1 + index;
+        const bool isElement = words.size() > 1 && words[1].Is("[");
+        const std::size_t equals = isElement ? words[1].Inside().size() + 3 : 1;
         if (!words[0].isName() || equals + 1 >= words.size() || !words[equals].Is("="))
         {
             return;
@@ -159,12 +155,11 @@ private:
     void LookAtCall(CSharpClass& one, CSharpMethod& method, std::size_t at)
     {
         const CSharpWords words = method.body.subspan(at);
-        if (words.size() < 3 || !words[0].isName() || !words[1].Is("(") || words[1].match < 2)
+        if (words.size() < 3 || !words[0].isName() || !words[1].Is("(") || words[2].Is(")"))
         {
             return;
         }
-        const auto arguments =
-            SplitArguments(words.subspan(2, static_cast<std::size_t>(words[1].match) - 1));
+        const auto arguments = SplitArguments(words[1].Inside());
         if (TakesProperty(words[0].text) && arguments[0].size() == 1 && arguments[0][0].isName())
         {
             if (std::string* type = TypeOf(arguments[0][0].text, one, &method))

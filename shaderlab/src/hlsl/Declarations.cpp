@@ -49,6 +49,11 @@ private:
     /// A token, or from an opening bracket to behind the one that closes it.
     void Skip() { m_Index = m_Tokens.AfterBracket(m_Index); }
     void SkipTo(std::string_view mark) { m_Index = m_Tokens.FindOutside(m_Index, mark); }
+    void SkipStatement()
+    {
+        SkipTo(";");
+        Accept(";");
+    }
     void Complain(std::string_view problem)
     {
         m_Result.problems.push_back({m_Index, std::string(problem)});
@@ -93,13 +98,11 @@ private:
         {
             const HlslVariable alias = ReadHead();
             m_Result.aliases.push_back({alias.name, alias.type, alias.templateArgument});
-            SkipTo(";");
-            Accept(";");
+            SkipStatement();
         }
         else if (Text() == "struct" && Text(2) == ";")
         {
-            SkipTo(";");
-            Accept(";");
+            SkipStatement();
         }
         else if (isWord())
         {
@@ -118,8 +121,7 @@ private:
         m_Index += 2;
         result.members = ReadMembers(&result.methods);
         m_Result.structs.push_back(std::move(result));
-        SkipTo(";");
-        Accept(";");
+        SkipStatement();
     }
 
     void ReadConstantBuffer()
@@ -132,9 +134,14 @@ private:
             member.endToken = m_Index - 1;
             member.isInBuffer = true;
             member.buffer = name;
-            auto& list = isObjectType(member.type) ? m_Result.objects : m_Result.uniforms;
-            list.push_back(std::move(member));
+            AddGlobal(std::move(member));
         }
+    }
+
+    void AddGlobal(HlslVariable variable)
+    {
+        auto& list = isObjectType(variable.type) ? m_Result.objects : m_Result.uniforms;
+        list.push_back(std::move(variable));
     }
 
     /// `{ float4 a : X; float b[2], c; float Sum() { … } }`
@@ -323,8 +330,7 @@ private:
                 continue;
             }
             variable.endToken = m_Index - 1;
-            auto& list = isObjectType(variable.type) ? m_Result.objects : m_Result.uniforms;
-            list.push_back(std::move(variable));
+            AddGlobal(std::move(variable));
         }
     }
 
@@ -378,7 +384,7 @@ private:
 
 bool HlslVariable::Has(std::string_view modifier) const
 {
-    return std::find(modifiers.begin(), modifiers.end(), modifier) != modifiers.end();
+    return std::ranges::find(modifiers, modifier) != modifiers.end();
 }
 
 std::string_view HlslDeclarations::ResolveAlias(std::string_view type,
@@ -401,16 +407,14 @@ std::string_view HlslDeclarations::ResolveAlias(std::string_view type,
 
 const HlslStruct* HlslDeclarations::FindStruct(std::string_view name) const
 {
-    const auto found = std::find_if(structs.begin(), structs.end(),
-                                    [&](const HlslStruct& item) { return item.name == name; });
+    const auto found = std::ranges::find(structs, name, &HlslStruct::name);
     return found == structs.end() ? nullptr : &*found;
 }
 
 const HlslFunction* HlslDeclarations::FindDefinition(std::string_view name) const
 {
-    const auto found =
-        std::find_if(functions.begin(), functions.end(),
-                     [&](const HlslFunction& item) { return item.hasBody && item.name == name; });
+    const auto found = std::ranges::find_if(functions, [&](const HlslFunction& item)
+                                            { return item.hasBody && item.name == name; });
     return found == functions.end() ? nullptr : &*found;
 }
 

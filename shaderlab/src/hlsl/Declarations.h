@@ -31,6 +31,7 @@ struct HlslVariable
     std::string_view buffer;       ///< its name
 
     bool Has(std::string_view modifier) const;
+    bool isOutput() const { return Has("out") || Has("inout"); } ///< of a function
 };
 
 struct HlslFunction

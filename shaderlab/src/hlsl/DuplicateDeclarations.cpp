@@ -100,20 +100,13 @@ DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations)
             repeats.redefinitions.push_back(&variable);
         }
     };
-    for (const HlslVariable& object : declarations.objects)
-    {
-        compare(object);
-    }
-    for (const HlslVariable& uniform : declarations.uniforms)
-    {
-        compare(uniform);
-    }
+    std::ranges::for_each(declarations.objects, compare);
+    std::ranges::for_each(declarations.uniforms, compare);
     for (const HlslVariable& uniform : declarations.uniforms)
     {
         const bool isOther =
             declarations.FindStruct(uniform.name) ||
-            std::any_of(declarations.statics.begin(), declarations.statics.end(),
-                        [&](const HlslVariable& item) { return item.name == uniform.name; });
+            std::ranges::count(declarations.statics, uniform.name, &HlslVariable::name) > 0;
         if (isOther && !uniform.isInBuffer)
         {
             repeats.redefinitions.push_back(&uniform);

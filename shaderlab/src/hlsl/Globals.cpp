@@ -20,13 +20,10 @@ std::optional<int> Distance(const HlslType& from, const HlslType& to)
     {
         return 0; // which textures and samplers fit is not told apart
     }
-    if (!from.isNumber() || !to.isNumber() || from.components() < to.components())
+    const bool isSpread = from.isScalar() && to.isNumber();
+    if (!isSpread && (!from.isNumber() || !to.isNumber() || from.components() < to.components()))
     {
-        const bool isSpread = from.isScalar() && to.isNumber();
-        if (!isSpread)
-        {
-            return std::nullopt;
-        }
+        return std::nullopt;
     }
     int distance = from.scalar == to.scalar                                          ? 0
                    : from.isFloating() && to.isFloating() && from.scalar < to.scalar ? 1
@@ -57,9 +54,9 @@ bool hasSameParameters(const HlslFunction& a, const HlslFunction& b)
 bool takes(const HlslFunction& function, std::size_t arguments)
 {
     return arguments <= function.parameters.size() &&
-           std::all_of(function.parameters.begin() + static_cast<std::ptrdiff_t>(arguments),
-                       function.parameters.end(),
-                       [](const HlslVariable& parameter) { return parameter.valueToken > 0; });
+           std::ranges::all_of(std::span(function.parameters).subspan(arguments),
+                               [](const HlslVariable& parameter)
+                               { return parameter.valueToken > 0; });
 }
 
 /// Returns the distance of all arguments, or nothing if one cannot be converted. Unknown types do
@@ -135,7 +132,7 @@ void HlslGlobals::TellHalfApart(std::span<const HlslFunction* const> overloads)
             return halves(*other) != own && hasSameParameters(*function, *other) &&
                    std::ranges::count(halves(*other), 'h') < std::ranges::count(own, 'h');
         };
-        if (std::any_of(overloads.begin(), overloads.end(), isOther))
+        if (std::ranges::any_of(overloads, isOther))
         {
             m_Spellings[function] = "limn_" + own + "_" + std::string(function->name);
         }

@@ -15,18 +15,16 @@ HlslResolver::HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals)
 void HlslResolver::ResolveBody(HlslNode& body, const HlslFunction& function,
                                const HlslStruct* owner)
 {
+    const auto declare = [this](const HlslVariable& variable)
+    {
+        Declare(variable.name, {nullptr, &variable, TypeOf(m_Globals.declarations(), variable)});
+    };
     Open();
     if (owner)
     {
-        for (const HlslVariable& member : owner->members)
-        {
-            Declare(member.name, {nullptr, &member, TypeOf(m_Globals.declarations(), member)});
-        }
+        std::ranges::for_each(owner->members, declare);
     }
-    for (const HlslVariable& parameter : function.parameters)
-    {
-        Declare(parameter.name, {nullptr, &parameter, TypeOf(m_Globals.declarations(), parameter)});
-    }
+    std::ranges::for_each(function.parameters, declare);
     Resolve(body);
     Close();
 }
@@ -71,9 +69,8 @@ void HlslResolver::EndLoop(const HlslNode& loop)
         if (name->kind == HlslNodeKind::Declarator)
         {
             std::vector<Entry>& entries = m_Names[m_Tokens.Text(name->token)];
-            const auto own = std::find_if(entries.rbegin(), entries.rend(),
-                                          [&](const Entry& entry) { return entry.local == name; });
-            own->hasEnded = true;
+            std::ranges::find(entries.rbegin(), entries.rend(), name, &Entry::local)->hasEnded =
+                true;
         }
     }
 }
@@ -95,7 +92,7 @@ void HlslResolver::DeclareLocal(HlslNode& declarator)
 
 void HlslResolver::Rename(HlslNode& declarator)
 {
-    if (std::find(m_Renamed.begin(), m_Renamed.end(), &declarator) == m_Renamed.end())
+    if (std::ranges::find(m_Renamed, &declarator) == m_Renamed.end())
     {
         m_Renamed.push_back(&declarator);
     }
@@ -180,8 +177,8 @@ void HlslResolver::ResolveName(HlslNode& node)
 /// The newest, unless that is the number of a loop that is over, where a number cannot be meant.
 const HlslResolver::Entry& HlslResolver::Meant(const std::vector<Entry>& entries, bool hasMembers)
 {
-    const auto lasting = std::find_if(entries.rbegin(), entries.rend(),
-                                      [](const Entry& entry) { return !entry.hasEnded; });
+    const auto lasting =
+        std::ranges::find(entries.rbegin(), entries.rend(), false, &Entry::hasEnded);
     const bool isOther = entries.back().hasEnded && lasting != entries.rend() &&
                          (hasMembers || !lasting->type.isNumber());
     return isOther ? *lasting : entries.back();
@@ -196,8 +193,7 @@ HlslType HlslResolver::CallType(HlslNode& node)
         return ObjectMethodType(node.child->type, name);
     }
     std::vector<HlslType> arguments;
-    for (const HlslNode* child = isMethod ? node.child->next : node.child; child;
-         child = child->next)
+    for (const HlslNode* child = node.FirstArgument(); child; child = child->next)
     {
         arguments.push_back(child->type);
     }
@@ -231,11 +227,7 @@ HlslType HlslResolver::MemberType(const HlslNode& node)
         return SwizzleType(owner, name);
     }
     const HlslStruct* type = m_Globals.declarations().FindStruct(owner.name);
-    const auto isName = [&](const HlslVariable& item)
-    {
-        return item.name == name;
-    };
-    const auto member = std::find_if(type->members.begin(), type->members.end(), isName);
+    const auto member = std::ranges::find(type->members, name, &HlslVariable::name);
     if (member == type->members.end())
     {
         m_Unknown.push_back({node.token, "no such field in structure"});

@@ -69,6 +69,8 @@ struct HlslNode
     HlslNode* Child(std::size_t index) const;
     void Add(HlslNode* added);
     std::size_t CountChildren() const;
+    /// Returns the first argument of a Call or Method, or null if it has none.
+    HlslNode* FirstArgument() const { return kind == HlslNodeKind::Method ? child->next : child; }
 };
 
 /// Owns nodes, which keep their addresses. It cannot be copied, because the copied nodes would

@@ -226,8 +226,7 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
         const bool isSample = s_Starts.HasStartOf(name);
         return isSample ? HlslType::Number(HlslScalar::Float, 4) : HlslType();
     }
-    if (arguments.empty() || !std::all_of(arguments.begin(), arguments.end(),
-                                          [](const HlslType& type) { return type.isNumber(); }))
+    if (arguments.empty() || !std::ranges::all_of(arguments, &HlslType::isNumber))
     {
         return {};
     }

@@ -23,23 +23,21 @@ bool MattersAsInteger(const HlslNode& node)
         return MattersAsInteger(*parent);
     case HlslNodeKind::Prefix:
     case HlslNodeKind::Switch:
+    case HlslNodeKind::Method:
+    case HlslNodeKind::Return:
         return true;
     case HlslNodeKind::Index:
         return parent->child != &node || MattersAsInteger(*parent);
-    case HlslNodeKind::Binary:
-    case HlslNodeKind::Ternary:
-        return isInteger(*parent);
     case HlslNodeKind::Assign: // the integer may be one without a sign
         return isInteger(*parent->child);
+    case HlslNodeKind::Binary:
+    case HlslNodeKind::Ternary:
     case HlslNodeKind::Declarator:
     case HlslNodeKind::Cast:
     case HlslNodeKind::Construct:
         return isInteger(*parent);
     case HlslNodeKind::Call:
         return parent->function || isInteger(*parent);
-    case HlslNodeKind::Method:
-    case HlslNodeKind::Return:
-        return true;
     default:
         return false;
     }
@@ -58,8 +56,7 @@ void HlslLowering::LowerCall(HlslNode& node)
             m_Code.Spelling(node.token) = *spelling;
         }
         std::size_t index = 0;
-        for (HlslNode* argument = isMethod ? node.child->next : node.child; argument;
-             argument = argument->next)
+        for (HlslNode* argument = node.FirstArgument(); argument; argument = argument->next)
         {
             LowerArgument(*argument, function->parameters[index++]);
         }
@@ -140,7 +137,7 @@ void HlslLowering::LowerTruth(HlslNode& node)
     }
     else if (given.isVector() && given.scalar != HlslScalar::Bool)
     {
-        Wrap(*node.child, "(" + given.Of(HlslScalar::Bool).Spelling() + ")(", ")");
+        Cast(*node.child, given.Of(HlslScalar::Bool));
     }
 }
 
@@ -178,7 +175,7 @@ void HlslLowering::LowerFloats(HlslNode& node)
         const bool isTaken = given.isFloating() || (!takesOne && given.scalar != HlslScalar::Bool);
         if (given.isNumber() && !given.isMatrix() && !isTaken)
         {
-            Wrap(*argument, "(" + given.Of(HlslScalar::Float).Spelling() + ")(", ")");
+            Cast(*argument, given.Of(HlslScalar::Float));
         }
     }
 }
@@ -264,7 +261,7 @@ void HlslLowering::LowerArgument(HlslNode& argument, const HlslVariable& paramet
 {
     const HlslType wanted = TypeOf(m_Globals.declarations(), parameter);
     const HlslType& given = argument.type;
-    if (!wanted.isNumber() || !given.isNumber() || parameter.Has("out") || parameter.Has("inout"))
+    if (!wanted.isNumber() || !given.isNumber() || parameter.isOutput())
     {
         return;
     }
@@ -273,7 +270,7 @@ void HlslLowering::LowerArgument(HlslNode& argument, const HlslVariable& paramet
                          (wanted.rows != given.rows || wanted.columns != given.columns);
     if (isCut || (isOther && given.isFloating()))
     {
-        Wrap(argument, "(" + wanted.Spelling() + ")(", ")");
+        Cast(argument, wanted);
     }
     else if (!m_IsInitial && (isOther || (wanted.isMatrix() && given.isScalar())))
     {

@@ -42,7 +42,7 @@ void HlslLowering::Rename(const HlslResolver& resolver, const HlslNodes& nodes)
     {
         // All that the loop declares is hoisted, and must not meet others of its name.
         const HlslNode* const loop = isOfLoop(*declarator) ? declarator->parent->parent : nullptr;
-        if (!loop || std::find(loops.begin(), loops.end(), loop) != loops.end())
+        if (!loop || std::ranges::find(loops, loop) != loops.end())
         {
             continue;
         }

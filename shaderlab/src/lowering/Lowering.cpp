@@ -76,8 +76,7 @@ void HlslLowering::LowerNode(HlslNode& node)
     case HlslNodeKind::Prefix:
         if ((Text(node.token) == "-" || Text(node.token) == "~") && isTruth(*node.child))
         {
-            const HlslType type = node.child->type.Of(HlslScalar::Int);
-            Wrap(*node.child, "(" + type.Spelling() + ")(", ")");
+            Cast(*node.child, node.child->type.Of(HlslScalar::Int));
         }
         LowerSwizzleStep(node);
         break;
@@ -89,11 +88,6 @@ void HlslLowering::LowerNode(HlslNode& node)
         LowerCall(node);
         break;
     case HlslNodeKind::Switch:
-        if (node.child && node.child->type.isFloating())
-        {
-            Wrap(*node.child, "(int)(", ")");
-        }
-        break;
     case HlslNodeKind::Label:
         if (node.child && node.child->type.isFloating())
         {

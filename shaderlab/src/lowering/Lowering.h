@@ -47,6 +47,10 @@ public:
 private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
     void Wrap(const HlslNode& node, std::string_view before, std::string_view after);
+    void Cast(const HlslNode& node, const HlslType& type)
+    {
+        Wrap(node, "(" + type.Spelling() + ")(", ")");
+    }
     /// Adds a function that the edits call, once.
     void Need(const std::string& text);
 

@@ -171,7 +171,7 @@ void HlslLowering::LowerMatrixOperator(HlslNode& node)
     {
         if (operand->type.rows != type.rows || operand->type.columns != type.columns)
         {
-            Wrap(*operand, "(" + type.Of(operand->type.scalar).Spelling() + ")(", ")");
+            Cast(*operand, type.Of(operand->type.scalar));
         }
     }
     if (m_IsInitial || (text != "*" && text != "*="))

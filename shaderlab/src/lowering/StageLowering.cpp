@@ -382,8 +382,7 @@ private:
 
     static bool HasOpenSize(const HlslVariable& variable)
     {
-        return std::find(variable.dimensions.begin(), variable.dimensions.end(), "") !=
-               variable.dimensions.end();
+        return std::ranges::count(variable.dimensions, "") > 0;
     }
 
     /// The declaration of a local variable of the same type.

@@ -58,11 +58,6 @@ bool HasIndex(const HlslNode& node)
     return FindNode(node, isComputed) != nullptr;
 }
 
-bool isOutput(const HlslVariable& parameter)
-{
-    return parameter.Has("out") || parameter.Has("inout");
-}
-
 std::string TypeText(std::string_view type, std::string_view argument)
 {
     return std::string(type) + (argument.empty() ? "" : "<" + std::string(argument) + ">");
@@ -112,7 +107,7 @@ private:
                       const std::string& name, const std::string& argument)
     {
         const std::string comma = count++ > 0 ? ", " : "";
-        parameters += comma + (isOutput(parameter) ? "inout " : "") + type + " " + name;
+        parameters += comma + (parameter.isOutput() ? "inout " : "") + type + " " + name;
         for (const std::string_view dimension : parameter.dimensions)
         {
             parameters.append("[").append(dimension).append("]");
@@ -126,17 +121,14 @@ private:
 /// Returns whether computing the expression may change something, so that it must be computed once.
 bool HlslLowering::HasEffects(const HlslNode& node) const
 {
-    const HlslNode* const found =
-        FindNode(node,
-                 [&](const HlslNode& part)
-                 {
-                     const std::string_view text = Text(part.token);
-                     return part.kind == HlslNodeKind::Assign ||
-                            part.kind == HlslNodeKind::Unknown ||
-                            part.kind == HlslNodeKind::Postfix || part.function ||
-                            (part.kind == HlslNodeKind::Prefix && (text == "++" || text == "--"));
-                 });
-    return found != nullptr;
+    const auto hasEffect = [&](const HlslNode& part)
+    {
+        const std::string_view text = Text(part.token);
+        return part.kind == HlslNodeKind::Assign || part.kind == HlslNodeKind::Unknown ||
+               part.kind == HlslNodeKind::Postfix || part.function ||
+               (part.kind == HlslNodeKind::Prefix && (text == "++" || text == "--"));
+    };
+    return FindNode(node, hasEffect) != nullptr;
 }
 
 /// Returns whether the code writes to the node or to a part of it.
@@ -156,15 +148,14 @@ bool HlslLowering::isTarget(const HlslNode& node) const
     }
     if (parent->function)
     {
-        const bool isMethod = parent->kind == HlslNodeKind::Method;
-        const HlslNode* argument = isMethod ? parent->child->next : parent->child;
+        const HlslNode* argument = parent->FirstArgument();
         std::size_t index = 0;
         for (; argument && argument != child; argument = argument->next)
         {
             ++index;
         }
         return argument && index < parent->function->parameters.size() &&
-               isOutput(parent->function->parameters[index]);
+               parent->function->parameters[index].isOutput();
     }
     const std::string_view text = Text(parent->token);
     const bool isStep = text == "++" || text == "--";
@@ -185,7 +176,7 @@ void HlslLowering::LowerTruthAssignment(const HlslNode& node)
     }
     const std::string op(mark.substr(0, 1));
     const std::string name = type.Spelling();
-    Wrap(*node.child->next, "(" + name + ")(", ")");
+    Cast(*node.child->next, type);
     if (HasEffects(*node.child))
     {
         const std::string function = op == "&" ? "limn_and" : op == "|" ? "limn_or" : "limn_xor";
@@ -260,7 +251,7 @@ void HlslLowering::LowerSwizzleAssignment(const HlslNode& node)
     else if (mark == "=" && given.isNumber() && given.Spelling() != target.type.Spelling())
     {
         // glslang crashes on one number, and does not convert several.
-        Wrap(*node.last, "(" + target.type.Spelling() + ")(", ")");
+        Cast(*node.last, target.type);
     }
     else if (mark != "=")
     {
@@ -298,10 +289,10 @@ bool HlslLowering::IsHandedWrong(const HlslNode& argument, const HlslVariable& p
 {
     const HlslType wanted = TypeOf(m_Globals.declarations(), parameter);
     const HlslType& given = argument.type;
-    const bool isConverted = isOutput(parameter) && wanted.isNumber() && given.isNumber() &&
+    const bool isConverted = parameter.isOutput() && wanted.isNumber() && given.isNumber() &&
                              wanted.rows == given.rows && wanted.columns == given.columns &&
                              wanted.Spelling() != given.Spelling();
-    return isConverted || (isOutput(parameter) && isOfElements(argument));
+    return isConverted || (parameter.isOutput() && isOfElements(argument));
 }
 
 /// The language converts what a function changes, and converts it back: a function of its own calls

@@ -23,13 +23,9 @@ const HlslNode& RootOf(const HlslNode& target)
 /// Returns whether a function of this name has an out or inout parameter at the index.
 bool isGivenBack(std::span<const HlslFunction* const> functions, std::size_t index)
 {
-    return std::any_of(functions.begin(), functions.end(),
-                       [&](const HlslFunction* function)
-                       {
-                           return index < function->parameters.size() &&
-                                  (function->parameters[index].Has("out") ||
-                                   function->parameters[index].Has("inout"));
-                       });
+    return std::ranges::any_of(
+        functions, [&](const HlslFunction* function)
+        { return index < function->parameters.size() && function->parameters[index].isOutput(); });
 }
 
 } // namespace
@@ -53,14 +49,12 @@ void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const H
     {
         write(*node.child);
     }
-    const bool isMethod = node.kind == HlslNodeKind::Method;
-    std::size_t index = 0;
-    const HlslNode* const first = isMethod ? node.child->next : node.child;
-    for (const HlslNode* argument = first; argument; argument = argument->next, ++index)
+    const bool isCall = node.kind == HlslNodeKind::Method || node.kind == HlslNodeKind::Call;
+    const HlslNode* argument = isCall ? node.FirstArgument() : nullptr;
+    for (std::size_t index = 0; argument; argument = argument->next, ++index)
     {
-        const bool isCall = isMethod || node.kind == HlslNodeKind::Call;
-        if (isCall && (isGivenBack(globals.FindFunctions(text), index) ||
-                       isGivenBack(globals.FindMethods(text), index)))
+        if (isGivenBack(globals.FindFunctions(text), index) ||
+            isGivenBack(globals.FindMethods(text), index))
         {
             write(*argument);
         }

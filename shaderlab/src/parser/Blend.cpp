@@ -12,31 +12,45 @@ namespace
 
 std::optional<int> ColorMaskOf(std::string_view letters)
 {
+    constexpr std::string_view k_Letters = "rgba";
+    constexpr int k_Bits[] = {ColorWriteMask::Red, ColorWriteMask::Green, ColorWriteMask::Blue,
+                              ColorWriteMask::Alpha};
     int mask = 0;
     for (const char letter : letters)
     {
-        switch (ToLower(letter))
+        const std::size_t index = k_Letters.find(ToLower(letter));
+        if (index == k_Letters.npos)
         {
-        case 'r':
-            mask |= ColorWriteMask::Red;
-            break;
-        case 'g':
-            mask |= ColorWriteMask::Green;
-            break;
-        case 'b':
-            mask |= ColorWriteMask::Blue;
-            break;
-        case 'a':
-            mask |= ColorWriteMask::Alpha;
-            break;
-        default:
             return std::nullopt;
         }
+        mask |= k_Bits[index];
     }
     return mask;
 }
 
 } // namespace
+
+bool Parser::ParseFloat(std::string_view subject, StateValue<float>& target)
+{
+    if (isPunctuation('['))
+    {
+        const auto property = ParseReference(subject);
+        target = property ? StateValue<float>::FromProperty(*property) : target;
+        return property.has_value();
+    }
+    const auto number = ParseNumber(subject);
+    target = number ? StateValue<float>(*number) : target;
+    return number.has_value();
+}
+
+void Parser::ParseOffset()
+{
+    RenderState& state = m_Scope.state;
+    if (ParseFloat("Offset", state.offsetFactor) && Expect("Offset", ','))
+    {
+        ParseFloat("Offset", state.offsetUnits);
+    }
+}
 
 std::optional<std::size_t> Parser::ParseTargetIndex(std::string_view subject)
 {
@@ -59,11 +73,8 @@ std::optional<std::size_t> Parser::ParseTargetIndex(std::string_view subject)
 
 std::span<PassBlendState> Parser::TargetsOf(std::optional<std::size_t> index)
 {
-    if (!index)
-    {
-        return m_Scope.state.targets;
-    }
-    return std::span(m_Scope.state.targets).subspan(*index, 1);
+    const std::span<PassBlendState> all = m_Scope.state.targets;
+    return index ? all.subspan(*index, 1) : all;
 }
 
 bool Parser::ParseBlendFactor(StateValue<BlendMode>& target)

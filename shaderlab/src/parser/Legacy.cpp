@@ -45,15 +45,10 @@ const Parser::CommandTable& Parser::LegacyBlockCommands(std::string_view command
         {"ConstantColor", &Parser::ParseLegacyColorField},
         {"Combine", &Parser::ParseCombine},
     };
-    if (command == "Material")
-    {
-        return material;
-    }
-    if (command == "Fog")
-    {
-        return fog;
-    }
-    return command == "BindChannels" ? channels : texture;
+    return command == "Material"       ? material
+           : command == "Fog"          ? fog
+           : command == "BindChannels" ? channels
+                                       : texture;
 }
 
 /// Keeps m_Legacy as a command of the current scope.
@@ -67,44 +62,35 @@ void Parser::AddLegacy(SourceLocation location, bool isGood)
 
 void Parser::ParseLegacySwitch()
 {
-    const SourceLocation location = m_Command;
     m_Legacy = m_Word;
-    AddLegacy(location, AppendName<bool>(k_Bools));
+    AddLegacy(m_Command, AppendName<bool>(k_Bools));
 }
 
 void Parser::ParseColorMaterial()
 {
-    const SourceLocation location = m_Command;
     m_Legacy = m_Word;
-    AddLegacy(location, AppendName<int>(k_ColorMaterials));
+    AddLegacy(m_Command, AppendName<int>(k_ColorMaterials));
 }
 
 void Parser::ParseLegacyColor()
 {
-    const SourceLocation location = m_Command;
     m_Legacy = m_Word;
-    AddLegacy(location, AppendColor());
+    AddLegacy(m_Command, AppendColor());
 }
 
 void Parser::ParseAlphaTest()
 {
-    const SourceLocation location = m_Command;
     m_Legacy = m_Word;
-    if (isWord("Off") || isWord("False"))
+    const bool isOff = isWord("Off") || isWord("False");
+    if (isOff || isWord("On") || isWord("True"))
     {
         Advance();
-        m_Legacy += " Off";
-        AddLegacy(location, true);
-    }
-    else if (isWord("On") || isWord("True"))
-    {
-        Advance();
-        m_Legacy += " On";
-        AddLegacy(location, AppendNumber());
+        m_Legacy += isOff ? " Off" : " On";
+        AddLegacy(m_Command, isOff || AppendNumber());
     }
     else
     {
-        AddLegacy(location, AppendName<CompareFunction>(k_CompareFunctions) && AppendNumber());
+        AddLegacy(m_Command, AppendName<CompareFunction>(k_CompareFunctions) && AppendNumber());
     }
 }
 
@@ -127,7 +113,7 @@ void Parser::ParseSetTexture()
         Error("SetTexture: the texture is missing before " + Found() + "; write [_Property]");
         if (isPunctuation('{'))
         {
-            SkipBraces();
+            SkipTokenOrBraces();
         }
         return;
     }
@@ -207,24 +193,19 @@ bool Parser::AppendCombination()
     {
         return false;
     }
-    for (bool isMore = true; isMore;)
+    for (;;)
     {
         const bool isSign = isPunctuation('*') || isPunctuation('+') || isPunctuation('-') ||
                             (m_Token.kind == TokenKind::Punctuation && m_Token.text == "+-");
-        isMore = isSign || isWord("Dot3") || isWord("Dot3Rgba") || isWord("Lerp");
-        if (!isMore)
+        const bool isLerp = isWord("Lerp");
+        if (!isSign && !isLerp && !isWord("Dot3") && !isWord("Dot3Rgba"))
         {
             break;
         }
-        const bool isLerp = isWord("Lerp");
         const std::string name = isWord("Dot3") ? "Dot3" : isLerp ? "Lerp" : "Dot3Rgba";
         m_Legacy += " " + (isSign ? std::string(m_Token.text) : name);
         Advance();
-        if (isLerp && !AppendLerpFactor())
-        {
-            return false;
-        }
-        if (!AppendCombineSource())
+        if ((isLerp && !AppendLerpFactor()) || !AppendCombineSource())
         {
             return false;
         }
@@ -334,9 +315,7 @@ bool Parser::AppendName(std::span<const EnumName<T>> names)
     {
         return false;
     }
-    const auto name =
-        std::find_if(names.begin(), names.end(),
-                     [&](const EnumName<T>& candidate) { return candidate.value == value.value; });
+    const auto name = std::ranges::find(names, value.value, &EnumName<T>::value);
     m_Legacy +=
         " " + (value.property.empty() ? std::string(name->name) : "[" + value.property + "]");
     return true;

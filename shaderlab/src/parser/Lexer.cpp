@@ -127,14 +127,11 @@ std::size_t Lexer::BlockCommentEnd(std::size_t position)
 
 bool Lexer::SkipComment()
 {
-    if (Peek(1) == '/')
+    const bool isLine = Peek(1) == '/';
+    if (isLine || Peek(1) == '*')
     {
-        SkipTo(std::min(m_Text.find('\n', m_Position), m_Text.size()));
-        return true;
-    }
-    if (Peek(1) == '*')
-    {
-        SkipTo(BlockCommentEnd(m_Position));
+        SkipTo(isLine ? std::min(m_Text.find('\n', m_Position), m_Text.size())
+                      : BlockCommentEnd(m_Position));
         return true;
     }
     return false;

@@ -119,35 +119,28 @@ bool Parser::Expect(std::string_view subject, char mark)
 
 const Parser::Command* Parser::FindCommand(const CommandTable& table) const
 {
-    const auto found = std::find_if(table.begin(), table.end(),
-                                    [&](const Command& command) { return isWord(command.name); });
+    const auto found = std::ranges::find_if(
+        table, [&](std::string_view name) { return isWord(name); }, &Command::name);
     return found == table.end() ? nullptr : &*found;
 }
 
 bool Parser::isAnyCommand() const
 {
-    return std::any_of(m_Tables.begin(), m_Tables.end(),
-                       [&](const CommandTable* table) { return FindCommand(*table) != nullptr; });
+    return std::ranges::any_of(m_Tables,
+                               [&](const CommandTable* table) { return FindCommand(*table); });
 }
 
 bool Parser::isOuterCommand() const
 {
     return std::any_of(m_Tables.begin(), m_Tables.end() - 1,
-                       [&](const CommandTable* table) { return FindCommand(*table) != nullptr; });
+                       [&](const CommandTable* table) { return FindCommand(*table); });
 }
 
 void Parser::SkipUnknown()
 {
     while (m_Token.kind != TokenKind::End && !isPunctuation('}') && !isAnyCommand())
     {
-        if (isPunctuation('{'))
-        {
-            SkipBraces();
-        }
-        else
-        {
-            Advance();
-        }
+        SkipTokenOrBraces();
     }
 }
 
@@ -157,19 +150,13 @@ void Parser::SkipRestOfCommand()
     while (m_Token.kind != TokenKind::End && m_Token.location.line == m_FailedLine &&
            !isPunctuation('}') && !isAnyCommand())
     {
-        if (isPunctuation('{'))
-        {
-            SkipBraces();
-        }
-        else
-        {
-            Advance();
-        }
+        SkipTokenOrBraces();
     }
     m_FailedLine = 0;
 }
 
-void Parser::SkipBraces()
+/// Skips one token, or from a { to behind its }. The token must not be a }.
+void Parser::SkipTokenOrBraces()
 {
     std::size_t depth = 0;
     do
@@ -205,8 +192,7 @@ void Parser::ParseBlock(std::string_view scope, const CommandTable& table)
         }
         else if (isOuterCommand())
         {
-            Error(std::string(scope) + ": '}' is missing before " + Found() + "; the '{' of line " +
-                  std::to_string(opening.line) + " is still open");
+            ReportStillOpen(scope, opening);
             open = false;
         }
         else
@@ -241,21 +227,10 @@ void Parser::ParseUnknown(std::string_view scope, const CommandTable& table)
     }
     else
     {
-        std::vector<std::string_view> known;
-        for (const Command& command : table)
-        {
-            known.push_back(command.name);
-        }
-        Error(std::string(scope) + ": unknown command " + UnknownName(m_Token.text, known));
+        Error(std::string(scope) + ": unknown command " +
+              UnknownName(m_Token.text, NamesIn(table)));
     }
-    if (isPunctuation('{'))
-    {
-        SkipBraces();
-    }
-    else
-    {
-        Advance();
-    }
+    SkipTokenOrBraces();
     SkipUnknown();
 }
 
@@ -291,11 +266,8 @@ std::optional<std::string> Parser::ParseReference(std::string_view subject)
     const SourceLocation start = m_Token.location;
     bool closed = false;
     const std::string_view text = Trim(m_Lexer.ReadBracket(closed));
-    std::size_t size = 0;
-    while (size < text.size() && isWordCharacter(text[size]))
-    {
-        ++size;
-    }
+    const auto end = std::ranges::find_if_not(text, isWordCharacter);
+    const auto size = static_cast<std::size_t>(end - text.begin());
     Advance();
     if (!closed || size == 0 || size > k_MaxReference)
     {
@@ -314,9 +286,7 @@ std::optional<std::string> Parser::ParseReference(std::string_view subject)
 
 bool ShaderLabParseResult::hasErrors() const
 {
-    return std::any_of(diagnostics.begin(), diagnostics.end(),
-                       [](const Diagnostic& diagnostic)
-                       { return diagnostic.severity == Severity::Error; });
+    return std::ranges::count(diagnostics, Severity::Error, &Diagnostic::severity) > 0;
 }
 
 ShaderLabParseResult ParseShaderLab(std::string_view text, std::string file)

@@ -10,10 +10,23 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace limn
 {
+
+/// Returns the names of things that have one.
+template <typename Items>
+std::vector<std::string_view> NamesIn(const Items& items)
+{
+    std::vector<std::string_view> names;
+    for (const auto& item : items)
+    {
+        names.push_back(item.name);
+    }
+    return names;
+}
 
 /// Parses the tokens of one file by recursive descent. Each scope has a table of commands; unknown
 /// commands are reported and skipped. Only Category blocks can be nested without end, so their
@@ -55,7 +68,7 @@ private:
     bool isOuterCommand() const;
     void SkipUnknown();
     void SkipRestOfCommand();
-    void SkipBraces();
+    void SkipTokenOrBraces();
     void ParseBlock(std::string_view scope, const CommandTable& table);
     void ParseCommand(const Command& command);
     void ParseUnknown(std::string_view scope, const CommandTable& table);
@@ -68,6 +81,7 @@ private:
     void Report(Severity severity, SourceLocation location, std::string message);
     void Error(std::string message);
     void ReportNotClosed(std::string_view scope, SourceLocation opening);
+    void ReportStillOpen(std::string_view scope, SourceLocation opening);
     void Stop();
     bool Count(std::size_t items = 1);
     bool CountRepeated(std::size_t bytes);
@@ -110,7 +124,7 @@ private:
     static const CommandTable& SubShaderCommands();
     static const CommandTable& PassCommands();
     static const CommandTable& StencilCommands();
-    static void AppendCommonCommands(CommandTable& table);
+    static CommandTable WithCommonCommands(CommandTable table);
     std::string_view PlaceOf(std::string_view word) const;
 
     // ParserProperties.cpp
@@ -128,7 +142,7 @@ private:
     void SkipProperty(int line);
     void ReportDuplicateProperties();
 
-    // ParserState.cpp, ParserBlend.cpp: fixed-function state into m_Scope.state
+    // ParserBlend.cpp: fixed-function state into m_Scope.state
     template <typename T, StateValue<T> RenderState::*Field, const auto& Names>
     void ParseState()
     {
@@ -145,17 +159,16 @@ private:
     bool ParseBlendFactor(StateValue<BlendMode>& target);
     bool ParseBlendOperation(StateValue<BlendOp>& target);
     template <typename T>
-    bool ParseEnum(std::string_view subject, std::span<const EnumName<T>> names,
-                   StateValue<T>& target);
+    bool ParseEnum(std::string_view subject,
+                   std::type_identity_t<std::span<const EnumName<T>>> names, StateValue<T>& target);
 
     // ParserStencil.cpp
     void ParseStencil();
     template <StateValue<int> PassStencilState::*Field>
     void ParseStencilByte();
-    template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>
-    void ParseStencilCompare();
-    template <StateValue<StencilOp> StencilFaceState::*Field, bool Front, bool Back>
-    void ParseStencilOperation();
+    /// Parses a state of both faces, or of one where the command ends in Front or Back.
+    template <auto Field, const auto& Names>
+    void ParseStencilFaces();
 
     // ParserLegacy.cpp: fixed-function lighting and texturing, kept as text in m_Legacy
     void ParseLegacySwitch();
@@ -207,7 +220,8 @@ private:
 };
 
 template <typename T>
-bool Parser::ParseEnum(std::string_view subject, std::span<const EnumName<T>> names,
+bool Parser::ParseEnum(std::string_view subject,
+                       std::type_identity_t<std::span<const EnumName<T>>> names,
                        StateValue<T>& target)
 {
     if (isPunctuation('['))
@@ -238,12 +252,7 @@ bool Parser::ParseEnum(std::string_view subject, std::span<const EnumName<T>> na
         }
         return false;
     }
-    std::vector<std::string_view> known;
-    for (const EnumName<T>& name : names)
-    {
-        known.push_back(name.name);
-    }
-    Error(std::string(subject) + ": unknown value " + UnknownName(m_Token.text, known));
+    Error(std::string(subject) + ": unknown value " + UnknownName(m_Token.text, NamesIn(names)));
     Advance();
     return false;
 }

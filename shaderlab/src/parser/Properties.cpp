@@ -67,8 +67,7 @@ void Parser::ParseProperties()
         // Properties may be called like commands, but then a parenthesis follows.
         if (m_Token.kind == TokenKind::Identifier && isAnyCommand() && !m_Lexer.isNext('('))
         {
-            Error("Properties: '}' is missing before " + Found() + "; the '{' of line " +
-                  std::to_string(opening.line) + " is still open");
+            ReportStillOpen("Properties", opening);
             break;
         }
         ParseProperty();
@@ -154,28 +153,17 @@ bool Parser::ParsePropertyType(ShaderProperty& property)
             return property.type != ShaderPropertyType::Range || ParseRangeLimits(property);
         }
     }
-    std::vector<std::string_view> known;
-    for (const PropertyTypeName& candidate : k_PropertyTypes)
-    {
-        known.push_back(candidate.name);
-    }
     Error(property.name.substr(0, 80) + ": unknown property type " +
-          UnknownName(m_Token.text, known));
+          UnknownName(m_Token.text, NamesIn(k_PropertyTypes)));
     return false;
 }
 
 bool Parser::ParseRangeLimits(ShaderProperty& property)
 {
-    if (!Expect(property.name, '('))
-    {
-        return false;
-    }
-    const auto minimum = ParseNumber(property.name);
-    if (!minimum || !Expect(property.name, ','))
-    {
-        return false;
-    }
-    const auto maximum = ParseNumber(property.name);
+    const auto minimum =
+        Expect(property.name, '(') ? ParseNumber(property.name) : std::optional<float>();
+    const auto maximum =
+        minimum && Expect(property.name, ',') ? ParseNumber(property.name) : std::optional<float>();
     if (!maximum || !Expect(property.name, ')'))
     {
         return false;
@@ -187,18 +175,11 @@ bool Parser::ParseRangeLimits(ShaderProperty& property)
 
 void Parser::ParsePropertyDefault(ShaderProperty& property)
 {
-    switch (property.type)
-    {
-    case ShaderPropertyType::Color:
-    case ShaderPropertyType::Vector:
-        ParseVectorDefault(property);
-        return;
-    case ShaderPropertyType::Texture:
-        ParseTextureDefault(property);
-        return;
-    default:
-        ParseNumberDefault(property);
-    }
+    const bool isVector =
+        property.type == ShaderPropertyType::Color || property.type == ShaderPropertyType::Vector;
+    isVector                                       ? ParseVectorDefault(property)
+    : property.type == ShaderPropertyType::Texture ? ParseTextureDefault(property)
+                                                   : ParseNumberDefault(property);
 }
 
 void Parser::ParseNumberDefault(ShaderProperty& property)
@@ -294,14 +275,7 @@ void Parser::SkipProperty(int line)
 {
     while (m_Token.kind != TokenKind::End && m_Token.location.line == line && !isPunctuation('}'))
     {
-        if (isPunctuation('{'))
-        {
-            SkipBraces();
-        }
-        else
-        {
-            Advance();
-        }
+        SkipTokenOrBraces();
     }
 }
 
@@ -309,14 +283,13 @@ void Parser::SkipProperty(int line)
 void Parser::ReportDuplicateProperties()
 {
     std::vector<const ShaderProperty*> sorted;
-    sorted.reserve(m_Result.document.properties.size());
     for (const ShaderProperty& property : m_Result.document.properties)
     {
         sorted.push_back(&property);
     }
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const ShaderProperty* a, const ShaderProperty* b)
-                     { return a->name < b->name; });
+    std::ranges::stable_sort(sorted, {},
+                             [](const ShaderProperty* property) -> const std::string&
+                             { return property->name; });
     const ShaderProperty* reported = nullptr;
     for (std::size_t i = 1; i < sorted.size(); ++i)
     {

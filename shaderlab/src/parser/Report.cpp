@@ -14,20 +14,6 @@ constexpr std::size_t k_MaxItems = 1 << 20; ///< that a document is made of
 constexpr std::size_t k_MaxRepeatedBytes = 256 << 20;
 constexpr std::size_t k_MaxFound = 40; ///< bytes of the file that a message quotes
 
-std::string_view SeverityNoun(Severity severity)
-{
-    switch (severity)
-    {
-    case Severity::Error:
-        return "errors";
-    case Severity::Warning:
-        return "warnings";
-    case Severity::Note:
-        return "notes";
-    }
-    throw ContractError("Severity: unknown value");
-}
-
 /// Text of the file that a message can show: short, and without what a terminal cannot.
 std::string Shown(std::string_view text)
 {
@@ -36,14 +22,9 @@ std::string Shown(std::string_view text)
     for (const char c : text.substr(0, k_MaxFound))
     {
         const auto byte = static_cast<unsigned char>(c);
-        if (byte >= 0x20 && byte < 0x7F)
-        {
-            shown += c;
-        }
-        else
-        {
-            shown += {'\\', 'x', k_Digits[byte / 16], k_Digits[byte % 16]};
-        }
+        shown += byte >= 0x20 && byte < 0x7F
+                     ? std::string{c}
+                     : std::string{'\\', 'x', k_Digits[byte / 16], k_Digits[byte % 16]};
     }
     return shown + (text.size() > k_MaxFound ? "..." : "");
 }
@@ -52,15 +33,9 @@ std::string Shown(std::string_view text)
 
 std::string Parser::Found() const
 {
-    switch (m_Token.kind)
-    {
-    case TokenKind::End:
-        return "the end of the file";
-    case TokenKind::String:
-        return "\"" + Shown(m_Token.text) + "\"";
-    default:
-        return "'" + Shown(m_Token.text) + "'";
-    }
+    const std::string quote = m_Token.kind == TokenKind::String ? "\"" : "'";
+    return m_Token.kind == TokenKind::End ? "the end of the file"
+                                          : quote + Shown(m_Token.text) + quote;
 }
 
 void Parser::Report(Severity severity, SourceLocation location, std::string message)
@@ -101,6 +76,12 @@ void Parser::ReportNotClosed(std::string_view scope, SourceLocation opening)
 {
     Error(std::string(scope) + ": '{' of line " + std::to_string(opening.line) +
           " is never closed; add '}'");
+}
+
+void Parser::ReportStillOpen(std::string_view scope, SourceLocation opening)
+{
+    Error(std::string(scope) + ": '}' is missing before " + Found() + "; the '{' of line " +
+          std::to_string(opening.line) + " is still open");
 }
 
 /// Reads no more of the file; the scopes that are open end without a word.
@@ -147,13 +128,13 @@ bool Parser::CountRepeated(std::size_t bytes)
 void Parser::FinishDiagnostics()
 {
     std::vector<Diagnostic>& diagnostics = m_Result.diagnostics;
-    const auto isBefore = [](const Diagnostic& a, const Diagnostic& b)
-    {
-        return a.location.line != b.location.line ? a.location.line < b.location.line
-                                                  : a.location.column < b.location.column;
-    };
-    std::stable_sort(diagnostics.begin(), diagnostics.end(), isBefore);
-    for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note})
+    std::ranges::stable_sort(
+        diagnostics, {},
+        [](const Diagnostic& diagnostic)
+        { return std::pair(diagnostic.location.line, diagnostic.location.column); });
+    for (const auto& [severity, noun] :
+         {std::pair(Severity::Error, "errors"), std::pair(Severity::Warning, "warnings"),
+          std::pair(Severity::Note, "notes")})
     {
         const std::size_t count = m_Reported[static_cast<std::size_t>(severity)];
         if (count > k_MaxShown)
@@ -163,8 +144,8 @@ void Parser::FinishDiagnostics()
                                    m_Result.document.file,
                                    {},
                                    "file: " + std::string(isOpen ? "at least " : "") +
-                                       std::to_string(count - k_MaxShown) + " more " +
-                                       std::string(SeverityNoun(severity)) + " are not shown"});
+                                       std::to_string(count - k_MaxShown) + " more " + noun +
+                                       " are not shown"});
         }
     }
 }

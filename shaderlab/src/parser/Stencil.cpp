@@ -12,18 +12,18 @@ const Parser::CommandTable& Parser::StencilCommands()
         {"Ref", &Parser::ParseStencilByte<&PassStencilState::reference>},
         {"ReadMask", &Parser::ParseStencilByte<&PassStencilState::readMask>},
         {"WriteMask", &Parser::ParseStencilByte<&PassStencilState::writeMask>},
-        {"Comp", &Parser::ParseStencilCompare<&Face::compare, true, true>},
-        {"CompFront", &Parser::ParseStencilCompare<&Face::compare, true, false>},
-        {"CompBack", &Parser::ParseStencilCompare<&Face::compare, false, true>},
-        {"Pass", &Parser::ParseStencilOperation<&Face::pass, true, true>},
-        {"PassFront", &Parser::ParseStencilOperation<&Face::pass, true, false>},
-        {"PassBack", &Parser::ParseStencilOperation<&Face::pass, false, true>},
-        {"Fail", &Parser::ParseStencilOperation<&Face::fail, true, true>},
-        {"FailFront", &Parser::ParseStencilOperation<&Face::fail, true, false>},
-        {"FailBack", &Parser::ParseStencilOperation<&Face::fail, false, true>},
-        {"ZFail", &Parser::ParseStencilOperation<&Face::zFail, true, true>},
-        {"ZFailFront", &Parser::ParseStencilOperation<&Face::zFail, true, false>},
-        {"ZFailBack", &Parser::ParseStencilOperation<&Face::zFail, false, true>},
+        {"Comp", &Parser::ParseStencilFaces<&Face::compare, k_CompareFunctions>},
+        {"CompFront", &Parser::ParseStencilFaces<&Face::compare, k_CompareFunctions>},
+        {"CompBack", &Parser::ParseStencilFaces<&Face::compare, k_CompareFunctions>},
+        {"Pass", &Parser::ParseStencilFaces<&Face::pass, k_StencilOps>},
+        {"PassFront", &Parser::ParseStencilFaces<&Face::pass, k_StencilOps>},
+        {"PassBack", &Parser::ParseStencilFaces<&Face::pass, k_StencilOps>},
+        {"Fail", &Parser::ParseStencilFaces<&Face::fail, k_StencilOps>},
+        {"FailFront", &Parser::ParseStencilFaces<&Face::fail, k_StencilOps>},
+        {"FailBack", &Parser::ParseStencilFaces<&Face::fail, k_StencilOps>},
+        {"ZFail", &Parser::ParseStencilFaces<&Face::zFail, k_StencilOps>},
+        {"ZFailFront", &Parser::ParseStencilFaces<&Face::zFail, k_StencilOps>},
+        {"ZFailBack", &Parser::ParseStencilFaces<&Face::zFail, k_StencilOps>},
     };
     return table;
 }
@@ -61,27 +61,15 @@ void Parser::ParseStencilByte()
     target = static_cast<int>(std::clamp(*number, -65536.0f, 65536.0f)) & 0xFF;
 }
 
-template <StateValue<CompareFunction> StencilFaceState::*Field, bool Front, bool Back>
-void Parser::ParseStencilCompare()
+template <auto Field, const auto& Names>
+void Parser::ParseStencilFaces()
 {
-    StateValue<CompareFunction> value;
-    if (ParseEnum<CompareFunction>(m_Word, k_CompareFunctions, value))
+    auto value = StencilFaceState{}.*Field;
+    if (ParseEnum(m_Word, Names, value))
     {
         PassStencilState& stencil = m_Scope.state.stencil;
-        stencil.front.*Field = Front ? value : stencil.front.*Field;
-        stencil.back.*Field = Back ? value : stencil.back.*Field;
-    }
-}
-
-template <StateValue<StencilOp> StencilFaceState::*Field, bool Front, bool Back>
-void Parser::ParseStencilOperation()
-{
-    StateValue<StencilOp> value;
-    if (ParseEnum<StencilOp>(m_Word, k_StencilOps, value))
-    {
-        PassStencilState& stencil = m_Scope.state.stencil;
-        stencil.front.*Field = Front ? value : stencil.front.*Field;
-        stencil.back.*Field = Back ? value : stencil.back.*Field;
+        stencil.front.*Field = m_Word.ends_with("Back") ? stencil.front.*Field : value;
+        stencil.back.*Field = m_Word.ends_with("Front") ? stencil.back.*Field : value;
     }
 }
 

@@ -73,7 +73,7 @@ void Parser::ParseCategory()
         Report(Severity::Error, m_Command,
                "Category: they are nested more than " + std::to_string(k_MaxCategoryDepth) +
                    " deep; remove some of the braces");
-        SkipBraces();
+        SkipTokenOrBraces();
         return;
     }
     ++m_CategoryDepth;
@@ -126,9 +126,8 @@ void Parser::ParsePass()
 void Parser::AddPass(ShaderLabPass pass)
 {
     const auto& targets = pass.state.targets;
-    pass.state.separateBlend =
-        std::any_of(targets.begin(), targets.end(),
-                    [&](const PassBlendState& target) { return target != targets[0]; });
+    pass.state.separateBlend = std::ranges::any_of(targets, [&](const PassBlendState& target)
+                                                   { return target != targets[0]; });
     if (Count(k_ItemsOfAPass + pass.legacyCommands.size()) &&
         CountRepeated(SizeOf(pass.legacyCommands)))
     {

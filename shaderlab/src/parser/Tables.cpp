@@ -13,8 +13,8 @@ namespace
 template <typename Table>
 bool Knows(const Table& table, std::string_view word)
 {
-    return std::any_of(table.begin(), table.end(),
-                       [&](const auto& command) { return EqualsIgnoringCase(command.name, word); });
+    return std::ranges::any_of(table, [&](const auto& command)
+                               { return EqualsIgnoringCase(command.name, word); });
 }
 
 } // namespace
@@ -38,68 +38,53 @@ const Parser::CommandTable& Parser::ShaderCommands()
 
 const Parser::CommandTable& Parser::CategoryCommands()
 {
-    static const CommandTable table = []
-    {
-        CommandTable commands = {
-            {"SubShader", &Parser::ParseSubShader},
-            {"Category", &Parser::ParseCategory},
-            {"Tags", &Parser::ParseTags},
-            {"LOD", &Parser::ParseLod},
-            {"Fallback", &Parser::ParseFallback},
-            {"CustomEditor", &Parser::ParseCustomEditor},
-            {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
-            {"Dependency", &Parser::ParseDependency},
-        };
-        AppendCommonCommands(commands);
-        return commands;
-    }();
+    static const CommandTable table = WithCommonCommands({
+        {"SubShader", &Parser::ParseSubShader},
+        {"Category", &Parser::ParseCategory},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"Fallback", &Parser::ParseFallback},
+        {"CustomEditor", &Parser::ParseCustomEditor},
+        {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
+        {"Dependency", &Parser::ParseDependency},
+    });
     return table;
 }
 
 const Parser::CommandTable& Parser::SubShaderCommands()
 {
-    static const CommandTable table = []
-    {
-        CommandTable commands = {
-            {"Pass", &Parser::ParsePass},
-            {"Tags", &Parser::ParseTags},
-            {"LOD", &Parser::ParseLod},
-            {"Name", &Parser::ParseIgnoredName},
-            {"UsePass", &Parser::ParseUsePass},
-            {"GrabPass", &Parser::ParseGrabPass},
-            {"PackageRequirements", &Parser::ParsePackageRequirements},
-            {"HLSLPROGRAM", &Parser::ParseSurface, true},
-            {"CGPROGRAM", &Parser::ParseSurface, true},
-            {"GLSLPROGRAM", &Parser::ParseSurface, true},
-        };
-        AppendCommonCommands(commands);
-        return commands;
-    }();
+    static const CommandTable table = WithCommonCommands({
+        {"Pass", &Parser::ParsePass},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"Name", &Parser::ParseIgnoredName},
+        {"UsePass", &Parser::ParseUsePass},
+        {"GrabPass", &Parser::ParseGrabPass},
+        {"PackageRequirements", &Parser::ParsePackageRequirements},
+        {"HLSLPROGRAM", &Parser::ParseSurface, true},
+        {"CGPROGRAM", &Parser::ParseSurface, true},
+        {"GLSLPROGRAM", &Parser::ParseSurface, true},
+    });
     return table;
 }
 
 const Parser::CommandTable& Parser::PassCommands()
 {
-    static const CommandTable table = []
-    {
-        CommandTable commands = {
-            {"Name", &Parser::ParseName},
-            {"Tags", &Parser::ParseTags},
-            {"LOD", &Parser::ParseLod},
-            {"PackageRequirements", &Parser::ParsePackageRequirements},
-            {"HLSLPROGRAM", &Parser::ParseProgram, true},
-            {"CGPROGRAM", &Parser::ParseProgram, true},
-            {"GLSLPROGRAM", &Parser::ParseProgram, true},
-            {"SetTexture", &Parser::ParseSetTexture},
-        };
-        AppendCommonCommands(commands);
-        return commands;
-    }();
+    static const CommandTable table = WithCommonCommands({
+        {"Name", &Parser::ParseName},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"PackageRequirements", &Parser::ParsePackageRequirements},
+        {"HLSLPROGRAM", &Parser::ParseProgram, true},
+        {"CGPROGRAM", &Parser::ParseProgram, true},
+        {"GLSLPROGRAM", &Parser::ParseProgram, true},
+        {"SetTexture", &Parser::ParseSetTexture},
+    });
     return table;
 }
 
 /// State, legacy state and include blocks may stand in every scope from Category to Pass.
-void Parser::AppendCommonCommands(CommandTable& table)
+Parser::CommandTable Parser::WithCommonCommands(CommandTable table)
 {
     const CommandTable common = {
         {"Cull", &Parser::ParseState<CullMode, &RenderState::cull, k_CullModes>},
@@ -126,21 +111,17 @@ void Parser::AppendCommonCommands(CommandTable& table)
         {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
     };
     table.insert(table.end(), common.begin(), common.end());
+    return table;
 }
 
 /// Returns the place of a command that the current scope does not know, "" if there is no such
 /// command.
 std::string_view Parser::PlaceOf(std::string_view word) const
 {
-    if (Knows(PassCommands(), word))
-    {
-        return "a Pass";
-    }
-    if (Knows(SubShaderCommands(), word))
-    {
-        return "a SubShader";
-    }
-    return Knows(StencilCommands(), word) ? "a Stencil block" : "";
+    return Knows(PassCommands(), word)        ? "a Pass"
+           : Knows(SubShaderCommands(), word) ? "a SubShader"
+           : Knows(StencilCommands(), word)   ? "a Stencil block"
+                                              : "";
 }
 
 } // namespace limn

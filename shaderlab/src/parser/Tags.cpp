@@ -31,19 +31,13 @@ const auto k_LightModes = SplitWords(
 /// differ by their last letters only ("Outline2") are meant as they are.
 std::string_view Meant(std::string_view name, const std::vector<std::string_view>& known)
 {
-    if (std::any_of(known.begin(), known.end(),
-                    [&](std::string_view candidate)
-                    { return EqualsIgnoringCase(name, candidate); }))
-    {
-        return {};
-    }
-    const std::string_view nearest = NearestName(name, known);
-    if (nearest.empty() || EditDistance(name, nearest) > std::min(k_MaxTypos, nearest.size() / 4) ||
-        EqualsIgnoringCase(name.substr(0, nearest.size()), nearest))
-    {
-        return {};
-    }
-    return nearest;
+    const bool isKnown = std::ranges::any_of(known, [&](std::string_view candidate)
+                                             { return EqualsIgnoringCase(name, candidate); });
+    const std::string_view nearest = isKnown ? "" : NearestName(name, known);
+    const bool isMeant = !nearest.empty() &&
+                         EditDistance(name, nearest) <= std::min(k_MaxTypos, nearest.size() / 4) &&
+                         !EqualsIgnoringCase(name.substr(0, nearest.size()), nearest);
+    return isMeant ? nearest : "";
 }
 
 bool isTagWord(const Token& token)
@@ -65,8 +59,7 @@ void Parser::ParseTags()
         if (m_Token.kind == TokenKind::End ||
             (m_Token.kind == TokenKind::Identifier && isAnyCommand() && !m_Lexer.isNext('=')))
         {
-            Error("Tags: '}' is missing before " + Found() + "; the '{' of line " +
-                  std::to_string(opening.line) + " is still open");
+            ReportStillOpen("Tags", opening);
             return;
         }
         if (!isTagWord(m_Token))

@@ -12,24 +12,14 @@ namespace limn
 namespace
 {
 
-bool IsWordCharacter(char c)
+/// Removes the symbol that a text begins with, and returns it; "" if there is none.
+std::string_view TakeSymbol(std::string_view& text)
 {
-    return isLetter(c) || isDigit(c);
-}
-
-std::string_view Trimmed(std::string_view text)
-{
-    const std::size_t begin = text.find_first_not_of(" \t\r");
-    if (begin == std::string_view::npos)
-    {
-        return {};
-    }
-    return text.substr(begin, text.find_last_not_of(" \t\r") - begin + 1);
-}
-
-std::string_view WithoutComment(std::string_view text)
-{
-    return Trimmed(text.substr(0, text.find("//")));
+    const auto end =
+        std::ranges::find_if_not(text, [](char c) { return isLetter(c) || isDigit(c); });
+    const std::string_view symbol(text.begin(), end);
+    text.remove_prefix(symbol.size());
+    return symbol;
 }
 
 /// a || b && !(c == d)
@@ -41,19 +31,17 @@ public:
     {
     }
 
-    /// Returns whether it is a condition, and its answer.
-    bool Read(bool& answer)
+    /// Returns its answer, or nothing if it is no condition.
+    std::optional<bool> Read()
     {
-        answer = Or();
-        Skip();
-        return m_IsGood && m_Text.empty();
+        const bool answer = Or();
+        return m_IsGood && Trim(m_Text).empty() ? std::optional(answer) : std::nullopt;
     }
 
 private:
-    void Skip() { m_Text = Trimmed(m_Text); }
     bool Next(std::string_view word)
     {
-        Skip();
+        m_Text = Trim(m_Text);
         if (!m_Text.starts_with(word))
         {
             return false;
@@ -103,19 +91,12 @@ private:
             m_IsGood = Next(")") && m_IsGood;
             return value;
         }
-        Skip();
         if (!m_Text.starts_with("!=") && Next("!"))
         {
             return !Single();
         }
-        std::size_t length = 0;
-        while (length < m_Text.size() && IsWordCharacter(m_Text[length]))
-        {
-            ++length;
-        }
-        m_IsGood = m_IsGood && length > 0;
-        const std::string_view word = m_Text.substr(0, length);
-        m_Text.remove_prefix(length);
+        const std::string_view word = TakeSymbol(m_Text);
+        m_IsGood = m_IsGood && !word.empty();
         return word == "true" || (word != "false" && m_IsDefined(word));
     }
 
@@ -208,43 +189,38 @@ bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target)
 
 bool CSharpConditions::Answer(std::string_view condition, const SourceLocation& location)
 {
-    bool answer = false;
     const auto isDefined = [this](std::string_view symbol)
     {
         return m_Defined.contains(symbol) ||
                (!m_Undefined.contains(symbol) && IsDefinedFor(symbol, m_Target));
     };
-    if (!ConditionReader(condition, isDefined).Read(answer))
+    const std::optional<bool> answer = ConditionReader(condition, isDefined).Read();
+    if (!answer)
     {
         Fail(location, "'" + std::string(condition) +
                            "' is no condition; symbols with !, &&, || and () are expected");
     }
-    m_Answered.push_back({std::string(condition), answer, location});
-    return answer;
+    m_Answered.push_back({std::string(condition), *answer, location});
+    return *answer;
 }
 
 void CSharpConditions::Take(std::string_view line, const SourceLocation& location)
 {
-    line = Trimmed(line.substr(1));
-    std::size_t length = 0;
-    while (length < line.size() && IsWordCharacter(line[length]))
-    {
-        ++length;
-    }
-    const std::string_view name = line.substr(0, length);
-    const std::string_view rest = WithoutComment(line.substr(length));
+    line = Trim(line.substr(1));
+    const std::string_view name = TakeSymbol(line);
+    const std::string_view rest = Trim(line.substr(0, line.find("//")));
     if (name == "if")
     {
         const bool isOuterTaken = isTaken();
         const bool isIn = isOuterTaken && Answer(rest, location);
         m_Open.push_back({location, isOuterTaken, isIn, isIn});
     }
+    else if (IsIn(name, {"elif", "else", "endif"}) && m_Open.empty())
+    {
+        Fail(location, "'#" + std::string(name) + "' stands behind no #if");
+    }
     else if (name == "elif" || name == "else")
     {
-        if (m_Open.empty())
-        {
-            Fail(location, "'#" + std::string(name) + "' stands behind no #if");
-        }
         Branch& open = m_Open.back();
         open.isTaken =
             open.isOuterTaken && !open.wasTaken && (name == "else" || Answer(rest, location));
@@ -252,10 +228,6 @@ void CSharpConditions::Take(std::string_view line, const SourceLocation& locatio
     }
     else if (name == "endif")
     {
-        if (m_Open.empty())
-        {
-            Fail(location, "'#endif' stands behind no #if");
-        }
         m_Open.pop_back();
     }
     else if (isTaken() && (name == "define" || name == "undef"))

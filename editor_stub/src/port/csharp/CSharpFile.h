@@ -2,17 +2,14 @@
 
 #include "port/csharp/CSharpTokens.h"
 
+#include <filesystem>
 #include <map>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace limn
 {
-
-/// Words of a CSharpFile; a part of them has no End.
-using CSharpWords = std::span<const CSharpToken>;
 
 /// An attribute: [Range(0, 1)].
 struct CSharpAttribute
@@ -50,7 +47,6 @@ struct CSharpMethod
     std::string name;
     std::string type; ///< the type that it returns; "" for a constructor
     bool isOverride = false;
-    bool isProtected = false;
     bool isStatic = false;
     bool isProperty = false;
     bool isExpression = false; ///< => instead of { }
@@ -104,6 +100,8 @@ struct CSharpFile
     std::string text;
     CSharpTokens tokens; ///< of text
     std::vector<CSharpClass> classes;
+
+    std::string name() const { return std::filesystem::path(path).filename().string(); }
 
     CSharpFile() = default;
     CSharpFile(const CSharpFile&) = delete;

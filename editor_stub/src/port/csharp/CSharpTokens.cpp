@@ -151,8 +151,7 @@ private:
         else if (c == '\'')
         {
             token.kind = CSharpTokenKind::Character;
-            Advance(Peek(1) == '\\' ? 3 : 2);
-            SkipTo('\'', token.location, "this character");
+            SkipCharacter(token.location);
         }
         else if (IsNameStart(c) || (c == '@' && IsNameStart(Peek(1))))
         {
@@ -207,15 +206,16 @@ private:
         Advance(isLong && !(StartsWith("?.") && isDigit(Peek(2))) ? 2 : 1);
     }
 
-    void SkipTo(char end, const SourceLocation& start, const char* what)
+    void SkipCharacter(const SourceLocation& start)
     {
-        while (m_At < m_Text.size() && Peek() != end && Peek() != '\n')
+        Advance(Peek(1) == '\\' ? 3 : 2);
+        while (m_At < m_Text.size() && Peek() != '\'' && Peek() != '\n')
         {
             Advance(Peek() == '\\' ? 2 : 1);
         }
-        if (Peek() != end)
+        if (Peek() != '\'')
         {
-            Fail(start, std::string(what) + " has no end; " + end + " is expected");
+            Fail(start, "this character has no end; ' is expected");
         }
         Advance();
     }
@@ -318,35 +318,33 @@ private:
 
     void Match(std::vector<CSharpToken>& tokens) const
     {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < tokens.size(); ++i)
+        constexpr std::string_view k_Opening = "([{";
+        constexpr std::string_view k_Closing = ")]}";
+        std::vector<CSharpToken*> open;
+        for (CSharpToken& token : tokens)
         {
-            CSharpToken& token = tokens[i];
-            if (token.Is("(") || token.Is("[") || token.Is("{"))
+            const bool isMark = token.kind == CSharpTokenKind::Punctuation;
+            if (isMark && k_Opening.find(token.text) != std::string_view::npos)
             {
-                open.push_back(i);
+                open.push_back(&token);
             }
-            const char opening = token.Is(")")   ? '('
-                                 : token.Is("]") ? '['
-                                 : token.Is("}") ? '{'
-                                                 : '\0';
-            if (opening == '\0')
+            const std::size_t kind = isMark ? k_Closing.find(token.text) : std::string_view::npos;
+            if (kind == std::string_view::npos)
             {
                 continue;
             }
-            if (open.empty() || tokens[open.back()].text[0] != opening)
+            if (open.empty() || open.back()->text[0] != k_Opening[kind])
             {
-                const std::string found = "'" + std::string(token.text) + "' closes nothing";
-                Fail(token.location, open.empty() ? found : found + NameOpen(tokens[open.back()]));
+                Fail(token.location, "'" + std::string(token.text) + "' closes nothing" +
+                                         (open.empty() ? "" : NameOpen(*open.back())));
             }
-            tokens[open.back()].match = static_cast<std::ptrdiff_t>(i - open.back());
-            token.match = -tokens[open.back()].match;
+            open.back()->match = &token - open.back();
+            token.match = -open.back()->match;
             open.pop_back();
         }
         if (!open.empty())
         {
-            const CSharpToken& last = tokens[open.back()];
-            Fail(last.location, "'" + std::string(last.text) + "' is never closed");
+            Fail(open.back()->location, "'" + std::string(open.back()->text) + "' is never closed");
         }
     }
     static std::string NameOpen(const CSharpToken& open)

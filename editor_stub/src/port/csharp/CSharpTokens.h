@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <limn/base/Diagnostic.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,11 @@ enum class CSharpTokenKind
     End          ///< the last of every list
 };
 
+struct CSharpToken;
+
+/// Words of a CSharpFile; a part of them has no End.
+using CSharpWords = std::span<const CSharpToken>;
+
 /// A word of C#.
 struct CSharpToken
 {
@@ -37,6 +43,12 @@ struct CSharpToken
                (kind == CSharpTokenKind::Identifier || kind == CSharpTokenKind::Punctuation);
     }
     bool isName() const { return kind == CSharpTokenKind::Identifier; }
+    /// Returns whether the word is a bracket with words between it and the matching one.
+    bool isOpen() const { return match > 0; }
+    /// Returns the words between an opening bracket and the matching one.
+    CSharpWords Inside() const { return {this + 1, this + match}; }
+    /// Returns the word behind this one, or behind the bracket that matches it.
+    const CSharpToken* Behind() const { return this + (match > 0 ? match : 0) + 1; }
 };
 
 /// A condition of the preprocessor and how it was answered.
@@ -87,14 +99,5 @@ bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target);
 ///     match, an #if is broken, or the file is not text
 CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
                             const CSharpTarget& target = {});
-
-/// The name of a type that is not known.
-inline constexpr const char* k_UnknownType = "?";
-
-/// Returns whether a word is a keyword of the language other than a type, `new`, `this` or `base`.
-bool IsCSharpKeyword(std::string_view word);
-
-/// Returns the type of the elements: T for "T[]" and "List<T>".
-std::string ElementType(const std::string& type);
 
 } // namespace limn

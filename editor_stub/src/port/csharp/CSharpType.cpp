@@ -73,16 +73,9 @@ std::string ReadCSharpGenerics(const CSharpToken*& at)
 
 std::string ReadCSharpType(const CSharpToken*& at)
 {
-    std::string type;
-    if (at->Is("(") && at->match > 0) // (int a, int b)
-    {
-        type = "(...)";
-        at += at->match + 1;
-    }
-    else
-    {
-        type = ReadTypeName(at);
-    }
+    const bool isTuple = at->Is("("); // (int a, int b)
+    std::string type = isTuple ? "(...)" : ReadTypeName(at);
+    at = isTuple ? at->Behind() : at;
     while (!type.empty())
     {
         if (at->Is("?") && !at[1].Is("."))
@@ -92,7 +85,7 @@ std::string ReadCSharpType(const CSharpToken*& at)
         else if (at->Is("[") && (at[1].Is("]") || at[1].Is(",")))
         {
             type += at[1].Is("]") ? "[]" : "[,]";
-            at += at->match + 1;
+            at = at->Behind();
         }
         else if (at->Is("*"))
         {
@@ -118,7 +111,7 @@ std::vector<CSharpWords> SplitArguments(CSharpWords words)
             parts.push_back(words.subspan(begin, i - begin));
             begin = i + 1;
         }
-        i += words[i].match > 0 ? static_cast<std::size_t>(words[i].match) + 1 : 1;
+        i += static_cast<std::size_t>(words[i].Behind() - &words[i]);
     }
     if (begin < words.size())
     {
