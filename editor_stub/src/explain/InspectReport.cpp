@@ -279,22 +279,12 @@ std::string ToJson(const InspectReport& report)
 {
     Json json;
     json["kind"] = report.kind;
-    if (report.kind == "profile")
+    const bool isName = report.kind == "name";
+    if (isName || report.kind == "profile")
     {
-        json["components"] = JsonList(report.volumes.at(0).components, ComponentJson);
-        return JsonText(json);
-    }
-    if (report.kind == "name")
-    {
-        json["components"] = Json::array();
-        for (const InspectedVolume& volume : report.volumes)
-        {
-            json["components"] = JsonList(volume.components, ComponentJson);
-        }
-        json["features"] = JsonList(report.features, SettingsJson);
-        json["shaders"] = JsonList(report.shaders, [](const InspectedGroup& shader)
-                                   { return AsJson(shader, "properties"); });
-        return JsonText(json);
+        json["components"] = report.volumes.empty()
+                                 ? Json::array()
+                                 : JsonList(report.volumes.front().components, ComponentJson);
     }
     if (report.kind == "scene")
     {
@@ -303,12 +293,16 @@ std::string ToJson(const InspectReport& report)
     if (report.asset)
     {
         json[report.kind] = AsJson(*report.asset, "values");
-        if (report.kind != "renderer")
-        {
-            return JsonText(json);
-        }
     }
-    json["features"] = JsonList(report.features, SettingsJson);
+    if (isName || report.kind == "scene" || report.kind == "renderer")
+    {
+        json["features"] = JsonList(report.features, SettingsJson);
+    }
+    if (isName)
+    {
+        json["shaders"] = JsonList(report.shaders, [](const InspectedGroup& shader)
+                                   { return AsJson(shader, "properties"); });
+    }
     return JsonText(json);
 }
 
