@@ -215,16 +215,12 @@ std::string UnitText(std::span<const CellId> unit)
 
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)
 {
-    const auto withoutTechnique = [](CellId id)
-    {
-        id.technique.clear();
-        return id.Name();
-    };
     std::vector<std::vector<CellId>> units;
     for (const CellId& cell : cells)
     {
-        const bool isTogether = cell.kind == CellKind::Cost && !units.empty() &&
-                                withoutTechnique(units.back().front()) == withoutTechnique(cell);
+        const bool isTogether =
+            cell.kind == CellKind::Cost && !units.empty() &&
+            units.back().front().NameForAllTechniques() == cell.NameForAllTechniques();
         if (!isTogether)
         {
             units.emplace_back();

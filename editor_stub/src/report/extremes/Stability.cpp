@@ -59,13 +59,7 @@ struct CompareWindow
     Coverage Of(const Coverage& picture) const
     {
         Coverage part(size.x, size.y);
-        for (int y = 0; y < size.y; ++y)
-        {
-            for (int x = 0; x < size.x; ++x)
-            {
-                part.At(x, y) = picture.At(corner.x + x, corner.y + y);
-            }
-        }
+        part.ForEach([&](int x, int y) { part.At(x, y) = picture.At(corner.x + x, corner.y + y); });
         return part;
     }
 };

@@ -116,7 +116,7 @@ int DrawsOf(const CompiledFrame& frame)
 
 CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& without)
 {
-    CellResult result{id, {}, {}, {}, {}};
+    CellResult result{id};
     const CompiledFrame& frame = *with.result.frame;
     const CompiledFrame& plain = *without.result.frame;
     const FrameBytes bytes = BytesOf(frame);

@@ -109,9 +109,8 @@ const glm::dvec2 k_Motion(1.0, 0.3);
 std::string NameOfReference(CellId id)
 {
     id.kind = CellKind::Geometry;
-    id.technique.clear();
     id.variant = id.subject == k_SceneSubject ? "" : id.variant; // the parts share what they are of
-    return id.Name();
+    return id.NameForAllTechniques();
 }
 
 /// Why it is drawn, but not compared; "" if it is.
@@ -249,7 +248,7 @@ CellResult StudyBench::Measure(const CellId& id)
 
 CellResult StudyBench::MeasureGeometry(const CellId& id)
 {
-    CellResult result{id, {}, {}, {}, {}};
+    CellResult result{id};
     if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
     {
         result.notes.push_back(why);
@@ -320,7 +319,7 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
 
 CellResult StudyBench::MeasureTemporal(const CellId& id)
 {
-    CellResult result{id, {}, {}, {}, {}};
+    CellResult result{id};
     for (const std::string& why : {WhyNotDrawn(id, m_Assets), WhyNotCompared(id, m_Assets)})
     {
         if (!why.empty())

@@ -109,7 +109,7 @@ CellResult NumericalBench::Measure(const CellId& id)
     {
         throw ContractError(id.Name() + ": its subject or its variant is not known");
     }
-    CellResult result{id, {}, {}, {}, {}};
+    CellResult result{id};
     if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
     {
         result.notes.push_back(why);

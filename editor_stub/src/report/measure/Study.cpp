@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace limn::study
@@ -35,6 +36,13 @@ std::string CellId::Name() const
         name << '/' << variant;
     }
     return name.str();
+}
+
+std::string CellId::NameForAllTechniques() const
+{
+    CellId id = *this;
+    id.technique.clear();
+    return id.Name();
 }
 
 const std::vector<Metric>& Metrics()
@@ -106,6 +114,24 @@ double CellResult::Value(const std::string& key) const
 {
     const auto found = values.find(key);
     return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::vector<std::string> Study::MissingCells() const
+{
+    std::set<std::string> measured;
+    for (const CellResult& cell : cells)
+    {
+        measured.insert(cell.id.Name());
+    }
+    std::vector<std::string> missing;
+    for (const CellId& id : planned)
+    {
+        if (std::string name = id.Name(); !measured.contains(name))
+        {
+            missing.push_back(std::move(name));
+        }
+    }
+    return missing;
 }
 
 } // namespace limn::study

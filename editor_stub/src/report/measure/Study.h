@@ -46,6 +46,8 @@ struct CellId
     /// Returns the name "geometry/Strokes/disc/8/1920x1080", with "/half" behind it if there is a
     /// variant.
     std::string Name() const;
+    /// Returns the name without the technique, which cells share that are measured in turn.
+    std::string NameForAllTechniques() const;
 };
 
 /// A figure: its name in results, its title in tables and its unit.
@@ -68,14 +70,14 @@ struct CellResult
 {
     CellId id;
     /// The figures by Metric::key. NaN and infinities are kept.
-    std::map<std::string, double> values;
+    std::map<std::string, double> values = {};
     /// The lower and the upper quartile by Metric::key, for figures that are medians.
-    std::map<std::string, std::pair<double, double>> quartiles;
+    std::map<std::string, std::pair<double, double>> quartiles = {};
     /// Sentences: why there is no figure, what failed, what a stability cell was put through.
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = {};
     /// PNG files relative to the study's folder: "picture", "reference", "difference",
     /// and of the scene "closeUp" and "scene".
-    std::map<std::string, std::string> pictures;
+    std::map<std::string, std::string> pictures = {};
 
     bool Has(const std::string& key) const { return values.contains(key); }
     double Value(const std::string& key) const; ///< NaN if there is none
@@ -98,6 +100,9 @@ struct Study
     std::vector<Technique> techniques; ///< files store the members before Technique::place
     std::vector<CellId> planned;       ///< all cells of all shards
     std::vector<CellResult> cells;     ///< the measured ones, in the order of `planned`
+
+    /// Returns the names of the planned cells that are not measured.
+    std::vector<std::string> MissingCells() const;
 };
 
 } // namespace limn::study

@@ -295,16 +295,10 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
             }
         }
     }
-    for (std::size_t i = 0; i < merged.size(); ++i)
+    for (MergedStudy& whole : merged)
     {
-        Sort(merged[i].study);
-        for (const CellId& id : merged[i].study.planned)
-        {
-            if (const std::string name = id.Name(); !names[i].contains(name))
-            {
-                merged[i].missing.push_back(name);
-            }
-        }
+        Sort(whole.study);
+        whole.missing = whole.study.MissingCells();
     }
     return merged;
 }

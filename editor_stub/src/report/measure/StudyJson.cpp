@@ -37,6 +37,31 @@ Json IdToJson(const CellId& id)
             {"variant", id.variant}};
 }
 
+/// Hands the members that JSON has as they are to `visit(key, member)`.
+template <typename AnyTechnique, typename Visit>
+void VisitTechnique(AnyTechnique& technique, const Visit& visit)
+{
+    visit("name", technique.name);
+    visit("feature", technique.feature);
+    visit("summary", technique.summary);
+    visit("isArticle", technique.isArticle);
+    visit("noWidth", technique.noWidth);
+}
+
+template <typename AnyStudy, typename Visit>
+void VisitStudy(AnyStudy& study, const Visit& visit)
+{
+    visit("scene", study.scene);
+    visit("sceneHash", study.sceneHash);
+    visit("device", study.device);
+    visit("machine", study.machine);
+    visit("limnVersion", study.limnVersion);
+    visit("options", study.options);
+    visit("started", study.started);
+    visit("loadAverage", study.loadAverage);
+    visit("copyBandwidth", study.copyBandwidth);
+}
+
 /// Reads one JSON value of a study. JSON is YAML: the reader of YAML knows every value's place.
 class Reader
 {
@@ -55,25 +80,30 @@ public:
         }
     }
 
-    /// Reads each item of the list, or each value of the map, behind `key`.
-    template <typename Visit>
-    void ReadItems(const char* key, YamlKind kind, const Visit& visit)
+private:
+    template <typename T>
+    void ReadValue(const YamlNode& node, const std::string& subject, std::vector<T>& list)
     {
-        const YamlNode* node = m_Map.Require(key);
-        if (node && node->kind() != kind)
+        RequireKind(node, subject, YamlKind::Sequence, "a list");
+        for (const YamlNode& item : node.items())
         {
-            Refuse(*node, m_Map.SubjectOf(key), kind == YamlKind::Map ? "a map" : "a list");
-        }
-        for (const YamlNode& item : node ? node->items() : std::span<const YamlNode>())
-        {
-            visit(std::string(), item);
-        }
-        for (const YamlEntry& entry : node ? node->entries() : std::span<const YamlEntry>())
-        {
-            visit(entry.key, entry.value);
+            ReadValue(item, subject, list.emplace_back());
         }
     }
-
+    template <typename T>
+    void ReadValue(const YamlNode& node, const std::string& subject, std::map<std::string, T>& map)
+    {
+        RequireKind(node, subject, YamlKind::Map, "a map");
+        for (const YamlEntry& entry : node.entries())
+        {
+            ReadValue(entry.value, subject + "." + entry.key, map[entry.key]);
+        }
+    }
+    void ReadValue(const YamlNode& node, const std::string&, Technique& technique)
+    {
+        Reader reader(node, "technique", m_Diagnostics);
+        VisitTechnique(technique, [&](const char* key, auto& value) { reader.Read(key, value); });
+    }
     void ReadValue(const YamlNode& node, const std::string& subject, std::string& value)
     {
         value = ReadString(node, subject, m_Diagnostics).value_or(value);
@@ -135,7 +165,14 @@ public:
         }
     }
 
-private:
+    void RequireKind(const YamlNode& node, const std::string& subject, YamlKind kind,
+                     const std::string& expected)
+    {
+        if (node.kind() != kind)
+        {
+            Refuse(node, subject, expected);
+        }
+    }
     void Refuse(const YamlNode& node, const std::string& subject, const std::string& expected)
     {
         m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
@@ -183,31 +220,6 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
     diagnostics.ThrowIfErrors();
 }
 
-/// Hands the members that JSON has as they are to `visit(key, member)`.
-template <typename AnyTechnique, typename Visit>
-void VisitTechnique(AnyTechnique& technique, const Visit& visit)
-{
-    visit("name", technique.name);
-    visit("feature", technique.feature);
-    visit("summary", technique.summary);
-    visit("isArticle", technique.isArticle);
-    visit("noWidth", technique.noWidth);
-}
-
-template <typename AnyStudy, typename Visit>
-void VisitStudy(AnyStudy& study, const Visit& visit)
-{
-    visit("scene", study.scene);
-    visit("sceneHash", study.sceneHash);
-    visit("device", study.device);
-    visit("machine", study.machine);
-    visit("limnVersion", study.limnVersion);
-    visit("options", study.options);
-    visit("started", study.started);
-    visit("loadAverage", study.loadAverage);
-    visit("copyBandwidth", study.copyBandwidth);
-}
-
 } // namespace
 
 Json ToJson(const Study& study)
@@ -250,17 +262,8 @@ Study StudyFromJson(std::string_view text, const std::string& file)
     Reader reader(root, "study", diagnostics);
     Study study;
     VisitStudy(study, [&](const char* key, auto& value) { reader.Read(key, value); });
-    reader.ReadItems("techniques", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     {
-                         Reader technique(node, "technique", diagnostics);
-                         VisitTechnique(study.techniques.emplace_back(),
-                                        [&](const char* key, auto& value)
-                                        { technique.Read(key, value); });
-                     });
-    reader.ReadItems("planned", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     { reader.ReadValue(node, "planned", study.planned.emplace_back()); });
+    reader.Read("techniques", study.techniques);
+    reader.Read("planned", study.planned);
     diagnostics.ThrowIfErrors();
     return study;
 }
@@ -272,22 +275,17 @@ CellResult CellFromJson(std::string_view line, const std::string& file, int line
     Reader reader(root, "cell", diagnostics);
     CellResult cell;
     reader.Read("id", cell.id);
-    reader.ReadItems("values", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.values." + key, cell.values[key]); });
-    reader.ReadItems("quartiles", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.quartiles." + key, cell.quartiles[key]); });
-    reader.ReadItems("notes", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.notes", cell.notes.emplace_back()); });
-    reader.ReadItems("pictures", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     {
-                         std::string& name = cell.pictures[key];
-                         reader.ReadValue(node, "cell.pictures." + key, name);
-                         RequirePictureName(node, name, diagnostics);
-                     });
+    reader.Read("values", cell.values);
+    reader.Read("quartiles", cell.quartiles);
+    reader.Read("notes", cell.notes);
+    reader.Read("pictures", cell.pictures);
+    if (const YamlNode* pictures = root.Find("pictures"))
+    {
+        for (const YamlEntry& picture : pictures->entries())
+        {
+            RequirePictureName(picture.value, cell.pictures[picture.key], diagnostics);
+        }
+    }
     diagnostics.ThrowIfErrors();
     return cell;
 }

@@ -1,5 +1,7 @@
 #include "report/pages/ReportText.h"
 
+#include "explain/TextLines.h"
+
 #include <algorithm>
 #include <limn/base/EmbeddedFile.h>
 #include <limn/base/ReadFile.h>
@@ -21,17 +23,7 @@ namespace
 
 std::string HtmlText(const std::string& text)
 {
-    std::string result;
-    for (const char c : OneLine(text))
-    {
-        result += c == '<'    ? "&lt;"
-                  : c == '>'  ? "&gt;"
-                  : c == '&'  ? "&amp;"
-                  : c == '"'  ? "&quot;"
-                  : c == '\'' ? "&#39;"
-                              : std::string(1, c);
-    }
-    return result;
+    return Replaced(MarkupText(OneLine(text)), "'", "&#39;");
 }
 
 std::string Base64(const std::string& bytes)

@@ -169,14 +169,12 @@ std::vector<glm::dvec2> Crossings(const Coverage& coverage)
                              here / (here - there) * glm::dvec2(dx, dy));
         }
     };
-    for (int y = 0; y < coverage.height; ++y)
-    {
-        for (int x = 0; x < coverage.width; ++x)
+    coverage.ForEach(
+        [&](int x, int y)
         {
             look(x, y, 1, 0);
             look(x, y, 0, 1);
-        }
-    }
+        });
     return places;
 }
 
@@ -209,6 +207,23 @@ double Farthest(const std::vector<glm::dvec2>& from, const std::vector<glm::dvec
 double Coverage::Sum() const
 {
     return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
+double Coverage::Sample(double u, double v, int channel) const
+{
+    const double x = u * width - 0.5;
+    const double y = v * height - 0.5;
+    const double x0 = std::floor(x);
+    const double y0 = std::floor(y);
+    const auto texel = [&](double tx, double ty)
+    {
+        return At(std::clamp(static_cast<int>(tx), 0, width - 1),
+                  std::clamp(static_cast<int>(ty), 0, height - 1), channel);
+    };
+    const double fx = x - x0;
+    const double fy = y - y0;
+    return (texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx) * (1 - fy) +
+           (texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx) * fy;
 }
 
 Coverage ChannelOf(const Image& image, int channel)

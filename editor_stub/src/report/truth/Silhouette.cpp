@@ -225,24 +225,24 @@ Silhouette::Silhouette(const ScreenTriangles& triangles)
 
 bool Silhouette::Contains(const glm::dvec2& point) const
 {
-    const Box box{point, point};
-    return m_TriangleTree.AnyOverlapping(
-        box, k_Touching,
-        [&](std::size_t index)
+    return m_TriangleTree.AnyOverlapping(Box{point, point}, k_Touching,
+                                         [&](std::size_t index)
+                                         { return IsInTriangle(m_Triangles[index], point); });
+}
+
+bool IsInTriangle(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& point)
+{
+    const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const glm::dvec2 along = corners[(i + 1) % 3] - corners[i];
+        const double side = Cross(along, point - corners[i]) * (area > 0.0 ? 1.0 : -1.0);
+        if (side < -k_Touching * glm::length(along))
         {
-            const auto& corners = m_Triangles[index];
-            const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-            for (std::size_t i = 0; i < 3; ++i)
-            {
-                const glm::dvec2 along = corners[(i + 1) % 3] - corners[i];
-                const double side = Cross(along, point - corners[i]) * (area > 0.0 ? 1.0 : -1.0);
-                if (side < -k_Touching * glm::length(along))
-                {
-                    return false;
-                }
-            }
-            return true;
-        });
+            return false;
+        }
+    }
+    return true;
 }
 
 double Silhouette::SignedDistance(const glm::dvec2& point, double limit, glm::dvec2* nearest) const

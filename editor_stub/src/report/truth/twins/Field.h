@@ -1,25 +1,11 @@
 #pragma once
 
-#include <array>
-#include <vector>
+#include "report/truth/OutlineReference.h"
 
 namespace limn::study
 {
 
-/// An image of doubles with `channels` values for each texel. Row 0 is at the top.
-struct Field
-{
-    int width = 0;
-    int height = 0;
-    int channels = 1;
-    std::vector<double> values;
-
-    double& At(int x, int y, int channel = 0);
-    double At(int x, int y, int channel = 0) const;
-    /// Returns a bilinear sample, clamped at the border. u and v are in 0...1; (0, 0) is the top
-    /// left corner.
-    double Sample(double u, double v, int channel = 0) const;
-};
+using Field = Coverage;
 
 /// Returns the result of the article's second pass in double precision: Roberts cross of a mask
 /// with bilinear taps.
@@ -36,7 +22,7 @@ Field CompositeReference(const Field& base, const Field& edge, const std::array<
 /// @param offset  the offset of the taps in texels, along both axes
 Field BlurReference(const Field& source, double offset);
 
-/// Returns the article's composite of a picture with four channels.
+/// Returns the article's composite. The stencil and the blur have four channels.
 Field CompositeReference(const Field& source, const Field& stencil, const Field& blur,
                          double strength);
 

@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <limn/features/MaskDifferenceOutline.h>
 #include <limn/features/SelectionOutline.h>
+#include <numeric>
 
 namespace limn::study
 {
@@ -73,11 +74,7 @@ TwinSeed FindEdge(const std::array<double, 9>& mask)
         return place;
     }
     const glm::dvec2 outwards = -glm::normalize(inwards);
-    double sum = 0.0;
-    for (const double part : mask)
-    {
-        sum += part;
-    }
+    const double sum = std::accumulate(mask.begin(), mask.end(), 0.0);
     double depth = 3.0 * BoxDepth(outwards, sum / 9.0);
     const double inside = BoxCoverage(outwards, depth);
     if (std::abs(inside - own) < 0.2)
@@ -108,18 +105,16 @@ public:
         MakeSeeds(silhouette);
     }
 
-    Coverage Draw(int pictureWidth, int pictureHeight, bool isFlood)
+    Coverage Draw(bool isFlood) const
     {
         const std::vector<glm::dvec2> nearest = isFlood ? Flood() : Rows();
-        Coverage alpha(pictureWidth, pictureHeight);
-        for (int y = 0; y < pictureHeight; ++y)
-        {
-            for (int x = 0; x < pictureWidth; ++x)
+        Coverage alpha(m_Size.x - 2 * m_Margin, m_Size.y - 2 * m_Margin);
+        alpha.ForEach(
+            [&](int x, int y)
             {
                 const glm::ivec2 texel(x + m_Margin, y + m_Margin);
                 alpha.At(x, y) = AlphaAt(texel, nearest[IndexOf(texel)]);
-            }
-        }
+            });
         return alpha;
     }
 
@@ -180,11 +175,10 @@ private:
 
     std::vector<glm::dvec2> Flood() const
     {
-        std::vector<glm::dvec2> nearest(m_Seeds.size(), k_FarAway);
-        for (std::size_t i = 0; i < m_Seeds.size(); ++i)
-        {
-            nearest[i] = m_Seeds[i].isEdge ? m_Seeds[i].seed : k_FarAway;
-        }
+        std::vector<glm::dvec2> nearest(m_Seeds.size());
+        std::ranges::transform(m_Seeds, nearest.begin(),
+                               [](const TwinSeed& seed)
+                               { return seed.isEdge ? seed.seed : k_FarAway; });
         std::vector<int> steps = {1};
         for (auto step = static_cast<int>(std::bit_ceil(static_cast<unsigned>(m_Reach) + 1) / 2);
              step > 0; step /= 2)
@@ -280,8 +274,7 @@ private:
 Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
                   bool isFlood)
 {
-    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight)
-        .Draw(pictureWidth, pictureHeight, isFlood);
+    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight).Draw(isFlood);
 }
 
 /// Strokes along the silhouette, which may have no edges inside.
@@ -336,15 +329,13 @@ Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth
             }
         }
     }
-    for (int y = 0; y < pictureHeight; ++y)
-    {
-        for (int x = 0; x < pictureWidth; ++x)
+    alpha.ForEach(
+        [&](int x, int y)
         {
             const double own = silhouette.Contains({x + 0.5, y + 0.5}) ? 1.0 : 0.0;
             const double objects = std::clamp(own + correction.At(x, y), 0.0, 1.0);
             alpha.At(x, y) = std::clamp(alpha.At(x, y) - objects, 0.0, 1.0);
-        }
-    }
+        });
     return alpha;
 }
 
@@ -353,35 +344,14 @@ Field MaskOf(const Silhouette& silhouette, const glm::dvec2& picture, int width,
              int channels)
 {
     Field mask{width, height, channels, {}};
-    for (int y = 0; y < height; ++y)
-    {
-        for (int x = 0; x < width; ++x)
+    mask.ForEach(
+        [&](int x, int y)
         {
             const glm::dvec2 place((x + 0.5) * picture.x / width, (y + 0.5) * picture.y / height);
             mask.values.insert(mask.values.end(), static_cast<std::size_t>(channels),
                                silhouette.Contains(place) ? 1.0 : 0.0);
-        }
-    }
+        });
     return mask;
-}
-
-Coverage ToCoverage(const Field& field)
-{
-    Coverage coverage(field.width, field.height);
-    for (int y = 0; y < field.height; ++y)
-    {
-        for (int x = 0; x < field.width; ++x)
-        {
-            coverage.At(x, y) = field.At(x, y);
-        }
-    }
-    return coverage;
-}
-
-Field Black(int width, int height, int channels)
-{
-    const auto count = static_cast<std::size_t>(width * height * channels);
-    return {width, height, channels, std::vector<double>(count)};
 }
 
 /// The first article's: mask of half the size, Roberts cross, bilinear composite.
@@ -393,8 +363,7 @@ Coverage ScreenSpaceTwin(const Silhouette& silhouette, double width, int picture
     Field edge = RobertsReference(mask, width);
     std::ranges::transform(edge.values, edge.values.begin(),
                            [](double value) { return std::min(value, 1.0); });
-    return ToCoverage(
-        CompositeReference(Black(pictureWidth, pictureHeight, 3), edge, {1.0, 1.0, 1.0}));
+    return CompositeReference(Coverage(pictureWidth, pictureHeight), edge, {1.0, 1.0, 1.0});
 }
 
 /// The article on selection: seven blurs of the mask. The device keeps 8 bits behind each, and a
@@ -411,8 +380,8 @@ Coverage SelectionTwin(const Silhouette& silhouette, double width, int pictureWi
     {
         blur = BlurReference(blur, static_cast<double>(component.tapOffset()));
     }
-    return ToCoverage(CompositeReference(Black(pictureWidth, pictureHeight, 4), stencil, blur,
-                                         static_cast<double>(component.outlineStrength.value())));
+    return CompositeReference(Coverage(pictureWidth, pictureHeight), stencil, blur,
+                              static_cast<double>(component.outlineStrength.value()));
 }
 
 /// The article on post-processing: where the mask differs from four texels around.
@@ -428,15 +397,13 @@ Coverage MaskDifferenceTwin(const Silhouette& silhouette, double width, int pict
     {
         return silhouette.Contains({x + 0.5, y + 0.5}) ? 1 : 0;
     };
-    for (int y = 0; y < pictureHeight; ++y)
-    {
-        for (int x = 0; x < pictureWidth; ++x)
+    alpha.ForEach(
+        [&](int x, int y)
         {
             const int sum =
                 mask(x, y - away) + mask(x, y + away) + mask(x - away, y) + mask(x + away, y);
             alpha.At(x, y) = sum > 0 && 4 * mask(x, y) != sum ? 1.0 : 0.0;
-        }
-    }
+        });
     return alpha;
 }
 
