@@ -6,6 +6,7 @@
 #include "report/measure/StudyScene.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/base/Diagnostic.h>
 #include <map>
 #include <sstream>
@@ -120,23 +121,8 @@ private:
     std::vector<CellId> m_Cells;
 };
 
-const char* KindText(CellKind kind)
-{
-    switch (kind)
-    {
-    case CellKind::Geometry:
-        return "error";
-    case CellKind::Numerical:
-        return "rounding error";
-    case CellKind::Temporal:
-        return "flicker";
-    case CellKind::Cost:
-        return "time";
-    case CellKind::Stability:
-        return "stability";
-    }
-    throw ContractError("KindText: unknown kind of cell");
-}
+/// What a cell measures, by its kind.
+constexpr std::array k_KindWords{"error", "rounding error", "flicker", "time", "stability"};
 
 /// Returns words for a subject or a variant that results have a short key for.
 std::string WordsFor(const std::string& key)
@@ -205,7 +191,7 @@ std::string UnitText(std::span<const CellId> unit)
         return "the formula " + id.subject + " with extreme numbers";
     }
     const bool isExtreme = id.kind == CellKind::Stability;
-    return std::string(KindText(id.kind)) + " of " +
+    return std::string(k_KindWords.at(static_cast<std::size_t>(id.kind))) + " of " +
            (unit.size() > 1 ? "all techniques" : id.technique) + " " +
            (isExtreme ? "with extreme settings" : WordsFor(id.subject)) +
            (isExtreme || id.variant.empty() ? "" : ", " + WordsFor(id.variant)) + ", " +

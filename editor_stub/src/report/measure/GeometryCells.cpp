@@ -164,11 +164,9 @@ double MeanOf(const std::vector<double>& values)
 double DeviationOf(const std::vector<double>& values)
 {
     const double mean = MeanOf(values);
-    double squares = 0.0;
-    for (const double value : values)
-    {
-        squares += (value - mean) * (value - mean);
-    }
+    const double squares = std::accumulate(values.begin(), values.end(), 0.0,
+                                           [mean](double sum, double value)
+                                           { return sum + (value - mean) * (value - mean); });
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
@@ -233,27 +231,24 @@ StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
 
 CellResult StudyBench::Measure(const CellId& id)
 {
-    switch (id.kind)
+    if (id.kind == CellKind::Numerical)
     {
-    case CellKind::Geometry:
-        return MeasureGeometry(id);
-    case CellKind::Temporal:
-        return MeasureTemporal(id);
-    case CellKind::Numerical:
         return m_Numerical.Measure(id);
-    default:
+    }
+    if (id.kind != CellKind::Geometry && id.kind != CellKind::Temporal)
+    {
         throw ContractError(id.Name() + ": cells of this kind are not measured one by one");
     }
+    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
+    {
+        return {id, {}, {}, {why}};
+    }
+    return id.kind == CellKind::Geometry ? MeasureGeometry(id) : MeasureTemporal(id);
 }
 
 CellResult StudyBench::MeasureGeometry(const CellId& id)
 {
     CellResult result{id};
-    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
-    {
-        result.notes.push_back(why);
-        return result;
-    }
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     const Coverage alpha = picture->Alpha();
     Reference& reference = ReferenceOf(id);
@@ -319,14 +314,9 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
 
 CellResult StudyBench::MeasureTemporal(const CellId& id)
 {
-    CellResult result{id};
-    for (const std::string& why : {WhyNotDrawn(id, m_Assets), WhyNotCompared(id, m_Assets)})
+    if (const std::string why = WhyNotCompared(id, m_Assets); !why.empty())
     {
-        if (!why.empty())
-        {
-            result.notes.push_back(why);
-            return result;
-        }
+        return {id, {}, {}, {why}};
     }
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     Transform& place = picture->asset().scene.Find(id.subject)->transform;
@@ -353,12 +343,12 @@ CellResult StudyBench::MeasureTemporal(const CellId& id)
         alphaBefore = alpha;
         exactBefore = exact;
     }
-    result.values = {{"flicker", MeanOf(changes)},
-                     {"areaWobble", DeviationOf(areas)},
-                     {"areaLow", *std::ranges::min_element(areas)},
-                     {"areaHigh", *std::ranges::max_element(areas)},
-                     {"contourSwim", DeviationOf(contours)}};
-    return result;
+    return {id,
+            {{"flicker", MeanOf(changes)},
+             {"areaWobble", DeviationOf(areas)},
+             {"areaLow", *std::ranges::min_element(areas)},
+             {"areaHigh", *std::ranges::max_element(areas)},
+             {"contourSwim", DeviationOf(contours)}}};
 }
 
 } // namespace limn::study

@@ -51,25 +51,22 @@ std::string FigureOf(const CellResult& cell, const Metric& metric)
                : k_NoFigure;
 }
 
-/// Texts in the order of the numbers they are, the same one once; what is no number comes last.
-class Levels
-{
-public:
-    void Add(const std::string& text)
-    {
-        double number = std::numeric_limits<double>::infinity();
-        const char* const end = text.data() + text.size();
-        const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
-        m_Texts.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
-    }
-    std::string Text() const
-    {
-        return Joined(m_Texts, ", ", [](const auto& level) { return std::get<2>(level); });
-    }
+/// Texts in the order of the numbers that they begin with, the same one once. Those that are not a
+/// number as a whole come last.
+using Levels = std::set<std::tuple<bool, double, std::string>>;
 
-private:
-    std::set<std::tuple<bool, double, std::string>> m_Texts;
-};
+void AddLevel(const std::string& text, Levels& levels)
+{
+    double number = std::numeric_limits<double>::infinity();
+    const char* const end = text.data() + text.size();
+    const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
+    levels.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
+}
+
+std::string TextOf(const Levels& levels)
+{
+    return Joined(levels, ", ", [](const auto& level) { return std::get<2>(level); });
+}
 
 /// "width 1, 8 px; picture 3x7; fov 60, 170; ratio 1e+02": variants are words "fov=60"; others
 /// stand as they are.
@@ -80,19 +77,20 @@ std::string PutThrough(const std::vector<const CellResult*>& cells)
     std::map<std::string, Levels> inputs; // by what they are of
     for (const CellResult* cell : cells)
     {
-        widths.Add(Exact(cell->id.width));
-        sizes.Add(SizeOf(cell->id));
+        AddLevel(Exact(cell->id.width), widths);
+        AddLevel(SizeOf(cell->id), sizes);
         std::istringstream words(cell->id.variant);
         for (std::string word; words >> word;)
         {
             const std::size_t equals = std::min(word.find('='), word.size());
-            inputs[word.substr(0, equals)].Add(word.substr(std::min(equals + 1, word.size())));
+            AddLevel(word.substr(std::min(equals + 1, word.size())),
+                     inputs[word.substr(0, equals)]);
         }
     }
-    std::string text = "width " + widths.Text() + " px; picture " + sizes.Text();
+    std::string text = "width " + TextOf(widths) + " px; picture " + TextOf(sizes);
     for (const auto& [what, levels] : inputs)
     {
-        const std::string those = levels.Text();
+        const std::string those = TextOf(levels);
         text += "; " + what + (those.empty() ? "" : " " + those);
     }
     return text;

@@ -254,16 +254,9 @@ Coverage ChannelOf(const Image& image, int channel)
 
 double OutlineBand::Low() const
 {
-    switch (side)
-    {
-    case OutlineSide::Outer:
-        return gap;
-    case OutlineSide::Inner:
-        return -gap - width;
-    case OutlineSide::Centred:
-        return gap - width / 2.0;
-    }
-    throw std::invalid_argument("there is no such side");
+    return side == OutlineSide::Outer   ? gap
+           : side == OutlineSide::Inner ? -gap - width
+                                        : gap - width / 2.0;
 }
 
 double OutlineBand::High() const
