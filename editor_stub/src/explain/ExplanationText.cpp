@@ -136,16 +136,11 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
             lines.push_back(ValueText(parameter));
             continue;
         }
-        for (const VolumeTraceStep& step : parameter.steps)
-        {
-            lines.push_back(StepText(parameter, step));
-        }
+        std::ranges::transform(parameter.steps, std::back_inserter(lines),
+                               [&](const auto& step) { return StepText(parameter, step); });
     }
-    TextLines idle;
-    for (const ExplainedIdle& volume : explanation.idleVolumes)
-    {
-        idle.push_back(OneLine(volume.name) + ": " + volume.why);
-    }
+    const TextLines idle = LinesOf(explanation.idleVolumes, [](const ExplainedIdle& volume)
+                                   { return OneLine(volume.name) + ": " + volume.why; });
     return Section("the camera takes volumes at", {TriggerText(explanation.trigger)}) +
            Section("volumes that change nothing", idle, isLong ? idle.size() : k_ListedLines) +
            Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
@@ -246,21 +241,17 @@ TextLines IdleFeatures(const Explanation& explanation)
 
 std::string Objects(const std::vector<ExplainedObject>& objects, const std::string& indent)
 {
-    std::string text;
-    for (const ExplainedObject& object : objects)
-    {
-        text += OneObject(object, indent);
-    }
-    return text;
+    return Joined(objects, "",
+                  [&indent](const ExplainedObject& object) { return OneObject(object, indent); });
 }
 
 /// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers", or
 /// "2 Blur: 1 dispatch; _Result (load, store); samples _Mask; 2 barriers"
-std::string RunText(const ExplainedFrame& frame, std::size_t index)
+std::string RunText(const ExplainedFrame& frame, const ExplainedPass& pass)
 {
-    const ExplainedPass& pass = frame.passes[index];
+    const auto number = &pass - frame.passes.data() + 1;
     const std::string size = ", " + std::to_string(pass.width) + "x" + std::to_string(pass.height);
-    std::string text = std::to_string(index + 1) + " " + pass.name +
+    std::string text = std::to_string(number) + " " + pass.name +
                        (pass.dispatches > 0 ? "" : size) + ": " + DrawsText(pass);
     for (const ExplainedAttachment& target : pass.targets)
     {
@@ -278,16 +269,6 @@ std::string RunText(const ExplainedFrame& frame, std::size_t index)
     const std::size_t barriers =
         pass.barriers.size() + static_cast<std::size_t>(pass.bufferBarriers);
     return text + sampled + "; " + Count(barriers, "barrier");
-}
-
-TextLines RunLines(const ExplainedFrame& frame)
-{
-    TextLines lines;
-    for (std::size_t i = 0; i < frame.passes.size(); ++i)
-    {
-        lines.push_back(RunText(frame, i));
-    }
-    return lines;
 }
 
 /// ", shares memory with _Depth and _Mask", or nothing.
@@ -328,25 +309,24 @@ std::string TexturesText(const ExplainedFrame& frame)
     return Count(frame.textures.size(), "texture") + " of " + BytesText(bytes);
 }
 
-TextLines LeftOutLines(const Explanation& explanation)
+std::string LeftOutText(const LeftOut& item)
 {
-    TextLines lines;
-    for (const LeftOut& item : explanation.frame.leftOut)
-    {
-        lines.push_back((item.pass.empty() ? "" : item.pass + ": ") + item.reason);
-    }
-    return lines;
+    return (item.pass.empty() ? "" : item.pass + ": ") + item.reason;
 }
 
 /// The parts that both texts have.
 std::string FrameText(const Explanation& explanation, bool isLong)
 {
     const std::size_t most = isLong ? static_cast<std::size_t>(-1) : k_ListedLines;
+    const auto run = [&explanation](const ExplainedPass& pass)
+    {
+        return RunText(explanation.frame, pass);
+    };
     return Section("odd", OddThings(explanation), most) + VolumesText(explanation, isLong) +
            Section("chosen", explanation.report.choices, most) +
            Section("passes", PassLines(explanation.report), most) +
-           Section("the device runs", RunLines(explanation.frame), most) +
-           Section("left out", LeftOutLines(explanation), most) +
+           Section("the device runs", LinesOf(explanation.frame.passes, run), most) +
+           Section("left out", LinesOf(explanation.frame.leftOut, LeftOutText), most) +
            Section(isLong ? "textures" : "textures drawn into",
                    TextureLines(explanation.frame, isLong), most);
 }
@@ -364,10 +344,9 @@ std::string ShortText(const Explanation& explanation)
 
 std::string LongText(const Explanation& explanation)
 {
-    TextLines variants;
-    std::ranges::transform(explanation.variants, std::back_inserter(variants), VariantText);
     const std::string objects = Objects(explanation.objects, "  ");
-    return FrameText(explanation, true) + Section("variants", variants) +
+    return FrameText(explanation, true) +
+           Section("variants", LinesOf(explanation.variants, VariantText)) +
            (objects.empty() ? "" : "objects:\n" + objects);
 }
 
@@ -385,10 +364,7 @@ std::string ObjectText(const Explanation& explanation, const std::string& name, 
     {
         for (const ExplainedDraw& draw : object.draws)
         {
-            if (counts.count(draw.pass) == 0)
-            {
-                passes.push_back(draw.pass);
-            }
+            AddOnce(draw.pass, passes);
             ++counts[draw.pass][static_cast<std::size_t>(draw.verdict)];
         }
     }

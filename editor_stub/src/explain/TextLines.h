@@ -3,6 +3,7 @@
 #include "console/Texts.h"
 
 #include <algorithm>
+#include <iterator>
 #include <limn/base/TerminalText.h>
 #include <span>
 #include <string>
@@ -21,6 +22,15 @@ inline void AddOnce(const std::string& text, TextLines& texts)
     {
         texts.push_back(text);
     }
+}
+
+/// Returns the text of each item.
+template <typename Items, typename TextOf>
+TextLines LinesOf(const Items& items, const TextOf& textOf)
+{
+    TextLines lines;
+    std::ranges::transform(items, std::back_inserter(lines), textOf);
+    return lines;
 }
 
 /// Returns "title:" and the lines below it; "" without lines.

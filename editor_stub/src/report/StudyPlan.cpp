@@ -170,8 +170,8 @@ std::string UnitText(std::span<const CellId> unit)
            (unit.size() > 1 ? "all techniques" : id.technique) + " " +
            (isExtreme ? "with extreme settings" : WordsFor(id.subject)) +
            (isExtreme || id.variant.empty() ? "" : ", " + WordsFor(id.variant)) + ", " +
-           Readable(id.width) + " pixels wide, picture " + std::to_string(id.pictureWidth) + "x" +
-           std::to_string(id.pictureHeight);
+           Readable(id.width) + " pixels wide, picture " +
+           SizeText(id.pictureWidth, id.pictureHeight);
 }
 
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)

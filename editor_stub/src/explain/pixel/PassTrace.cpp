@@ -188,25 +188,29 @@ private:
         return true;
     }
 
+    /// Returns what is known of a texture; nothing if no pass was seen to write it.
+    Known KnownOf(const RenderTexture& texture) const
+    {
+        const auto known = m_Known.find(texture.id());
+        return known == m_Known.end() ? Known() : known->second;
+    }
+
     TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const
     {
         TargetTexels known;
-        const auto isKnown = [this](const RenderTexture& texture)
-        {
-            return m_Known.contains(texture.id());
-        };
         bool isAll = !Clears(pass);
         for (const ColorAttachment& color : pass.colors)
         {
-            isAll = isAll && isKnown(*color.texture);
-            known.colors.push_back(isAll ? m_Known.at(color.texture->id()).texel : Texels());
+            known.colors.push_back(KnownOf(*color.texture).texel);
+            isAll = isAll && !known.colors.back().empty();
         }
-        if (pass.depth && isAll && isKnown(*pass.depth->texture))
+        if (pass.depth)
         {
-            known.depth = m_Known.at(pass.depth->texture->id()).texel;
-            known.stencil = m_Known.at(pass.depth->texture->id()).stencil;
+            const Known depth = KnownOf(*pass.depth->texture);
+            known.depth = depth.texel;
+            known.stencil = depth.stencil;
+            isAll = isAll && !known.depth.empty();
         }
-        isAll = isAll && (!pass.depth || !known.depth.empty());
         return isAll ? known : probe.After(0);
     }
 
@@ -308,30 +312,25 @@ private:
         PixelEvent event;
         event.fate = PixelFate::Cleared;
         event.pass = pass.name;
-        const auto before = [this](const RenderTexture& texture)
-        {
-            const auto known = m_Known.find(texture.id());
-            return known == m_Known.end() ? Known() : known->second;
-        };
         for (std::size_t i = 0; i < pass.colors.size(); ++i)
         {
             const RenderTexture& texture = *pass.colors[i].texture;
             if (pass.colors[i].load == LoadOp::Clear)
             {
                 event.colors.push_back(ValueIn(texture, texture.graphicsFormat(),
-                                               before(texture).texel, first.colors[i]));
+                                               KnownOf(texture).texel, first.colors[i]));
             }
         }
         if (pass.depth && pass.depth->load == LoadOp::Clear)
         {
             const RenderTexture& texture = *pass.depth->texture;
-            event.depth = ValueIn(texture, k_DepthFormat, before(texture).texel, first.depth);
+            event.depth = ValueIn(texture, k_DepthFormat, KnownOf(texture).texel, first.depth);
         }
         if (pass.depth && pass.depth->stencilLoad == LoadOp::Clear && !first.stencil.empty())
         {
             const RenderTexture& texture = *pass.depth->texture;
             event.stencil =
-                ValueIn(texture, k_StencilFormat, before(texture).stencil, first.stencil);
+                ValueIn(texture, k_StencilFormat, KnownOf(texture).stencil, first.stencil);
         }
         m_History.events.push_back(std::move(event));
     }

@@ -26,20 +26,6 @@ struct TracedScene
     RenderResult result;
 };
 
-/// Returns the place of each object with a renderer, in the order of the scene.
-std::vector<std::size_t> ObjectsWithRenderer(const std::vector<const GameObject*>& objects)
-{
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < objects.size(); ++i)
-    {
-        if (objects[i]->renderer)
-        {
-            places.push_back(i);
-        }
-    }
-    return places;
-}
-
 /// Finds the objects that lie at the pixel, whether anything draws them or not; by their places.
 std::set<std::size_t> FindOnRay(const TracedScene& scene,
                                 const std::map<std::size_t, const ExplainedObject*>& among,
@@ -86,12 +72,10 @@ void AddObjects(const TracedScene& scene, const TracedObjects& traced, PixelHist
 {
     const std::vector<ExplainedObject> explained =
         ExplainObjects(scene.objects, scene.culled, scene.result.report, scene.camera);
-    const std::vector<std::size_t> places = ObjectsWithRenderer(scene.objects);
     std::map<std::size_t, const ExplainedObject*> undrawn; // by place
-    for (std::size_t i = 0; i < explained.size(); ++i)
+    for (const ExplainedObject& object : explained)
     {
-        const ExplainedObject& object = explained[i];
-        const auto place = static_cast<std::uint32_t>(places[i]);
+        const auto place = static_cast<std::uint32_t>(object.place);
         if (!traced.drawn.contains(place))
         {
             undrawn[place] = &object;

@@ -193,11 +193,9 @@ std::string RestSentence(const PixelHistory& history)
 /// Names what has nothing to do with the pixel.
 std::string RestText(const PixelHistory& history)
 {
-    TextLines elsewhere;
-    for (const PixelElsewhere& pass : history.elsewhere)
-    {
-        elsewhere.push_back(pass.pass + ": " + pass.texture + " " + pass.size);
-    }
+    const TextLines elsewhere =
+        LinesOf(history.elsewhere, [](const PixelElsewhere& pass)
+                { return pass.pass + ": " + pass.texture + " " + pass.size; });
     TextLines uncovered = history.uncovered;
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {

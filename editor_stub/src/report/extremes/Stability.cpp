@@ -334,10 +334,9 @@ BadValues CountBadValues(const Image& colors)
     return bad;
 }
 
-std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
-                                  const ExtremeLevels& levels)
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size)
 {
-    std::vector<CellId> cells = PlanSweep(techniques, size, levels);
+    std::vector<CellId> cells = PlanSweep(techniques, size);
     for (const FormulaCell& formula : Formulas())
     {
         cells.push_back(

@@ -34,8 +34,7 @@ inline constexpr const char* k_FormulasName = "Formulas";
 std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
                               const ExtremeLevels& levels = {});
 /// Returns the cells of PlanSweep and one cell for each formula of the table.
-std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
-                                  const ExtremeLevels& levels = {});
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size);
 
 /// The number of values, in all channels of a picture, that no picture should have.
 struct BadValues

@@ -38,20 +38,6 @@ std::pair<double, double> QuartilesOf(const CellResult& cell, const char* metric
     return found == cell.quartiles.end() ? std::pair(k_NaN, k_NaN) : found->second;
 }
 
-std::set<std::string> TechniquesWith(const Study& study, CellKind kind, double width,
-                                     const char* metric)
-{
-    std::set<std::string> names;
-    for (const CellResult& cell : study.cells)
-    {
-        if (IsPlain(cell, kind, width) && HasFinite(cell, metric))
-        {
-            names.insert(cell.id.technique);
-        }
-    }
-    return names;
-}
-
 /// Returns the things with the highest count, in their order.
 template <typename Thing>
 std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
@@ -71,18 +57,29 @@ std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
 
 double BestWidth(const Study& study)
 {
-    std::map<double, std::size_t> counts; // techniques with both figures
+    std::map<double, std::set<std::string>> errors; // the techniques that have one, by width
+    std::map<double, std::set<std::string>> times;
     for (const CellResult& cell : study.cells)
     {
         const double width = cell.id.width;
-        if (std::isfinite(width) && IsPlain(cell, CellKind::Geometry, width) &&
-            !counts.contains(width))
+        if (std::isfinite(width) && IsPlain(cell, CellKind::Geometry, width))
         {
-            const auto errors = TechniquesWith(study, CellKind::Geometry, width, k_Error);
-            const auto times = TechniquesWith(study, CellKind::Cost, width, k_Time);
-            counts[width] = static_cast<std::size_t>(std::ranges::count_if(
-                errors, [&times](const auto& name) { return times.contains(name); }));
+            std::set<std::string>& names = errors[width]; // empty without an error
+            if (HasFinite(cell, k_Error))
+            {
+                names.insert(cell.id.technique);
+            }
         }
+        if (IsPlain(cell, CellKind::Cost, width) && HasFinite(cell, k_Time))
+        {
+            times[width].insert(cell.id.technique);
+        }
+    }
+    std::map<double, std::size_t> counts; // techniques with both figures
+    for (const auto& [width, names] : errors)
+    {
+        counts[width] = static_cast<std::size_t>(std::ranges::count_if(
+            names, [&both = times[width]](const auto& name) { return both.contains(name); }));
     }
     const std::vector<double> widths = MostFrequent(counts);
     return widths.empty() ? 0.0 : widths[(widths.size() - 1) / 2];

@@ -38,8 +38,7 @@ std::string Figures(const Standing& standing)
 std::string Place(const Comparison& comparison)
 {
     return Readable(comparison.width) + " px wide, in a picture of " +
-           std::to_string(comparison.pictureWidth) + "x" +
-           std::to_string(comparison.pictureHeight) +
+           SizeText(comparison.pictureWidth, comparison.pictureHeight) +
            (std::isnan(comparison.flickerWidth)
                 ? ""
                 : "; flicker of shapes, " + Readable(comparison.flickerWidth) + " px wide");

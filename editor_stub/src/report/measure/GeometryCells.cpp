@@ -40,69 +40,6 @@ struct HeldTo
     std::string note;    ///< says which part; "" where nothing stands in front
 };
 
-} // namespace
-
-/// The reference with which the outlines of one subject and width are compared.
-struct StudyBench::Reference
-{
-    std::string name; ///< of the cell, without its technique and its variant
-    Silhouette silhouette;
-    Coverage whole; ///< whatever stands in front
-    SceneSurfaces surfaces;
-    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
-    std::vector<std::string> notes;       ///< what every cell of the subject must say
-
-    HeldTo Of(const CellId& id, const Technique& technique);
-
-private:
-    const SeenOutline& SeenAt(HiddenAt where, double width);
-};
-
-const SeenOutline& StudyBench::Reference::SeenAt(HiddenAt where, double width)
-{
-    const auto [found, isNew] = seen.try_emplace(where);
-    if (isNew)
-    {
-        found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
-                                            surfaces.others, where);
-    }
-    return found->second;
-}
-
-HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
-{
-    const SeenOutline& outline = SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
-    std::vector<std::string> names;
-    for (const std::size_t owner : outline.hiding)
-    {
-        names.push_back(surfaces.names[owner]);
-    }
-    const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
-    if (id.variant == k_HiddenPart)
-    {
-        Coverage hidden = whole;
-        std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
-                               std::minus());
-        return {hidden, false,
-                "measured against the hidden part of the outline: " + they + " in front of it"};
-    }
-    if (names.empty())
-    {
-        return {whole, true, ""};
-    }
-    if (id.variant == k_SeenPart || technique.hiddenAt)
-    {
-        return {outline.seen, false,
-                "measured against the visible part of the outline: " + they +
-                    " in front of the rest"};
-    }
-    return {whole, true,
-            "measured against the whole outline, also where " + they + " in front of it"};
-}
-
-namespace
-{
-
 constexpr int k_Steps = 16; ///< of a sixteenth of a pixel each
 const glm::dvec2 k_Motion(1.0, 0.3);
 
@@ -171,6 +108,61 @@ double DeviationOf(const std::vector<double>& values)
 }
 
 } // namespace
+
+/// The reference with which the outlines of one subject and width are compared.
+struct StudyBench::Reference
+{
+    std::string name; ///< of the cell, without its technique and its variant
+    Silhouette silhouette;
+    Coverage whole; ///< whatever stands in front
+    SceneSurfaces surfaces;
+    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
+    std::vector<std::string> notes;       ///< what every cell of the subject must say
+
+    HeldTo Of(const CellId& id, const Technique& technique)
+    {
+        const SeenOutline& outline =
+            SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
+        std::vector<std::string> names;
+        for (const std::size_t owner : outline.hiding)
+        {
+            names.push_back(surfaces.names[owner]);
+        }
+        const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
+        if (id.variant == k_HiddenPart)
+        {
+            Coverage hidden = whole;
+            std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
+                                   std::minus());
+            return {hidden, false,
+                    "measured against the hidden part of the outline: " + they + " in front of it"};
+        }
+        if (names.empty())
+        {
+            return {whole, true, ""};
+        }
+        if (id.variant == k_SeenPart || technique.hiddenAt)
+        {
+            return {outline.seen, false,
+                    "measured against the visible part of the outline: " + they +
+                        " in front of the rest"};
+        }
+        return {whole, true,
+                "measured against the whole outline, also where " + they + " in front of it"};
+    }
+
+private:
+    const SeenOutline& SeenAt(HiddenAt where, double width)
+    {
+        const auto [found, isNew] = seen.try_emplace(where);
+        if (isNew)
+        {
+            found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
+                                                surfaces.others, where);
+        }
+        return found->second;
+    }
+};
 
 StudyBench::StudyBench(std::filesystem::path scene, std::filesystem::path folder,
                        AssetContext& assets, VulkanDevice& device)
@@ -272,8 +264,7 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     }
     if (alpha.width != id.pictureWidth || alpha.height != id.pictureHeight)
     {
-        result.notes.push_back("the camera draws " + std::to_string(alpha.width) + "x" +
-                               std::to_string(alpha.height) +
+        result.notes.push_back("the camera draws " + SizeText(alpha.width, alpha.height) +
                                " pixels (renderScale): its widths and errors are in these");
     }
     if (!m_Folder.empty())
@@ -287,15 +278,15 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
                                const Silhouette& silhouette, CellResult& result)
 {
     const PictureWindow window = WindowOnBorder(silhouette, alpha.width, alpha.height);
-    const bool isCompared = result.Has("meanAbsoluteError");
-    result.pictures["picture"] =
-        WriteStudyPicture(AlphaImage(alpha, window), m_Folder, result.id, "picture");
-    if (isCompared)
+    const auto write = [&](const std::string& kind, const Image& image)
     {
-        result.pictures["reference"] =
-            WriteStudyPicture(AlphaImage(exact, window), m_Folder, result.id, "reference");
-        result.pictures["difference"] = WriteStudyPicture(DifferenceImage(alpha, exact, window),
-                                                          m_Folder, result.id, "difference");
+        result.pictures[kind] = WriteStudyPicture(image, m_Folder, result.id, kind);
+    };
+    write("picture", AlphaImage(alpha, window));
+    if (result.Has("meanAbsoluteError"))
+    {
+        write("reference", AlphaImage(exact, window));
+        write("difference", DifferenceImage(alpha, exact, window));
     }
     if (result.id.subject == k_SceneSubject)
     {
@@ -304,11 +295,8 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
         Box bounds = silhouette.bounds();
         bounds.low *= scale;
         bounds.high *= scale;
-        const PictureWindow closeUp = CloseUp(window, result.id.width, scale);
-        result.pictures["closeUp"] =
-            WriteStudyPicture(EnlargedPart(output, closeUp), m_Folder, result.id, "closeUp");
-        result.pictures["scene"] =
-            WriteScenePicture(output, bounds, result.id.width * scale, m_Folder, result.id);
+        write("closeUp", EnlargedPart(output, CloseUp(window, result.id.width, scale)));
+        write("scene", ScenePart(output, bounds, result.id.width * scale));
     }
 }
 

@@ -26,11 +26,16 @@ std::span<const std::string_view> CellKindNames()
     return k_KindNames;
 }
 
+std::string SizeText(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 std::string CellId::Name() const
 {
     std::ostringstream name;
     name << ToString(kind) << '/' << technique << '/' << subject << '/' << width << '/'
-         << pictureWidth << 'x' << pictureHeight;
+         << SizeText(pictureWidth, pictureHeight);
     if (!variant.empty())
     {
         name << '/' << variant;

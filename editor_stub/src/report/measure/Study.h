@@ -25,6 +25,9 @@ const char* ToString(CellKind kind); ///< returns "geometry", ...
 /// Returns all words that ToString returns, in the order of the kinds.
 std::span<const std::string_view> CellKindNames();
 
+/// Returns the size of a picture as text: "1280x720".
+std::string SizeText(int width, int height);
+
 /// The variants of a cell of geometry in a scene where something is in front of the outlined
 /// objects. The technique draws only this part of the outline, and is compared with this part.
 inline constexpr const char* k_SeenPart = "seen part";

@@ -3,7 +3,6 @@
 #include "report/measure/Study.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/StudyScene.h"
-#include "report/measure/Techniques.h"
 #include "report/truth/OutlineReference.h"
 
 #include <limn/editor_stub/AssetContext.h>

@@ -31,11 +31,6 @@ std::string FromTo(const std::pair<double, double>& quartiles)
                : Readable(quartiles.first) + " … " + Readable(quartiles.second);
 }
 
-std::string SizeOf(const CellId& id)
-{
-    return std::to_string(id.pictureWidth) + "x" + std::to_string(id.pictureHeight);
-}
-
 /// Bytes are too many digits.
 bool IsBytes(const Metric& metric)
 {
@@ -78,7 +73,7 @@ std::string PutThrough(const std::vector<const CellResult*>& cells)
     for (const CellResult* cell : cells)
     {
         AddLevel(Exact(cell->id.width), widths);
-        AddLevel(SizeOf(cell->id), sizes);
+        AddLevel(SizeText(cell->id.pictureWidth, cell->id.pictureHeight), sizes);
         std::istringstream words(cell->id.variant);
         for (std::string word; words >> word;)
         {
@@ -194,7 +189,7 @@ Table CellsTable(const Study& study, const std::string& id, const std::string& t
         {
             std::vector<std::string>& row = table.rows.emplace_back();
             row = {cell.id.technique, cell.id.subject, cell.id.variant, Readable(cell.id.width),
-                   SizeOf(cell.id)};
+                   SizeText(cell.id.pictureWidth, cell.id.pictureHeight)};
             for (const Metric& metric : Metrics())
             {
                 row.push_back(FigureOf(cell, metric));

@@ -20,11 +20,6 @@ constexpr double k_NoBar = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_TimeLabel = "GPU time added, ms";
 constexpr const char* k_ErrorLabel = "mean error of the coverage";
 
-std::string SizeText(int width, int height)
-{
-    return std::to_string(width) + "x" + std::to_string(height);
-}
-
 std::string ErrorOf(const Comparison& comparison)
 {
     return comparison.subject.empty() ? "median over all shapes" : "the outline in the scene";
