@@ -77,10 +77,9 @@ const Standing* LeastError(const Comparison& comparison, double budget)
     const Standing* least = nullptr;
     for (const Standing& standing : comparison.standings)
     {
-        const bool isBetter = IsNearer(standing, least) ||
-                              (least != nullptr && standing.at.error == least->at.error &&
-                               standing.at.milliseconds < least->at.milliseconds);
-        if (Fits(standing, budget) && isBetter)
+        const bool isQuicker = least != nullptr && standing.at.error == least->at.error &&
+                               standing.at.milliseconds < least->at.milliseconds;
+        if (Fits(standing, budget) && (IsNearer(standing, least) || isQuicker))
         {
             least = &standing;
         }

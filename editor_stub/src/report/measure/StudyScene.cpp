@@ -172,41 +172,6 @@ ScreenTriangles OutlinedTriangles(const SceneAsset& asset)
     return triangles;
 }
 
-struct FlatShape
-{
-    const char* name;
-    ScreenTriangles (*make)(const glm::dvec2& middle, double radius);
-};
-
-constexpr FlatShape k_Shapes[] = {
-    {"disc",
-     [](const glm::dvec2& middle, double radius)
-     {
-         return DiscTriangles(middle, radius);
-     }},
-    {"ring",
-     [](const glm::dvec2& middle, double radius)
-     {
-         return RingTriangles(middle, 0.6 * radius, radius);
-     }},
-    {"star",
-     [](const glm::dvec2& middle, double radius)
-     {
-         return StarTriangles(middle, 5, 0.4 * radius, radius, 0.3);
-     }},
-    {"needle",
-     [](const glm::dvec2& middle, double radius)
-     {
-         const glm::dvec2 half = glm::dvec2(0.9, 0.3) * radius;
-         return NeedleTriangles(middle - half, middle + half, 0.3);
-     }},
-    {"two", [](const glm::dvec2& middle, double radius)
-     {
-         return Together({DiscTriangles(middle - glm::dvec2(0.5, 0.2) * radius, 0.6 * radius),
-                          StarTriangles(middle + glm::dvec2(0.4, 0.3) * radius, 7, 0.3 * radius,
-                                        0.6 * radius)});
-     }}};
-
 } // namespace
 
 const Technique& RequireTechnique(const AssetContext& assets, const std::string& name)
@@ -417,12 +382,7 @@ bool IsPartlyHidden(const SceneAsset& asset)
 
 const std::vector<std::string>& ShapeNames()
 {
-    static const std::vector<std::string> names = []
-    {
-        std::vector<std::string> result;
-        std::ranges::transform(k_Shapes, std::back_inserter(result), &FlatShape::name);
-        return result;
-    }();
+    static const std::vector<std::string> names = {"disc", "ring", "star", "needle", "two"};
     return names;
 }
 
@@ -433,14 +393,33 @@ bool IsShape(const std::string& subject)
 
 ScreenTriangles ShapeTriangles(const std::string& name, int width, int height)
 {
-    const auto shape = std::ranges::find(k_Shapes, name, &FlatShape::name);
-    if (shape == std::end(k_Shapes))
-    {
-        throw ContractError("there is no shape '" + name + "'");
-    }
     // Off the pixels' raster, so that no technique is lucky.
     const glm::dvec2 middle = 0.5 * glm::dvec2(width, height) + glm::dvec2(0.3, 0.6);
-    return shape->make(middle, 0.3 * std::min(width, height));
+    const double radius = 0.3 * std::min(width, height);
+    if (name == "disc")
+    {
+        return DiscTriangles(middle, radius);
+    }
+    if (name == "ring")
+    {
+        return RingTriangles(middle, 0.6 * radius, radius);
+    }
+    if (name == "star")
+    {
+        return StarTriangles(middle, 5, 0.4 * radius, radius, 0.3);
+    }
+    if (name == "needle")
+    {
+        const glm::dvec2 half = glm::dvec2(0.9, 0.3) * radius;
+        return NeedleTriangles(middle - half, middle + half, 0.3);
+    }
+    if (name == "two")
+    {
+        return Together(
+            {DiscTriangles(middle - glm::dvec2(0.5, 0.2) * radius, 0.6 * radius),
+             StarTriangles(middle + glm::dvec2(0.4, 0.3) * radius, 7, 0.3 * radius, 0.6 * radius)});
+    }
+    throw ContractError("there is no shape '" + name + "'");
 }
 
 SceneAsset MakeSubject(const CellId& id, bool isBlack, const std::filesystem::path& scene,
