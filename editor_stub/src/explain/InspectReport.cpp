@@ -140,14 +140,10 @@ Json AsJson(const InspectedGroup& group, const char* valuesKey)
     return json;
 }
 
-Json ComponentJson(const InspectedGroup& component)
+Json GroupsJson(const std::vector<InspectedGroup>& groups, const char* valuesKey)
 {
-    return AsJson(component, "parameters");
-}
-
-Json SettingsJson(const InspectedGroup& feature)
-{
-    return AsJson(feature, "settings");
+    return JsonList(groups,
+                    [valuesKey](const InspectedGroup& group) { return AsJson(group, valuesKey); });
 }
 
 Json InspectedVolumeJson(const InspectedVolume& volume)
@@ -156,7 +152,7 @@ Json InspectedVolumeJson(const InspectedVolume& volume)
         {"name", volume.name},         {"enabled", volume.enabled},
         {"isGlobal", volume.isGlobal}, {"priority", volume.priority},
         {"weight", volume.weight},     {"blendDistance", volume.blendDistance},
-        {"profile", volume.profile},   {"components", JsonList(volume.components, ComponentJson)}};
+        {"profile", volume.profile},   {"components", GroupsJson(volume.components, "parameters")}};
 }
 
 using Names = std::set<std::string, std::less<>>;
@@ -303,7 +299,7 @@ std::string ToJson(const InspectReport& report)
     {
         json["components"] = report.volumes.empty()
                                  ? Json::array()
-                                 : JsonList(report.volumes.front().components, ComponentJson);
+                                 : GroupsJson(report.volumes.front().components, "parameters");
     }
     if (report.kind == "scene")
     {
@@ -315,12 +311,11 @@ std::string ToJson(const InspectReport& report)
     }
     if (isName || report.kind == "scene" || report.kind == "renderer")
     {
-        json["features"] = JsonList(report.features, SettingsJson);
+        json["features"] = GroupsJson(report.features, "settings");
     }
     if (isName)
     {
-        json["shaders"] = JsonList(report.shaders, [](const InspectedGroup& shader)
-                                   { return AsJson(shader, "properties"); });
+        json["shaders"] = GroupsJson(report.shaders, "properties");
     }
     return JsonText(json);
 }

@@ -84,7 +84,7 @@ private:
     template <typename T>
     void ReadValue(const YamlNode& node, const std::string& subject, std::vector<T>& list)
     {
-        RequireKind(node, subject, YamlKind::Sequence, "a list");
+        Expect(node.isSequence(), node, subject, "a list");
         for (const YamlNode& item : node.items())
         {
             ReadValue(item, subject, list.emplace_back());
@@ -93,7 +93,7 @@ private:
     template <typename T>
     void ReadValue(const YamlNode& node, const std::string& subject, std::map<std::string, T>& map)
     {
-        RequireKind(node, subject, YamlKind::Map, "a map");
+        Expect(node.isMap(), node, subject, "a map");
         for (const YamlEntry& entry : node.entries())
         {
             ReadValue(entry.value, subject + "." + entry.key, map[entry.key]);
@@ -116,10 +116,7 @@ private:
     void ReadValue(const YamlNode& node, const std::string& subject, double& value)
     {
         const std::optional<double> number = ParseWhole<double>(node.scalar());
-        if (!number)
-        {
-            Refuse(node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
-        }
+        Expect(number.has_value(), node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
         value = number.value_or(value);
     }
     void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
@@ -165,26 +162,20 @@ private:
         }
     }
 
-    void RequireKind(const YamlNode& node, const std::string& subject, YamlKind kind,
-                     const std::string& expected)
+    /// Returns whether the value is as it should be; else that is an error.
+    bool Expect(bool isGood, const YamlNode& node, const std::string& subject,
+                const std::string& expected)
     {
-        if (node.kind() != kind)
+        if (!isGood)
         {
-            Refuse(node, subject, expected);
+            m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
+                                                     expected + " is expected");
         }
-    }
-    void Refuse(const YamlNode& node, const std::string& subject, const std::string& expected)
-    {
-        m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
-                                                 expected + " is expected");
+        return isGood;
     }
     bool isPair(const YamlNode& node, const std::string& subject)
     {
-        if (node.items().size() != 2)
-        {
-            Refuse(node, subject, "a list of two numbers");
-        }
-        return node.items().size() == 2;
+        return Expect(node.items().size() == 2, node, subject, "a list of two numbers");
     }
 
     AssetDiagnostics& m_Diagnostics;

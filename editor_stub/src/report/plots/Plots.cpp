@@ -187,12 +187,9 @@ std::string SubjectOfMostWidths(const Study& study)
 Plot ErrorAgainstWidth(const Study& study)
 {
     const std::string subject = SubjectOfMostWidths(study);
-    Plot plot;
-    plot.file = "error_width";
-    plot.title = "Error against width: " + subject;
-    plot.caption = "Mean error of the outline of '" + subject + "' against the width asked.";
-    plot.labelX = "width asked, px";
-    plot.labelY = k_ErrorLabel;
+    Plot plot{"error_width", "Error against width: " + subject,
+              "Mean error of the outline of '" + subject + "' against the width asked.",
+              "width asked, px", k_ErrorLabel};
     std::map<double, std::string> ticks;
     plot.series = Lines(study, "meanAbsoluteError",
                         [&](const CellResult& cell)
@@ -210,14 +207,12 @@ Plot ErrorAgainstWidth(const Study& study)
 
 Plot TimeAgainstResolution(const Study& study, const Comparison& comparison)
 {
-    Plot plot;
-    plot.file = "time_resolution";
-    plot.title = "GPU time against resolution, " + Readable(comparison.width) + " px wide";
-    plot.caption = "GPU time that an outline of " + Readable(comparison.width) +
-                   " px adds to a frame, against the frame's pixels; bars from the lower to the "
-                   "upper quartile.";
-    plot.labelX = "picture, pixels";
-    plot.labelY = k_TimeLabel;
+    const std::string width = Readable(comparison.width);
+    Plot plot{"time_resolution", "GPU time against resolution, " + width + " px wide",
+              "GPU time that an outline of " + width +
+                  " px adds to a frame, against the frame's pixels; bars from the lower to the "
+                  "upper quartile.",
+              "picture, pixels", k_TimeLabel};
     std::map<double, std::string> ticks;
     plot.series = Lines(
         study, "gpuAddedMilliseconds",
@@ -248,11 +243,8 @@ double ObjectCount(const CellId& id)
 
 Plot TimeAgainstObjects(const Study& study)
 {
-    Plot plot;
-    plot.file = "time_objects";
-    plot.title = "GPU time against the number of objects";
-    plot.labelX = "outlined objects";
-    plot.labelY = k_TimeLabel;
+    Plot plot{"time_objects", "GPU time against the number of objects", "", "outlined objects",
+              k_TimeLabel};
     std::map<double, std::string> ticks;
     std::set<std::string> what;
     plot.series = Lines(study, "gpuAddedMilliseconds",

@@ -34,11 +34,11 @@ struct Plot
     std::string caption; ///< sentences about what is drawn
     std::string labelX;
     std::string labelY;
-    std::vector<std::pair<double, std::string>> ticksX;    ///< {} = by the values
-    std::vector<std::pair<double, std::string>> verticals; ///< vertical lines and their texts
-    std::vector<PlotSeries> series;
-    std::vector<TimeAndError> front; ///< {} = none
-    bool isLessBetter = false;       ///< true if an arrow points to small values of both axes
+    std::vector<std::pair<double, std::string>> ticksX = {};    ///< {} = by the values
+    std::vector<std::pair<double, std::string>> verticals = {}; ///< vertical lines and their texts
+    std::vector<PlotSeries> series = {};
+    std::vector<TimeAndError> front = {}; ///< {} = none
+    bool isLessBetter = false;            ///< true if an arrow points to small values of both axes
 
     bool isEmpty() const; ///< true if it has no point
 };
