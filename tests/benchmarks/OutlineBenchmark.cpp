@@ -14,7 +14,7 @@
 #include "Samples.h"
 #include "editor_stub/report/measure/UntidyScene.h"
 #include "report/measure/StudyPicture.h"
-#include "report/measure/Techniques.h"
+#include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "report/truth/twins/Field.h"
+#include "report/truth/twins/Twins.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #include "check/Expectations.h"
 
 #include "console/Json.h"
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 
 #include <algorithm>
 
@@ -22,16 +22,7 @@ std::size_t FailedCount(const std::vector<Expectation>& expectations)
 /// Text within a tag's attribute or between tags. OneLine has taken out most that XML cannot have.
 std::string Escaped(const std::string& text)
 {
-    std::string escaped;
-    for (const char c : OneLine(text))
-    {
-        escaped += c == '&'    ? "&amp;"
-                   : c == '<'  ? "&lt;"
-                   : c == '>'  ? "&gt;"
-                   : c == '"'  ? "&quot;"
-                   : c == '\'' ? "&apos;"
-                               : std::string(1, c);
-    }
+    const std::string escaped = Replaced(MarkupText(OneLine(text)), "'", "&apos;");
     return Replaced(Replaced(escaped, "\xEF\xBF\xBE", "\\uFFFE"), "\xEF\xBF\xBF", "\\uFFFF");
 }
 

@@ -80,16 +80,6 @@ bool IsOfShadows(const DrawRenderersReport& draw)
 
 using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<RendererItem>>;
 
-ItemsOfObjects Group(const CullingResults& culled)
-{
-    ItemsOfObjects items;
-    for (const RendererItem& item : culled.items)
-    {
-        items[item.object].push_back(item);
-    }
-    return items;
-}
-
 std::vector<ExplainedIdle> FindIdleFeatures(const RenderReport& report)
 {
     std::vector<ExplainedIdle> idle;
@@ -108,7 +98,8 @@ ExplainedObject ExplainObject(const GameObject& object, const ItemsOfObjects& it
                               const std::vector<const DrawRenderersReport*>& filters,
                               const Camera& camera)
 {
-    ExplainedObject explained{object.name, {}, {}, {}};
+    ExplainedObject explained;
+    explained.name = object.name;
     const auto own = items.find(&object);
     if (own == items.end())
     {
@@ -176,15 +167,21 @@ std::vector<ExplainedObject> ExplainObjects(const std::vector<const GameObject*>
     {
         owners[&object->transform] = object;
     }
-    const ItemsOfObjects items = Group(culled);
+    ItemsOfObjects items;
+    for (const RendererItem& item : culled.items)
+    {
+        items[item.object].push_back(item);
+    }
     const std::vector<const DrawRenderersReport*> filters = DecidingFilters(report);
     std::vector<ExplainedObject> explained;
-    for (const GameObject* object : objects)
+    for (std::size_t place = 0; place < objects.size(); ++place)
     {
-        if (object->renderer)
+        const GameObject& object = *objects[place];
+        if (object.renderer)
         {
-            explained.push_back(ExplainObject(*object, items, report, filters, camera));
-            for (const Transform* t = object->transform.parent; t != nullptr; t = t->parent)
+            explained.push_back(ExplainObject(object, items, report, filters, camera));
+            explained.back().place = place;
+            for (const Transform* t = object.transform.parent; t != nullptr; t = t->parent)
             {
                 explained.back().parents.push_back(owners.at(t)->name);
             }

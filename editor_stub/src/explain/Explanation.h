@@ -28,6 +28,7 @@ struct ExplainedObject
     std::vector<std::string> parents; ///< names of the objects above it, nearest first
     std::string absence;              ///< why no pass sees it: "inactive"; "" if passes see it
     std::vector<ExplainedDraw> draws;
+    std::size_t place = 0; ///< the index among all objects of the scene
 };
 
 /// A volume that changes nothing for the camera, or a renderer feature that draws nothing.

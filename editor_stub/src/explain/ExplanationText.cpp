@@ -1,6 +1,6 @@
 #include "explain/Explanation.h"
 
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 
 #include <algorithm>
 #include <limn/base/TerminalText.h>
@@ -18,31 +18,11 @@ constexpr std::size_t k_ListedLines = 12; ///< of a list in a short text
 constexpr std::size_t k_ListedNames = 4;
 constexpr std::size_t k_ListedObjects = 4; ///< that are explained one by one without being asked
 
-using ReportLines = std::vector<std::string>;
-
-/// "title:" and the lines below it; "" without lines.
-std::string Section(const std::string& title, const ReportLines& lines,
-                    std::size_t most = static_cast<std::size_t>(-1))
-{
-    std::string text = lines.empty() ? "" : title + ":\n";
-    for (std::size_t i = 0; i < std::min(most, lines.size()); ++i)
-    {
-        text += "  " + OneLine(lines[i]) + "\n";
-    }
-    return text + (lines.size() > most
-                       ? "  … and " + std::to_string(lines.size() - most) + " more; -v lists them\n"
-                       : "");
-}
-
 /// "a, b, c, d, …"
-std::string NameSome(const std::vector<std::string>& names)
+std::string NameSome(const TextLines& names)
 {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), k_ListedNames); ++i)
-    {
-        text += (i == 0 ? "" : ", ") + names[i];
-    }
-    return text + (names.size() > k_ListedNames ? ", …" : "");
+    return Joined(std::span(names).first(std::min(names.size(), k_ListedNames)), ", ") +
+           (names.size() > k_ListedNames ? ", …" : "");
 }
 
 /// "13 of 370 drawn; left out: 221 rendering layer mask, 72 render queue", the largest first.
@@ -59,17 +39,14 @@ std::string CountsText(const FilterCounts& counts)
         }
     }
     std::ranges::stable_sort(rules, [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::string text = std::to_string(counts[0]) + " of " + std::to_string(all) + " drawn";
-    for (std::size_t i = 0; i < rules.size(); ++i)
-    {
-        text += (i == 0 ? "; left out: " : ", ") + std::to_string(rules[i].first) + " " +
-                rules[i].second;
-    }
-    return text;
+    const std::string text = std::to_string(counts[0]) + " of " + std::to_string(all) + " drawn";
+    return text + (rules.empty() ? "" : "; left out: ") +
+           Joined(rules, ", ",
+                  [](const auto& rule) { return std::to_string(rule.first) + " " + rule.second; });
 }
 
 /// Objects that culling left out, by reason, and those that no pass takes.
-ReportLines OddObjects(const Explanation& explanation)
+TextLines OddObjects(const Explanation& explanation)
 {
     std::map<std::string, std::vector<std::string>> names;
     for (const ExplainedObject& object : explanation.objects)
@@ -81,7 +58,7 @@ ReportLines OddObjects(const Explanation& explanation)
                 object.name);
         }
     }
-    ReportLines lines;
+    TextLines lines;
     for (const auto& [reason, objects] : names)
     {
         lines.push_back(Count(objects.size(), "object") + " of " +
@@ -92,17 +69,14 @@ ReportLines OddObjects(const Explanation& explanation)
     return lines;
 }
 
-ReportLines OddThings(const Explanation& explanation)
+TextLines OddThings(const Explanation& explanation)
 {
-    ReportLines lines;
+    TextLines lines;
     for (const std::string& note : explanation.report.notes)
     {
-        if (std::ranges::find(lines, note) == lines.end())
-        {
-            lines.push_back(note);
-        }
+        AddOnce(note, lines);
     }
-    const ReportLines objects = OddObjects(explanation);
+    const TextLines objects = OddObjects(explanation);
     lines.insert(lines.end(), objects.begin(), objects.end());
     return lines;
 }
@@ -129,13 +103,9 @@ std::string TriggerText(const ExplainedTrigger& trigger)
 /// "ScreenSpaceOutline.m_OutlineWidth 5.5 ← Placement, Corner"
 std::string ValueText(const VolumeParameterTrace& parameter)
 {
-    std::string text =
-        parameter.component + "." + parameter.parameter + " " + parameter.valueText();
-    for (const VolumeTraceStep& step : parameter.steps)
-    {
-        text += (&step == &parameter.steps.front() ? " ← " : ", ") + step.volume;
-    }
-    return text;
+    return parameter.component + "." + parameter.parameter + " " + parameter.valueText() +
+           (parameter.steps.empty() ? "" : " ← ") +
+           Joined(parameter.steps, ", ", &VolumeTraceStep::volume);
 }
 
 /// "ScreenSpaceOutline.m_OutlineWidth ← Corner (factor 0.375, weight 0.5, distance 2 m) → 5.5"
@@ -158,7 +128,7 @@ std::string StepText(const VolumeParameterTrace& parameter, const VolumeTraceSte
 
 std::string VolumesText(const Explanation& explanation, bool isLong)
 {
-    ReportLines lines;
+    TextLines lines;
     for (const VolumeParameterTrace& parameter : explanation.volumes.parameters)
     {
         if (!isLong)
@@ -166,25 +136,20 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
             lines.push_back(ValueText(parameter));
             continue;
         }
-        for (const VolumeTraceStep& step : parameter.steps)
-        {
-            lines.push_back(StepText(parameter, step));
-        }
+        std::ranges::transform(parameter.steps, std::back_inserter(lines),
+                               [&](const auto& step) { return StepText(parameter, step); });
     }
-    ReportLines idle;
-    for (const ExplainedIdle& volume : explanation.idleVolumes)
-    {
-        idle.push_back(OneLine(volume.name) + ": " + volume.why);
-    }
+    const TextLines idle = LinesOf(explanation.idleVolumes, [](const ExplainedIdle& volume)
+                                   { return OneLine(volume.name) + ": " + volume.why; });
     return Section("the camera takes volumes at", {TriggerText(explanation.trigger)}) +
            Section("volumes that change nothing", idle, isLong ? idle.size() : k_ListedLines) +
            Section("volume values", lines, isLong ? lines.size() : k_ListedLines);
 }
 
 /// The counts of a pass's filters: of the feature's own where it told them.
-ReportLines CountsOf(const RenderReport& report, SampleName pass)
+TextLines CountsOf(const RenderReport& report, SampleName pass)
 {
-    ReportLines counts;
+    TextLines counts;
     for (const auto* filters : {&report.filters, &report.draws})
     {
         for (const DrawRenderersReport& filter : *filters)
@@ -203,16 +168,16 @@ ReportLines CountsOf(const RenderReport& report, SampleName pass)
 }
 
 /// The passes with the counts of their filters, those of equal names with all of them.
-ReportLines PassLines(const RenderReport& report)
+TextLines PassLines(const RenderReport& report)
 {
-    ReportLines lines;
+    TextLines lines;
     std::set<std::string> counted;
     for (const ExecutedPassReport& pass : report.passes)
     {
         std::string line = std::to_string(static_cast<int>(pass.renderPassEvent));
         line += std::string(line.size() < 4 ? 4 - line.size() : 0, ' ') + " " + pass.name.name();
         const bool isNew = counted.insert(pass.name.name()).second;
-        const ReportLines counts = isNew ? CountsOf(report, pass.name) : ReportLines();
+        const TextLines counts = isNew ? CountsOf(report, pass.name) : TextLines();
         for (const std::string& count : counts)
         {
             lines.push_back(line + ": " + count);
@@ -227,14 +192,10 @@ ReportLines PassLines(const RenderReport& report)
 
 std::string VariantText(const ExplainedVariant& variant)
 {
-    std::string text = variant.shader + ", pass " + std::to_string(variant.passIndex);
-    text += variant.passName.empty() ? "" : " '" + variant.passName + "'";
-    text += variant.isFullScreen ? ", full screen:" : ":";
-    for (const std::string& keyword : variant.keywords)
-    {
-        text += " " + keyword;
-    }
-    return text + (variant.keywords.empty() ? " no keywords" : "");
+    return variant.shader + ", pass " + std::to_string(variant.passIndex) +
+           (variant.passName.empty() ? "" : " '" + variant.passName + "'") +
+           (variant.isFullScreen ? ", full screen: " : ": ") +
+           (variant.keywords.empty() ? "no keywords" : Joined(variant.keywords, " "));
 }
 
 /// "Cube: it is not drawn; inactive", or its name with a line for each pass and material.
@@ -256,7 +217,7 @@ std::string OneObject(const ExplainedObject& object, const std::string& indent)
 }
 
 /// The features that draw nothing, but for those of which the objects' own lines tell it.
-ReportLines IdleFeatures(const Explanation& explanation)
+TextLines IdleFeatures(const Explanation& explanation)
 {
     std::set<std::string> told;
     for (const ExplainedObject& object : explanation.objects)
@@ -266,7 +227,7 @@ ReportLines IdleFeatures(const Explanation& explanation)
             told.insert(draw.pass);
         }
     }
-    ReportLines lines;
+    TextLines lines;
     for (const ExplainedIdle& feature : explanation.idleFeatures)
     {
         if (!told.contains(feature.name))
@@ -280,21 +241,17 @@ ReportLines IdleFeatures(const Explanation& explanation)
 
 std::string Objects(const std::vector<ExplainedObject>& objects, const std::string& indent)
 {
-    std::string text;
-    for (const ExplainedObject& object : objects)
-    {
-        text += OneObject(object, indent);
-    }
-    return text;
+    return Joined(objects, "",
+                  [&indent](const ExplainedObject& object) { return OneObject(object, indent); });
 }
 
 /// "1 Opaque + Sky, 640x360: 298 → 172 draws; _Color (clear, store); samples _Mask; 2 barriers", or
 /// "2 Blur: 1 dispatch; _Result (load, store); samples _Mask; 2 barriers"
-std::string RunText(const ExplainedFrame& frame, std::size_t index)
+std::string RunText(const ExplainedFrame& frame, const ExplainedPass& pass)
 {
-    const ExplainedPass& pass = frame.passes[index];
+    const auto number = &pass - frame.passes.data() + 1;
     const std::string size = ", " + std::to_string(pass.width) + "x" + std::to_string(pass.height);
-    std::string text = std::to_string(index + 1) + " " + pass.name +
+    std::string text = std::to_string(number) + " " + pass.name +
                        (pass.dispatches > 0 ? "" : size) + ": " + DrawsText(pass);
     for (const ExplainedAttachment& target : pass.targets)
     {
@@ -314,32 +271,19 @@ std::string RunText(const ExplainedFrame& frame, std::size_t index)
     return text + sampled + "; " + Count(barriers, "barrier");
 }
 
-ReportLines RunLines(const ExplainedFrame& frame)
-{
-    ReportLines lines;
-    for (std::size_t i = 0; i < frame.passes.size(); ++i)
-    {
-        lines.push_back(RunText(frame, i));
-    }
-    return lines;
-}
-
 /// ", shares memory with _Depth and _Mask", or nothing.
 std::string SharedText(const ExplainedTexture& texture)
 {
-    std::string text;
-    for (const std::string& other : texture.sharedWith)
-    {
-        text += (text.empty() ? ", shares memory with " : " and ") + other;
-    }
-    return text;
+    return texture.sharedWith.empty()
+               ? ""
+               : ", shares memory with " + Joined(texture.sharedWith, " and ");
 }
 
 /// "_Color 640x360 R8G8B8A8_SRGB, 900.0 KiB, pass 1 to 3"
 /// @param isLong  those that come from files, too
-ReportLines TextureLines(const ExplainedFrame& frame, bool isLong)
+TextLines TextureLines(const ExplainedFrame& frame, bool isLong)
 {
-    ReportLines lines;
+    TextLines lines;
     for (const ExplainedTexture& texture : frame.textures)
     {
         if (isLong || texture.isDrawn)
@@ -365,26 +309,25 @@ std::string TexturesText(const ExplainedFrame& frame)
     return Count(frame.textures.size(), "texture") + " of " + BytesText(bytes);
 }
 
-ReportLines LeftOutLines(const Explanation& explanation)
+std::string LeftOutText(const LeftOut& item)
 {
-    ReportLines lines;
-    for (const LeftOut& item : explanation.frame.leftOut)
-    {
-        lines.push_back((item.pass.empty() ? "" : item.pass + ": ") + item.reason);
-    }
-    return lines;
+    return (item.pass.empty() ? "" : item.pass + ": ") + item.reason;
 }
 
 /// The parts that both texts have.
 std::string FrameText(const Explanation& explanation, bool isLong)
 {
     const std::size_t most = isLong ? static_cast<std::size_t>(-1) : k_ListedLines;
+    const auto run = [&explanation](const ExplainedPass& pass)
+    {
+        return RunText(explanation.frame, pass);
+    };
     return Section("odd", OddThings(explanation), most) + VolumesText(explanation, isLong) +
            Section("chosen", {explanation.report.choices.begin(), explanation.report.choices.end()},
                    most) +
            Section("passes", PassLines(explanation.report), most) +
-           Section("the device runs", RunLines(explanation.frame), most) +
-           Section("left out", LeftOutLines(explanation), most) +
+           Section("the device runs", LinesOf(explanation.frame.passes, run), most) +
+           Section("left out", LinesOf(explanation.frame.leftOut, LeftOutText), most) +
            Section(isLong ? "textures" : "textures drawn into",
                    TextureLines(explanation.frame, isLong), most);
 }
@@ -402,10 +345,9 @@ std::string ShortText(const Explanation& explanation)
 
 std::string LongText(const Explanation& explanation)
 {
-    ReportLines variants;
-    std::ranges::transform(explanation.variants, std::back_inserter(variants), VariantText);
     const std::string objects = Objects(explanation.objects, "  ");
-    return FrameText(explanation, true) + Section("variants", variants) +
+    return FrameText(explanation, true) +
+           Section("variants", LinesOf(explanation.variants, VariantText)) +
            (objects.empty() ? "" : "objects:\n" + objects);
 }
 
@@ -423,14 +365,11 @@ std::string ObjectText(const Explanation& explanation, const std::string& name, 
     {
         for (const ExplainedDraw& draw : object.draws)
         {
-            if (counts.count(draw.pass) == 0)
-            {
-                passes.push_back(draw.pass);
-            }
+            AddOnce(draw.pass, passes);
             ++counts[draw.pass][static_cast<std::size_t>(draw.verdict)];
         }
     }
-    ReportLines lines = OddObjects(explanation);
+    TextLines lines = OddObjects(explanation);
     for (const std::string& pass : passes)
     {
         lines.push_back(pass + ": " + CountsText(counts[pass]));

@@ -1,4 +1,5 @@
 #include "explain/ExplainedFrame.h"
+#include "explain/TextLines.h"
 
 #include <limn/base/RunProgram.h>
 
@@ -17,20 +18,12 @@ namespace
 
 constexpr std::size_t k_LineLength = 46; ///< of a reason, letters
 
-std::string Escape(const std::string& text)
+/// Returns the text as a label has it, in which commands of terminals are blanks.
+std::string Escape(std::string text)
 {
-    std::string result;
-    for (const char c : text)
-    {
-        const bool isControl = static_cast<unsigned char>(c) < 0x20;
-        result += c == '&'    ? "&amp;"
-                  : c == '<'  ? "&lt;"
-                  : c == '>'  ? "&gt;"
-                  : c == '"'  ? "&quot;"
-                  : isControl ? " "
-                              : std::string(1, c);
-    }
-    return result;
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+    return MarkupText(text);
 }
 
 /// Returns the text in lines, which end at blanks.
@@ -58,7 +51,10 @@ std::string Small(const std::string& html)
 class GraphWriter
 {
 public:
-    explicit GraphWriter(const ExplainedFrame& frame) : m_Frame(frame) {}
+    explicit GraphWriter(const ExplainedFrame& frame)
+        : m_Frame(frame), m_Latest(frame.textures.size())
+    {
+    }
 
     std::string Write()
     {
@@ -69,30 +65,24 @@ public:
                  "    edge [fontname=\"Helvetica\", fontsize=10, color=\"#5b6470\", "
                  "fontcolor=\"#3d4550\", arrowsize=0.7];\n";
         std::size_t leftOut = 0;
-        for (std::size_t i = 0; i < m_Frame.passes.size(); ++i)
+        for (std::size_t i = 0; i <= m_Frame.passes.size(); ++i)
         {
+            const bool isEnd = i == m_Frame.passes.size();
             for (; leftOut < m_Frame.leftOut.size() &&
-                   m_Frame.leftOut[leftOut].place < m_Frame.passes[i].place;
+                   (isEnd || m_Frame.leftOut[leftOut].place < m_Frame.passes[i].place);
                  ++leftOut)
             {
                 AddLeftOut(leftOut);
             }
-            AddPass(i);
-        }
-        for (; leftOut < m_Frame.leftOut.size(); ++leftOut)
-        {
-            AddLeftOut(leftOut);
+            if (!isEnd)
+            {
+                AddPass(i);
+            }
         }
         return m_Text + "}\n";
     }
 
 private:
-    struct Version
-    {
-        std::string node;
-        std::string store; ///< how it got there
-    };
-
     void AddPass(std::size_t index)
     {
         const ExplainedPass& pass = m_Frame.passes[index];
@@ -111,14 +101,14 @@ private:
         {
             if (m_Frame.textures[texture].isDrawn)
             {
-                AddEdge(Latest(texture).node, node, "sample", "style=dashed");
+                AddEdge(Latest(texture), node, "sample", "style=dashed");
             }
         }
         for (const ExplainedAttachment& target : pass.targets)
         {
             if (target.load == "load")
             {
-                AddEdge(Latest(target.texture).node, node, "load", "");
+                AddEdge(Latest(target.texture), node, "load", "");
             }
         }
         for (const ExplainedAttachment& target : pass.targets)
@@ -140,8 +130,7 @@ private:
                 isStored ? "" : "color=\"#b4bac2\", fontcolor=\"#8a929c\"");
         if (isStored)
         {
-            m_Versions.resize(m_Frame.textures.size());
-            m_Versions[target.texture] = {node, target.store};
+            m_Latest[target.texture] = node;
         }
     }
 
@@ -176,35 +165,29 @@ private:
     }
 
     /// The node that holds what was last left in the texture; of a frame before, one of its own.
-    const Version& Latest(std::size_t texture)
+    const std::string& Latest(std::size_t texture)
     {
-        m_Versions.resize(m_Frame.textures.size());
-        if (m_Versions[texture].node.empty())
+        if (m_Latest[texture].empty())
         {
-            m_Versions[texture] = {"texture" + std::to_string(texture) + "_0", ""};
-            AddTexture(texture, m_Versions[texture].node, true, false);
+            m_Latest[texture] = "texture" + std::to_string(texture) + "_0";
+            AddTexture(texture, m_Latest[texture], true, false);
         }
-        return m_Versions[texture];
+        return m_Latest[texture];
     }
 
     std::string FilesText(const ExplainedPass& pass) const
     {
-        const auto count = std::ranges::count_if(pass.reads, [this](std::size_t t)
-                                                 { return !m_Frame.textures[t].isDrawn; });
-        return count == 0   ? ""
-               : count == 1 ? ", 1 texture given"
-                            : ", " + std::to_string(count) + " textures given";
+        const auto count = static_cast<std::size_t>(std::ranges::count_if(
+            pass.reads, [this](std::size_t t) { return !m_Frame.textures[t].isDrawn; }));
+        return count == 0 ? "" : ", " + Count(count, "texture") + " given";
     }
 
     void AddLeftOut(std::size_t index)
     {
         const LeftOut& item = m_Frame.leftOut[index];
         const std::string node = "leftout" + std::to_string(index + 1);
-        std::string targets;
-        for (const std::string& target : item.targets)
-        {
-            targets += (targets.empty() ? " → " : ", ") + target;
-        }
+        const std::string targets =
+            (item.targets.empty() ? "" : " → ") + Joined(item.targets, ", ");
         AddNode(node,
                 "shape=box, style=\"filled,dashed\", fillcolor=\"#f0f1f3\", color=\"#a9afb8\", "
                 "fontcolor=\"#767e89\", group=passes",
@@ -236,7 +219,7 @@ private:
     }
 
     const ExplainedFrame& m_Frame;
-    std::vector<Version> m_Versions; ///< by texture; "" = nothing in it is known
+    std::vector<std::string> m_Latest; ///< nodes, by texture; "" = nothing in it is known
     std::string m_LastPass;
     std::string m_Text;
 };

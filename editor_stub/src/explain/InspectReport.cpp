@@ -2,9 +2,12 @@
 #include "console/Json.h"
 #include "console/Texts.h"
 #include "scene/ProfileContext.h"
+#include "shader_reports/ShaderDescription.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limn/features/Features.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -45,11 +48,9 @@ void AppendValues(std::string& text, const std::vector<InspectedValue>& values)
     std::vector<std::size_t> widths(Columns({}).size());
     for (const InspectedValue& value : values)
     {
-        const std::vector<std::string> columns = Columns(value);
-        for (std::size_t i = 0; i < columns.size(); ++i)
-        {
-            widths[i] = std::max(widths[i], columns[i].size());
-        }
+        std::ranges::transform(widths, Columns(value), widths.begin(),
+                               [](std::size_t width, const std::string& column)
+                               { return std::max(width, column.size()); });
     }
     std::string header;
     for (const InspectedValue& value : values)
@@ -139,14 +140,10 @@ Json AsJson(const InspectedGroup& group, const char* valuesKey)
     return json;
 }
 
-Json ComponentJson(const InspectedGroup& component)
+Json GroupsJson(const std::vector<InspectedGroup>& groups, const char* valuesKey)
 {
-    return AsJson(component, "parameters");
-}
-
-Json SettingsJson(const InspectedGroup& feature)
-{
-    return AsJson(feature, "settings");
+    return JsonList(groups,
+                    [valuesKey](const InspectedGroup& group) { return AsJson(group, valuesKey); });
 }
 
 Json InspectedVolumeJson(const InspectedVolume& volume)
@@ -155,7 +152,7 @@ Json InspectedVolumeJson(const InspectedVolume& volume)
         {"name", volume.name},         {"enabled", volume.enabled},
         {"isGlobal", volume.isGlobal}, {"priority", volume.priority},
         {"weight", volume.weight},     {"blendDistance", volume.blendDistance},
-        {"profile", volume.profile},   {"components", JsonList(volume.components, ComponentJson)}};
+        {"profile", volume.profile},   {"components", GroupsJson(volume.components, "parameters")}};
 }
 
 using Names = std::set<std::string, std::less<>>;
@@ -201,6 +198,24 @@ const YamlNode* FindParameter(const YamlNode& component, const std::string& name
 {
     const YamlNode* node = component.Find(name);
     return node ? node : component.Find(PlainSpelling(name));
+}
+
+constexpr std::array<std::string_view, 3> k_FeatureEndings{"", "RenderFeature", "RendererFeature"};
+
+InspectedGroup InspectShader(const Shader& shader)
+{
+    InspectedGroup group;
+    group.type = shader.name();
+    for (const ShaderProperty& property : shader.document().properties)
+    {
+        InspectedValue& value = group.values.emplace_back();
+        value.name = property.name;
+        value.value = DefaultText(property);
+        value.hasDefault = false;
+        value.unit = TypeText(property);
+        value.tooltip = property.displayName;
+    }
+    return group;
 }
 
 } // namespace
@@ -279,22 +294,12 @@ std::string ToJson(const InspectReport& report)
 {
     Json json;
     json["kind"] = report.kind;
-    if (report.kind == "profile")
+    const bool isName = report.kind == "name";
+    if (isName || report.kind == "profile")
     {
-        json["components"] = JsonList(report.volumes.at(0).components, ComponentJson);
-        return JsonText(json);
-    }
-    if (report.kind == "name")
-    {
-        json["components"] = Json::array();
-        for (const InspectedVolume& volume : report.volumes)
-        {
-            json["components"] = JsonList(volume.components, ComponentJson);
-        }
-        json["features"] = JsonList(report.features, SettingsJson);
-        json["shaders"] = JsonList(report.shaders, [](const InspectedGroup& shader)
-                                   { return AsJson(shader, "properties"); });
-        return JsonText(json);
+        json["components"] = report.volumes.empty()
+                                 ? Json::array()
+                                 : GroupsJson(report.volumes.front().components, "parameters");
     }
     if (report.kind == "scene")
     {
@@ -303,12 +308,15 @@ std::string ToJson(const InspectReport& report)
     if (report.asset)
     {
         json[report.kind] = AsJson(*report.asset, "values");
-        if (report.kind != "renderer")
-        {
-            return JsonText(json);
-        }
     }
-    json["features"] = JsonList(report.features, SettingsJson);
+    if (isName || report.kind == "scene" || report.kind == "renderer")
+    {
+        json["features"] = GroupsJson(report.features, "settings");
+    }
+    if (isName)
+    {
+        json["shaders"] = GroupsJson(report.shaders, "properties");
+    }
     return JsonText(json);
 }
 
@@ -353,6 +361,58 @@ std::vector<InspectedGroup> InspectProfileFile(const std::filesystem::path& path
         }
     }
     return groups;
+}
+
+std::vector<std::string> KnownNames(const AssetContext& assets)
+{
+    std::vector<std::string> names;
+    for (const auto& known : {assets.volumeComponents().names(), assets.features().names()})
+    {
+        names.insert(names.end(), known.begin(), known.end());
+    }
+    for (const std::string_view name : ShippedShaders().names())
+    {
+        names.emplace_back(name);
+    }
+    return names;
+}
+
+InspectReport InspectName(const std::string& name, AssetContext& assets)
+{
+    InspectReport report;
+    report.kind = "name";
+    if (assets.volumeComponents().Find(name))
+    {
+        VolumeProfile profile;
+        profile.Add(assets.volumeComponents().Create(name));
+        report.volumes.emplace_back().components =
+            InspectProfile(profile, assets.volumeComponents());
+    }
+    for (const std::string_view ending : k_FeatureEndings)
+    {
+        const std::string type = name + std::string(ending);
+        if (std::unique_ptr<ScriptableRendererFeature> feature = assets.features().Create(type))
+        {
+            report.features.push_back({type, type, true,
+                                       CollectSettings(*feature, *assets.features().Create(type),
+                                                       LayerNames{}, LayerNames{})});
+        }
+    }
+    if (const std::shared_ptr<const Shader> shader = assets.FindShader(name))
+    {
+        report.shaders.push_back(InspectShader(*shader));
+    }
+    if (report.volumes.empty() && report.features.empty() && report.shaders.empty())
+    {
+        const std::vector<std::string> known = KnownNames(assets);
+        const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
+        throw AssetError(name, {},
+                         "there is no such file, and no volume component, feature or shader has "
+                         "this name" +
+                             (nearest.empty() ? std::string()
+                                              : "; did you mean '" + std::string(nearest) + "'?"));
+    }
+    return report;
 }
 
 } // namespace limn

@@ -66,15 +66,15 @@ std::string FileOf(const YamlNode& reference, const UnityProject& project)
                 : "guid " + guid + " (the project has no .meta file with it)";
 }
 
-InspectedValue Value(std::string header, std::string name, std::string text, std::string tooltip)
+void Add(InspectedGroup& group, std::string header, std::string name, std::string text,
+         std::string tooltip = "")
 {
-    InspectedValue value;
+    InspectedValue& value = group.values.emplace_back();
     value.header = std::move(header);
     value.name = std::move(name);
     value.value = std::move(text);
     value.tooltip = std::move(tooltip);
     value.hasDefault = false;
-    return value;
 }
 
 /// The first object of a class; KindOfUnityAsset has found that there is one.
@@ -99,8 +99,8 @@ void AddRenderers(const UnityObject& pipeline, const UnityProject& project, Insp
     {
         const std::string number = std::to_string(i++);
         const bool isDefault = (index ? index->scalar() : "0") == number;
-        group.values.push_back(Value("Renderers", number, FileOf(renderer, project),
-                                     isDefault ? "of cameras that choose none" : ""));
+        Add(group, "Renderers", number, FileOf(renderer, project),
+            isDefault ? "of cameras that choose none" : "");
     }
 }
 
@@ -173,8 +173,7 @@ void AddProperties(const YamlNode& properties, const char* list, const char* hea
                         OnOneLine(*entry.value.Find("m_Offset"));
             }
             const bool isLeftOver = shader && shader->FindPropertyIndex(entry.key) < 0;
-            group.values.push_back(
-                Value(header, entry.key, text, isLeftOver ? "unknown to limn's shader" : ""));
+            Add(group, header, entry.key, text, isLeftOver ? "unknown to limn's shader" : "");
         }
     }
 }
@@ -216,7 +215,7 @@ InspectedGroup InspectPipeline(const UnityAsset& asset)
     InspectedGroup group{"UniversalRenderPipelineAsset", pipeline.name, true, {}};
     if (const YamlNode* version = pipeline.fields.Find("k_AssetVersion"))
     {
-        group.values.push_back(Value("", "k_AssetVersion", OnOneLine(*version), ""));
+        Add(group, "", "k_AssetVersion", OnOneLine(*version));
     }
     AddRenderers(pipeline, project, group);
     for (const bool isDrawn : {true, false})
@@ -225,10 +224,10 @@ InspectedGroup InspectPipeline(const UnityAsset& asset)
         {
             if (!IsUnread(entry.key) && IsDrawnWith(entry.key) == isDrawn)
             {
-                group.values.push_back(Value(isDrawn
-                                                 ? "Drawn with, by a scene's renderPipelineAsset"
-                                                 : "Left out, limn does not draw by these",
-                                             entry.key, OnOneLine(entry.value), ""));
+                Add(group,
+                    isDrawn ? "Drawn with, by a scene's renderPipelineAsset"
+                            : "Left out, limn does not draw by these",
+                    entry.key, OnOneLine(entry.value));
             }
         }
     }
@@ -245,11 +244,7 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
         {
             const YamlNode* bits = node->Find("m_Bits");
             const YamlNode* stencil = node->Find("overrideStencilState");
-            group.values.push_back(Value("", key,
-                                         OnOneLine(bits      ? *bits
-                                                   : stencil ? *stencil
-                                                             : *node),
-                                         tooltip));
+            Add(group, "", key, OnOneLine(bits ? *bits : stencil ? *stencil : *node), tooltip);
         }
     };
     add("m_OpaqueLayerMask", "The bits of the layers whose opaque objects are drawn");
@@ -259,10 +254,9 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
         "1 replaces the Stencil block of all objects, which limn leaves out");
     const YamlNode* data = renderer.fields.Find("postProcessData");
     const bool isOn = data && ReadFileID(*data).value_or(0) != 0;
-    group.values.push_back(
-        Value("", "postProcessData", isOn ? "URP's" : "none",
-              isOn ? "draws Bloom, Tonemapping and their like, behind all features"
-                   : "no post-processing"));
+    Add(group, "", "postProcessData", isOn ? "URP's" : "none",
+        isOn ? "draws Bloom, Tonemapping and their like, behind all features"
+             : "no post-processing");
     return group;
 }
 
@@ -272,8 +266,8 @@ InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets)
     const UnityProject project(asset.file());
     InspectedGroup group{"Material", material.name, true, {}};
     const MaterialShader shader = FindShaderOf(material, project, assets);
-    group.values.push_back(Value("", "m_Shader", shader.text, shader.remark));
-    group.values.push_back(Value("", "keywords", KeywordsOf(material), ""));
+    Add(group, "", "m_Shader", shader.text, shader.remark);
+    Add(group, "", "keywords", KeywordsOf(material));
     for (const auto& [key, tooltip] :
          {std::pair("m_InvalidKeywords", "that the shader did not know when Unity saved it"),
           std::pair("m_CustomRenderQueue", "-1: the shader's own"),
@@ -283,7 +277,7 @@ InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets)
         const YamlNode* node = material.fields.Find(key);
         if (node && (node->isScalar() || node->items().size() + node->entries().size() > 0))
         {
-            group.values.push_back(Value("", key, OnOneLine(*node), tooltip));
+            Add(group, "", key, OnOneLine(*node), tooltip);
         }
     }
     if (const YamlNode* properties = material.fields.Find("m_SavedProperties"))

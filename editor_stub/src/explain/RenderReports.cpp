@@ -127,30 +127,30 @@ Json FilterCountsJson(const DrawRenderersReport& draw)
     return {{"pass", draw.pass.name()}, {"counts", std::move(counts)}};
 }
 
-void AddAttachment(const RenderTexture& texture, Json& attachments)
-{
-    const Json entry{{"name", texture.name()},
-                     {"width", texture.width()},
-                     {"height", texture.height()},
-                     {"format", ToString(texture.graphicsFormat())}};
-    if (std::ranges::find(attachments, entry) == attachments.end())
-    {
-        attachments.push_back(entry);
-    }
-}
-
+/// The textures that passes draw into, once each.
 Json Attachments(const CompiledFrame& frame)
 {
     Json attachments = Json::array();
+    const auto add = [&attachments](const RenderTexture& texture)
+    {
+        const Json entry{{"name", texture.name()},
+                         {"width", texture.width()},
+                         {"height", texture.height()},
+                         {"format", ToString(texture.graphicsFormat())}};
+        if (std::ranges::find(attachments, entry) == attachments.end())
+        {
+            attachments.push_back(entry);
+        }
+    };
     for (const CompiledRenderPass& pass : frame.passes)
     {
         for (const ColorAttachment& color : pass.colors)
         {
-            AddAttachment(*color.texture, attachments);
+            add(*color.texture);
         }
         if (pass.depth)
         {
-            AddAttachment(*pass.depth->texture, attachments);
+            add(*pass.depth->texture);
         }
     }
     return attachments;

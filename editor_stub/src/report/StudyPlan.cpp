@@ -6,6 +6,7 @@
 #include "report/measure/StudyScene.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/base/Diagnostic.h>
 #include <map>
 #include <sstream>
@@ -21,122 +22,82 @@ constexpr glm::ivec2 k_QuickShapeSize{240, 135};
 constexpr glm::ivec2 k_MotionSize{160, 90};
 constexpr double k_UsualWidth = 4.0; ///< pixels
 
-class Planner
+/// The cells of error and of cost.
+std::vector<CellId> PlanMeasures(const StudyOptions& options, std::span<const Technique> techniques)
 {
-public:
-    Planner(const StudyOptions& options, std::vector<Technique> techniques)
-        : m_Options(options), m_Techniques(std::move(techniques))
+    std::vector<CellId> cells;
+    const auto add = [&](CellKind kind, const std::string& subject, double width,
+                         const glm::ivec2& size, const std::string& variant = "")
     {
-    }
-
-    std::vector<CellId> Plan()
+        for (const Technique& technique : techniques)
+        {
+            cells.push_back({kind, technique.name, subject, width, size.x, size.y, variant});
+        }
+    };
+    const glm::ivec2 sceneSize = options.sceneSize;
+    const bool isQuick = options.isQuick;
+    const std::vector<double> widths =
+        isQuick ? std::vector<double>{2, 8} : std::vector<double>{1, 2, 4, 8, 16, 32, 64};
+    for (const double width : isQuick ? std::vector<double>{k_UsualWidth} : widths)
     {
-        const bool isQuick = m_Options.isQuick;
-        const std::vector<double> widths =
-            isQuick ? std::vector<double>{2, 8} : std::vector<double>{1, 2, 4, 8, 16, 32, 64};
-        const glm::ivec2 sceneSize = m_Options.sceneSize;
-        for (const double width : isQuick ? std::vector<double>{k_UsualWidth} : widths)
-        {
-            Add(CellKind::Geometry, k_SceneSubject, width, sceneSize);
-            AddParts(width);
-        }
-        for (const std::string& shape :
-             isQuick ? std::vector<std::string>{"disc", "needle"} : ShapeNames())
-        {
-            for (const double width : widths)
-            {
-                Add(CellKind::Geometry, shape, width, isQuick ? k_QuickShapeSize : k_ShapeSize);
-            }
-        }
-        for (const char* shape : {"disc", "needle"})
-        {
-            for (const double width : isQuick ? std::vector<double>{2} : std::vector<double>{2, 8})
-            {
-                Add(CellKind::Temporal, shape, width, k_MotionSize);
-            }
-        }
-        for (const std::string& variant :
-             isQuick ? std::vector<std::string>{""} : NumericalVariants())
-        {
-            Add(CellKind::Numerical, "star", k_UsualWidth, k_MotionSize, variant);
-        }
-        AddCosts();
-        return std::move(m_Cells);
-    }
-
-private:
-    void AddParts(double width)
-    {
-        for (const Technique& technique : m_Techniques)
+        add(CellKind::Geometry, k_SceneSubject, width, sceneSize);
+        for (const Technique& technique : techniques)
         {
             for (const char* part : {k_SeenPart, k_HiddenPart})
             {
-                if (m_Options.isPartlyHidden && !technique.occlusion.empty())
+                if (options.isPartlyHidden && !technique.occlusion.empty())
                 {
-                    m_Cells.push_back({CellKind::Geometry, technique.name, k_SceneSubject, width,
-                                       m_Options.sceneSize.x, m_Options.sceneSize.y, part});
+                    cells.push_back({CellKind::Geometry, technique.name, k_SceneSubject, width,
+                                     sceneSize.x, sceneSize.y, part});
                 }
             }
         }
     }
-
-    void AddCosts()
+    for (const std::string& shape :
+         isQuick ? std::vector<std::string>{"disc", "needle"} : ShapeNames())
     {
-        const glm::ivec2 sceneSize = m_Options.sceneSize;
-        Add(CellKind::Cost, k_SceneSubject, k_UsualWidth, sceneSize);
-        if (m_Options.isQuick)
+        for (const double width : widths)
         {
-            return;
-        }
-        for (const double width : {2.0, 8.0, 32.0})
-        {
-            Add(CellKind::Cost, k_SceneSubject, width, sceneSize);
-        }
-        for (const glm::ivec2 size :
-             {glm::ivec2(320, 180), glm::ivec2(640, 360), glm::ivec2(1920, 1080)})
-        {
-            if (size != sceneSize)
-            {
-                Add(CellKind::Cost, k_SceneSubject, k_UsualWidth, size);
-            }
-        }
-        for (const char* count : {"1 objects", "10 objects", "100 objects", "1000 objects"})
-        {
-            Add(CellKind::Cost, k_BallsSubject, k_UsualWidth, {1280, 720}, count);
+            add(CellKind::Geometry, shape, width, isQuick ? k_QuickShapeSize : k_ShapeSize);
         }
     }
-
-    void Add(CellKind kind, const std::string& subject, double width, const glm::ivec2& size,
-             const std::string& variant = "")
+    for (const char* shape : {"disc", "needle"})
     {
-        for (const Technique& technique : m_Techniques)
+        for (const double width : isQuick ? std::vector<double>{2} : std::vector<double>{2, 8})
         {
-            m_Cells.push_back({kind, technique.name, subject, width, size.x, size.y, variant});
+            add(CellKind::Temporal, shape, width, k_MotionSize);
         }
     }
-
-    const StudyOptions& m_Options;
-    std::vector<Technique> m_Techniques;
-    std::vector<CellId> m_Cells;
-};
-
-const char* KindText(CellKind kind)
-{
-    switch (kind)
+    for (const std::string& variant : isQuick ? std::vector<std::string>{""} : NumericalVariants())
     {
-    case CellKind::Geometry:
-        return "error";
-    case CellKind::Numerical:
-        return "rounding error";
-    case CellKind::Temporal:
-        return "flicker";
-    case CellKind::Cost:
-        return "time";
-    case CellKind::Stability:
-        return "stability";
+        add(CellKind::Numerical, "star", k_UsualWidth, k_MotionSize, variant);
     }
-    throw ContractError("KindText: unknown kind of cell");
+    add(CellKind::Cost, k_SceneSubject, k_UsualWidth, sceneSize);
+    if (isQuick)
+    {
+        return cells;
+    }
+    for (const double width : {2.0, 8.0, 32.0})
+    {
+        add(CellKind::Cost, k_SceneSubject, width, sceneSize);
+    }
+    for (const glm::ivec2 size :
+         {glm::ivec2(320, 180), glm::ivec2(640, 360), glm::ivec2(1920, 1080)})
+    {
+        if (size != sceneSize)
+        {
+            add(CellKind::Cost, k_SceneSubject, k_UsualWidth, size);
+        }
+    }
+    for (const char* count : {"1 objects", "10 objects", "100 objects", "1000 objects"})
+    {
+        add(CellKind::Cost, k_BallsSubject, k_UsualWidth, {1280, 720}, count);
+    }
+    return cells;
 }
+
+/// What a cell measures, by its kind.
+constexpr std::array k_KindWords{"error", "rounding error", "flicker", "time", "stability"};
 
 /// Returns words for a subject or a variant that results have a short key for.
 std::string WordsFor(const std::string& key)
@@ -194,7 +155,7 @@ std::vector<CellId> PlanStudy(const StudyOptions& options, std::span<const Techn
                                      : options.isFull ? SweepSize::Full
                                                       : SweepSize::Pairwise);
     }
-    return Planner(options, std::move(wanted)).Plan();
+    return PlanMeasures(options, wanted);
 }
 
 std::string UnitText(std::span<const CellId> unit)
@@ -205,26 +166,22 @@ std::string UnitText(std::span<const CellId> unit)
         return "the formula " + id.subject + " with extreme numbers";
     }
     const bool isExtreme = id.kind == CellKind::Stability;
-    return std::string(KindText(id.kind)) + " of " +
+    return std::string(k_KindWords.at(static_cast<std::size_t>(id.kind))) + " of " +
            (unit.size() > 1 ? "all techniques" : id.technique) + " " +
            (isExtreme ? "with extreme settings" : WordsFor(id.subject)) +
            (isExtreme || id.variant.empty() ? "" : ", " + WordsFor(id.variant)) + ", " +
-           Readable(id.width) + " pixels wide, picture " + std::to_string(id.pictureWidth) + "x" +
-           std::to_string(id.pictureHeight);
+           Readable(id.width) + " pixels wide, picture " +
+           SizeText(id.pictureWidth, id.pictureHeight);
 }
 
 std::vector<std::vector<CellId>> UnitsOf(const std::vector<CellId>& cells)
 {
-    const auto withoutTechnique = [](CellId id)
-    {
-        id.technique.clear();
-        return id.Name();
-    };
     std::vector<std::vector<CellId>> units;
     for (const CellId& cell : cells)
     {
-        const bool isTogether = cell.kind == CellKind::Cost && !units.empty() &&
-                                withoutTechnique(units.back().front()) == withoutTechnique(cell);
+        const bool isTogether =
+            cell.kind == CellKind::Cost && !units.empty() &&
+            units.back().front().NameForAllTechniques() == cell.NameForAllTechniques();
         if (!isTogether)
         {
             units.emplace_back();

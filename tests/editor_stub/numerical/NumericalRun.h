@@ -2,7 +2,6 @@
 
 #include "report/measure/StudyPicture.h"
 #include "report/measure/StudyScene.h"
-#include "report/measure/Techniques.h"
 
 #include "CachedCompiler.h"
 

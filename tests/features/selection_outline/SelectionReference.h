@@ -1,7 +1,7 @@
 #pragma once
 
 #include "features/OutlineGpuReference.h"
-#include "report/truth/twins/Field.h"
+#include "report/truth/twins/Twins.h"
 
 namespace limn::test
 {

@@ -26,50 +26,41 @@ std::shared_ptr<GraphicsBuffer> CopyAsSet(const GraphicsBuffer& buffer)
 }
 
 /// Puts copies in place of the buffers that the frame writes to.
-class BufferCopies
+void CopyWrittenBuffers(FrameTables& tables)
 {
-public:
-    explicit BufferCopies(FrameTables& tables)
-    {
-        ForEachBindings(tables, [this](const auto& bindings) { FindWritten(*bindings); });
-        if (!m_Copies.empty())
-        {
-            ForEachBindings(tables, [this](auto& bindings) { Replace(bindings); });
-        }
-    }
-
-private:
-    template <typename Function>
-    static void ForEachBindings(FrameTables& tables, const Function& function)
+    const auto forEachBindings = [&tables](const auto& function)
     {
         std::ranges::for_each(tables.setups, function, &DrawSetup::bindings);
         std::ranges::for_each(tables.dispatchSetups, function, &DispatchSetup::bindings);
-    }
-
-    void FindWritten(const DrawBindings& bindings)
-    {
-        for (const BufferSlot& slot : bindings.buffers)
+    };
+    std::unordered_map<const GraphicsBuffer*, std::shared_ptr<const GraphicsBuffer>> copies;
+    forEachBindings(
+        [&copies](const auto& bindings)
         {
-            if (slot.isWritten && !m_Copies.contains(slot.buffer.get()))
+            for (const BufferSlot& slot : bindings->buffers)
             {
-                m_Copies[slot.buffer.get()] = CopyAsSet(*slot.buffer);
+                if (slot.isWritten && !copies.contains(slot.buffer.get()))
+                {
+                    copies[slot.buffer.get()] = CopyAsSet(*slot.buffer);
+                }
             }
-        }
-    }
-
-    void Replace(std::shared_ptr<const DrawBindings>& bindings) const
+        });
+    if (copies.empty())
     {
-        auto replaced = std::make_shared<DrawBindings>(*bindings);
-        for (BufferSlot& slot : replaced->buffers)
-        {
-            const auto copy = m_Copies.find(slot.buffer.get());
-            slot.buffer = copy == m_Copies.end() ? slot.buffer : copy->second;
-        }
-        bindings = std::move(replaced);
+        return;
     }
-
-    std::unordered_map<const GraphicsBuffer*, std::shared_ptr<const GraphicsBuffer>> m_Copies;
-};
+    forEachBindings(
+        [&copies](auto& bindings)
+        {
+            auto replaced = std::make_shared<DrawBindings>(*bindings);
+            for (BufferSlot& slot : replaced->buffers)
+            {
+                const auto copy = copies.find(slot.buffer.get());
+                slot.buffer = copy == copies.end() ? slot.buffer : copy->second;
+            }
+            bindings = std::move(replaced);
+        });
+}
 
 } // namespace
 
@@ -77,7 +68,7 @@ FrameReplay::FrameReplay(const CompiledFrame& recorded)
 {
     static_cast<FrameTables&>(m_Commands) = recorded;
     m_Commands.uniformData = recorded.uniformData;
-    BufferCopies copies(m_Commands);
+    CopyWrittenBuffers(m_Commands);
 }
 
 void FrameReplay::AddPass(const CompiledRenderPass& pass)

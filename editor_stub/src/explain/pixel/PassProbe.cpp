@@ -254,8 +254,7 @@ PassProbe::Reached PassProbe::Cover(std::span<const Range> ranges, CullMode cull
     {
         AddCover(replay, ranges[i], k_Masks.at(i), cull);
     }
-    const std::shared_ptr<const RenderTexture> outputs[] = {target};
-    const std::vector<std::byte> texel = TexelOf(replay.Run(m_Device, outputs).front());
+    const std::vector<std::byte> texel = TexelAfter(replay, target);
     Reached reached{};
     std::ranges::transform(texel, reached.begin(), [](std::byte b) { return b != std::byte{0}; });
     return reached;
@@ -303,28 +302,38 @@ FrameReplay PassProbe::Begin(std::size_t count) const
     replay.BindTargets(pass(), true);
     for (std::size_t i = 0; i < count; ++i)
     {
-        AddAtTexel(replay, Step(i));
+        const PassStep& step = Step(i);
+        if (!IsClear(step) && LiesInScissor(i))
+        {
+            AddAtTexel(replay, step, SetupOf(i));
+        }
+        else if (IsClear(step))
+        {
+            AddViewport(replay, step);
+            replay.Add(std::get<ClearCommand>(pass().commands[step.command]));
+        }
     }
     return replay;
 }
 
-void PassProbe::AddAtTexel(FrameReplay& replay, const PassStep& step) const
+void PassProbe::AddViewport(FrameReplay& replay, const PassStep& step) const
 {
     if (step.viewport)
     {
         replay.Add(SetViewportCommand{*step.viewport});
     }
-    if (const auto* clear = std::get_if<ClearCommand>(&pass().commands[step.command]))
-    {
-        replay.Add(*clear);
-        return;
-    }
-    DrawCommand draw = AtTexel(step);
-    const std::optional<ViewportRect>& scissor = DrawOf(step).scissor;
-    draw.scissor = !scissor || LiesIn(*scissor) ? *draw.scissor : ViewportRect();
-    DrawSetup setup = m_Frame.Setup(draw);
+}
+
+void PassProbe::AddAtTexel(FrameReplay& replay, const PassStep& step, DrawSetup setup) const
+{
+    AddViewport(replay, step);
     setup.fullScreen = nullptr; // of one texel it would promise too much
-    replay.AddDraw(draw, std::move(setup));
+    replay.AddDraw(AtTexel(step), std::move(setup));
+}
+
+std::vector<std::byte> PassProbe::TexelAfter(FrameReplay& replay, const Target& target) const
+{
+    return TexelOf(replay.Run(m_Device, std::span(&target, 1)).front());
 }
 
 TargetTexels PassProbe::After(std::size_t count) const
@@ -377,24 +386,18 @@ bool PassProbe::Reaches(std::size_t which, CullMode cull) const
     return Cover(std::span(&range, 1), cull).front();
 }
 
-Image PassProbe::Draw(std::size_t which, const PipelineState& state, GraphicsFormat format) const
+std::vector<std::byte> PassProbe::Draw(std::size_t which, const PipelineState& state,
+                                       GraphicsFormat format) const
 {
     FrameReplay replay = Begin(which);
     const auto target = std::make_shared<const RenderTexture>("Probe", ProbeDescriptor(format));
     replay.Add(SetRenderTargetCommand{{target}, pass().depth ? pass().depth->texture : nullptr});
     replay.Add(ClearCommand{ClearFlag::Color, Color::white});
-    const PassStep& step = Step(which);
-    if (step.viewport)
-    {
-        replay.Add(SetViewportCommand{*step.viewport});
-    }
     DrawSetup setup = SetupOf(which);
     setup = HasColorOutput(*setup.program) ? setup : m_Covers.Cover(setup);
-    setup.fullScreen = nullptr;
     setup.state = state;
-    replay.AddDraw(AtTexel(step), std::move(setup));
-    const std::shared_ptr<const RenderTexture> outputs[] = {target};
-    return std::move(replay.Run(m_Device, outputs).front());
+    AddAtTexel(replay, Step(which), std::move(setup));
+    return TexelAfter(replay, target);
 }
 
 bool PassProbe::Passes(std::size_t which, const PipelineState& state) const
@@ -402,9 +405,8 @@ bool PassProbe::Passes(std::size_t which, const PipelineState& state) const
     // Whatever the shader gives, what passes is black.
     PipelineState black = state;
     black.targets.fill(Writing(ColorWriteMask::All, BlendMode::Zero));
-    const std::vector<std::byte> texel =
-        TexelOf(Draw(which, black, GraphicsFormat::R8G8B8A8_UNorm));
-    return std::ranges::any_of(texel, [](std::byte b) { return b != std::byte{255}; });
+    return std::ranges::any_of(Draw(which, black, GraphicsFormat::R8G8B8A8_UNorm),
+                               [](std::byte b) { return b != std::byte{255}; });
 }
 
 std::optional<std::vector<float>> PassProbe::OutputOf(std::size_t which) const
@@ -416,7 +418,7 @@ std::optional<std::vector<float>> PassProbe::OutputOf(std::size_t which) const
     constexpr GraphicsFormat k_Format = GraphicsFormat::R16G16B16A16_SFloat;
     PipelineState plain = SetupOf(which).state;
     plain.targets.fill(Writing(ColorWriteMask::All, BlendMode::One));
-    return TexelValue(TexelOf(Draw(which, plain, k_Format)), k_Format);
+    return TexelValue(Draw(which, plain, k_Format), k_Format);
 }
 
 float PassProbe::DepthOf(std::size_t which) const
@@ -425,20 +427,13 @@ float PassProbe::DepthOf(std::size_t which) const
     descriptor.depthBufferBits = 16;
     const auto depth = std::make_shared<const RenderTexture>("Probe depth", descriptor);
     FrameReplay replay = BeforePass();
-    const PassStep& step = Step(which);
     replay.Add(SetRenderTargetCommand{{}, depth});
     replay.Add(ClearCommand{ClearFlag::Depth, Color()});
-    if (step.viewport)
-    {
-        replay.Add(SetViewportCommand{*step.viewport});
-    }
     DrawSetup setup = m_Covers.Cover(SetupOf(which));
     setup.state.zTest = CompareFunction::LessEqual;
     setup.state.zWrite = true;
-    replay.AddDraw(AtTexel(step), std::move(setup));
-    const std::shared_ptr<const RenderTexture> outputs[] = {depth};
-    const std::vector<std::byte> texel = TexelOf(replay.Run(m_Device, outputs).front());
-    return TexelValue(texel, GraphicsFormat::D32_SFloat).front();
+    AddAtTexel(replay, Step(which), std::move(setup));
+    return TexelValue(TexelAfter(replay, depth), GraphicsFormat::D32_SFloat).front();
 }
 
 } // namespace limn

@@ -93,6 +93,7 @@ private:
     };
     static constexpr std::size_t k_Channels = 4;
     using Reached = std::array<bool, k_Channels>;
+    using Target = std::shared_ptr<const RenderTexture>;
 
     const CompiledRenderPass& pass() const { return m_Frame.passes[m_Pass]; }
     const PassStep& Step(std::size_t which) const { return m_Steps[m_Reaching[which]]; }
@@ -114,9 +115,14 @@ private:
     void AddCover(FrameReplay& replay, const Range& range, int channel, CullMode cull) const;
     FrameReplay BeforePass() const;
     FrameReplay Begin(std::size_t count) const;
-    void AddAtTexel(FrameReplay& replay, const PassStep& step) const;
+    void AddViewport(FrameReplay& replay, const PassStep& step) const;
+    /// Adds the draw of only this step and only this texel, with a setup of its own.
+    void AddAtTexel(FrameReplay& replay, const PassStep& step, DrawSetup setup) const;
+    /// Runs the replay and returns what it leaves at the texel.
+    std::vector<std::byte> TexelAfter(FrameReplay& replay, const Target& target) const;
     /// Draws into a target of its own, which is cleared to white, with the pass's depth.
-    Image Draw(std::size_t which, const PipelineState& state, GraphicsFormat format) const;
+    std::vector<std::byte> Draw(std::size_t which, const PipelineState& state,
+                                GraphicsFormat format) const;
     std::vector<std::byte> TexelOf(const Image& image) const { return TexelAt(image, m_X, m_Y); }
 
     const CompiledFrame& m_Frame;

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <limn/core/ComputeShader.h>
 #include <limn/core/Shader.h>
+#include <map>
 
 namespace limn
 {
@@ -92,404 +93,433 @@ bool MindUndefined(PixelEvent& event)
     return false;
 }
 
-} // namespace
-
-FrameTrace::FrameTrace(TracedFrame traced, VulkanDevice& device, PixelHistory& history)
-    : m_Traced(std::move(traced)), m_Device(device), m_History(history), m_Covers(m_Traced.compiler)
+/// Goes through a frame's passes.
+class FrameTrace
 {
-    FindRun();
-}
-
-void FrameTrace::FindRun()
-{
-    FrameReplay all(m_Traced.frame);
-    for (const CompiledRenderPass& pass : m_Traced.frame.passes)
+public:
+    FrameTrace(const TracedFrame& traced, VulkanDevice& device, PixelHistory& history)
+        : m_Traced(traced), m_Device(device), m_History(history), m_Covers(m_Traced.compiler)
     {
-        all.AddPass(pass);
+        FindRun();
     }
-    const CompiledFrame run = all.Compile(std::span(&m_Traced.output, 1));
-    for (const CompiledRenderPass& pass : run.passes)
+
+    TracedObjects Run(const std::function<void(const std::string&)>& progress)
     {
-        for (const PassCommand& command : pass.commands)
+        const std::vector<CompiledRenderPass>& passes = m_Traced.frame.passes;
+        for (std::size_t i = 0; i < passes.size(); ++i)
         {
-            if (const auto* draw = std::get_if<DrawCommand>(&command))
+            if (progress)
             {
-                m_Run[draw->firstInstance] = draw->scissor;
+                progress("pass " + std::to_string(i + 1) + " of " + std::to_string(passes.size()) +
+                         ": " + passes[i].Title());
+            }
+            if (passes[i].isCompute())
+            {
+                TraceDispatches(i);
+            }
+            else if (!IsElsewhere(passes[i]))
+            {
+                TraceDraws(i);
+            }
+        }
+        return std::move(m_Objects);
+    }
+
+private:
+    using Texels = std::vector<std::byte>;
+    /// The texel of a texture at the pixel's place.
+    struct Known
+    {
+        Texels texel;
+        Texels stencil;
+    };
+
+    void FindRun()
+    {
+        FrameReplay all(m_Traced.frame);
+        for (const CompiledRenderPass& pass : m_Traced.frame.passes)
+        {
+            all.AddPass(pass);
+        }
+        const CompiledFrame run = all.Compile(std::span(&m_Traced.output, 1));
+        for (const CompiledRenderPass& pass : run.passes)
+        {
+            for (const PassCommand& command : pass.commands)
+            {
+                if (const auto* draw = std::get_if<DrawCommand>(&command))
+                {
+                    m_Run[draw->firstInstance] = draw->scissor;
+                }
             }
         }
     }
-}
 
-void FrameTrace::Run(const std::function<void(const std::string&)>& progress)
-{
-    const std::vector<CompiledRenderPass>& passes = m_Traced.frame.passes;
-    for (std::size_t i = 0; i < passes.size(); ++i)
+    /// Returns whether it has the picture's shape, as far as whole texels can.
+    bool IsPicture(const Texture& texture) const
     {
-        if (progress)
+        const std::int64_t across = std::int64_t{texture.width()} * m_History.height;
+        const std::int64_t down = std::int64_t{texture.height()} * m_History.width;
+        return std::abs(across - down) <= std::max(m_History.width, m_History.height);
+    }
+
+    /// Returns the texel in which the pixel's middle lies.
+    std::pair<int, int> PlaceIn(const Texture& texture) const
+    {
+        const auto place = [](int pixel, int pixels, int texels)
         {
-            progress("pass " + std::to_string(i + 1) + " of " + std::to_string(passes.size()) +
-                     ": " + passes[i].Title());
-        }
-        if (passes[i].isCompute())
+            return static_cast<int>((2 * std::int64_t{pixel} + 1) * texels /
+                                    (2 * std::int64_t{pixels}));
+        };
+        return {place(m_History.x, m_History.width, texture.width()),
+                place(m_History.y, m_History.height, texture.height())};
+    }
+
+    bool IsElsewhere(const CompiledRenderPass& pass)
+    {
+        const RenderTexture& target = FirstTarget(pass);
+        if (IsPicture(target) && !ShowsShadows(pass, m_Traced.frame))
         {
-            TraceDispatches(i);
+            return false;
         }
-        else if (!IsElsewhere(passes[i]))
+        if (HasDraws(pass))
         {
-            TraceDraws(i);
+            m_History.elsewhere.push_back({pass.Title(), target.name(), target.DescribeSize()});
         }
+        return true;
     }
-}
 
-/// Returns whether it has the picture's shape, as far as whole texels can.
-bool FrameTrace::IsPicture(const Texture& texture) const
-{
-    const std::int64_t across = std::int64_t{texture.width()} * m_History.height;
-    const std::int64_t down = std::int64_t{texture.height()} * m_History.width;
-    return std::abs(across - down) <= std::max(m_History.width, m_History.height);
-}
-
-/// Returns the texel in which the pixel's middle lies.
-std::pair<int, int> FrameTrace::PlaceIn(const Texture& texture) const
-{
-    const auto place = [](int pixel, int pixels, int texels)
-    {
-        return static_cast<int>((2 * std::int64_t{pixel} + 1) * texels /
-                                (2 * std::int64_t{pixels}));
-    };
-    return {place(m_History.x, m_History.width, texture.width()),
-            place(m_History.y, m_History.height, texture.height())};
-}
-
-bool FrameTrace::IsElsewhere(const CompiledRenderPass& pass)
-{
-    const RenderTexture& target = FirstTarget(pass);
-    if (IsPicture(target) && !ShowsShadows(pass, m_Traced.frame))
-    {
-        return false;
-    }
-    if (HasDraws(pass))
-    {
-        m_History.elsewhere.push_back({pass.Title(), target.name(), target.DescribeSize()});
-    }
-    return true;
-}
-
-TargetTexels FrameTrace::BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const
-{
-    TargetTexels known;
-    const auto isKnown = [this](const RenderTexture& texture)
-    {
-        return m_Known.contains(texture.id());
-    };
-    bool isAll = !Clears(pass);
-    for (const ColorAttachment& color : pass.colors)
-    {
-        isAll = isAll && isKnown(*color.texture);
-        known.colors.push_back(isAll ? m_Known.at(color.texture->id()).texel : Texels());
-    }
-    if (pass.depth && isAll && isKnown(*pass.depth->texture))
-    {
-        known.depth = m_Known.at(pass.depth->texture->id()).texel;
-        known.stencil = m_Known.at(pass.depth->texture->id()).stencil;
-    }
-    isAll = isAll && (!pass.depth || !known.depth.empty());
-    return isAll ? known : probe.After(0);
-}
-
-void FrameTrace::Remember(const CompiledRenderPass& pass, const TargetTexels& texels)
-{
-    for (std::size_t i = 0; i < pass.colors.size(); ++i)
-    {
-        m_Known[pass.colors[i].texture->id()] = {texels.colors[i], {}};
-    }
-    if (pass.depth)
-    {
-        m_Known[pass.depth->texture->id()] = {texels.depth, texels.stencil};
-    }
-}
-
-void FrameTrace::TraceDraws(std::size_t index)
-{
-    const CompiledRenderPass& pass = m_Traced.frame.passes[index];
-    const auto [x, y] = PlaceIn(FirstTarget(pass));
-    const PassProbe probe(m_Traced.frame, index, x, y, m_Device, m_Covers);
-    CountSteps(pass, probe);
-    if (probe.reaching().empty() && !Clears(pass))
-    {
-        return;
-    }
-    TargetTexels before = BeforeFirst(pass, probe);
-    AddClear(pass, before);
-    bool isUndefined = HoldsNothing(pass);
-    for (std::size_t which = 0; which < probe.reaching().size(); ++which)
-    {
-        const TargetTexels after = probe.After(which + 1);
-        PixelEvent event = EventOf(pass, probe, which);
-        AddValues(pass, before, after, event);
-        if (event.fate == PixelFate::Drawn && !IsChanged(event))
-        {
-            ExplainUnchanged(probe, which, before, event);
-        }
-        isUndefined = isUndefined && MindUndefined(event);
-        m_History.events.push_back(std::move(event));
-        before = after;
-    }
-    Remember(pass, before);
-}
-
-/// Notes the objects that are drawn, and the draws of no object, which are few, that do not reach
-/// the pixel.
-void FrameTrace::CountSteps(const CompiledRenderPass& pass, const PassProbe& probe)
-{
-    for (std::size_t i = 0; i < probe.steps().size(); ++i)
-    {
-        const PassStep& step = probe.steps()[i];
-        const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
-        if (draw == nullptr)
-        {
-            continue;
-        }
-        const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
-        m_Drawn.insert(objects.begin(), objects.end());
-        if (objects.empty() && !std::ranges::binary_search(probe.reaching(), i))
-        {
-            AddUncovered(step, m_Traced.frame.Setup(*draw));
-        }
-    }
-}
-
-void FrameTrace::AddUncovered(const PassStep& step, const DrawSetup& setup)
-{
-    PixelUncovered own{step.sample, setup.shader->name(), setup.shader->passName(setup.shaderPass),
-                       1};
-    for (PixelUncovered& known : m_History.uncoveredDraws)
-    {
-        if (known.pass == own.pass && known.shader == own.shader &&
-            known.shaderPassName == own.shaderPassName)
-        {
-            ++known.count;
-            return;
-        }
-    }
-    m_History.uncoveredDraws.push_back(std::move(own));
-}
-
-/// Adds the reason for which the draw changes nothing.
-void FrameTrace::ExplainUnchanged(const PassProbe& probe, std::size_t which,
-                                  const TargetTexels& before, PixelEvent& event) const
-{
-    const DrawCommand& draw = probe.DrawAt(which);
-    const auto run = m_Run.find(draw.firstInstance);
-    const bool isOutside =
-        run != m_Run.end() && run->second && !draw.scissor && !probe.LiesIn(*run->second);
-    std::tie(event.fate, event.reason) = WhyUnchanged(probe, which, before, isOutside);
-}
-
-void FrameTrace::AddClear(const CompiledRenderPass& pass, const TargetTexels& first)
-{
-    if (!Clears(pass))
-    {
-        return;
-    }
-    PixelEvent event;
-    event.fate = PixelFate::Cleared;
-    event.pass = pass.name;
-    const auto before = [this](const RenderTexture& texture)
+    /// Returns what is known of a texture; nothing if no pass was seen to write it.
+    Known KnownOf(const RenderTexture& texture) const
     {
         const auto known = m_Known.find(texture.id());
         return known == m_Known.end() ? Known() : known->second;
-    };
-    for (std::size_t i = 0; i < pass.colors.size(); ++i)
+    }
+
+    TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const
     {
-        const RenderTexture& texture = *pass.colors[i].texture;
-        if (pass.colors[i].load == LoadOp::Clear)
+        TargetTexels known;
+        bool isAll = !Clears(pass);
+        for (const ColorAttachment& color : pass.colors)
         {
-            event.colors.push_back(
-                ValueIn(texture, texture.graphicsFormat(), before(texture).texel, first.colors[i]));
+            known.colors.push_back(KnownOf(*color.texture).texel);
+            isAll = isAll && !known.colors.back().empty();
+        }
+        if (pass.depth)
+        {
+            const Known depth = KnownOf(*pass.depth->texture);
+            known.depth = depth.texel;
+            known.stencil = depth.stencil;
+            isAll = isAll && !known.depth.empty();
+        }
+        return isAll ? known : probe.After(0);
+    }
+
+    void Remember(const CompiledRenderPass& pass, const TargetTexels& texels)
+    {
+        for (std::size_t i = 0; i < pass.colors.size(); ++i)
+        {
+            m_Known[pass.colors[i].texture->id()] = {texels.colors[i], {}};
+        }
+        if (pass.depth)
+        {
+            m_Known[pass.depth->texture->id()] = {texels.depth, texels.stencil};
         }
     }
-    if (pass.depth && pass.depth->load == LoadOp::Clear)
-    {
-        const RenderTexture& texture = *pass.depth->texture;
-        event.depth = ValueIn(texture, k_DepthFormat, before(texture).texel, first.depth);
-    }
-    if (pass.depth && pass.depth->stencilLoad == LoadOp::Clear && !first.stencil.empty())
-    {
-        const RenderTexture& texture = *pass.depth->texture;
-        event.stencil = ValueIn(texture, k_StencilFormat, before(texture).stencil, first.stencil);
-    }
-    m_History.events.push_back(std::move(event));
-}
 
-PixelEvent FrameTrace::EventOf(const CompiledRenderPass& pass, const PassProbe& probe,
-                               std::size_t which)
-{
-    const PassStep& step = probe.steps()[probe.reaching()[which]];
-    const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
-    PixelEvent event;
-    event.pass = step.sample;
-    event.fate = draw != nullptr ? PixelFate::Drawn : PixelFate::Cleared;
-    if (draw == nullptr)
+    void TraceDraws(std::size_t index)
     {
+        const CompiledRenderPass& pass = m_Traced.frame.passes[index];
+        const auto [x, y] = PlaceIn(FirstTarget(pass));
+        const PassProbe probe(m_Traced.frame, index, x, y, m_Device, m_Covers);
+        CountSteps(pass, probe);
+        if (probe.reaching().empty() && !Clears(pass))
+        {
+            return;
+        }
+        TargetTexels before = BeforeFirst(pass, probe);
+        AddClear(pass, before);
+        bool isUndefined = HoldsNothing(pass);
+        for (std::size_t which = 0; which < probe.reaching().size(); ++which)
+        {
+            const TargetTexels after = probe.After(which + 1);
+            PixelEvent event = EventOf(pass, probe, which);
+            AddValues(pass, before, after, event);
+            if (event.fate == PixelFate::Drawn && !IsChanged(event))
+            {
+                ExplainUnchanged(probe, which, before, event);
+            }
+            isUndefined = isUndefined && MindUndefined(event);
+            m_History.events.push_back(std::move(event));
+            before = after;
+        }
+        Remember(pass, before);
+    }
+
+    /// Notes the objects that are drawn, and the draws of no object, which are few, that do not
+    /// reach the pixel.
+    void CountSteps(const CompiledRenderPass& pass, const PassProbe& probe)
+    {
+        for (std::size_t i = 0; i < probe.steps().size(); ++i)
+        {
+            const PassStep& step = probe.steps()[i];
+            const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
+            if (draw == nullptr)
+            {
+                continue;
+            }
+            const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
+            m_Objects.drawn.insert(objects.begin(), objects.end());
+            if (objects.empty() && !std::ranges::binary_search(probe.reaching(), i))
+            {
+                AddUncovered(step, m_Traced.frame.Setup(*draw));
+            }
+        }
+    }
+
+    void AddUncovered(const PassStep& step, const DrawSetup& setup)
+    {
+        PixelUncovered own{step.sample, setup.shader->name(),
+                           setup.shader->passName(setup.shaderPass), 1};
+        for (PixelUncovered& known : m_History.uncoveredDraws)
+        {
+            if (known.pass == own.pass && known.shader == own.shader &&
+                known.shaderPassName == own.shaderPassName)
+            {
+                ++known.count;
+                return;
+            }
+        }
+        m_History.uncoveredDraws.push_back(std::move(own));
+    }
+
+    /// Adds the reason for which the draw changes nothing.
+    void ExplainUnchanged(const PassProbe& probe, std::size_t which, const TargetTexels& before,
+                          PixelEvent& event) const
+    {
+        const DrawCommand& draw = probe.DrawAt(which);
+        const auto run = m_Run.find(draw.firstInstance);
+        const bool isOutside =
+            run != m_Run.end() && run->second && !draw.scissor && !probe.LiesIn(*run->second);
+        std::tie(event.fate, event.reason) = WhyUnchanged(probe, which, before, isOutside);
+    }
+
+    void AddClear(const CompiledRenderPass& pass, const TargetTexels& first)
+    {
+        if (!Clears(pass))
+        {
+            return;
+        }
+        PixelEvent event;
+        event.fate = PixelFate::Cleared;
+        event.pass = pass.name;
+        for (std::size_t i = 0; i < pass.colors.size(); ++i)
+        {
+            const RenderTexture& texture = *pass.colors[i].texture;
+            if (pass.colors[i].load == LoadOp::Clear)
+            {
+                event.colors.push_back(ValueIn(texture, texture.graphicsFormat(),
+                                               KnownOf(texture).texel, first.colors[i]));
+            }
+        }
+        if (pass.depth && pass.depth->load == LoadOp::Clear)
+        {
+            const RenderTexture& texture = *pass.depth->texture;
+            event.depth = ValueIn(texture, k_DepthFormat, KnownOf(texture).texel, first.depth);
+        }
+        if (pass.depth && pass.depth->stencilLoad == LoadOp::Clear && !first.stencil.empty())
+        {
+            const RenderTexture& texture = *pass.depth->texture;
+            event.stencil =
+                ValueIn(texture, k_StencilFormat, KnownOf(texture).stencil, first.stencil);
+        }
+        m_History.events.push_back(std::move(event));
+    }
+
+    PixelEvent EventOf(const CompiledRenderPass& pass, const PassProbe& probe, std::size_t which)
+    {
+        const PassStep& step = probe.steps()[probe.reaching()[which]];
+        const auto* draw = std::get_if<DrawCommand>(&pass.commands[step.command]);
+        PixelEvent event;
+        event.pass = step.sample;
+        event.fate = draw != nullptr ? PixelFate::Drawn : PixelFate::Cleared;
+        if (draw == nullptr)
+        {
+            return event;
+        }
+        const DrawSetup& setup = m_Traced.frame.Setup(*draw);
+        const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
+        m_Objects.reaching.insert(objects.begin(), objects.end());
+        for (const std::uint32_t object : objects)
+        {
+            event.objects.push_back(m_Traced.objects[object]->name);
+        }
+        const std::shared_ptr<const Mesh>& mesh = m_Traced.frame.MeshOf(*draw);
+        event.mesh = mesh ? mesh->name() : "";
+        event.shader = setup.shader->name();
+        event.shaderPass = setup.shaderPass;
+        event.shaderPassName = setup.shader->passName(setup.shaderPass);
+        event.material = MaterialOf(setup, *draw, step.sample, objects);
+        event.isRun = m_Run.contains(draw->firstInstance);
         return event;
     }
-    const DrawSetup& setup = m_Traced.frame.Setup(*draw);
-    const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
-    m_Reaching.insert(objects.begin(), objects.end());
-    for (const std::uint32_t object : objects)
-    {
-        event.objects.push_back(m_Traced.objects[object]->name);
-    }
-    const std::shared_ptr<const Mesh>& mesh = m_Traced.frame.MeshOf(*draw);
-    event.mesh = mesh ? mesh->name() : "";
-    event.shader = setup.shader->name();
-    event.shaderPass = setup.shaderPass;
-    event.shaderPassName = setup.shader->passName(setup.shaderPass);
-    event.material = MaterialOf(setup, *draw, step.sample, objects);
-    event.isRun = m_Run.contains(draw->firstInstance);
-    return event;
-}
 
-PixelValue FrameTrace::ValueIn(const RenderTexture& texture, GraphicsFormat format,
-                               const Texels& before, const Texels& after) const
-{
-    const auto [x, y] = PlaceIn(texture);
-    return {texture.name(),
-            x,
-            y,
-            texture.width(),
-            texture.height(),
-            before.empty() ? std::vector<float>() : TexelValue(before, format),
-            TexelValue(after, format)};
-}
-
-void FrameTrace::AddValues(const CompiledRenderPass& pass, const TargetTexels& before,
-                           const TargetTexels& after, PixelEvent& event) const
-{
-    for (std::size_t i = 0; i < pass.colors.size(); ++i)
+    PixelValue ValueIn(const RenderTexture& texture, GraphicsFormat format, const Texels& before,
+                       const Texels& after) const
     {
-        const RenderTexture& texture = *pass.colors[i].texture;
-        event.colors.push_back(
-            ValueIn(texture, texture.graphicsFormat(), before.colors[i], after.colors[i]));
+        const auto [x, y] = PlaceIn(texture);
+        return {texture.name(),
+                x,
+                y,
+                texture.width(),
+                texture.height(),
+                before.empty() ? std::vector<float>() : TexelValue(before, format),
+                TexelValue(after, format)};
     }
-    if (pass.depth)
+
+    void AddValues(const CompiledRenderPass& pass, const TargetTexels& before,
+                   const TargetTexels& after, PixelEvent& event) const
     {
-        const RenderTexture& texture = *pass.depth->texture;
-        event.depth = ValueIn(texture, k_DepthFormat, before.depth, after.depth);
-        if (!after.stencil.empty())
+        for (std::size_t i = 0; i < pass.colors.size(); ++i)
         {
-            event.stencil = ValueIn(texture, k_StencilFormat, before.stencil, after.stencil);
+            const RenderTexture& texture = *pass.colors[i].texture;
+            event.colors.push_back(
+                ValueIn(texture, texture.graphicsFormat(), before.colors[i], after.colors[i]));
+        }
+        if (pass.depth)
+        {
+            const RenderTexture& texture = *pass.depth->texture;
+            event.depth = ValueIn(texture, k_DepthFormat, before.depth, after.depth);
+            if (!after.stencil.empty())
+            {
+                event.stencil = ValueIn(texture, k_StencilFormat, before.stencil, after.stencil);
+            }
         }
     }
-}
 
-/// Returns the objects of the scene that the step draws, by their places: also where a command
-/// draws a mesh where an object is that has it.
-std::set<std::uint32_t> FrameTrace::ObjectsOf(const DrawCommand& draw, const PassStep& step) const
-{
-    const CompiledFrame& frame = m_Traced.frame;
-    std::set<std::uint32_t> found;
-    for (std::uint32_t i = 0; i < step.instanceCount && draw.drawsObjects; ++i)
+    /// Returns the objects of the scene that the step draws, by their places: also where a command
+    /// draws a mesh where an object is that has it.
+    std::set<std::uint32_t> ObjectsOf(const DrawCommand& draw, const PassStep& step) const
     {
-        found.insert(frame.Element(draw.firstInstance + step.firstInstance + i));
-    }
-    const std::shared_ptr<const Mesh>& mesh = frame.MeshOf(draw);
-    if (draw.drawsObjects || !mesh || !frame.objects)
-    {
-        return found;
-    }
-    const PerDrawData own = frame.PerDraw(draw, step.firstInstance);
-    for (std::uint32_t i = 0; i < m_Traced.objects.size(); ++i)
-    {
-        const auto& renderer = m_Traced.objects[i]->renderer;
-        if (renderer && renderer->mesh == mesh && SamePlace(frame.objects->Get(i), own))
+        const CompiledFrame& frame = m_Traced.frame;
+        std::set<std::uint32_t> found;
+        for (std::uint32_t i = 0; i < step.instanceCount && draw.drawsObjects; ++i)
         {
-            found.insert(i);
+            found.insert(frame.Element(draw.firstInstance + step.firstInstance + i));
         }
-    }
-    return found.size() == 1 ? found : std::set<std::uint32_t>();
-}
-
-std::string FrameTrace::MaterialOf(const DrawSetup& setup, const DrawCommand& draw,
-                                   const std::string& pass,
-                                   const std::set<std::uint32_t>& objects) const
-{
-    for (const std::uint32_t place : objects)
-    {
-        const MeshRenderer& renderer = *m_Traced.objects[place]->renderer;
-        const int last = renderer.mesh->subMeshCount() - 1;
-        for (std::size_t slot = 0; slot < renderer.sharedMaterials.size(); ++slot)
+        const std::shared_ptr<const Mesh>& mesh = frame.MeshOf(draw);
+        if (draw.drawsObjects || !mesh || !frame.objects)
         {
-            const std::shared_ptr<const Material>& material = renderer.sharedMaterials[slot];
-            if (material && material->shader() == setup.shader &&
-                std::min(static_cast<int>(slot), last) == draw.subMesh)
+            return found;
+        }
+        const PerDrawData own = frame.PerDraw(draw, step.firstInstance);
+        for (std::uint32_t i = 0; i < m_Traced.objects.size(); ++i)
+        {
+            const auto& renderer = m_Traced.objects[i]->renderer;
+            if (renderer && renderer->mesh == mesh && SamePlace(frame.objects->Get(i), own))
+            {
+                found.insert(i);
+            }
+        }
+        return found.size() == 1 ? found : std::set<std::uint32_t>();
+    }
+
+    std::string MaterialOf(const DrawSetup& setup, const DrawCommand& draw, const std::string& pass,
+                           const std::set<std::uint32_t>& objects) const
+    {
+        for (const std::uint32_t place : objects)
+        {
+            const MeshRenderer& renderer = *m_Traced.objects[place]->renderer;
+            const int last = renderer.mesh->subMeshCount() - 1;
+            for (std::size_t slot = 0; slot < renderer.sharedMaterials.size(); ++slot)
+            {
+                const std::shared_ptr<const Material>& material = renderer.sharedMaterials[slot];
+                if (material && material->shader() == setup.shader &&
+                    std::min(static_cast<int>(slot), last) == draw.subMesh)
+                {
+                    return material->name();
+                }
+            }
+        }
+        for (const DrawRenderersReport& report : m_Traced.report.draws)
+        {
+            const std::shared_ptr<const Material>& material = report.drawing.overrideMaterial;
+            if (draw.drawsObjects && material && report.pass == pass &&
+                material->shader() == setup.shader)
             {
                 return material->name();
             }
         }
+        return {};
     }
-    for (const DrawRenderersReport& report : m_Traced.report.draws)
-    {
-        const std::shared_ptr<const Material>& material = report.drawing.overrideMaterial;
-        if (draw.drawsObjects && material && report.pass == pass &&
-            material->shader() == setup.shader)
-        {
-            return material->name();
-        }
-    }
-    return {};
-}
 
-void FrameTrace::TraceDispatches(std::size_t index)
-{
-    const CompiledRenderPass& pass = m_Traced.frame.passes[index];
-    for (const PassCommand& command : pass.commands)
+    void TraceDispatches(std::size_t index)
     {
-        const auto* dispatch = std::get_if<DispatchCommand>(&command);
-        if (dispatch == nullptr)
+        const CompiledRenderPass& pass = m_Traced.frame.passes[index];
+        for (const PassCommand& command : pass.commands)
         {
-            continue;
-        }
-        const DispatchSetup& setup = m_Traced.frame.Setup(*dispatch);
-        for (const StorageTextureSlot& slot : setup.bindings->storageTextures)
-        {
-            if (IsPicture(*slot.texture))
+            const auto* dispatch = std::get_if<DispatchCommand>(&command);
+            if (dispatch == nullptr)
             {
-                TraceWrite(index, setup, slot.texture);
+                continue;
             }
-            else
+            const DispatchSetup& setup = m_Traced.frame.Setup(*dispatch);
+            for (const StorageTextureSlot& slot : setup.bindings->storageTextures)
             {
-                m_History.elsewhere.push_back(
-                    {pass.Title(), slot.texture->name(), slot.texture->DescribeSize()});
+                if (IsPicture(*slot.texture))
+                {
+                    TraceWrite(index, setup, slot.texture);
+                }
+                else
+                {
+                    m_History.elsewhere.push_back(
+                        {pass.Title(), slot.texture->name(), slot.texture->DescribeSize()});
+                }
             }
         }
     }
-}
 
-/// Adds the texel that the pass's kernel leaves in a texture.
-void FrameTrace::TraceWrite(std::size_t index, const DispatchSetup& setup,
-                            const std::shared_ptr<const RenderTexture>& texture)
-{
-    FrameReplay replay(m_Traced.frame);
-    for (std::size_t i = 0; i <= index; ++i)
+    /// Adds the texel that the pass's kernel leaves in a texture.
+    void TraceWrite(std::size_t index, const DispatchSetup& setup,
+                    const std::shared_ptr<const RenderTexture>& texture)
     {
-        replay.AddPass(m_Traced.frame.passes[i]);
+        FrameReplay replay(m_Traced.frame);
+        for (std::size_t i = 0; i <= index; ++i)
+        {
+            replay.AddPass(m_Traced.frame.passes[i]);
+        }
+        const auto [x, y] = PlaceIn(*texture);
+        Texels& known = m_Known[texture->id()].texel;
+        const Texels after = TexelAt(replay.Run(m_Device, std::span(&texture, 1)).front(), x, y);
+        PixelEvent event;
+        event.pass = m_Traced.frame.passes[index].name;
+        event.shader = setup.shader->name();
+        event.shaderPass = setup.kernel;
+        event.shaderPassName = setup.shader->kernelName(setup.kernel);
+        event.colors.push_back(ValueIn(*texture, texture->graphicsFormat(), known, after));
+        const bool isChanged = event.colors.front().isChanged();
+        event.fate = isChanged ? PixelFate::Dispatched : PixelFate::Same;
+        event.reason = isChanged ? "" : "the kernel leaves the texel as it was";
+        known = after;
+        m_History.events.push_back(std::move(event));
     }
-    const auto [x, y] = PlaceIn(*texture);
-    Texels& known = m_Known[texture->id()].texel;
-    const Texels after = TexelAt(replay.Run(m_Device, std::span(&texture, 1)).front(), x, y);
-    PixelEvent event;
-    event.pass = m_Traced.frame.passes[index].name;
-    event.shader = setup.shader->name();
-    event.shaderPass = setup.kernel;
-    event.shaderPassName = setup.shader->kernelName(setup.kernel);
-    event.colors.push_back(ValueIn(*texture, texture->graphicsFormat(), known, after));
-    const bool isChanged = event.colors.front().isChanged();
-    event.fate = isChanged ? PixelFate::Dispatched : PixelFate::Same;
-    event.reason = isChanged ? "" : "the kernel leaves the texel as it was";
-    known = after;
-    m_History.events.push_back(std::move(event));
+
+    const TracedFrame& m_Traced;
+    VulkanDevice& m_Device;
+    PixelHistory& m_History;
+    CoverPrograms m_Covers;
+    std::map<std::uint64_t, Known> m_Known; ///< by Texture::id
+    /// The draws that the device runs for `limn render`, by DrawCommand::firstInstance, with the
+    /// part of the target that each is drawn into.
+    std::map<std::uint32_t, std::optional<ViewportRect>> m_Run;
+    TracedObjects m_Objects;
+};
+
+} // namespace
+
+TracedObjects TraceFrame(const TracedFrame& traced, VulkanDevice& device, PixelHistory& history,
+                         const std::function<void(const std::string&)>& progress)
+{
+    return FrameTrace(traced, device, history).Run(progress);
 }
 
 } // namespace limn

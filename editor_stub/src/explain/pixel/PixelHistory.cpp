@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limn/core/Culling.h>
 #include <limn/editor_stub/Raycast.h>
-#include <set>
+#include <map>
 
 namespace limn
 {
@@ -26,27 +26,14 @@ struct TracedScene
     RenderResult result;
 };
 
-/// Returns the place of each object with a renderer, in the order of the scene.
-std::vector<std::size_t> ObjectsWithRenderer(const std::vector<const GameObject*>& objects)
-{
-    std::vector<std::size_t> places;
-    for (std::size_t i = 0; i < objects.size(); ++i)
-    {
-        if (objects[i]->renderer)
-        {
-            places.push_back(i);
-        }
-    }
-    return places;
-}
-
 /// Finds the objects that lie at the pixel, whether anything draws them or not; by their places.
-std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std::size_t>& among,
+std::set<std::size_t> FindOnRay(const TracedScene& scene,
+                                const std::map<std::size_t, const ExplainedObject*>& among,
                                 const PixelHistory& history)
 {
     Scene copies;
-    std::vector<std::pair<GameObject*, std::size_t>> places;
-    for (const std::size_t place : among)
+    std::map<const GameObject*, std::size_t> places;
+    for (const auto& [place, explained] : among)
     {
         const GameObject& object = *scene.objects[place];
         if (object.renderer->mesh)
@@ -55,7 +42,7 @@ std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std:
             copy.transform = object.transform;
             copy.renderer = object.renderer;
             copy.renderer->enabled = true;
-            places.emplace_back(&copy, place);
+            places[&copy] = place;
         }
     }
     const Ray ray = PixelToRay(scene.camera, history.width, history.height, history.x, history.y);
@@ -66,9 +53,7 @@ std::set<std::size_t> FindOnRay(const TracedScene& scene, const std::vector<std:
     while (const auto hit = raycaster.Raycast(copies, ray, settings))
     {
         hit->gameObject->activeSelf = false; // the next one is behind it
-        found.insert(
-            std::ranges::find(places, hit->gameObject, &decltype(places)::value_type::first)
-                ->second);
+        found.insert(places.at(hit->gameObject));
     }
     return found;
 }
@@ -83,40 +68,34 @@ std::string WhyAbsent(const ExplainedObject& object)
 }
 
 /// Adds the objects that are not drawn, left out by a filter or elsewhere.
-void AddObjects(const TracedScene& scene, const FrameTrace& trace, PixelHistory& history)
+void AddObjects(const TracedScene& scene, const TracedObjects& traced, PixelHistory& history)
 {
     const std::vector<ExplainedObject> explained =
         ExplainObjects(scene.objects, scene.culled, scene.result.report, scene.camera);
-    const std::vector<std::size_t> places = ObjectsWithRenderer(scene.objects);
-    std::vector<std::size_t> undrawn;
-    for (std::size_t i = 0; i < explained.size(); ++i)
+    std::map<std::size_t, const ExplainedObject*> undrawn; // by place
+    for (const ExplainedObject& object : explained)
     {
-        const ExplainedObject& object = explained[i];
-        const auto place = static_cast<std::uint32_t>(places[i]);
-        if (!trace.drawn().contains(place))
+        const auto place = static_cast<std::uint32_t>(object.place);
+        if (!traced.drawn.contains(place))
         {
-            undrawn.push_back(i);
+            undrawn[place] = &object;
         }
-        else if (!trace.reaching().contains(place))
+        else if (!traced.reaching.contains(place))
         {
             history.uncovered.push_back(object.name);
         }
         for (const ExplainedDraw& draw : object.draws)
         {
-            if (trace.reaching().contains(place) && draw.verdict != FilterVerdict::Drawn)
+            if (traced.reaching.contains(place) && draw.verdict != FilterVerdict::Drawn)
             {
                 history.filtered.push_back({object.name, draw.pass, draw.verdict});
             }
         }
     }
-    std::vector<std::size_t> undrawnPlaces;
-    std::ranges::transform(undrawn, std::back_inserter(undrawnPlaces),
-                           [&](std::size_t i) { return places[i]; });
-    const std::set<std::size_t> here = FindOnRay(scene, undrawnPlaces, history);
-    for (const std::size_t i : undrawn)
+    const std::set<std::size_t> here = FindOnRay(scene, undrawn, history);
+    for (const auto& [place, object] : undrawn)
     {
-        history.absent.push_back(
-            {explained[i].name, WhyAbsent(explained[i]), here.contains(places[i])});
+        history.absent.push_back({object->name, WhyAbsent(*object), here.contains(place)});
     }
 }
 
@@ -169,11 +148,11 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
     history.notes = scene.result.report.notes;
     AddColor(device.ReadBack(*scene.result.output.rt()), history);
 
-    FrameTrace trace({*scene.result.frame, scene.result.report, scene.objects,
-                      scene.result.output.rt(), assets.compiler()},
-                     device, history);
-    trace.Run(progress);
-    AddObjects(scene, trace, history);
+    const TracedObjects traced =
+        TraceFrame({*scene.result.frame, scene.result.report, scene.objects,
+                    scene.result.output.rt(), assets.compiler()},
+                   device, history, progress);
+    AddObjects(scene, traced, history);
     return history;
 }
 

@@ -1,7 +1,7 @@
 #include "explain/pixel/PixelHistory.h"
 
 #include "console/Json.h"
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 #include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
@@ -18,11 +18,6 @@ namespace
 constexpr std::size_t k_NamedObjects = 4; ///< of one draw
 constexpr std::size_t k_ShownLines = 12;
 
-std::string TextLine(const std::string& words, std::size_t begin)
-{
-    return std::string(begin, ' ') + OneLine(words) + "\n";
-}
-
 std::string ColorText(const std::array<int, 3>& color)
 {
     std::array<char, 16> text{};
@@ -31,20 +26,11 @@ std::string ColorText(const std::array<int, 3>& color)
     return text.data();
 }
 
-std::string NamesText(const std::vector<std::string>& names, std::size_t most)
+std::string NamesText(const TextLines& names, std::size_t most)
 {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-    {
-        text += (i == 0 ? "" : ", ") + names[i];
-    }
-    return names.size() > most ? text + " and " + std::to_string(names.size() - most) + " more"
-                               : text;
-}
-
-std::string MoreText(std::size_t count)
-{
-    return count > 0 ? "  … and " + std::to_string(count) + " more; -v lists them\n" : "";
+    const std::size_t named = std::min(names.size(), most);
+    return Joined(std::span(names).first(named), ", ") +
+           (names.size() > named ? " and " + std::to_string(names.size() - named) + " more" : "");
 }
 
 bool IsRejected(const PixelEvent& event)
@@ -87,22 +73,25 @@ std::string ValueLine(const std::string& name, const PixelValue& value, const Pi
         isOfPicture ? ""
                     : " at " + std::to_string(value.x) + "," + std::to_string(value.y) + " of " +
                           std::to_string(value.width) + "x" + std::to_string(value.height);
-    return TextLine(name + place + " " +
-                        (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
-                        NumbersText(value.after),
-                    4);
+    return "  " + name + place + " " +
+           (value.before.empty() ? "" : NumbersText(value.before) + " → ") +
+           NumbersText(value.after);
 }
 
-std::string EventText(const PixelHistory& history, std::size_t index)
+void AddEvent(const PixelHistory& history, std::size_t index, TextLines& lines)
 {
     const PixelEvent& event = history.events[index];
-
-    std::string text = TextLine(HeadText(event, index + 1), 2);
-    text += event.reason.empty() ? "" : TextLine(event.reason, 4);
+    lines.push_back(HeadText(event, index + 1));
+    if (!event.reason.empty())
+    {
+        lines.push_back("  " + event.reason);
+    }
     const auto add = [&](const std::string& name, const PixelValue& value)
     {
-        const bool isShown = event.fate == PixelFate::Cleared || value.isChanged();
-        text += isShown ? ValueLine(name, value, history) : "";
+        if (event.fate == PixelFate::Cleared || value.isChanged())
+        {
+            lines.push_back(ValueLine(name, value, history));
+        }
     };
     for (const PixelValue& color : event.colors)
     {
@@ -116,67 +105,62 @@ std::string EventText(const PixelHistory& history, std::size_t index)
     {
         add("stencil", *event.stencil);
     }
-    const bool isLeftOut = !event.isRun && event.fate == PixelFate::Drawn;
-    return text + (isLeftOut ? TextLine("the device does not run this draw, because the picture is "
-                                        "the same without it",
-                                        4)
-                             : "");
+    if (!event.isRun && event.fate == PixelFate::Drawn)
+    {
+        lines.push_back("  the device does not run this draw, because the picture is the same "
+                        "without it");
+    }
 }
 
-std::string EventsText(const PixelHistory& history, bool areRejected)
+TextLines EventLines(const PixelHistory& history, bool areRejected)
 {
-    std::string text;
+    TextLines lines;
     for (std::size_t i = 0; i < history.events.size(); ++i)
     {
-        const PixelEvent& event = history.events[i];
-        text += IsRejected(event) == areRejected ? EventText(history, i) : "";
+        if (IsRejected(history.events[i]) == areRejected)
+        {
+            AddEvent(history, i, lines);
+        }
     }
-    return text;
+    return lines;
 }
 
 /// Lists what filters leave out, by pass and rule.
-std::string FiltersText(const PixelHistory& history, bool isLong)
+TextLines FilterLines(const PixelHistory& history, bool isLong)
 {
-    std::vector<std::pair<std::string, std::string>> order;
-    std::map<std::pair<std::string, std::string>, std::vector<std::string>> names;
+    std::vector<std::pair<std::string, FilterVerdict>> order;
+    std::map<std::pair<std::string, FilterVerdict>, TextLines> names;
     for (const PixelFiltered& filtered : history.filtered)
     {
-        const std::pair key(filtered.pass, std::string(ToString(filtered.verdict)));
-        if (names[key].empty())
+        TextLines& those = names[{filtered.pass, filtered.verdict}];
+        if (those.empty())
         {
-            order.push_back(key);
+            order.emplace_back(filtered.pass, filtered.verdict);
         }
-        if (std::ranges::find(names[key], filtered.object) == names[key].end())
-        {
-            names[key].push_back(filtered.object);
-        }
+        AddOnce(filtered.object, those);
     }
-    std::string text;
-    const std::size_t shown = isLong ? order.size() : std::min(order.size(), k_ShownLines);
-    for (std::size_t i = 0; i < shown; ++i)
+    TextLines lines;
+    for (const auto& [pass, verdict] : order)
     {
-        const std::vector<std::string>& all = names[order[i]];
-        text += TextLine(order[i].first + " leaves out " +
-                             NamesText(all, isLong ? all.size() : k_NamedObjects) + ": " +
-                             order[i].second,
-                         2);
+        const TextLines& all = names[{pass, verdict}];
+        lines.push_back(pass + " leaves out " +
+                        NamesText(all, isLong ? all.size() : k_NamedObjects) + ": " +
+                        ToString(verdict));
     }
-    return text + MoreText(order.size() - shown);
+    return lines;
 }
 
-std::string AbsentText(const PixelHistory& history, bool areHere)
+TextLines AbsentLines(const PixelHistory& history, bool areHere)
 {
-    std::string text;
+    TextLines lines;
     for (const PixelAbsent& absent : history.absent)
     {
-        text += absent.isHere == areHere ? TextLine(absent.object + ": " + absent.reason, 2) : "";
+        if (absent.isHere == areHere)
+        {
+            lines.push_back(absent.object + ": " + absent.reason);
+        }
     }
-    return text;
-}
-
-std::string SectionText(const std::string& title, const std::string& lines)
-{
-    return lines.empty() ? "" : title + ":\n" + lines;
+    return lines;
 }
 
 std::string IsOrAre(std::size_t count)
@@ -203,52 +187,25 @@ std::string RestSentence(const PixelHistory& history)
     text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
                                 " of another layout than the picture"
                           : "";
-    return TextLine(text + ": -v names them", 0);
+    return OneLine(text + ": -v names them") + "\n";
 }
 
 /// Names what has nothing to do with the pixel.
 std::string RestText(const PixelHistory& history)
 {
-    std::string elsewhere;
-    for (const PixelElsewhere& pass : history.elsewhere)
-    {
-        elsewhere += TextLine(pass.pass + ": " + pass.texture + " " + pass.size, 2);
-    }
-    std::string uncovered;
-    for (const std::string& name : history.uncovered)
-    {
-        uncovered += TextLine(name, 2);
-    }
+    const TextLines elsewhere =
+        LinesOf(history.elsewhere, [](const PixelElsewhere& pass)
+                { return pass.pass + ": " + pass.texture + " " + pass.size; });
+    TextLines uncovered = history.uncovered;
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
-        uncovered +=
-            TextLine(Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass +
-                         ": " + draws.shader +
-                         (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"),
-                     2);
+        uncovered.push_back(
+            Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass + ": " +
+            draws.shader + (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"));
     }
-    return SectionText("drawn, but not over the pixel", uncovered) +
-           SectionText("drawn nowhere, and not at the pixel", AbsentText(history, false)) +
-           SectionText("targets that are of another layout than the picture", elsewhere);
-}
-
-std::string NotesText(const PixelHistory& history, bool isLong)
-{
-    std::vector<std::string> notes;
-    for (const std::string& note : history.notes)
-    {
-        if (std::ranges::find(notes, note) == notes.end())
-        {
-            notes.push_back(note);
-        }
-    }
-    std::string text;
-    const std::size_t shown = isLong ? notes.size() : std::min(notes.size(), k_ShownLines);
-    for (std::size_t i = 0; i < shown; ++i)
-    {
-        text += TextLine(notes[i], 2);
-    }
-    return text + MoreText(notes.size() - shown);
+    return Section("drawn, but not over the pixel", uncovered) +
+           Section("drawn nowhere, and not at the pixel", AbsentLines(history, false)) +
+           Section("targets that are of another layout than the picture", elsewhere);
 }
 
 Json PixelValueJson(const PixelValue& value)
@@ -295,13 +252,18 @@ std::string PixelText(const PixelHistory& history, bool isLong)
     const bool hasObject =
         std::ranges::any_of(history.events, [](const PixelEvent& event)
                             { return event.fate == PixelFate::Drawn && !event.objects.empty(); });
-    return TextLine(head, 0) + (hasObject ? "" : "no object is drawn there\n") +
-           SectionText("done there, in this order", EventsText(history, false)) +
-           SectionText("rejected there", EventsText(history, true)) +
-           SectionText("left out there by a filter", FiltersText(history, isLong)) +
-           SectionText("would be there, but no pass draws it", AbsentText(history, true)) +
-           SectionText("odd", NotesText(history, isLong)) +
-           (isLong ? RestText(history) : RestSentence(history));
+    const std::size_t most = isLong ? static_cast<std::size_t>(-1) : k_ShownLines;
+    TextLines notes;
+    for (const std::string& note : history.notes)
+    {
+        AddOnce(note, notes);
+    }
+    return OneLine(head) + "\n" + (hasObject ? "" : "no object is drawn there\n") +
+           Section("done there, in this order", EventLines(history, false)) +
+           Section("rejected there", EventLines(history, true)) +
+           Section("left out there by a filter", FilterLines(history, isLong), most) +
+           Section("would be there, but no pass draws it", AbsentLines(history, true)) +
+           Section("odd", notes, most) + (isLong ? RestText(history) : RestSentence(history));
 }
 
 Json PixelJson(const PixelHistory& history)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/base/ParseWhole.h>
 #include <numbers>
 #include <sstream>
 
@@ -81,31 +82,33 @@ glm::vec3 ScaleOf(const ExtremeCase& extreme)
     }
 }
 
-/// "two-objects": without spaces, which part the levels of a variant.
-std::string NameOf(Untidiness untidiness)
+/// The names of meshes without spaces, which part the levels of a variant: "two-objects".
+const std::vector<std::string>& MeshNames()
 {
-    std::string name = UntidinessNames()[static_cast<std::size_t>(untidiness)];
-    std::ranges::replace(name, ' ', '-');
-    return name;
-}
-
-std::optional<Untidiness> UntidinessOf(const std::string& name)
-{
-    for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+    static const std::vector<std::string> names = []
     {
-        if (NameOf(static_cast<Untidiness>(i)) == name)
+        std::vector<std::string> result = UntidinessNames();
+        for (std::string& name : result)
         {
-            return static_cast<Untidiness>(i);
+            std::ranges::replace(name, ' ', '-');
         }
-    }
-    return std::nullopt;
+        return result;
+    }();
+    return names;
 }
 
-template <std::size_t Count>
-std::optional<std::size_t> IndexOf(const char* const (&names)[Count], const std::string& name)
+/// Takes the level that has this name.
+/// @return false if there is none
+template <typename Level>
+bool TakeName(const auto& names, const std::string& name, Level& level)
 {
-    const auto found = std::find(names, names + Count, name);
-    return found == names + Count ? std::nullopt : std::optional<std::size_t>(found - names);
+    const auto found = std::ranges::find(names, name);
+    if (found == std::end(names))
+    {
+        return false;
+    }
+    level = static_cast<Level>(found - std::begin(names));
+    return true;
 }
 
 /// Takes "key=value" into the case.
@@ -114,31 +117,22 @@ bool TakeLevel(ExtremeCase& extreme, const std::string& key, const std::string& 
 {
     if (key == "view")
     {
-        const auto view = IndexOf(k_Views, value);
-        extreme.view = static_cast<ExtremeView>(view.value_or(0));
-        return view.has_value();
+        return TakeName(k_Views, value, extreme.view);
     }
     if (key == "z")
     {
-        const auto direction = IndexOf(k_Directions, value);
-        extreme.isStandardZ = direction == 1u;
-        return direction.has_value();
+        return TakeName(k_Directions, value, extreme.isStandardZ);
     }
     if (key == "mesh")
     {
-        const auto untidiness = UntidinessOf(value);
-        extreme.untidiness = untidiness.value_or(Untidiness::None);
-        return untidiness.has_value();
+        return TakeName(MeshNames(), value, extreme.untidiness);
     }
-    if (const auto scaling = IndexOf(k_Scalings, value); key == "scale" && scaling)
+    if (key == "scale" && TakeName(k_Scalings, value, extreme.scaling))
     {
-        extreme.scaling = static_cast<ExtremeScale>(*scaling);
         return true;
     }
-    std::istringstream text(value);
-    double number = 0.0;
-    text >> number;
-    if (!text || !text.eof() || !(number > 0.0))
+    const double number = ParseWhole<double>(value).value_or(0.0);
+    if (!(number > 0.0) || !std::isfinite(number))
     {
         return false;
     }
@@ -166,7 +160,8 @@ std::string ExtremeCase::Variant() const
     }
     text << k_Scalings[static_cast<std::size_t>(scaling)] << " samples=" << samples
          << " view=" << k_Views[static_cast<std::size_t>(view)]
-         << " z=" << k_Directions[isStandardZ ? 1 : 0] << " mesh=" << NameOf(untidiness);
+         << " z=" << k_Directions[isStandardZ ? 1 : 0]
+         << " mesh=" << MeshNames()[static_cast<std::size_t>(untidiness)];
     return text.str();
 }
 

@@ -3,7 +3,6 @@
 #include "report/extremes/Pairwise.h"
 #include "report/measure/Study.h"
 #include "report/measure/StudyScene.h"
-#include "report/measure/Techniques.h"
 #include "report/measure/UntidyMesh.h"
 
 namespace limn::study

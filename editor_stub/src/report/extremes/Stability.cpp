@@ -59,37 +59,20 @@ struct CompareWindow
     Coverage Of(const Coverage& picture) const
     {
         Coverage part(size.x, size.y);
-        for (int y = 0; y < size.y; ++y)
-        {
-            for (int x = 0; x < size.x; ++x)
-            {
-                part.At(x, y) = picture.At(corner.x + x, corner.y + y);
-            }
-        }
+        part.ForEach([&](int x, int y) { part.At(x, y) = picture.At(corner.x + x, corner.y + y); });
         return part;
     }
 };
 
-/// Collects what a cell comes to.
-class CellChecks
+/// Checks something of a cell.
+void Expect(bool condition, const std::string& otherwise, CellResult& cell)
 {
-public:
-    explicit CellChecks(CellResult& result) : m_Result(result) {}
-
-    void Expect(bool condition, const std::string& otherwise)
+    if (!condition)
     {
-        if (!condition)
-        {
-            m_Result.notes.push_back("failed: " + otherwise);
-            m_Result.values["failures"] += 1.0;
-        }
+        cell.notes.push_back("failed: " + otherwise);
+        cell.values["failures"] += 1.0;
     }
-    void Set(const char* metric, double value) { m_Result.values[metric] = value; }
-    void Note(const std::string& sentence) { m_Result.notes.push_back(sentence); }
-
-private:
-    CellResult& m_Result;
-};
+}
 
 std::string ShortNumber(double value)
 {
@@ -98,111 +81,24 @@ std::string ShortNumber(double value)
     return text;
 }
 
-void CheckTexels(const DrawnCase& drawn, CellChecks& checks)
+void CheckTexels(const DrawnCase& drawn, CellResult& result)
 {
-    checks.Set("badTexels", drawn.bad.notFinite);
-    checks.Set("outOfRange", drawn.bad.outOfRange);
-    checks.Expect(drawn.bad.notFinite == 0,
-                  std::to_string(drawn.bad.notFinite) + " values are NaN or infinite");
-    checks.Expect(drawn.bad.outOfRange == 0,
-                  std::to_string(drawn.bad.outOfRange) + " values are outside 0...1");
+    result.values["badTexels"] = drawn.bad.notFinite;
+    result.values["outOfRange"] = drawn.bad.outOfRange;
+    Expect(drawn.bad.notFinite == 0,
+           std::to_string(drawn.bad.notFinite) + " values are NaN or infinite", result);
+    Expect(drawn.bad.outOfRange == 0,
+           std::to_string(drawn.bad.outOfRange) + " values are outside 0...1", result);
 }
 
-ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
-                   const OutlineScore& score)
+/// The facts about the drawn object that an error bound depends on.
+struct ShapeFacts
 {
-    constexpr double k_TubePart = 0.2; // of the torus
-    const glm::dvec2 extent = silhouette.bounds().high - silhouette.bounds().low;
-    ShapeFacts shape;
-    shape.size = std::min(extent.x, extent.y);
-    shape.thickness = k_TubePart * shape.size;
-    shape.comparedPixels = score.bandPixels;
-    for (const double part : ExactFillCoverage(silhouette, window.size.x, window.size.y).values)
-    {
-        shape.borderPixels += part > 0.0 && part < 1.0 ? 1 : 0;
-    }
-    return shape;
-}
-
-/// Checks the shape of a picture whose texels are finite.
-void CheckShape(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
-                AssetContext& assets, CellChecks& checks)
-{
-    if (extreme.width == 0.0)
-    {
-        const double object = technique.noWidth.empty() ? drawn.area : 0.0;
-        checks.Expect(object == 0.0, "a width of 0 draws " + ShortNumber(object) + " pixels");
-        return;
-    }
-    const SceneAsset asset = extreme.Scene(assets, false);
-    const GameObject& object = *asset.scene.objects().front();
-    const ScreenTriangles triangles = MeshTriangles(*object.renderer->mesh, object.transform,
-                                                    asset.camera, asset.width, asset.height);
-    const CompareWindow window(extreme, Silhouette(triangles));
-    const Silhouette silhouette(Moved(triangles, -glm::dvec2(window.corner)));
-    const Coverage exact =
-        ExactOutlineCoverage(silhouette, {extreme.width}, window.size.x, window.size.y);
-    const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
-    const ShapeFacts shape = FactsOf(silhouette, window, score);
-    // A shape that covers no pixel's middle has no surface to draw lines on.
-    const bool isSeen = technique.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
-    checks.Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
-                  "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels");
-    if (!technique.noWidth.empty())
-    {
-        return;
-    }
-    const auto bound = ErrorBound(technique, extreme, shape);
-    checks.Set("meanAbsoluteError", score.meanAbsoluteError);
-    checks.Set("bandPixels", static_cast<double>(score.bandPixels));
-    if (bound)
-    {
-        checks.Set("errorBound", *bound);
-        checks.Expect(score.meanAbsoluteError <= *bound, "a mean error of " +
-                                                             ShortNumber(score.meanAbsoluteError) +
-                                                             ", more than " + ShortNumber(*bound));
-    }
-}
-
-void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
-                 AssetContext& assets, VulkanDevice& device, CellChecks& checks)
-{
-    ExtremeCase wider = extreme;
-    wider.width *= 2.0;
-    if (extreme.width == 0.0 || wider.width > technique.widestOutline)
-    {
-        return;
-    }
-    const double area = DrawCase(wider, technique, assets, device).area;
-    if (drawn.area > 0.0)
-    {
-        checks.Set("areaGrowth", area / drawn.area);
-    }
-    // Lines on a surface of a few pixels come and go with the pixels' middles that it covers.
-    const bool isTooSmall = !technique.noWidth.empty() && drawn.area < 8.0;
-    checks.Expect(isTooSmall || area >= k_LeastGrowth * drawn.area,
-                  "twice the width has " + ShortNumber(area) + " pixels, less than " +
-                      ShortNumber(drawn.area));
-}
-
-/// The technique refuses the width, for a reason.
-/// @return whether it did
-bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
-               CellChecks& checks)
-{
-    try
-    {
-        SceneAsset asset = extreme.Scene(assets, false);
-        UseTechnique(asset, technique, extreme.width, assets);
-    }
-    catch (const AssetError& error)
-    {
-        checks.Note("refused: " + std::string(error.what()));
-        return true;
-    }
-    checks.Expect(std::isfinite(extreme.width), "a width that is no finite number is accepted");
-    return !std::isfinite(extreme.width);
-}
+    double size = 0.0;              ///< the smaller of width and height, in pixels
+    double thickness = 0.0;         ///< of the thinnest part, in pixels
+    std::size_t comparedPixels = 0; ///< the number of pixels that the mean error is over
+    std::size_t borderPixels = 0;   ///< the number of these that the object covers in part
+};
 
 /// The READMEs' shapes are no smaller. In smaller ones corners count, where a border pixel may be
 /// off by so much; the sharp tips of a star are off by more (stroke_outline/README.md).
@@ -306,6 +202,122 @@ std::optional<double> StatedBound(const std::string& name, const ExtremeCase& ex
     return std::nullopt;
 }
 
+/// Returns the largest mean error of alpha in the band that a technique's README allows, plus half
+/// a pixel in all, which matters if there are few pixels. For small objects it adds an allowance
+/// for each border pixel. Returns nothing if the README does not cover such a case.
+std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
+                                 const ShapeFacts& shape)
+{
+    const auto pixels = static_cast<double>(std::max<std::size_t>(shape.comparedPixels, 1));
+    std::optional<double> bound = StatedBound(technique.name, extreme, shape);
+    if (bound)
+    {
+        const bool isSmall = shape.size < k_SmallestShape;
+        const double corners =
+            isSmall ? k_CornerError * static_cast<double>(shape.borderPixels) : 0.0;
+        *bound += (0.5 + corners) / pixels;
+    }
+    return bound;
+}
+
+ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
+                   const OutlineScore& score)
+{
+    constexpr double k_TubePart = 0.2; // of the torus
+    const glm::dvec2 extent = silhouette.bounds().high - silhouette.bounds().low;
+    ShapeFacts shape;
+    shape.size = std::min(extent.x, extent.y);
+    shape.thickness = k_TubePart * shape.size;
+    shape.comparedPixels = score.bandPixels;
+    for (const double part : ExactFillCoverage(silhouette, window.size.x, window.size.y).values)
+    {
+        shape.borderPixels += part > 0.0 && part < 1.0 ? 1 : 0;
+    }
+    return shape;
+}
+
+/// Checks the shape of a picture whose texels are finite.
+void CheckShape(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                AssetContext& assets, CellResult& result)
+{
+    if (extreme.width == 0.0)
+    {
+        const double object = technique.noWidth.empty() ? drawn.area : 0.0;
+        Expect(object == 0.0, "a width of 0 draws " + ShortNumber(object) + " pixels", result);
+        return;
+    }
+    const SceneAsset asset = extreme.Scene(assets, false);
+    const GameObject& object = *asset.scene.objects().front();
+    const ScreenTriangles triangles = MeshTriangles(*object.renderer->mesh, object.transform,
+                                                    asset.camera, asset.width, asset.height);
+    const CompareWindow window(extreme, Silhouette(triangles));
+    const Silhouette silhouette(Moved(triangles, -glm::dvec2(window.corner)));
+    const Coverage exact =
+        ExactOutlineCoverage(silhouette, {extreme.width}, window.size.x, window.size.y);
+    const OutlineScore score = ScoreOutline(window.Of(drawn.alpha), exact);
+    const ShapeFacts shape = FactsOf(silhouette, window, score);
+    // A shape that covers no pixel's middle has no surface to draw lines on.
+    const bool isSeen = technique.noWidth.empty() ? shape.thickness >= 0.3 : shape.thickness >= 1.5;
+    Expect(extreme.width < 1.0 || drawn.area > 0.0 || exact.Sum() < 8.0 || !isSeen,
+           "nothing is drawn where an outline has " + ShortNumber(exact.Sum()) + " pixels", result);
+    if (!technique.noWidth.empty())
+    {
+        return;
+    }
+    const auto bound = ErrorBound(technique, extreme, shape);
+    result.values["meanAbsoluteError"] = score.meanAbsoluteError;
+    result.values["bandPixels"] = static_cast<double>(score.bandPixels);
+    if (bound)
+    {
+        result.values["errorBound"] = *bound;
+        Expect(score.meanAbsoluteError <= *bound,
+               "a mean error of " + ShortNumber(score.meanAbsoluteError) + ", more than " +
+                   ShortNumber(*bound),
+               result);
+    }
+}
+
+void CheckGrowth(const ExtremeCase& extreme, const Technique& technique, const DrawnCase& drawn,
+                 AssetContext& assets, VulkanDevice& device, CellResult& result)
+{
+    ExtremeCase wider = extreme;
+    wider.width *= 2.0;
+    if (extreme.width == 0.0 || wider.width > technique.widestOutline)
+    {
+        return;
+    }
+    const double area = DrawCase(wider, technique, assets, device).area;
+    if (drawn.area > 0.0)
+    {
+        result.values["areaGrowth"] = area / drawn.area;
+    }
+    // Lines on a surface of a few pixels come and go with the pixels' middles that it covers.
+    const bool isTooSmall = !technique.noWidth.empty() && drawn.area < 8.0;
+    Expect(isTooSmall || area >= k_LeastGrowth * drawn.area,
+           "twice the width has " + ShortNumber(area) + " pixels, less than " +
+               ShortNumber(drawn.area),
+           result);
+}
+
+/// The technique refuses the width, for a reason.
+/// @return whether it did
+bool IsRefused(const ExtremeCase& extreme, const Technique& technique, AssetContext& assets,
+               CellResult& result)
+{
+    try
+    {
+        SceneAsset asset = extreme.Scene(assets, false);
+        UseTechnique(asset, technique, extreme.width, assets);
+    }
+    catch (const AssetError& error)
+    {
+        result.notes.push_back("refused: " + std::string(error.what()));
+        return true;
+    }
+    Expect(std::isfinite(extreme.width), "a width that is no finite number is accepted", result);
+    return !std::isfinite(extreme.width);
+}
+
 } // namespace
 
 BadValues CountBadValues(const Image& colors)
@@ -322,10 +334,9 @@ BadValues CountBadValues(const Image& colors)
     return bad;
 }
 
-std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
-                                  const ExtremeLevels& levels)
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size)
 {
-    std::vector<CellId> cells = PlanSweep(techniques, size, levels);
+    std::vector<CellId> cells = PlanSweep(techniques, size);
     for (const FormulaCell& formula : Formulas())
     {
         cells.push_back(
@@ -396,16 +407,14 @@ CellResult StabilityStudy::MeasureFormula(const CellId& cell)
     {
         throw ContractError("'" + cell.Name() + "' is no formula of the stability table");
     }
-    CellResult result;
-    result.id = cell;
-    result.values = {{"failures", 0.0},
-                     {"formulaMeant", found->meant},
-                     {"formulaArticle", found->article},
-                     {"formulaOurs", found->ours}};
-    CellChecks checks(result);
-    checks.Expect(found->IsGood(found->ours),
-                  "ours is off by more than " + ShortNumber(found->tolerance));
-    checks.Note(found->where + ": " + found->reason);
+    CellResult result{cell,
+                      {{"failures", 0.0},
+                       {"formulaMeant", found->meant},
+                       {"formulaArticle", found->article},
+                       {"formulaOurs", found->ours}}};
+    Expect(found->IsGood(found->ours), "ours is off by more than " + ShortNumber(found->tolerance),
+           result);
+    result.notes.push_back(found->where + ": " + found->reason);
     return result;
 }
 
@@ -423,49 +432,31 @@ CellResult StabilityStudy::Measure(const CellId& cell)
     }
     const ExtremeCase extreme = ExtremeCase::OfCell(cell);
     AssetContext& assets = AssetsFor(extreme.isStandardZ);
-    CellResult result;
-    result.id = cell;
-    result.values["failures"] = 0.0;
-    CellChecks checks(result);
+    CellResult result{cell, {{"failures", 0.0}}};
     const std::size_t messages = m_Device.validationMessages().size();
     try
     {
-        if (!IsRefused(extreme, *technique, assets, checks))
+        if (!IsRefused(extreme, *technique, assets, result))
         {
             const DrawnCase drawn = DrawCase(extreme, *technique, assets, m_Device);
-            CheckTexels(drawn, checks);
+            CheckTexels(drawn, result);
             if (drawn.bad.notFinite == 0)
             {
-                CheckShape(extreme, *technique, drawn, assets, checks);
-                CheckGrowth(extreme, *technique, drawn, assets, m_Device, checks);
+                CheckShape(extreme, *technique, drawn, assets, result);
+                CheckGrowth(extreme, *technique, drawn, assets, m_Device, result);
             }
         }
     }
     catch (const std::exception& error)
     {
-        checks.Expect(false, error.what());
+        Expect(false, error.what(), result);
     }
     const std::vector<ValidationMessage> all = m_Device.validationMessages();
-    checks.Set("validationMessages", static_cast<double>(all.size() - messages));
-    checks.Expect(all.size() == messages,
-                  all.size() == messages ? ""
-                                         : "the validation layer reports " + all[messages].text);
+    result.values["validationMessages"] = static_cast<double>(all.size() - messages);
+    Expect(all.size() == messages,
+           all.size() == messages ? "" : "the validation layer reports " + all[messages].text,
+           result);
     return result;
-}
-
-std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
-                                 const ShapeFacts& shape)
-{
-    const auto pixels = static_cast<double>(std::max<std::size_t>(shape.comparedPixels, 1));
-    std::optional<double> bound = StatedBound(technique.name, extreme, shape);
-    if (bound)
-    {
-        const bool isSmall = shape.size < k_SmallestShape;
-        const double corners =
-            isSmall ? k_CornerError * static_cast<double>(shape.borderPixels) : 0.0;
-        *bound += (0.5 + corners) / pixels;
-    }
-    return bound;
 }
 
 } // namespace limn::study

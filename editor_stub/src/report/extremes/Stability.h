@@ -34,23 +34,7 @@ inline constexpr const char* k_FormulasName = "Formulas";
 std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize size,
                               const ExtremeLevels& levels = {});
 /// Returns the cells of PlanSweep and one cell for each formula of the table.
-std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size,
-                                  const ExtremeLevels& levels = {});
-
-/// The facts about the drawn object that an error bound depends on.
-struct ShapeFacts
-{
-    double size = 0.0;              ///< the smaller of width and height, in pixels
-    double thickness = 0.0;         ///< of the thinnest part, in pixels
-    std::size_t comparedPixels = 0; ///< the number of pixels that the mean error is over
-    std::size_t borderPixels = 0;   ///< the number of these that the object covers in part
-};
-
-/// Returns the largest mean error of alpha in the band that a technique's README allows, plus half
-/// a pixel in all, which matters if there are few pixels. For small objects it adds an allowance
-/// for each border pixel. Returns nothing if the README does not cover such a case.
-std::optional<double> ErrorBound(const Technique& technique, const ExtremeCase& extreme,
-                                 const ShapeFacts& shape);
+std::vector<CellId> PlanStability(std::span<const Technique> techniques, SweepSize size);
 
 /// The number of values, in all channels of a picture, that no picture should have.
 struct BadValues
@@ -106,7 +90,8 @@ public:
     /// Each check that fails adds a sentence to CellResult::notes that begins with "failed: ". The
     /// checks: no texel of the camera's colour (half floats, before they are rounded) is NaN,
     /// infinite or outside 0...1; there is no exception and no message of the validation layer; the
-    /// area does not shrink for twice the width; the error is within ErrorBound; nothing is drawn
+    /// area does not shrink for twice the width; the error is within what the technique's README
+    /// allows; nothing is drawn
     /// for the width 0, and something for a pixel and more. A width that is no finite number must
     /// be refused with a sentence.
     ///

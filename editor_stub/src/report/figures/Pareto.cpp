@@ -38,36 +38,18 @@ std::pair<double, double> QuartilesOf(const CellResult& cell, const char* metric
     return found == cell.quartiles.end() ? std::pair(k_NaN, k_NaN) : found->second;
 }
 
-std::set<std::string> TechniquesWith(const Study& study, CellKind kind, double width,
-                                     const char* metric)
-{
-    std::set<std::string> names;
-    for (const CellResult& cell : study.cells)
-    {
-        if (IsPlain(cell, kind, width) && HasFinite(cell, metric))
-        {
-            names.insert(cell.id.technique);
-        }
-    }
-    return names;
-}
-
 /// Returns the things with the highest count, in their order.
 template <typename Thing>
 std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
 {
     std::vector<Thing> best;
-    std::size_t most = 0;
+    const auto most =
+        std::ranges::max_element(counts, {}, [](const auto& one) { return one.second; });
     for (const auto& [thing, count] : counts)
     {
-        if (count > most)
-        {
-            best.clear();
-        }
-        if (count >= most)
+        if (count == most->second)
         {
             best.push_back(thing);
-            most = count;
         }
     }
     return best;
@@ -75,18 +57,29 @@ std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
 
 double BestWidth(const Study& study)
 {
-    std::map<double, std::size_t> counts; // techniques with both figures
+    std::map<double, std::set<std::string>> errors; // the techniques that have one, by width
+    std::map<double, std::set<std::string>> times;
     for (const CellResult& cell : study.cells)
     {
         const double width = cell.id.width;
-        if (std::isfinite(width) && IsPlain(cell, CellKind::Geometry, width) &&
-            !counts.contains(width))
+        if (std::isfinite(width) && IsPlain(cell, CellKind::Geometry, width))
         {
-            const auto errors = TechniquesWith(study, CellKind::Geometry, width, k_Error);
-            const auto times = TechniquesWith(study, CellKind::Cost, width, k_Time);
-            counts[width] = static_cast<std::size_t>(std::ranges::count_if(
-                errors, [&times](const auto& name) { return times.contains(name); }));
+            std::set<std::string>& names = errors[width]; // empty without an error
+            if (HasFinite(cell, k_Error))
+            {
+                names.insert(cell.id.technique);
+            }
         }
+        if (IsPlain(cell, CellKind::Cost, width) && HasFinite(cell, k_Time))
+        {
+            times[width].insert(cell.id.technique);
+        }
+    }
+    std::map<double, std::size_t> counts; // techniques with both figures
+    for (const auto& [width, names] : errors)
+    {
+        counts[width] = static_cast<std::size_t>(std::ranges::count_if(
+            names, [&both = times[width]](const auto& name) { return both.contains(name); }));
     }
     const std::vector<double> widths = MostFrequent(counts);
     return widths.empty() ? 0.0 : widths[(widths.size() - 1) / 2];
@@ -114,17 +107,45 @@ std::pair<int, int> BestSize(const Study& study, double width)
     return hasScenes ? ofScene : sizes.empty() ? std::pair(0, 0) : sizes.back();
 }
 
-void AddError(Standing& standing, const Study& study, const Comparison& comparison)
+bool IsCompared(const CellResult& cell, const Comparison& comparison)
 {
+    return IsPlain(cell, CellKind::Cost, comparison.width) &&
+           cell.id.pictureWidth == comparison.pictureWidth &&
+           cell.id.pictureHeight == comparison.pictureHeight && HasFinite(cell, k_Time);
+}
+
+/// Everything that was measured of a technique and belongs to the comparison.
+Standing StandingOf(const Technique& technique, const Study& study, const Comparison& comparison)
+{
+    Standing standing{&technique};
     std::vector<double> errors;
+    std::vector<double> flicker;
     for (const CellResult& cell : study.cells)
     {
-        if (IsPlain(cell, CellKind::Geometry, comparison.width) &&
-            cell.id.technique == standing.technique->name && cell.Has(k_Error) &&
+        if (cell.id.technique != technique.name)
+        {
+            continue;
+        }
+        if (IsPlain(cell, CellKind::Geometry, comparison.width) && cell.Has(k_Error) &&
             (comparison.subject.empty() || cell.id.subject == comparison.subject))
         {
             errors.push_back(cell.Value(k_Error));
             standing.errorQuartiles = QuartilesOf(cell, k_Error);
+        }
+        else if (IsCompared(cell, comparison))
+        {
+            standing.at.milliseconds = cell.Value(k_Time);
+            standing.timeQuartiles = QuartilesOf(cell, k_Time);
+            standing.timeUncertainty = cell.Value(k_TimeUncertainty);
+        }
+        else if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth))
+        {
+            flicker.push_back(cell.Value(k_Flicker));
+        }
+        else if (cell.id.kind == CellKind::Stability)
+        {
+            ++standing.stabilityCells;
+            standing.failures += cell.Value("failures") > 0.0 ? 1 : 0;
         }
     }
     const Spread spread = SpreadOf(errors);
@@ -133,48 +154,14 @@ void AddError(Standing& standing, const Study& study, const Comparison& comparis
     {
         standing.errorQuartiles = {spread.lower, spread.upper};
     }
-}
-
-bool IsCompared(const CellResult& cell, const Comparison& comparison)
-{
-    return IsPlain(cell, CellKind::Cost, comparison.width) &&
-           cell.id.pictureWidth == comparison.pictureWidth &&
-           cell.id.pictureHeight == comparison.pictureHeight && HasFinite(cell, k_Time);
-}
-
-void AddTime(Standing& standing, const Study& study, const Comparison& comparison)
-{
-    for (const CellResult& cell : study.cells)
-    {
-        if (IsCompared(cell, comparison) && cell.id.technique == standing.technique->name)
-        {
-            standing.at.milliseconds = cell.Value(k_Time);
-            standing.timeQuartiles = QuartilesOf(cell, k_Time);
-            standing.timeUncertainty = cell.Value(k_TimeUncertainty);
-        }
-    }
-}
-
-void AddFlicker(Standing& standing, const Study& study, const Comparison& comparison)
-{
-    std::vector<double> flicker;
-    for (const CellResult& cell : study.cells)
-    {
-        if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth) &&
-            cell.id.technique == standing.technique->name)
-        {
-            flicker.push_back(cell.Value(k_Flicker));
-        }
-    }
     standing.flicker = SpreadOf(flicker);
+    return standing;
 }
 
 /// Tells the measurements of times apart that were made at once.
 std::string MeasurementOf(const CellResult& cell)
 {
-    CellId id = cell.id;
-    id.technique.clear();
-    return id.Name() + Exact(cell.Value("quietMilliseconds"));
+    return cell.id.NameForAllTechniques() + Exact(cell.Value("quietMilliseconds"));
 }
 
 LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
@@ -216,18 +203,6 @@ double MedianFloor(const Study& study, const Comparison& comparison)
         }
     }
     return SpreadOf(floors).median;
-}
-
-void AddStability(Standing& standing, const Study& study)
-{
-    for (const CellResult& cell : study.cells)
-    {
-        if (cell.id.kind == CellKind::Stability && cell.id.technique == standing.technique->name)
-        {
-            ++standing.stabilityCells;
-            standing.failures += cell.Value("failures") > 0.0 ? 1 : 0;
-        }
-    }
 }
 
 } // namespace
@@ -295,13 +270,9 @@ Comparison Compare(const Study& study, double width)
     std::vector<TimeAndError> points;
     for (const Technique& technique : study.techniques)
     {
-        Standing standing{&technique, {k_NaN, k_NaN}, {k_NaN, k_NaN}, {k_NaN, k_NaN}};
-        AddError(standing, study, comparison);
-        AddTime(standing, study, comparison);
-        AddFlicker(standing, study, comparison);
-        AddStability(standing, study);
+        const Standing& standing =
+            comparison.standings.emplace_back(StandingOf(technique, study, comparison));
         points.push_back(standing.IsTimeKnown() ? standing.at : TimeAndError{k_NaN, k_NaN});
-        comparison.standings.push_back(standing);
     }
     comparison.front = ParetoFront(points);
     return comparison;

@@ -26,13 +26,14 @@ std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points);
 /// One technique in a comparison.
 struct Standing
 {
+    static constexpr double k_None = std::numeric_limits<double>::quiet_NaN();
     const Technique* technique = nullptr; ///< in the study
     /// The technique's time and error. NaN where there is no such figure.
-    TimeAndError at;
-    std::pair<double, double> timeQuartiles;  ///< NaN if it has none
-    std::pair<double, double> errorQuartiles; ///< NaN if it has none
+    TimeAndError at{k_None, k_None};
+    std::pair<double, double> timeQuartiles{k_None, k_None};  ///< NaN if it has none
+    std::pair<double, double> errorQuartiles{k_None, k_None}; ///< NaN if it has none
     /// The time is within `at.milliseconds` ± this with 95 %. NaN if the run cannot tell.
-    double timeUncertainty = std::numeric_limits<double>::quiet_NaN();
+    double timeUncertainty = k_None;
     /// The median is over all that moved. NaN if nothing moved.
     Spread flicker = SpreadOf({});
     std::size_t failures = 0;       ///< stability cells that failed

@@ -38,8 +38,7 @@ std::string Figures(const Standing& standing)
 std::string Place(const Comparison& comparison)
 {
     return Readable(comparison.width) + " px wide, in a picture of " +
-           std::to_string(comparison.pictureWidth) + "x" +
-           std::to_string(comparison.pictureHeight) +
+           SizeText(comparison.pictureWidth, comparison.pictureHeight) +
            (std::isnan(comparison.flickerWidth)
                 ? ""
                 : "; flicker of shapes, " + Readable(comparison.flickerWidth) + " px wide");
@@ -78,10 +77,9 @@ const Standing* LeastError(const Comparison& comparison, double budget)
     const Standing* least = nullptr;
     for (const Standing& standing : comparison.standings)
     {
-        const bool isBetter = IsNearer(standing, least) ||
-                              (least != nullptr && standing.at.error == least->at.error &&
-                               standing.at.milliseconds < least->at.milliseconds);
-        if (Fits(standing, budget) && isBetter)
+        const bool isQuicker = least != nullptr && standing.at.error == least->at.error &&
+                               standing.at.milliseconds < least->at.milliseconds;
+        if (Fits(standing, budget) && (IsNearer(standing, least) || isQuicker))
         {
             least = &standing;
         }

@@ -104,28 +104,52 @@ FrameTimes DrawInTurn(std::span<Contestant> contestants, int rounds, VulkanDevic
     return times;
 }
 
-int DrawsOf(const CompiledFrame& frame)
+/// What a frame takes besides time: the bytes that its passes load, store and read, each texture as
+/// a whole, and those of its targets.
+struct FrameCost
 {
-    int draws = 0;
-    for (const ExplainedPass& pass : ExplainFrame(frame).passes)
+    double passes = 0.0;
+    double draws = 0.0;
+    double targetBytes = 0.0;
+    double movedBytes = 0.0;
+
+    explicit FrameCost(const CompiledFrame& frame)
     {
-        draws += pass.draws;
+        const ExplainedFrame explained = ExplainFrame(frame);
+        const auto sizeOf = [&explained](std::size_t texture)
+        {
+            return static_cast<double>(explained.textures[texture].bytes);
+        };
+        passes = static_cast<double>(explained.passes.size());
+        for (const ExplainedPass& pass : explained.passes)
+        {
+            draws += pass.draws;
+            for (const ExplainedAttachment& target : pass.targets)
+            {
+                movedBytes += target.load == "load" ? sizeOf(target.texture) : 0.0;
+                movedBytes += target.store != "-" ? sizeOf(target.texture) : 0.0;
+            }
+            for (const std::size_t texture : pass.reads)
+            {
+                movedBytes += sizeOf(texture);
+            }
+        }
+        for (const ExplainedTexture& texture : explained.textures)
+        {
+            targetBytes += texture.isDrawn ? static_cast<double>(texture.bytes) : 0.0;
+        }
     }
-    return draws;
-}
+};
 
 CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& without)
 {
-    CellResult result{id, {}, {}, {}, {}};
-    const CompiledFrame& frame = *with.result.frame;
-    const CompiledFrame& plain = *without.result.frame;
-    const FrameBytes bytes = BytesOf(frame);
-    const FrameBytes plainBytes = BytesOf(plain);
-    result.values["passes"] =
-        static_cast<double>(frame.passes.size()) - static_cast<double>(plain.passes.size());
-    result.values["draws"] = DrawsOf(frame) - DrawsOf(plain);
-    result.values["targetBytes"] = bytes.targets - plainBytes.targets;
-    result.values["movedBytes"] = bytes.moved - plainBytes.moved;
+    CellResult result{id};
+    const FrameCost outlined(*with.result.frame);
+    const FrameCost plain(*without.result.frame);
+    result.values = {{"passes", outlined.passes - plain.passes},
+                     {"draws", outlined.draws - plain.draws},
+                     {"targetBytes", outlined.targetBytes - plain.targetBytes},
+                     {"movedBytes", outlined.movedBytes - plain.movedBytes}};
     const RenderReport& report = with.result.report;
     for (const PooledString& choice : report.choices)
     {
@@ -142,33 +166,6 @@ CellResult ResultOf(const CellId& id, const Contestant& with, const Contestant& 
 }
 
 } // namespace
-
-FrameBytes BytesOf(const CompiledFrame& frame)
-{
-    FrameBytes bytes;
-    const ExplainedFrame explained = ExplainFrame(frame);
-    const auto sizeOf = [&explained](std::size_t texture)
-    {
-        return static_cast<double>(explained.textures[texture].bytes);
-    };
-    for (const ExplainedPass& pass : explained.passes)
-    {
-        for (const ExplainedAttachment& target : pass.targets)
-        {
-            bytes.moved += target.load == "load" ? sizeOf(target.texture) : 0.0;
-            bytes.moved += target.store != "-" ? sizeOf(target.texture) : 0.0;
-        }
-        for (const std::size_t texture : pass.reads)
-        {
-            bytes.moved += sizeOf(texture);
-        }
-    }
-    for (const ExplainedTexture& texture : explained.textures)
-    {
-        bytes.targets += texture.isDrawn ? static_cast<double>(texture.bytes) : 0.0;
-    }
-    return bytes;
-}
 
 double StudyBench::copyBandwidth()
 {

@@ -40,78 +40,14 @@ struct HeldTo
     std::string note;    ///< says which part; "" where nothing stands in front
 };
 
-} // namespace
-
-/// The reference with which the outlines of one subject and width are compared.
-struct StudyBench::Reference
-{
-    std::string name; ///< of the cell, without its technique and its variant
-    Silhouette silhouette;
-    Coverage whole; ///< whatever stands in front
-    SceneSurfaces surfaces;
-    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
-    std::vector<std::string> notes;       ///< what every cell of the subject must say
-
-    HeldTo Of(const CellId& id, const Technique& technique);
-
-private:
-    const SeenOutline& SeenAt(HiddenAt where, double width);
-};
-
-const SeenOutline& StudyBench::Reference::SeenAt(HiddenAt where, double width)
-{
-    const auto [found, isNew] = seen.try_emplace(where);
-    if (isNew)
-    {
-        found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
-                                            surfaces.others, where);
-    }
-    return found->second;
-}
-
-HeldTo StudyBench::Reference::Of(const CellId& id, const Technique& technique)
-{
-    const SeenOutline& outline = SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
-    std::vector<std::string> names;
-    for (const std::size_t owner : outline.hiding)
-    {
-        names.push_back(surfaces.names[owner]);
-    }
-    const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
-    if (id.variant == k_HiddenPart)
-    {
-        Coverage hidden = whole;
-        std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
-                               std::minus());
-        return {hidden, false,
-                "measured against the hidden part of the outline: " + they + " in front of it"};
-    }
-    if (names.empty())
-    {
-        return {whole, true, ""};
-    }
-    if (id.variant == k_SeenPart || technique.hiddenAt)
-    {
-        return {outline.seen, false,
-                "measured against the visible part of the outline: " + they +
-                    " in front of the rest"};
-    }
-    return {whole, true,
-            "measured against the whole outline, also where " + they + " in front of it"};
-}
-
-namespace
-{
-
 constexpr int k_Steps = 16; ///< of a sixteenth of a pixel each
 const glm::dvec2 k_Motion(1.0, 0.3);
 
 std::string NameOfReference(CellId id)
 {
     id.kind = CellKind::Geometry;
-    id.technique.clear();
     id.variant = id.subject == k_SceneSubject ? "" : id.variant; // the parts share what they are of
-    return id.Name();
+    return id.NameForAllTechniques();
 }
 
 /// Why it is drawn, but not compared; "" if it is.
@@ -165,15 +101,68 @@ double MeanOf(const std::vector<double>& values)
 double DeviationOf(const std::vector<double>& values)
 {
     const double mean = MeanOf(values);
-    double squares = 0.0;
-    for (const double value : values)
-    {
-        squares += (value - mean) * (value - mean);
-    }
+    const double squares = std::accumulate(values.begin(), values.end(), 0.0,
+                                           [mean](double sum, double value)
+                                           { return sum + (value - mean) * (value - mean); });
     return std::sqrt(squares / static_cast<double>(values.size()));
 }
 
 } // namespace
+
+/// The reference with which the outlines of one subject and width are compared.
+struct StudyBench::Reference
+{
+    std::string name; ///< of the cell, without its technique and its variant
+    Silhouette silhouette;
+    Coverage whole; ///< whatever stands in front
+    SceneSurfaces surfaces;
+    std::map<HiddenAt, SeenOutline> seen; ///< those that were asked for
+    std::vector<std::string> notes;       ///< what every cell of the subject must say
+
+    HeldTo Of(const CellId& id, const Technique& technique)
+    {
+        const SeenOutline& outline =
+            SeenAt(technique.hiddenAt.value_or(HiddenAt::Border), id.width);
+        std::vector<std::string> names;
+        for (const std::size_t owner : outline.hiding)
+        {
+            names.push_back(surfaces.names[owner]);
+        }
+        const std::string they = names.empty() ? "nothing stands" : TheyStand(names);
+        if (id.variant == k_HiddenPart)
+        {
+            Coverage hidden = whole;
+            std::ranges::transform(hidden.values, outline.seen.values, hidden.values.begin(),
+                                   std::minus());
+            return {hidden, false,
+                    "measured against the hidden part of the outline: " + they + " in front of it"};
+        }
+        if (names.empty())
+        {
+            return {whole, true, ""};
+        }
+        if (id.variant == k_SeenPart || technique.hiddenAt)
+        {
+            return {outline.seen, false,
+                    "measured against the visible part of the outline: " + they +
+                        " in front of the rest"};
+        }
+        return {whole, true,
+                "measured against the whole outline, also where " + they + " in front of it"};
+    }
+
+private:
+    const SeenOutline& SeenAt(HiddenAt where, double width)
+    {
+        const auto [found, isNew] = seen.try_emplace(where);
+        if (isNew)
+        {
+            found->second = SeenOutlineCoverage(whole, silhouette, width, surfaces.outlined,
+                                                surfaces.others, where);
+        }
+        return found->second;
+    }
+};
 
 StudyBench::StudyBench(std::filesystem::path scene, std::filesystem::path folder,
                        AssetContext& assets, VulkanDevice& device)
@@ -234,27 +223,24 @@ StudyBench::Reference& StudyBench::ReferenceOf(const CellId& id)
 
 CellResult StudyBench::Measure(const CellId& id)
 {
-    switch (id.kind)
+    if (id.kind == CellKind::Numerical)
     {
-    case CellKind::Geometry:
-        return MeasureGeometry(id);
-    case CellKind::Temporal:
-        return MeasureTemporal(id);
-    case CellKind::Numerical:
         return m_Numerical.Measure(id);
-    default:
+    }
+    if (id.kind != CellKind::Geometry && id.kind != CellKind::Temporal)
+    {
         throw ContractError(id.Name() + ": cells of this kind are not measured one by one");
     }
+    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
+    {
+        return {id, {}, {}, {why}};
+    }
+    return id.kind == CellKind::Geometry ? MeasureGeometry(id) : MeasureTemporal(id);
 }
 
 CellResult StudyBench::MeasureGeometry(const CellId& id)
 {
-    CellResult result{id, {}, {}, {}, {}};
-    if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
-    {
-        result.notes.push_back(why);
-        return result;
-    }
+    CellResult result{id};
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     const Coverage alpha = picture->Alpha();
     Reference& reference = ReferenceOf(id);
@@ -278,8 +264,7 @@ CellResult StudyBench::MeasureGeometry(const CellId& id)
     }
     if (alpha.width != id.pictureWidth || alpha.height != id.pictureHeight)
     {
-        result.notes.push_back("the camera draws " + std::to_string(alpha.width) + "x" +
-                               std::to_string(alpha.height) +
+        result.notes.push_back("the camera draws " + SizeText(alpha.width, alpha.height) +
                                " pixels (renderScale): its widths and errors are in these");
     }
     if (!m_Folder.empty())
@@ -293,15 +278,15 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
                                const Silhouette& silhouette, CellResult& result)
 {
     const PictureWindow window = WindowOnBorder(silhouette, alpha.width, alpha.height);
-    const bool isCompared = result.Has("meanAbsoluteError");
-    result.pictures["picture"] =
-        WriteStudyPicture(AlphaImage(alpha, window), m_Folder, result.id, "picture");
-    if (isCompared)
+    const auto write = [&](const std::string& kind, const Image& image)
     {
-        result.pictures["reference"] =
-            WriteStudyPicture(AlphaImage(exact, window), m_Folder, result.id, "reference");
-        result.pictures["difference"] = WriteStudyPicture(DifferenceImage(alpha, exact, window),
-                                                          m_Folder, result.id, "difference");
+        result.pictures[kind] = WriteStudyPicture(image, m_Folder, result.id, kind);
+    };
+    write("picture", AlphaImage(alpha, window));
+    if (result.Has("meanAbsoluteError"))
+    {
+        write("reference", AlphaImage(exact, window));
+        write("difference", DifferenceImage(alpha, exact, window));
     }
     if (result.id.subject == k_SceneSubject)
     {
@@ -310,24 +295,16 @@ void StudyBench::WritePictures(const Coverage& alpha, const Coverage& exact,
         Box bounds = silhouette.bounds();
         bounds.low *= scale;
         bounds.high *= scale;
-        const PictureWindow closeUp = CloseUp(window, result.id.width, scale);
-        result.pictures["closeUp"] =
-            WriteStudyPicture(EnlargedPart(output, closeUp), m_Folder, result.id, "closeUp");
-        result.pictures["scene"] =
-            WriteScenePicture(output, bounds, result.id.width * scale, m_Folder, result.id);
+        write("closeUp", EnlargedPart(output, CloseUp(window, result.id.width, scale)));
+        write("scene", ScenePart(output, bounds, result.id.width * scale));
     }
 }
 
 CellResult StudyBench::MeasureTemporal(const CellId& id)
 {
-    CellResult result{id, {}, {}, {}, {}};
-    for (const std::string& why : {WhyNotDrawn(id, m_Assets), WhyNotCompared(id, m_Assets)})
+    if (const std::string why = WhyNotCompared(id, m_Assets); !why.empty())
     {
-        if (!why.empty())
-        {
-            result.notes.push_back(why);
-            return result;
-        }
+        return {id, {}, {}, {why}};
     }
     const std::unique_ptr<StudyPicture> picture = Picture(id, true);
     Transform& place = picture->asset().scene.Find(id.subject)->transform;
@@ -354,12 +331,12 @@ CellResult StudyBench::MeasureTemporal(const CellId& id)
         alphaBefore = alpha;
         exactBefore = exact;
     }
-    result.values = {{"flicker", MeanOf(changes)},
-                     {"areaWobble", DeviationOf(areas)},
-                     {"areaLow", *std::ranges::min_element(areas)},
-                     {"areaHigh", *std::ranges::max_element(areas)},
-                     {"contourSwim", DeviationOf(contours)}};
-    return result;
+    return {id,
+            {{"flicker", MeanOf(changes)},
+             {"areaWobble", DeviationOf(areas)},
+             {"areaLow", *std::ranges::min_element(areas)},
+             {"areaHigh", *std::ranges::max_element(areas)},
+             {"contourSwim", DeviationOf(contours)}}};
 }
 
 } // namespace limn::study

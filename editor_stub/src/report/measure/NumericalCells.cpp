@@ -16,7 +16,7 @@ constexpr const char* k_Half = "half";
 constexpr const char* k_StandardZ = "standard Z";
 constexpr const char* k_SmallTarget = "R8 targets";
 
-void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& result)
+std::map<std::string, double> DifferenceOf(const Coverage& drawn, const Coverage& other)
 {
     const OutlineScore score = ScoreOutline(drawn, other);
     std::size_t differing = 0;
@@ -25,10 +25,10 @@ void AddDifference(const Coverage& drawn, const Coverage& other, CellResult& res
         differing += std::abs(drawn.values[i] - other.values[i]) > 1.0 / 255.0 ? 1u : 0u;
     }
     const double pixels = std::max(static_cast<double>(score.bandPixels), 1.0);
-    result.values = {{"numericalMean", score.meanAbsoluteError},
-                     {"numericalPercentile99", score.percentile99},
-                     {"numericalLargest", score.largest},
-                     {"numericalDiffering", static_cast<double>(differing) / pixels}};
+    return {{"numericalMean", score.meanAbsoluteError},
+            {"numericalPercentile99", score.percentile99},
+            {"numericalLargest", score.largest},
+            {"numericalDiffering", static_cast<double>(differing) / pixels}};
 }
 
 /// Returns the number of places that a device has for a corner along a pixel's side.
@@ -109,17 +109,14 @@ CellResult NumericalBench::Measure(const CellId& id)
     {
         throw ContractError(id.Name() + ": its subject or its variant is not known");
     }
-    CellResult result{id, {}, {}, {}, {}};
     if (const std::string why = WhyNotDrawn(id, m_Assets); !why.empty())
     {
-        result.notes.push_back(why);
-        return result;
+        return {id, {}, {}, {why}};
     }
     const Twin twin = FindTwin(id.technique);
     if (id.variant.empty() && !twin)
     {
-        result.notes.push_back("no twin: nothing repeats its arithmetic in double precision");
-        return result;
+        return {id, {}, {}, {"no twin: nothing repeats its arithmetic in double precision"}};
     }
     try
     {
@@ -127,15 +124,13 @@ CellResult NumericalBench::Measure(const CellId& id)
     }
     catch (const ContractError& error) // the device lacks something
     {
-        result.notes.push_back(std::string("not drawn: ") + error.what());
-        return result;
+        return {id, {}, {}, {std::string("not drawn: ") + error.what()}};
     }
     const bool isSmall = id.variant == k_SmallTarget;
     const Coverage drawn = Draw(id, AssetsFor(id.variant), !isSmall);
     if (id.variant.empty())
     {
-        AddDifference(drawn, DrawTwin(twin, id, CornerGrid(m_Device)), result);
-        return result;
+        return {id, DifferenceOf(drawn, DrawTwin(twin, id, CornerGrid(m_Device)))};
     }
     Coverage usual = Draw(id, m_Assets, true);
     if (isSmall)
@@ -143,9 +138,8 @@ CellResult NumericalBench::Measure(const CellId& id)
         std::ranges::transform(usual.values, usual.values.begin(),
                                [](double value) { return std::min(value, 1.0); });
     }
-    AddDifference(drawn, usual, result);
-    result.notes.push_back("the difference between two pictures of the device");
-    return result;
+    return {
+        id, DifferenceOf(drawn, usual), {}, {"the difference between two pictures of the device"}};
 }
 
 } // namespace limn::study

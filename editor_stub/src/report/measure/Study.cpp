@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace limn::study
@@ -25,16 +26,28 @@ std::span<const std::string_view> CellKindNames()
     return k_KindNames;
 }
 
+std::string SizeText(int width, int height)
+{
+    return std::to_string(width) + "x" + std::to_string(height);
+}
+
 std::string CellId::Name() const
 {
     std::ostringstream name;
     name << ToString(kind) << '/' << technique << '/' << subject << '/' << width << '/'
-         << pictureWidth << 'x' << pictureHeight;
+         << SizeText(pictureWidth, pictureHeight);
     if (!variant.empty())
     {
         name << '/' << variant;
     }
     return name.str();
+}
+
+std::string CellId::NameForAllTechniques() const
+{
+    CellId id = *this;
+    id.technique.clear();
+    return id.Name();
 }
 
 const std::vector<Metric>& Metrics()
@@ -106,6 +119,24 @@ double CellResult::Value(const std::string& key) const
 {
     const auto found = values.find(key);
     return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+}
+
+std::vector<std::string> Study::MissingCells() const
+{
+    std::set<std::string> measured;
+    for (const CellResult& cell : cells)
+    {
+        measured.insert(cell.id.Name());
+    }
+    std::vector<std::string> missing;
+    for (const CellId& id : planned)
+    {
+        if (std::string name = id.Name(); !measured.contains(name))
+        {
+            missing.push_back(std::move(name));
+        }
+    }
+    return missing;
 }
 
 } // namespace limn::study

@@ -25,6 +25,9 @@ const char* ToString(CellKind kind); ///< returns "geometry", ...
 /// Returns all words that ToString returns, in the order of the kinds.
 std::span<const std::string_view> CellKindNames();
 
+/// Returns the size of a picture as text: "1280x720".
+std::string SizeText(int width, int height);
+
 /// The variants of a cell of geometry in a scene where something is in front of the outlined
 /// objects. The technique draws only this part of the outline, and is compared with this part.
 inline constexpr const char* k_SeenPart = "seen part";
@@ -46,6 +49,8 @@ struct CellId
     /// Returns the name "geometry/Strokes/disc/8/1920x1080", with "/half" behind it if there is a
     /// variant.
     std::string Name() const;
+    /// Returns the name without the technique, which cells share that are measured in turn.
+    std::string NameForAllTechniques() const;
 };
 
 /// A figure: its name in results, its title in tables and its unit.
@@ -68,14 +73,14 @@ struct CellResult
 {
     CellId id;
     /// The figures by Metric::key. NaN and infinities are kept.
-    std::map<std::string, double> values;
+    std::map<std::string, double> values = {};
     /// The lower and the upper quartile by Metric::key, for figures that are medians.
-    std::map<std::string, std::pair<double, double>> quartiles;
+    std::map<std::string, std::pair<double, double>> quartiles = {};
     /// Sentences: why there is no figure, what failed, what a stability cell was put through.
-    std::vector<std::string> notes;
+    std::vector<std::string> notes = {};
     /// PNG files relative to the study's folder: "picture", "reference", "difference",
     /// and of the scene "closeUp" and "scene".
-    std::map<std::string, std::string> pictures;
+    std::map<std::string, std::string> pictures = {};
 
     bool Has(const std::string& key) const { return values.contains(key); }
     double Value(const std::string& key) const; ///< NaN if there is none
@@ -98,6 +103,9 @@ struct Study
     std::vector<Technique> techniques; ///< files store the members before Technique::place
     std::vector<CellId> planned;       ///< all cells of all shards
     std::vector<CellResult> cells;     ///< the measured ones, in the order of `planned`
+
+    /// Returns the names of the planned cells that are not measured.
+    std::vector<std::string> MissingCells() const;
 };
 
 } // namespace limn::study

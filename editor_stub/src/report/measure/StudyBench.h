@@ -3,7 +3,6 @@
 #include "report/measure/Study.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/StudyScene.h"
-#include "report/measure/Techniques.h"
 #include "report/truth/OutlineReference.h"
 
 #include <limn/editor_stub/AssetContext.h>
@@ -55,12 +54,6 @@ public:
 
     /// Measures a cell of any kind but cost.
     CellResult Measure(const CellId& id);
-    /// Measures a cell of geometry: the drawn outline against the exact one.
-    CellResult MeasureGeometry(const CellId& id);
-    /// Measures a cell of kind Temporal: the flicker while the subject, a shape, moves by
-    /// sixteenths of a pixel, for seventeen frames. The errors of neighbour frames are subtracted,
-    /// so that the motion itself does not count.
-    CellResult MeasureTemporal(const CellId& id);
     /// Measures cells of cost that differ only in their techniques. Frames of all of them take
     /// turns, each between two without an outline (TurnsOf).
     /// @param rounds  the least number of frames of each that are measured; more are if they are
@@ -72,6 +65,13 @@ public:
 
 private:
     struct Reference;
+
+    /// Measures a cell of geometry: the drawn outline against the exact one.
+    CellResult MeasureGeometry(const CellId& id);
+    /// Measures a cell of kind Temporal: the flicker while the subject, a shape, moves by
+    /// sixteenths of a pixel, for seventeen frames. The errors of neighbour frames are subtracted,
+    /// so that the motion itself does not count.
+    CellResult MeasureTemporal(const CellId& id);
 
     /// Returns the cell's subject with the cell's technique.
     std::unique_ptr<StudyPicture> Picture(const CellId& id, bool isBlack);
@@ -91,14 +91,5 @@ private:
 
 /// Returns why a cell's technique is not drawn at its width, or "" if it is drawn.
 std::string WhyNotDrawn(const CellId& id, const AssetContext& assets);
-
-/// The bytes that the frame's passes load, store and read, each texture as a whole, and those of
-/// its targets.
-struct FrameBytes
-{
-    double moved = 0.0;
-    double targets = 0.0;
-};
-FrameBytes BytesOf(const CompiledFrame& frame);
 
 } // namespace limn::study

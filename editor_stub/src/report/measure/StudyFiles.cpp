@@ -1,6 +1,7 @@
 #include "report/measure/StudyFiles.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/base/AppendedFile.h>
 #include <limn/base/FileRoots.h>
 #include <limn/base/ReadFile.h>
@@ -295,16 +296,10 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
             }
         }
     }
-    for (std::size_t i = 0; i < merged.size(); ++i)
+    for (MergedStudy& whole : merged)
     {
-        Sort(merged[i].study);
-        for (const CellId& id : merged[i].study.planned)
-        {
-            if (const std::string name = id.Name(); !names[i].contains(name))
-            {
-                merged[i].missing.push_back(name);
-            }
-        }
+        Sort(whole.study);
+        whole.missing = whole.study.MissingCells();
     }
     return merged;
 }
@@ -331,44 +326,40 @@ void WriteMerged(const std::filesystem::path& folder, const Study& study,
 
 std::vector<std::string> CompareStudies(const Study& first, const Study& second)
 {
-    const auto comparable = [](const Study& study)
+    const auto isMeasured = [](const auto& entry)
     {
-        std::map<std::string, Json> cells;
-        for (CellResult cell : study.cells)
+        const Metric* metric = FindMetric(entry.first);
+        return metric != nullptr && metric->isMeasured;
+    };
+    std::map<std::string, std::array<Json, 2>> cells; // by name, of either study
+    for (const Study* study : {&first, &second})
+    {
+        for (CellResult cell : study->cells)
         {
-            const auto isMeasured = [](const auto& entry)
-            {
-                const Metric* metric = FindMetric(entry.first);
-                return metric != nullptr && metric->isMeasured;
-            };
             std::erase_if(cell.values, isMeasured);
             std::erase_if(cell.quartiles, isMeasured);
-            cells[cell.id.Name()] = ToJson(cell);
+            cells[cell.id.Name()][study == &first ? 0 : 1] = ToJson(cell);
         }
-        return cells;
-    };
-    const auto a = comparable(first);
-    const auto b = comparable(second);
+    }
     std::vector<std::string> differences;
-    for (const auto& [name, cell] : a)
+    std::vector<std::string> onlyInSecond;
+    for (const auto& [name, sides] : cells)
     {
-        const auto other = b.find(name);
-        if (other == b.end())
+        const auto& [a, b] = sides;
+        if (a.is_null())
+        {
+            onlyInSecond.push_back(name + ": only in the second");
+        }
+        else if (b.is_null())
         {
             differences.push_back(name + ": only in the first");
         }
-        else if (other->second != cell)
+        else if (a != b)
         {
-            differences.push_back(name + ": " + cell.dump() + " against " + other->second.dump());
+            differences.push_back(name + ": " + a.dump() + " against " + b.dump());
         }
     }
-    for (const auto& [name, cell] : b)
-    {
-        if (!a.contains(name))
-        {
-            differences.push_back(name + ": only in the second");
-        }
-    }
+    differences.insert(differences.end(), onlyInSecond.begin(), onlyInSecond.end());
     return differences;
 }
 

@@ -37,6 +37,31 @@ Json IdToJson(const CellId& id)
             {"variant", id.variant}};
 }
 
+/// Hands the members that JSON has as they are to `visit(key, member)`.
+template <typename AnyTechnique, typename Visit>
+void VisitTechnique(AnyTechnique& technique, const Visit& visit)
+{
+    visit("name", technique.name);
+    visit("feature", technique.feature);
+    visit("summary", technique.summary);
+    visit("isArticle", technique.isArticle);
+    visit("noWidth", technique.noWidth);
+}
+
+template <typename AnyStudy, typename Visit>
+void VisitStudy(AnyStudy& study, const Visit& visit)
+{
+    visit("scene", study.scene);
+    visit("sceneHash", study.sceneHash);
+    visit("device", study.device);
+    visit("machine", study.machine);
+    visit("limnVersion", study.limnVersion);
+    visit("options", study.options);
+    visit("started", study.started);
+    visit("loadAverage", study.loadAverage);
+    visit("copyBandwidth", study.copyBandwidth);
+}
+
 /// Reads one JSON value of a study. JSON is YAML: the reader of YAML knows every value's place.
 class Reader
 {
@@ -55,25 +80,30 @@ public:
         }
     }
 
-    /// Reads each item of the list, or each value of the map, behind `key`.
-    template <typename Visit>
-    void ReadItems(const char* key, YamlKind kind, const Visit& visit)
+private:
+    template <typename T>
+    void ReadValue(const YamlNode& node, const std::string& subject, std::vector<T>& list)
     {
-        const YamlNode* node = m_Map.Require(key);
-        if (node && node->kind() != kind)
+        Expect(node.isSequence(), node, subject, "a list");
+        for (const YamlNode& item : node.items())
         {
-            Refuse(*node, m_Map.SubjectOf(key), kind == YamlKind::Map ? "a map" : "a list");
-        }
-        for (const YamlNode& item : node ? node->items() : std::span<const YamlNode>())
-        {
-            visit(std::string(), item);
-        }
-        for (const YamlEntry& entry : node ? node->entries() : std::span<const YamlEntry>())
-        {
-            visit(entry.key, entry.value);
+            ReadValue(item, subject, list.emplace_back());
         }
     }
-
+    template <typename T>
+    void ReadValue(const YamlNode& node, const std::string& subject, std::map<std::string, T>& map)
+    {
+        Expect(node.isMap(), node, subject, "a map");
+        for (const YamlEntry& entry : node.entries())
+        {
+            ReadValue(entry.value, subject + "." + entry.key, map[entry.key]);
+        }
+    }
+    void ReadValue(const YamlNode& node, const std::string&, Technique& technique)
+    {
+        Reader reader(node, "technique", m_Diagnostics);
+        VisitTechnique(technique, [&](const char* key, auto& value) { reader.Read(key, value); });
+    }
     void ReadValue(const YamlNode& node, const std::string& subject, std::string& value)
     {
         value = ReadString(node, subject, m_Diagnostics).value_or(value);
@@ -86,10 +116,7 @@ public:
     void ReadValue(const YamlNode& node, const std::string& subject, double& value)
     {
         const std::optional<double> number = ParseWhole<double>(node.scalar());
-        if (!number)
-        {
-            Refuse(node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
-        }
+        Expect(number.has_value(), node, subject, "a number, \"nan\", \"inf\" or \"-inf\"");
         value = number.value_or(value);
     }
     void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
@@ -135,19 +162,20 @@ public:
         }
     }
 
-private:
-    void Refuse(const YamlNode& node, const std::string& subject, const std::string& expected)
+    /// Returns whether the value is as it should be; else that is an error.
+    bool Expect(bool isGood, const YamlNode& node, const std::string& subject,
+                const std::string& expected)
     {
-        m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
-                                                 expected + " is expected");
+        if (!isGood)
+        {
+            m_Diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
+                                                     expected + " is expected");
+        }
+        return isGood;
     }
     bool isPair(const YamlNode& node, const std::string& subject)
     {
-        if (node.items().size() != 2)
-        {
-            Refuse(node, subject, "a list of two numbers");
-        }
-        return node.items().size() == 2;
+        return Expect(node.items().size() == 2, node, subject, "a list of two numbers");
     }
 
     AssetDiagnostics& m_Diagnostics;
@@ -181,31 +209,6 @@ void RequireFormat(const YamlNode& root, AssetDiagnostics& diagnostics)
                               "machine changed); measure them again into another folder");
     }
     diagnostics.ThrowIfErrors();
-}
-
-/// Hands the members that JSON has as they are to `visit(key, member)`.
-template <typename AnyTechnique, typename Visit>
-void VisitTechnique(AnyTechnique& technique, const Visit& visit)
-{
-    visit("name", technique.name);
-    visit("feature", technique.feature);
-    visit("summary", technique.summary);
-    visit("isArticle", technique.isArticle);
-    visit("noWidth", technique.noWidth);
-}
-
-template <typename AnyStudy, typename Visit>
-void VisitStudy(AnyStudy& study, const Visit& visit)
-{
-    visit("scene", study.scene);
-    visit("sceneHash", study.sceneHash);
-    visit("device", study.device);
-    visit("machine", study.machine);
-    visit("limnVersion", study.limnVersion);
-    visit("options", study.options);
-    visit("started", study.started);
-    visit("loadAverage", study.loadAverage);
-    visit("copyBandwidth", study.copyBandwidth);
 }
 
 } // namespace
@@ -250,17 +253,8 @@ Study StudyFromJson(std::string_view text, const std::string& file)
     Reader reader(root, "study", diagnostics);
     Study study;
     VisitStudy(study, [&](const char* key, auto& value) { reader.Read(key, value); });
-    reader.ReadItems("techniques", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     {
-                         Reader technique(node, "technique", diagnostics);
-                         VisitTechnique(study.techniques.emplace_back(),
-                                        [&](const char* key, auto& value)
-                                        { technique.Read(key, value); });
-                     });
-    reader.ReadItems("planned", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     { reader.ReadValue(node, "planned", study.planned.emplace_back()); });
+    reader.Read("techniques", study.techniques);
+    reader.Read("planned", study.planned);
     diagnostics.ThrowIfErrors();
     return study;
 }
@@ -272,22 +266,17 @@ CellResult CellFromJson(std::string_view line, const std::string& file, int line
     Reader reader(root, "cell", diagnostics);
     CellResult cell;
     reader.Read("id", cell.id);
-    reader.ReadItems("values", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.values." + key, cell.values[key]); });
-    reader.ReadItems("quartiles", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.quartiles." + key, cell.quartiles[key]); });
-    reader.ReadItems("notes", YamlKind::Sequence,
-                     [&](const std::string&, const YamlNode& node)
-                     { reader.ReadValue(node, "cell.notes", cell.notes.emplace_back()); });
-    reader.ReadItems("pictures", YamlKind::Map,
-                     [&](const std::string& key, const YamlNode& node)
-                     {
-                         std::string& name = cell.pictures[key];
-                         reader.ReadValue(node, "cell.pictures." + key, name);
-                         RequirePictureName(node, name, diagnostics);
-                     });
+    reader.Read("values", cell.values);
+    reader.Read("quartiles", cell.quartiles);
+    reader.Read("notes", cell.notes);
+    reader.Read("pictures", cell.pictures);
+    if (const YamlNode* pictures = root.Find("pictures"))
+    {
+        for (const YamlEntry& picture : pictures->entries())
+        {
+            RequirePictureName(picture.value, cell.pictures[picture.key], diagnostics);
+        }
+    }
     diagnostics.ThrowIfErrors();
     return cell;
 }

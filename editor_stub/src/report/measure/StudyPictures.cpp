@@ -45,24 +45,21 @@ Image Part(const Image& image, int x, int y, int width, int height, int scale)
 
 Image Draw(const PictureWindow& window, const std::function<Rgb(int x, int y)>& color)
 {
-    const int side = window.side * window.scale;
-    Image image = MakeImage(side, side);
-    for (int y = 0; y < side; ++y)
+    Image image = MakeImage(window.side, window.side);
+    auto texel = image.texels.begin();
+    for (int y = 0; y < window.side; ++y)
     {
-        for (int x = 0; x < side; ++x)
+        for (int x = 0; x < window.side; ++x)
         {
-            const Rgb rgb = color(window.x + x / window.scale, window.y + y / window.scale);
-            const auto at = (static_cast<std::size_t>(y) * static_cast<std::size_t>(side) +
-                             static_cast<std::size_t>(x)) *
-                            4;
-            for (std::size_t channel = 0; channel < 3; ++channel)
+            for (const double channel : color(window.x + x, window.y + y))
             {
-                const double value = std::clamp(rgb[channel], 0.0, 1.0);
-                image.texels[at + channel] = static_cast<std::byte>(std::lround(value * 255.0));
+                *texel++ =
+                    static_cast<std::byte>(std::lround(std::clamp(channel, 0.0, 1.0) * 255.0));
             }
+            ++texel; // opaque
         }
     }
-    return image;
+    return Part(image, 0, 0, window.side, window.side, window.scale);
 }
 
 /// 0 outside of the picture, and for NaN.
@@ -168,8 +165,7 @@ PictureWindow CloseUp(const PictureWindow& window, double width, double rendered
     return result;
 }
 
-std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
-                              const std::filesystem::path& folder, const CellId& id)
+Image ScenePart(const Image& image, const Box& bounds, double width)
 {
     const double margin = std::min(width, 64.0) + 24.0;
     const auto low = [margin](double place, int size)
@@ -182,9 +178,8 @@ std::string WriteScenePicture(const Image& image, const Box& bounds, double widt
     };
     const int x = low(bounds.low.x, image.width);
     const int y = low(bounds.low.y, image.height);
-    return WriteStudyPicture(Part(image, x, y, std::max(1, high(bounds.high.x, image.width) - x),
-                                  std::max(1, high(bounds.high.y, image.height) - y), 1),
-                             folder, id, "scene");
+    return Part(image, x, y, std::max(1, high(bounds.high.x, image.width) - x),
+                std::max(1, high(bounds.high.y, image.height) - y), 1);
 }
 
 } // namespace limn::study

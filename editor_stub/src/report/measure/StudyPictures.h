@@ -39,8 +39,7 @@ PictureWindow CloseUp(const PictureWindow& window, double width, double rendered
 /// Returns the window's part of an R8G8B8A8 image, opaque. Where the window reaches beyond the
 /// image it is moved, and if it is larger than the image it is cut.
 Image EnlargedPart(const Image& image, const PictureWindow& window);
-/// Writes the part of the whole scene that has the outline, as WriteStudyPicture does.
-std::string WriteScenePicture(const Image& image, const Box& bounds, double width,
-                              const std::filesystem::path& folder, const CellId& id);
+/// Returns the part of the whole scene that has the outline.
+Image ScenePart(const Image& image, const Box& bounds, double width);
 
 } // namespace limn::study

@@ -1,5 +1,7 @@
 #include "report/pages/ReportText.h"
 
+#include "explain/TextLines.h"
+
 #include <algorithm>
 #include <limn/base/EmbeddedFile.h>
 #include <limn/base/ReadFile.h>
@@ -21,17 +23,7 @@ namespace
 
 std::string HtmlText(const std::string& text)
 {
-    std::string result;
-    for (const char c : OneLine(text))
-    {
-        result += c == '<'    ? "&lt;"
-                  : c == '>'  ? "&gt;"
-                  : c == '&'  ? "&amp;"
-                  : c == '"'  ? "&quot;"
-                  : c == '\'' ? "&#39;"
-                              : std::string(1, c);
-    }
-    return result;
+    return Replaced(MarkupText(OneLine(text)), "'", "&#39;");
 }
 
 std::string Base64(const std::string& bytes)
@@ -168,19 +160,13 @@ std::string HtmlSection(const Section& section, const ReportText& report,
 {
     std::string text =
         "<section id=\"" + section.id + "\">\n<h2>" + HtmlText(section.title) + "</h2>\n";
-    for (const std::string& paragraph : section.paragraphs)
-    {
-        text += Paragraph(paragraph);
-    }
+    text += Joined(section.paragraphs, "", Paragraph);
     for (const Plot& plot : report.plots)
     {
         const bool isHere = std::ranges::find(section.plots, plot.file) != section.plots.end();
         text += isHere ? HtmlPlot(plot, drawn) : "";
     }
-    for (const Table& table : section.tables)
-    {
-        text += HtmlTable(table);
-    }
+    text += Joined(section.tables, "", HtmlTable);
     for (const Strip& strip : section.strips)
     {
         text += "<h3>" + HtmlText(strip.title) + "</h3>\n<div class=\"strip\">";
@@ -207,22 +193,20 @@ std::string HtmlPage(const ReportText& report, const std::filesystem::path& fold
                        "</h1>\n" + Paragraph(report.subtitle) + HtmlTiles(report, folder) +
                        "<div class=\"recommendation\">" + Paragraph(report.recommendation) +
                        (report.more.empty() ? "" : Paragraph(report.more)) + "</div>\n";
-    for (const std::string& remark : report.remarks)
+    text += report.remarks.empty()
+                ? "<nav>"
+                : "<ul class=\"remarks\">\n<li>" + Joined(report.remarks, "</li>\n<li>", HtmlText) +
+                      "</li>\n</ul>\n<nav>";
+    const auto link = [](const Section& section)
     {
-        text += (&remark == &report.remarks.front() ? "<ul class=\"remarks\">\n<li>" : "<li>") +
-                HtmlText(remark) + "</li>\n";
-    }
-    text += report.remarks.empty() ? "<nav>" : "</ul>\n<nav>";
-    for (const Section& section : report.sections)
+        return "<a href=\"#" + section.id + "\">" + HtmlText(section.title) + "</a> ";
+    };
+    const auto sectionText = [&](const Section& section)
     {
-        text += "<a href=\"#" + section.id + "\">" + HtmlText(section.title) + "</a> ";
-    }
-    text += "</nav></header>\n<main>\n";
-    for (const Section& section : report.sections)
-    {
-        text += HtmlSection(section, report, folder, drawn);
-    }
-    return text + "</main>\n</body>\n</html>\n";
+        return HtmlSection(section, report, folder, drawn);
+    };
+    return text + Joined(report.sections, "", link) + "</nav></header>\n<main>\n" +
+           Joined(report.sections, "", sectionText) + "</main>\n</body>\n</html>\n";
 }
 
 } // namespace study

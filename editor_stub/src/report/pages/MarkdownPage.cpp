@@ -1,5 +1,7 @@
 #include "report/pages/ReportText.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/base/TerminalText.h>
 
@@ -122,14 +124,8 @@ std::string MarkdownPage(const ReportText& report, const DrawnPlots& drawn)
                 text += MarkdownText(plot.caption) + "\n\n";
             }
         }
-        for (const Table& table : section.tables)
-        {
-            text += MarkdownTable(table);
-        }
-        for (const Strip& strip : section.strips)
-        {
-            text += MarkdownStrip(strip);
-        }
+        text +=
+            Joined(section.tables, "", MarkdownTable) + Joined(section.strips, "", MarkdownStrip);
     }
     return text;
 }

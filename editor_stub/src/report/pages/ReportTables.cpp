@@ -31,11 +31,6 @@ std::string FromTo(const std::pair<double, double>& quartiles)
                : Readable(quartiles.first) + " … " + Readable(quartiles.second);
 }
 
-std::string SizeOf(const CellId& id)
-{
-    return std::to_string(id.pictureWidth) + "x" + std::to_string(id.pictureHeight);
-}
-
 /// Bytes are too many digits.
 bool IsBytes(const Metric& metric)
 {
@@ -51,25 +46,22 @@ std::string FigureOf(const CellResult& cell, const Metric& metric)
                : k_NoFigure;
 }
 
-/// Texts in the order of the numbers they are, the same one once; what is no number comes last.
-class Levels
-{
-public:
-    void Add(const std::string& text)
-    {
-        double number = std::numeric_limits<double>::infinity();
-        const char* const end = text.data() + text.size();
-        const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
-        m_Texts.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
-    }
-    std::string Text() const
-    {
-        return Joined(m_Texts, ", ", [](const auto& level) { return std::get<2>(level); });
-    }
+/// Texts in the order of the numbers that they begin with, the same one once. Those that are not a
+/// number as a whole come last.
+using Levels = std::set<std::tuple<bool, double, std::string>>;
 
-private:
-    std::set<std::tuple<bool, double, std::string>> m_Texts;
-};
+void AddLevel(const std::string& text, Levels& levels)
+{
+    double number = std::numeric_limits<double>::infinity();
+    const char* const end = text.data() + text.size();
+    const bool isNumber = std::from_chars(text.data(), end, number).ptr == end;
+    levels.insert({!isNumber || std::isnan(number), std::isnan(number) ? 0.0 : number, text});
+}
+
+std::string TextOf(const Levels& levels)
+{
+    return Joined(levels, ", ", [](const auto& level) { return std::get<2>(level); });
+}
 
 /// "width 1, 8 px; picture 3x7; fov 60, 170; ratio 1e+02": variants are words "fov=60"; others
 /// stand as they are.
@@ -80,19 +72,20 @@ std::string PutThrough(const std::vector<const CellResult*>& cells)
     std::map<std::string, Levels> inputs; // by what they are of
     for (const CellResult* cell : cells)
     {
-        widths.Add(Exact(cell->id.width));
-        sizes.Add(SizeOf(cell->id));
+        AddLevel(Exact(cell->id.width), widths);
+        AddLevel(SizeText(cell->id.pictureWidth, cell->id.pictureHeight), sizes);
         std::istringstream words(cell->id.variant);
         for (std::string word; words >> word;)
         {
             const std::size_t equals = std::min(word.find('='), word.size());
-            inputs[word.substr(0, equals)].Add(word.substr(std::min(equals + 1, word.size())));
+            AddLevel(word.substr(std::min(equals + 1, word.size())),
+                     inputs[word.substr(0, equals)]);
         }
     }
-    std::string text = "width " + widths.Text() + " px; picture " + sizes.Text();
+    std::string text = "width " + TextOf(widths) + " px; picture " + TextOf(sizes);
     for (const auto& [what, levels] : inputs)
     {
-        const std::string those = levels.Text();
+        const std::string those = TextOf(levels);
         text += "; " + what + (those.empty() ? "" : " " + those);
     }
     return text;
@@ -108,12 +101,13 @@ double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
     return sum;
 }
 
-void DropColumnsOfNothing(Table& table)
+/// Takes out the columns in which each row has this text.
+void DropColumnsOf(const std::string& nothing, Table& table)
 {
     for (std::size_t column = table.columns.size(); column-- > 0;)
     {
         if (std::ranges::all_of(table.rows,
-                                [column](const auto& row) { return row[column] == k_NoFigure; }))
+                                [&](const auto& row) { return row[column] == nothing; }))
         {
             const auto offset = static_cast<std::ptrdiff_t>(column);
             table.columns.erase(table.columns.begin() + offset);
@@ -131,7 +125,7 @@ Table TechniquesTable(const Comparison& comparison)
 {
     Table table{"techniques",
                 "All techniques at " + Readable(comparison.width) + " px",
-                {{"technique", "", false},
+                {{"technique"},
                  {"mean error", "", true},
                  {"error quartiles", "", true},
                  {"GPU time added", "ms", true},
@@ -139,9 +133,7 @@ Table TechniquesTable(const Comparison& comparison)
                  {"its quartiles", "ms", true},
                  {"flicker", "", true},
                  {"stability checks failed", "", true},
-                 {"what it is", "", false}},
-                {},
-                {}};
+                 {"what it is"}}};
     for (std::size_t i = 0; i < comparison.standings.size(); ++i)
     {
         const Standing& standing = comparison.standings[i];
@@ -162,20 +154,16 @@ Table TechniquesTable(const Comparison& comparison)
             table.marked.push_back(i);
         }
     }
-    DropColumnsOfNothing(table);
+    DropColumnsOf(k_NoFigure, table);
     return table;
 }
 
 Table BudgetsTable(const Comparison& comparison)
 {
-    Table table{"budgets",
-                "What a budget buys",
-                {{"take", "", false},
-                 {"from a budget of", "ms", true},
-                 {"mean error", "", true},
-                 {"what it is", "", false}},
-                {},
-                {}};
+    Table table{
+        "budgets",
+        "What a budget buys",
+        {{"take"}, {"from a budget of", "ms", true}, {"mean error", "", true}, {"what it is"}}};
     for (const std::size_t index : comparison.front)
     {
         const Standing& standing = comparison.standings[index];
@@ -188,106 +176,62 @@ Table BudgetsTable(const Comparison& comparison)
 Table CellsTable(const Study& study, const std::string& id, const std::string& title,
                  const std::function<bool(const CellResult&)>& isWanted)
 {
-    std::vector<const CellResult*> cells;
+    Table table{
+        id, title, {{"technique"}, {"of"}, {"with"}, {"width", "px", true}, {"picture", "", true}}};
+    for (const Metric& metric : Metrics())
+    {
+        table.columns.push_back({metric.title, IsBytes(metric) ? "MiB" : metric.unit, true});
+    }
+    table.columns.push_back({"notes"});
     for (const CellResult& cell : study.cells)
     {
         if (isWanted(cell))
         {
-            cells.push_back(&cell);
+            std::vector<std::string>& row = table.rows.emplace_back();
+            row = {cell.id.technique, cell.id.subject, cell.id.variant, Readable(cell.id.width),
+                   SizeText(cell.id.pictureWidth, cell.id.pictureHeight)};
+            for (const Metric& metric : Metrics())
+            {
+                row.push_back(FigureOf(cell, metric));
+            }
+            row.push_back(Joined(cell.notes, " "));
         }
     }
-    const auto any = [&cells](const auto& has)
-    {
-        return std::ranges::any_of(cells, [&](const CellResult* cell) { return has(*cell); });
-    };
-    const bool hasVariants = any([](const CellResult& cell) { return !cell.id.variant.empty(); });
-    const bool hasNotes = any([](const CellResult& cell) { return !cell.notes.empty(); });
-    std::vector<const Metric*> metrics;
-    for (const Metric& metric : Metrics())
-    {
-        if (any([&metric](const CellResult& cell) { return cell.Has(metric.key); }))
-        {
-            metrics.push_back(&metric);
-        }
-    }
-
-    Table table{id, title, {{"technique", "", false}, {"of", "", false}}, {}, {}};
-    if (hasVariants)
-    {
-        table.columns.push_back({"with", "", false});
-    }
-    table.columns.push_back({"width", "px", true});
-    table.columns.push_back({"picture", "", true});
-    for (const Metric* metric : metrics)
-    {
-        table.columns.push_back({metric->title, IsBytes(*metric) ? "MiB" : metric->unit, true});
-    }
-    if (hasNotes)
-    {
-        table.columns.push_back({"notes", "", false});
-    }
-    for (const CellResult* cell : cells)
-    {
-        std::vector<std::string> row = {cell->id.technique, cell->id.subject};
-        if (hasVariants)
-        {
-            row.push_back(cell->id.variant);
-        }
-        row.push_back(Readable(cell->id.width));
-        row.push_back(SizeOf(cell->id));
-        for (const Metric* metric : metrics)
-        {
-            row.push_back(FigureOf(*cell, *metric));
-        }
-        if (hasNotes)
-        {
-            row.push_back(Joined(cell->notes, " "));
-        }
-        table.rows.push_back(std::move(row));
-    }
+    DropColumnsOf(k_NoFigure, table);
+    DropColumnsOf("", table);
     return table;
 }
 
 Table WidthsTable(const Study& study, const std::string& subject)
 {
-    const auto isOne = [&subject](const CellResult& cell)
-    {
-        return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() &&
-               cell.id.subject == subject && cell.Has("meanAbsoluteError");
-    };
     std::set<double> widths;
+    std::map<std::string, std::map<double, std::string>> errors; // by technique and width
     for (const CellResult& cell : study.cells)
     {
-        if (isOne(cell) && std::isfinite(cell.id.width))
+        const CellId& id = cell.id;
+        if (id.kind == CellKind::Geometry && id.variant.empty() && id.subject == subject &&
+            cell.Has("meanAbsoluteError") && std::isfinite(id.width))
         {
-            widths.insert(cell.id.width);
+            widths.insert(id.width);
+            errors[id.technique].emplace(id.width, Readable(cell.Value("meanAbsoluteError")));
         }
     }
-    Table table{"widths", "Mean error by width: " + subject, {{"technique", "", false}}, {}, {}};
+    Table table{"widths", "Mean error by width: " + subject, {{"technique"}}};
     for (const double width : widths)
     {
         table.columns.push_back({Readable(width), "px", true});
     }
     for (const Technique& technique : study.techniques)
     {
-        std::vector<std::string> row = {technique.name};
-        bool hasAny = false;
-        for (const double width : widths)
+        std::map<double, std::string>& own = errors[technique.name];
+        if (!own.empty())
         {
-            const auto found =
-                std::ranges::find_if(study.cells,
-                                     [&](const CellResult& cell) {
-                                         return isOne(cell) &&
-                                                cell.id.technique == technique.name &&
-                                                cell.id.width == width;
-                                     });
-            hasAny |= found != study.cells.end();
-            row.push_back(found == study.cells.end() ? k_NoFigure
-                                                     : Readable(found->Value("meanAbsoluteError")));
-        }
-        if (hasAny)
-        {
-            table.rows.push_back(std::move(row));
+            std::vector<std::string>& row = table.rows.emplace_back();
+            row = {technique.name};
+            for (const double width : widths)
+            {
+                row.push_back(own.try_emplace(width, k_NoFigure).first->second);
+            }
         }
     }
     return table;
@@ -297,15 +241,13 @@ Table StabilityTable(const Study& study, const Comparison& comparison)
 {
     Table table{"stability",
                 "Stability",
-                {{"technique", "", false},
+                {{"technique"},
                  {"checks", "", true},
                  {"failed", "", true},
                  {"NaN or infinite texels", "", true},
                  {"texels outside 0...1", "", true},
                  {"validation messages", "", true},
-                 {"what it was put through", "", false}},
-                {},
-                {}};
+                 {"what it was put through"}}};
     for (const Standing& standing : comparison.standings)
     {
         std::vector<const CellResult*> cells;
@@ -337,14 +279,12 @@ Table FormulasTable(const Study& study)
 {
     Table table{"formulas",
                 "Formulas of the articles, and ours",
-                {{"formula", "", false},
-                 {"input", "", false},
+                {{"formula"},
+                 {"input"},
                  {"meant", "", true},
                  {"the article's", "", true},
                  {"ours", "", true},
-                 {"why", "", false}},
-                {},
-                {}};
+                 {"why"}}};
     const auto text = [](double value)
     {
         return std::isfinite(value) ? Readable(value) : Exact(value);
@@ -364,11 +304,7 @@ Table FormulasTable(const Study& study)
 
 Table NoWidthTable(const Study& study)
 {
-    Table table{"no-width",
-                "Techniques without a width",
-                {{"technique", "", false}, {"why", "", false}},
-                {},
-                {}};
+    Table table{"no-width", "Techniques without a width", {{"technique"}, {"why"}}};
     for (const Technique& technique : study.techniques)
     {
         if (!technique.noWidth.empty())
@@ -395,7 +331,7 @@ Table ProvenanceTable(const Study& study)
         {"begun", study.started},
         {"cells", std::to_string(study.cells.size()) + " of " +
                       std::to_string(study.planned.size()) + " planned"}};
-    return {"provenance", "", {{"what", "", false}, {"", "", false}}, rows, {}};
+    return {"provenance", "", {{"what"}, {""}}, rows};
 }
 
 } // namespace limn::study

@@ -1,6 +1,6 @@
 #include "report/pages/ReportText.h"
 
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 #include "report/figures/Numbers.h"
 #include "report/figures/Pareto.h"
 #include "report/measure/StudyScene.h"
@@ -39,21 +39,13 @@ void AddCells(Section& section, const Study& study, const std::string& id, const
         {
             for (const std::string& note : cell.notes)
             {
-                std::vector<std::string>& those = names[note];
-                if (std::ranges::find(those, cell.id.technique) == those.end())
-                {
-                    those.push_back(cell.id.technique);
-                }
+                AddOnce(cell.id.technique, names[note]);
             }
         }
     }
     for (const auto& [reason, those] : names)
     {
-        std::string sentence = Joined(those, ", ") + ": " + reason + ".";
-        if (std::ranges::find(section.paragraphs, sentence) == section.paragraphs.end())
-        {
-            section.paragraphs.push_back(std::move(sentence));
-        }
+        AddOnce(Joined(those, ", ") + ": " + reason + ".", section.paragraphs);
     }
 }
 
@@ -64,7 +56,7 @@ bool IsEmpty(const Section& section)
 
 Section Choice(const Comparison& comparison)
 {
-    Section section{"choice", "Error against time", {}, {"error_time"}, {}, {}};
+    Section section{"choice", "Error against time", {"error_time"}};
     if (std::ranges::all_of(
             comparison.standings, [](const Standing& standing)
             { return std::isnan(standing.at.error) && std::isnan(standing.at.milliseconds); }))
@@ -83,7 +75,7 @@ Section Choice(const Comparison& comparison)
 
 Section Error(const Study& study, const Comparison& comparison)
 {
-    Section section{"error", "Error against the exact outline", {}, {"error_width"}, {}, {}};
+    Section section{"error", "Error against the exact outline", {"error_width"}};
     std::set<std::string> subjects;
     for (const CellResult& cell : study.cells)
     {
@@ -116,7 +108,7 @@ Section Error(const Study& study, const Comparison& comparison)
 
 Section Numerical(const Study& study)
 {
-    Section section{"numerical-error", "Numerical error", {}, {}, {}, {}};
+    Section section{"numerical-error", "Numerical error"};
     section.paragraphs.push_back("What the device drew against the same algorithm in double "
                                  "precision; and against what it draws with "
                                  "fewer bits, coarser targets or another depth.");
@@ -127,7 +119,7 @@ Section Numerical(const Study& study)
 
 Section Temporal(const Study& study)
 {
-    Section section{"motion", "In motion", {}, {"flicker_time"}, {}, {}};
+    Section section{"motion", "In motion", {"flicker_time"}};
     AddCells(section, study, "temporal", "Over steps of a sixteenth of a pixel",
              [](const CellResult& cell) { return cell.id.kind == CellKind::Temporal; });
     return section;
@@ -135,7 +127,7 @@ Section Temporal(const Study& study)
 
 Section Cost(const Study& study, const Comparison& comparison)
 {
-    Section section{"cost", "Cost", {}, {"time_resolution", "time_objects"}, {}, {}};
+    Section section{"cost", "Cost", {"time_resolution", "time_objects"}};
     const auto isCompared = [&comparison](const CellResult& cell)
     {
         return cell.id.variant.empty() && cell.id.width == comparison.width &&
@@ -165,17 +157,16 @@ Section Cost(const Study& study, const Comparison& comparison)
 
 Section Pictures(const Study& study, const Comparison& comparison)
 {
-    Section section{"pictures", "Pictures", {}, {}, {}, {}};
+    Section section{"pictures", "Pictures"};
     section.paragraphs.push_back(
         "The scene, and four times as large what was drawn, the exact outline, and the "
         "difference.");
     std::vector<std::string> subjects;
     for (const CellResult& cell : study.cells)
     {
-        if (!cell.pictures.empty() &&
-            std::ranges::find(subjects, cell.id.subject) == subjects.end())
+        if (!cell.pictures.empty())
         {
-            subjects.push_back(cell.id.subject);
+            AddOnce(cell.id.subject, subjects);
         }
     }
     for (const std::string& subject : subjects)
@@ -210,7 +201,7 @@ Section Pictures(const Study& study, const Comparison& comparison)
 
 Section Stability(const Study& study, const Comparison& comparison)
 {
-    Section section{"extremes", "Stability", {}, {}, {}, {}};
+    Section section{"extremes", "Stability"};
     section.paragraphs.push_back("Extreme inputs, and what came out.");
     AddTable(section, StabilityTable(study, comparison));
     AddTable(section, CellsTable(study, "failures", "Checks that failed",
@@ -226,22 +217,11 @@ Section Stability(const Study& study, const Comparison& comparison)
 std::string Missing(const Study& study)
 {
     constexpr std::size_t k_Named = 10;
-    std::set<std::string> there;
-    for (const CellResult& cell : study.cells)
-    {
-        there.insert(cell.id.Name());
-    }
-    std::size_t count = 0;
-    std::string names;
-    for (const CellId& id : study.planned)
-    {
-        if (!there.contains(id.Name()) && ++count <= k_Named)
-        {
-            names += (names.empty() ? "" : ", ") + id.Name();
-        }
-    }
+    std::vector<std::string> names = study.MissingCells();
+    const std::size_t count = names.size();
+    names.resize(std::min(count, k_Named));
     return count == 0 ? ""
-                      : Count(count, "planned cell") + " not measured: " + names +
+                      : Count(count, "planned cell") + " not measured: " + Joined(names, ", ") +
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
@@ -249,24 +229,24 @@ std::string Missing(const Study& study)
 /// only.
 std::string Verdict(const Comparison& comparison)
 {
-    std::string passed;
-    std::string failed;
+    std::vector<std::string> passed;
+    std::vector<std::string> failed;
     for (const Standing& standing : comparison.standings)
     {
         const std::string& name = standing.technique->name;
         if (standing.failures > 0)
         {
-            failed += (failed.empty() ? "" : ", ") + name + " " +
-                      std::to_string(standing.failures) + " of " +
-                      std::to_string(standing.stabilityCells);
+            failed.push_back(name + " " + std::to_string(standing.failures) + " of " +
+                             std::to_string(standing.stabilityCells));
         }
         else if (standing.stabilityCells > 0)
         {
-            passed += (passed.empty() ? "" : ", ") + name;
+            passed.push_back(name);
         }
     }
-    return (passed.empty() ? "No technique passes all checks." : passed + " passed all checks.") +
-           (failed.empty() ? "" : " Checks failed: " + failed + ".");
+    return (passed.empty() ? "No technique passes all checks."
+                           : Joined(passed, ", ") + " passed all checks.") +
+           (failed.empty() ? "" : " Checks failed: " + Joined(failed, ", ") + ".");
 }
 
 } // namespace
@@ -276,13 +256,6 @@ std::vector<std::string> SceneRemarks(const Study& study)
     std::vector<std::string> notes; // in the order of the cells
     std::map<std::string, std::vector<std::string>> namesOf;
     std::vector<std::string> all;
-    const auto addOnce = [](std::vector<std::string>& texts, const std::string& text)
-    {
-        if (std::ranges::find(texts, text) == texts.end())
-        {
-            texts.push_back(text);
-        }
-    };
     for (const CellResult& cell : study.cells)
     {
         const CellId& id = cell.id;
@@ -291,11 +264,11 @@ std::vector<std::string> SceneRemarks(const Study& study)
             continue;
         }
         const std::string name = id.technique + (id.variant.empty() ? "" : " (" + id.variant + ")");
-        addOnce(all, name);
+        AddOnce(name, all);
         for (const std::string& note : cell.notes)
         {
-            addOnce(notes, note);
-            addOnce(namesOf[note], name);
+            AddOnce(note, notes);
+            AddOnce(name, namesOf[note]);
         }
     }
     std::vector<std::string> sentences;
@@ -336,9 +309,10 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
     report.plots = PlotsOf(study, comparison, options.budgetMilliseconds);
     std::erase_if(report.plots, [](const Plot& plot) { return plot.isEmpty(); });
 
-    Section without{"without-width", "Without a width", {}, {}, {}, {}};
+    Section without{"without-width", "Without a width"};
     AddTable(without, NoWidthTable(study));
-    Section provenance{"measured", "How this was measured", {}, {}, {ProvenanceTable(study)}, {}};
+    Section provenance{"measured", "How this was measured"};
+    AddTable(provenance, ProvenanceTable(study));
     for (Section section : {Choice(comparison), Error(study, comparison), Numerical(study),
                             Temporal(study), Cost(study, comparison), Pictures(study, comparison),
                             Stability(study, comparison), without, provenance})

@@ -11,7 +11,7 @@ namespace limn::study
 struct TableColumn
 {
     std::string title;
-    std::string unit; ///< "" for none
+    std::string unit = {}; ///< "" for none
     bool isNumber = false;
 };
 
@@ -21,8 +21,8 @@ struct Table
     std::string id; ///< unique in a report: letters and '-'
     std::string title;
     std::vector<TableColumn> columns;
-    std::vector<std::vector<std::string>> rows;
-    std::vector<std::size_t> marked; ///< the rows that stand out
+    std::vector<std::vector<std::string>> rows = {};
+    std::vector<std::size_t> marked = {}; ///< the rows that stand out
 };
 
 /// A picture of one technique with its figures; tiles stand side by side.
@@ -48,10 +48,10 @@ struct Section
 {
     std::string id; ///< as Table::id
     std::string title;
-    std::vector<std::string> paragraphs;
-    std::vector<std::string> plots; ///< Plot::file
-    std::vector<Table> tables;
-    std::vector<Strip> strips;
+    std::vector<std::string> plots = {}; ///< Plot::file
+    std::vector<std::string> paragraphs = {};
+    std::vector<Table> tables = {};
+    std::vector<Strip> strips = {};
 };
 
 /// A report for people, independent of the format of the file.

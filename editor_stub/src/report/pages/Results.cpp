@@ -98,12 +98,9 @@ Json ComparisonJson(const Comparison& comparison)
 std::string ResultsCsv(const Study& study)
 {
     const Keys withQuartiles = WithQuartiles(study);
-    std::string text = Header(withQuartiles);
-    for (const CellResult& cell : study.cells)
-    {
-        text += Row(cell, withQuartiles);
-    }
-    return text;
+    return Header(withQuartiles) + Joined(study.cells, "",
+                                          [&](const CellResult& cell)
+                                          { return Row(cell, withQuartiles); });
 }
 
 std::string ResultsJson(const Study& study, const Comparison& comparison)

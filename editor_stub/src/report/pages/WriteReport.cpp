@@ -72,7 +72,7 @@ void RemoveOldPlots(const std::filesystem::path& folder)
 ReportFiles WriteReport(const Study& study, const std::filesystem::path& folder,
                         const ReportOptions& options)
 {
-    const Comparison comparison = Compare(study, options.width);
+    const Comparison comparison = Compare(study);
     ReportText report = ReportOf(study, comparison, options);
     ReportFiles result;
     result.recommendation = report.recommendation + (report.more.empty() ? "" : " " + report.more);

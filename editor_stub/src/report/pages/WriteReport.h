@@ -14,8 +14,6 @@ struct ReportOptions
     /// The GPU time that an outline may add to a frame. The report begins with the technique to
     /// take for it.
     std::optional<double> budgetMilliseconds;
-    /// The width at which techniques are compared, in pixels; 0 = where most can be.
-    double width = 0.0;
     /// Sentences that readers must know: cells that are there twice, ...
     std::vector<std::string> remarks;
 };

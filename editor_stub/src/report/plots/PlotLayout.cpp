@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace limn::study
 {
@@ -55,12 +56,9 @@ bool IsInside(const PixelBox& box, const PixelBox& frame)
 
 double Covered(const PixelBox& box, std::span<const PixelBox> obstacles)
 {
-    double area = 0.0;
-    for (const PixelBox& obstacle : obstacles)
-    {
-        area += Overlap(box, obstacle);
-    }
-    return area;
+    return std::accumulate(obstacles.begin(), obstacles.end(), 0.0,
+                           [&box](double area, const PixelBox& obstacle)
+                           { return area + Overlap(box, obstacle); });
 }
 
 } // namespace
@@ -115,10 +113,8 @@ LogAxis MakeLogAxis(std::span<const double> values)
 LogAxis MakeLogAxis(std::vector<std::pair<double, std::string>> ticks)
 {
     std::vector<double> values;
-    for (const auto& [value, text] : ticks)
-    {
-        values.push_back(value);
-    }
+    std::ranges::transform(ticks, std::back_inserter(values),
+                           [](const auto& tick) { return tick.first; });
     LogAxis axis = MakeLogAxis(values);
     axis.ticks = std::move(ticks);
     return axis;

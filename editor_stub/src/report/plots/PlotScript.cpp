@@ -80,11 +80,6 @@ std::string Dashes(const PlotSeries& series)
     return series.isArticle ? (isAgain ? " dt '.'" : " dt '-'") : (isAgain ? " dt '_.'" : "");
 }
 
-bool HasPlace(const PlotPoint& point)
-{
-    return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error);
-}
-
 std::string Places(std::initializer_list<double> values)
 {
     return Joined(values, " ", Exact) + "\n";
@@ -102,13 +97,10 @@ public:
         {
             for (const PlotPoint& point : series.points)
             {
-                if (HasPlace(point))
-                {
-                    xs.insert(xs.end(), {point.at.milliseconds, Positive(point.barX.first),
-                                         point.barX.second});
-                    ys.insert(ys.end(),
-                              {point.at.error, Positive(point.barY.first), point.barY.second});
-                }
+                xs.insert(xs.end(),
+                          {point.at.milliseconds, Positive(point.barX.first), point.barX.second});
+                ys.insert(ys.end(),
+                          {point.at.error, Positive(point.barY.first), point.barY.second});
             }
         }
         AddNearVerticals(xs);
@@ -124,12 +116,7 @@ public:
         AddVerticals();
         AddNames();
         AddData();
-        m_Text += "plot ";
-        for (std::size_t i = 0; i < m_Drawn.size(); ++i)
-        {
-            m_Text += (i == 0 ? "" : ", \\\n     ") + m_Drawn[i];
-        }
-        return m_Text + "\n";
+        return m_Text + "plot " + Joined(m_Drawn, ", \\\n     ") + "\n";
     }
 
 private:
@@ -174,7 +161,7 @@ private:
         for (const PlotSeries& series : m_Plot.series)
         {
             widest = std::max(widest, TextWidth(ShortName(series.name), m_Layout.font));
-            count += std::ranges::any_of(series.points, HasPlace) ? 1 : 0;
+            count += series.points.empty() ? 0 : 1;
         }
         const double column = widest + 4.0 * m_Layout.font;
         // gnuplot makes as many columns as fit between the ends of the axis, and no more.
@@ -292,17 +279,14 @@ private:
             for (const PlotPoint& point : series.points)
             {
                 const auto [x, y] = point.at;
-                if (HasPlace(point))
+                add(x, y, x, y, 6.0);
+                if (!std::isnan(point.barX.first))
                 {
-                    add(x, y, x, y, 6.0);
-                    if (!std::isnan(point.barX.first))
-                    {
-                        add(point.barX.first, y, point.barX.second, y, 2.0);
-                    }
-                    if (!std::isnan(point.barY.first))
-                    {
-                        add(x, point.barY.first, x, point.barY.second, 2.0);
-                    }
+                    add(point.barX.first, y, point.barX.second, y, 2.0);
+                }
+                if (!std::isnan(point.barY.first))
+                {
+                    add(x, point.barY.first, x, point.barY.second, 2.0);
                 }
             }
         }
@@ -313,12 +297,11 @@ private:
         }
         for (std::size_t i = 0; i < m_Plot.front.size(); ++i)
         {
+            const auto [x, y] = m_Plot.front[i];
             const bool isLast = i + 1 == m_Plot.front.size();
-            const double end = isLast ? m_X.high : m_Plot.front[i + 1].milliseconds;
-            const double next = isLast ? m_Plot.front[i].error : m_Plot.front[i + 1].error;
-            add(m_Plot.front[i].milliseconds, m_Plot.front[i].error, end, m_Plot.front[i].error,
-                2.0);
-            add(end, m_Plot.front[i].error, end, next, 2.0);
+            const auto [end, next] = isLast ? TimeAndError{m_X.high, y} : m_Plot.front[i + 1];
+            add(x, y, end, y, 2.0);
+            add(end, y, end, next, 2.0);
         }
     }
 
@@ -374,7 +357,7 @@ private:
         {
             for (const PlotPoint& point : series.points)
             {
-                if (HasPlace(point) && !point.name.empty())
+                if (!point.name.empty())
                 {
                     points.push_back(&point);
                 }
@@ -449,7 +432,10 @@ private:
         }
         for (const PlotSeries& series : m_Plot.series)
         {
-            AddSeries(series);
+            if (!series.points.empty())
+            {
+                AddSeries(series);
+            }
         }
     }
 
@@ -460,10 +446,6 @@ private:
         std::string barsY;
         for (const PlotPoint& point : series.points)
         {
-            if (!HasPlace(point))
-            {
-                continue;
-            }
             const double x = m_X.Clamped(point.at.milliseconds);
             const double y = m_Y.Clamped(point.at.error);
             points += Places({x, y});
@@ -477,10 +459,6 @@ private:
                 barsY +=
                     Places({x, y, m_Y.Clamped(point.barY.first), m_Y.Clamped(point.barY.second)});
             }
-        }
-        if (points.empty())
-        {
-            return;
         }
         const std::string color =
             std::string(" lc rgb '") + k_Colors[series.style % k_Colors.size()] + "'";

@@ -20,11 +20,6 @@ constexpr double k_NoBar = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_TimeLabel = "GPU time added, ms";
 constexpr const char* k_ErrorLabel = "mean error of the coverage";
 
-std::string SizeText(int width, int height)
-{
-    return std::to_string(width) + "x" + std::to_string(height);
-}
-
 std::string ErrorOf(const Comparison& comparison)
 {
     return comparison.subject.empty() ? "median over all shapes" : "the outline in the scene";
@@ -32,7 +27,7 @@ std::string ErrorOf(const Comparison& comparison)
 
 PlotPoint PointOf(const CellResult& cell, const char* metric, double x)
 {
-    PlotPoint point{{x, cell.Value(metric)}, {k_NoBar, k_NoBar}, {k_NoBar, k_NoBar}, "", false};
+    PlotPoint point{{x, cell.Value(metric)}, {k_NoBar, k_NoBar}, {k_NoBar, k_NoBar}};
     if (const auto found = cell.quartiles.find(metric); found != cell.quartiles.end())
     {
         point.barY = found->second;
@@ -46,39 +41,42 @@ std::pair<double, double> UncertaintyOf(const Standing& standing)
     return {standing.ShortestTime(), standing.LongestTime()};
 }
 
+/// It has both figures; without its uncertainty, a time would look as if it were known.
+bool HasPlace(const Standing& standing)
+{
+    return std::isfinite(standing.at.error) && std::isfinite(standing.LongestTime());
+}
+
 /// One point a technique, in two series: limn's own and the articles'.
 std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
 {
-    std::vector<PlotSeries> series = {{"limn's", 0, false, false, {}},
-                                      {"an article's own formula", 1, true, false, {}}};
+    std::vector<PlotSeries> series = {{"limn's", 0, false, false},
+                                      {"an article's own formula", 1, true, false}};
     for (const Standing& standing : standings)
     {
         const Technique& technique = *standing.technique;
-        TimeAndError at = standing.at;
-        if (std::isnan(standing.timeUncertainty)) // a point would look as if it were known
+        if (HasPlace(standing))
         {
-            at.milliseconds = k_NoBar;
+            series[technique.isArticle ? 1 : 0].points.push_back(
+                {standing.at, UncertaintyOf(standing), standing.errorQuartiles, technique.name});
         }
-        series[technique.isArticle ? 1 : 0].points.push_back(
-            {at, UncertaintyOf(standing), standing.errorQuartiles, technique.name, false});
     }
     return series;
 }
 
 std::string NotDrawn(const Comparison& comparison)
 {
-    std::string names;
+    std::vector<std::string> names;
     for (const Standing& standing : comparison.standings)
     {
-        if (!std::isfinite(standing.at.error) || !std::isfinite(standing.LongestTime()))
+        if (!HasPlace(standing))
         {
-            names += (names.empty() ? "" : ", ") + standing.technique->name;
+            names.push_back(standing.technique->name);
         }
     }
-    return names.empty()
-               ? ""
-               : " Not in it, for want of an error or of a time that this run knows: " + names +
-                     ".";
+    return names.empty() ? ""
+                         : " Not in it, for want of an error or of a time that this run knows: " +
+                               Joined(names, ", ") + ".";
 }
 
 Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget)
@@ -128,7 +126,7 @@ std::vector<PlotSeries> Lines(const Study& study, const char* metric,
     for (std::size_t i = 0; i < study.techniques.size(); ++i)
     {
         const Technique& technique = study.techniques[i];
-        PlotSeries series{technique.name, i, technique.isArticle, true, {}};
+        PlotSeries series{technique.name, i, technique.isArticle, true};
         for (const CellResult& cell : study.cells)
         {
             if (cell.id.technique == technique.name && std::isfinite(cell.Value(metric)) &&
@@ -189,12 +187,9 @@ std::string SubjectOfMostWidths(const Study& study)
 Plot ErrorAgainstWidth(const Study& study)
 {
     const std::string subject = SubjectOfMostWidths(study);
-    Plot plot;
-    plot.file = "error_width";
-    plot.title = "Error against width: " + subject;
-    plot.caption = "Mean error of the outline of '" + subject + "' against the width asked.";
-    plot.labelX = "width asked, px";
-    plot.labelY = k_ErrorLabel;
+    Plot plot{"error_width", "Error against width: " + subject,
+              "Mean error of the outline of '" + subject + "' against the width asked.",
+              "width asked, px", k_ErrorLabel};
     std::map<double, std::string> ticks;
     plot.series = Lines(study, "meanAbsoluteError",
                         [&](const CellResult& cell)
@@ -212,14 +207,12 @@ Plot ErrorAgainstWidth(const Study& study)
 
 Plot TimeAgainstResolution(const Study& study, const Comparison& comparison)
 {
-    Plot plot;
-    plot.file = "time_resolution";
-    plot.title = "GPU time against resolution, " + Readable(comparison.width) + " px wide";
-    plot.caption = "GPU time that an outline of " + Readable(comparison.width) +
-                   " px adds to a frame, against the frame's pixels; bars from the lower to the "
-                   "upper quartile.";
-    plot.labelX = "picture, pixels";
-    plot.labelY = k_TimeLabel;
+    const std::string width = Readable(comparison.width);
+    Plot plot{"time_resolution", "GPU time against resolution, " + width + " px wide",
+              "GPU time that an outline of " + width +
+                  " px adds to a frame, against the frame's pixels; bars from the lower to the "
+                  "upper quartile.",
+              "picture, pixels", k_TimeLabel};
     std::map<double, std::string> ticks;
     plot.series = Lines(
         study, "gpuAddedMilliseconds",
@@ -250,11 +243,8 @@ double ObjectCount(const CellId& id)
 
 Plot TimeAgainstObjects(const Study& study)
 {
-    Plot plot;
-    plot.file = "time_objects";
-    plot.title = "GPU time against the number of objects";
-    plot.labelX = "outlined objects";
-    plot.labelY = k_TimeLabel;
+    Plot plot{"time_objects", "GPU time against the number of objects", "", "outlined objects",
+              k_TimeLabel};
     std::map<double, std::string> ticks;
     std::set<std::string> what;
     plot.series = Lines(study, "gpuAddedMilliseconds",
@@ -306,14 +296,7 @@ Plot FlickerAgainstTime(const Comparison& comparison)
 
 bool Plot::isEmpty() const
 {
-    return std::ranges::none_of(
-        series,
-        [](const PlotSeries& one)
-        {
-            return std::ranges::any_of(
-                one.points, [](const PlotPoint& point)
-                { return std::isfinite(point.at.milliseconds) && std::isfinite(point.at.error); });
-        });
+    return std::ranges::all_of(series, [](const PlotSeries& one) { return one.points.empty(); });
 }
 
 std::vector<Plot> PlotsOf(const Study& study, const Comparison& comparison,

@@ -9,10 +9,10 @@ namespace limn::study
 
 struct PlotPoint
 {
-    TimeAndError at{}; ///< x and y, in the units of the plot
+    TimeAndError at{}; ///< x and y, in the units of the plot; finite
     std::pair<double, double> barX{};
     std::pair<double, double> barY{}; ///< NaN for none
-    std::string name;                 ///< shown beside the point; "" for none
+    std::string name = {};            ///< shown beside the point; "" for none
     bool isOnFront = false;
 };
 
@@ -23,7 +23,7 @@ struct PlotSeries
     std::size_t style = 0;  ///< the same for a technique in all plots
     bool isArticle = false; ///< true for hollow points and broken lines
     bool hasLine = false;
-    std::vector<PlotPoint> points;
+    std::vector<PlotPoint> points = {};
 };
 
 /// A plot to draw. Both axes are logarithmic.
@@ -34,13 +34,13 @@ struct Plot
     std::string caption; ///< sentences about what is drawn
     std::string labelX;
     std::string labelY;
-    std::vector<std::pair<double, std::string>> ticksX;    ///< {} = by the values
-    std::vector<std::pair<double, std::string>> verticals; ///< vertical lines and their texts
-    std::vector<PlotSeries> series;
-    std::vector<TimeAndError> front; ///< {} = none
-    bool isLessBetter = false;       ///< true if an arrow points to small values of both axes
+    std::vector<std::pair<double, std::string>> ticksX = {};    ///< {} = by the values
+    std::vector<std::pair<double, std::string>> verticals = {}; ///< vertical lines and their texts
+    std::vector<PlotSeries> series = {};
+    std::vector<TimeAndError> front = {}; ///< {} = none
+    bool isLessBetter = false;            ///< true if an arrow points to small values of both axes
 
-    bool isEmpty() const; ///< true if it has no finite point
+    bool isEmpty() const; ///< true if it has no point
 };
 
 /// Returns the plots: error against time, error against width, time against resolution, time

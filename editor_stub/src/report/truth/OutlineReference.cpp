@@ -169,14 +169,12 @@ std::vector<glm::dvec2> Crossings(const Coverage& coverage)
                              here / (here - there) * glm::dvec2(dx, dy));
         }
     };
-    for (int y = 0; y < coverage.height; ++y)
-    {
-        for (int x = 0; x < coverage.width; ++x)
+    coverage.ForEach(
+        [&](int x, int y)
         {
             look(x, y, 1, 0);
             look(x, y, 0, 1);
-        }
-    }
+        });
     return places;
 }
 
@@ -211,6 +209,23 @@ double Coverage::Sum() const
     return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+double Coverage::Sample(double u, double v, int channel) const
+{
+    const double x = u * width - 0.5;
+    const double y = v * height - 0.5;
+    const double x0 = std::floor(x);
+    const double y0 = std::floor(y);
+    const auto texel = [&](double tx, double ty)
+    {
+        return At(std::clamp(static_cast<int>(tx), 0, width - 1),
+                  std::clamp(static_cast<int>(ty), 0, height - 1), channel);
+    };
+    const double fx = x - x0;
+    const double fy = y - y0;
+    return (texel(x0, y0) * (1 - fx) + texel(x0 + 1, y0) * fx) * (1 - fy) +
+           (texel(x0, y0 + 1) * (1 - fx) + texel(x0 + 1, y0 + 1) * fx) * fy;
+}
+
 Coverage ChannelOf(const Image& image, int channel)
 {
     const auto channels = static_cast<std::size_t>(ChannelCount(image.format));
@@ -239,16 +254,9 @@ Coverage ChannelOf(const Image& image, int channel)
 
 double OutlineBand::Low() const
 {
-    switch (side)
-    {
-    case OutlineSide::Outer:
-        return gap;
-    case OutlineSide::Inner:
-        return -gap - width;
-    case OutlineSide::Centred:
-        return gap - width / 2.0;
-    }
-    throw std::invalid_argument("there is no such side");
+    return side == OutlineSide::Outer   ? gap
+           : side == OutlineSide::Inner ? -gap - width
+                                        : gap - width / 2.0;
 }
 
 double OutlineBand::High() const

@@ -13,27 +13,45 @@ struct Image;
 namespace limn::study
 {
 
-/// A picture of numbers 0...1, one for each pixel. Row 0 is at the top.
+/// A picture of numbers. Row 0 is at the top. A coverage has one channel, of numbers 0...1.
 struct Coverage
 {
     int width = 0;
     int height = 0;
+    int channels = 1; ///< the numbers of a pixel
     std::vector<double> values;
 
     Coverage() = default;
-    Coverage(int w, int h)
-        : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h))
+    Coverage(int w, int h) : Coverage(w, h, 1, {}) { values.resize(Index(0, h, 0)); }
+    Coverage(int w, int h, int c, std::vector<double> v)
+        : width(w), height(h), channels(c), values(std::move(v))
     {
     }
-    double& At(int x, int y) { return values[Index(x, y)]; }
-    double At(int x, int y) const { return values[Index(x, y)]; }
+    double& At(int x, int y, int channel = 0) { return values[Index(x, y, channel)]; }
+    double At(int x, int y, int channel = 0) const { return values[Index(x, y, channel)]; }
+    /// Returns a bilinear sample, clamped at the border. u and v are in 0...1; (0, 0) is the top
+    /// left corner.
+    double Sample(double u, double v, int channel = 0) const;
     double Sum() const;
+    /// Calls each(x, y) for all pixels, row by row.
+    template <typename Each>
+    void ForEach(const Each& each) const
+    {
+        for (int y = 0; y < height; ++y)
+        {
+            for (int x = 0; x < width; ++x)
+            {
+                each(x, y);
+            }
+        }
+    }
 
 private:
-    std::size_t Index(int x, int y) const
+    std::size_t Index(int x, int y, int channel) const
     {
-        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-               static_cast<std::size_t>(x);
+        const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x);
+        return pixel * static_cast<std::size_t>(channels) + static_cast<std::size_t>(channel);
     }
 };
 

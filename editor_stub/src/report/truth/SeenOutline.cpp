@@ -14,20 +14,17 @@ constexpr int k_PlacesPerSide = 4; ///< of a pixel
 /// Returns the nearness of a triangle at a point; less than 0 outside of it.
 double NearnessOf(const DepthTriangle& triangle, const glm::dvec2& point)
 {
-    const auto corner = [&triangle](std::size_t i)
+    const std::array<glm::dvec2, 3> corners{triangle[0], triangle[1], triangle[2]};
+    if (!IsInTriangle(corners, point))
     {
-        return glm::dvec2(triangle[i % 3]);
-    };
-    const double area = Cross(corner(1) - corner(0), corner(2) - corner(0));
+        return -1.0;
+    }
+    const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
     double nearness = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
     {
-        const glm::dvec2 along = corner(i + 2) - corner(i + 1);
-        const double part = Cross(along, point - corner(i + 1)); // of the corner i, times area
-        if (part * (area > 0.0 ? 1.0 : -1.0) < -k_Touching * glm::length(along))
-        {
-            return -1.0;
-        }
+        const glm::dvec2& begin = corners[(i + 1) % 3];
+        const double part = Cross(corners[(i + 2) % 3] - begin, point - begin); // times area
         nearness += part / area * triangle[i].z;
     }
     return std::max(nearness, 0.0);
@@ -113,16 +110,14 @@ SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhoue
         return inBand > 0 ? static_cast<double>(seenInBand) / inBand
                           : static_cast<double>(seen) / k_Places;
     };
-    for (int y = 0; y < whole.height; ++y)
-    {
-        for (int x = 0; x < whole.width; ++x)
+    whole.ForEach(
+        [&](int x, int y)
         {
             if (whole.At(x, y) > 0.0)
             {
                 result.seen.At(x, y) *= partOf(x, y);
             }
-        }
-    }
+        });
     result.hiding.assign(hiding.begin(), hiding.end());
     return result;
 }

@@ -9,6 +9,7 @@
 #include <limn/core/Camera.h>
 #include <limn/core/Mesh.h>
 #include <limn/core/Transform.h>
+#include <map>
 #include <span>
 #include <tuple>
 
@@ -32,41 +33,27 @@ glm::dvec2 NearestOf(const Segment& segment, const glm::dvec2& point)
 /// The edges that do not have a triangle on both sides already because two share them.
 std::vector<Segment> EdgesOfOneSide(const ScreenTriangles& triangles)
 {
-    struct Edge
-    {
-        Segment ends;
-        bool isLeft; ///< the triangle is on the edge's left
-        auto Key() const { return std::tie(ends[0].x, ends[0].y, ends[1].x, ends[1].y); }
-    };
-    std::vector<Edge> edges;
+    std::map<std::array<double, 4>, int> sides; // 1: a triangle on its left, 2: on its right
     for (const auto& triangle : triangles)
     {
         for (std::size_t i = 0; i < 3; ++i)
         {
-            Edge edge{{triangle[i], triangle[(i + 1) % 3]}, false};
-            if (std::tie(edge.ends[1].x, edge.ends[1].y) < std::tie(edge.ends[0].x, edge.ends[0].y))
+            glm::dvec2 a = triangle[i];
+            glm::dvec2 b = triangle[(i + 1) % 3];
+            if (std::tie(b.x, b.y) < std::tie(a.x, a.y))
             {
-                std::swap(edge.ends[0], edge.ends[1]);
+                std::swap(a, b);
             }
-            edge.isLeft =
-                Cross(edge.ends[1] - edge.ends[0], triangle[(i + 2) % 3] - edge.ends[0]) > 0.0;
-            edges.push_back(edge);
+            const bool isLeft = Cross(b - a, triangle[(i + 2) % 3] - a) > 0.0;
+            sides[{a.x, a.y, b.x, b.y}] |= isLeft ? 1 : 2;
         }
     }
-    std::ranges::sort(edges, [](const Edge& a, const Edge& b) { return a.Key() < b.Key(); });
     std::vector<Segment> result;
-    for (std::size_t i = 0; i < edges.size();)
+    for (const auto& [ends, where] : sides)
     {
-        bool hasLeft = false;
-        bool hasRight = false;
-        const Edge& edge = edges[i];
-        for (; i < edges.size() && edges[i].Key() == edge.Key(); ++i)
+        if (where != 3)
         {
-            (edges[i].isLeft ? hasLeft : hasRight) = true;
-        }
-        if (hasLeft != hasRight)
-        {
-            result.push_back(edge.ends);
+            result.push_back({glm::dvec2(ends[0], ends[1]), glm::dvec2(ends[2], ends[3])});
         }
     }
     return result;
@@ -225,24 +212,24 @@ Silhouette::Silhouette(const ScreenTriangles& triangles)
 
 bool Silhouette::Contains(const glm::dvec2& point) const
 {
-    const Box box{point, point};
-    return m_TriangleTree.AnyOverlapping(
-        box, k_Touching,
-        [&](std::size_t index)
+    return m_TriangleTree.AnyOverlapping(Box{point, point}, k_Touching,
+                                         [&](std::size_t index)
+                                         { return IsInTriangle(m_Triangles[index], point); });
+}
+
+bool IsInTriangle(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& point)
+{
+    const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const glm::dvec2 along = corners[(i + 1) % 3] - corners[i];
+        const double side = Cross(along, point - corners[i]) * (area > 0.0 ? 1.0 : -1.0);
+        if (side < -k_Touching * glm::length(along))
         {
-            const auto& corners = m_Triangles[index];
-            const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-            for (std::size_t i = 0; i < 3; ++i)
-            {
-                const glm::dvec2 along = corners[(i + 1) % 3] - corners[i];
-                const double side = Cross(along, point - corners[i]) * (area > 0.0 ? 1.0 : -1.0);
-                if (side < -k_Touching * glm::length(along))
-                {
-                    return false;
-                }
-            }
-            return true;
-        });
+            return false;
+        }
+    }
+    return true;
 }
 
 double Silhouette::SignedDistance(const glm::dvec2& point, double limit, glm::dvec2* nearest) const

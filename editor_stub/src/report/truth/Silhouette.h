@@ -28,6 +28,9 @@ inline double Cross(const glm::dvec2& a, const glm::dvec2& b)
     return a.x * b.y - a.y * b.x;
 }
 
+/// Returns whether a point is in a triangle with an area, or on its edge.
+bool IsInTriangle(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& point);
+
 /// Returns a regular polygon in place of a disc. It has the disc's area, and its border is off by
 /// at most 5e-5 pixels.
 ScreenTriangles DiscTriangles(const glm::dvec2& center, double radius);

@@ -150,7 +150,7 @@ TEST(ErrorAgainstTimePlot, HasTheFrontTheFloorTheBudgetAndArticlesApart)
     const study::Comparison comparison = Compare(sample);
     const std::vector<Plot> plots = PlotsOf(sample, comparison, 3.0);
     const Plot& plot = FindPlot(plots, "error_time");
-    EXPECT_THAT(NamesOf(plot.series[0].points), ElementsAre("Ours", "Rim"));
+    EXPECT_THAT(NamesOf(plot.series[0].points), ElementsAre("Ours"));
     EXPECT_THAT(NamesOf(plot.series[1].points), ElementsAre("Theirs"));
     EXPECT_FALSE(plot.series[0].isArticle);
     EXPECT_TRUE(plot.series[1].isArticle);
@@ -175,8 +175,7 @@ TEST(ErrorAgainstTimePlot, HasNoPointWhereATimeHasNoBound)
     sample.cells.back().values.erase("gpuAddedUncertainty");
     const std::vector<Plot> plots = PlotsOf(sample, Compare(sample), std::nullopt);
     const Plot& plot = FindPlot(plots, "error_time");
-    EXPECT_TRUE(std::isfinite(plot.series[0].points[0].at.milliseconds));
-    EXPECT_FALSE(std::isfinite(plot.series[0].points[1].at.milliseconds));
+    EXPECT_THAT(NamesOf(plot.series[0].points), ElementsAre("Known"));
     EXPECT_THAT(plot.caption, HasSubstr("that this run knows: Unknown."));
 }
 

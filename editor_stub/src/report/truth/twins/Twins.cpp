@@ -1,7 +1,5 @@
 #include "report/truth/twins/Twins.h"
 
-#include "report/truth/twins/Field.h"
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <limn/features/MaskDifferenceOutline.h>
 #include <limn/features/SelectionOutline.h>
+#include <numeric>
 
 namespace limn::study
 {
@@ -73,11 +72,7 @@ TwinSeed FindEdge(const std::array<double, 9>& mask)
         return place;
     }
     const glm::dvec2 outwards = -glm::normalize(inwards);
-    double sum = 0.0;
-    for (const double part : mask)
-    {
-        sum += part;
-    }
+    const double sum = std::accumulate(mask.begin(), mask.end(), 0.0);
     double depth = 3.0 * BoxDepth(outwards, sum / 9.0);
     const double inside = BoxCoverage(outwards, depth);
     if (std::abs(inside - own) < 0.2)
@@ -108,18 +103,16 @@ public:
         MakeSeeds(silhouette);
     }
 
-    Coverage Draw(int pictureWidth, int pictureHeight, bool isFlood)
+    Coverage Draw(bool isFlood) const
     {
         const std::vector<glm::dvec2> nearest = isFlood ? Flood() : Rows();
-        Coverage alpha(pictureWidth, pictureHeight);
-        for (int y = 0; y < pictureHeight; ++y)
-        {
-            for (int x = 0; x < pictureWidth; ++x)
+        Coverage alpha(m_Size.x - 2 * m_Margin, m_Size.y - 2 * m_Margin);
+        alpha.ForEach(
+            [&](int x, int y)
             {
                 const glm::ivec2 texel(x + m_Margin, y + m_Margin);
                 alpha.At(x, y) = AlphaAt(texel, nearest[IndexOf(texel)]);
-            }
-        }
+            });
         return alpha;
     }
 
@@ -180,11 +173,10 @@ private:
 
     std::vector<glm::dvec2> Flood() const
     {
-        std::vector<glm::dvec2> nearest(m_Seeds.size(), k_FarAway);
-        for (std::size_t i = 0; i < m_Seeds.size(); ++i)
-        {
-            nearest[i] = m_Seeds[i].isEdge ? m_Seeds[i].seed : k_FarAway;
-        }
+        std::vector<glm::dvec2> nearest(m_Seeds.size());
+        std::ranges::transform(m_Seeds, nearest.begin(),
+                               [](const TwinSeed& seed)
+                               { return seed.isEdge ? seed.seed : k_FarAway; });
         std::vector<int> steps = {1};
         for (auto step = static_cast<int>(std::bit_ceil(static_cast<unsigned>(m_Reach) + 1) / 2);
              step > 0; step /= 2)
@@ -280,8 +272,7 @@ private:
 Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
                   bool isFlood)
 {
-    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight)
-        .Draw(pictureWidth, pictureHeight, isFlood);
+    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight).Draw(isFlood);
 }
 
 /// Strokes along the silhouette, which may have no edges inside.
@@ -336,15 +327,13 @@ Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth
             }
         }
     }
-    for (int y = 0; y < pictureHeight; ++y)
-    {
-        for (int x = 0; x < pictureWidth; ++x)
+    alpha.ForEach(
+        [&](int x, int y)
         {
             const double own = silhouette.Contains({x + 0.5, y + 0.5}) ? 1.0 : 0.0;
             const double objects = std::clamp(own + correction.At(x, y), 0.0, 1.0);
             alpha.At(x, y) = std::clamp(alpha.At(x, y) - objects, 0.0, 1.0);
-        }
-    }
+        });
     return alpha;
 }
 
@@ -353,35 +342,14 @@ Field MaskOf(const Silhouette& silhouette, const glm::dvec2& picture, int width,
              int channels)
 {
     Field mask{width, height, channels, {}};
-    for (int y = 0; y < height; ++y)
-    {
-        for (int x = 0; x < width; ++x)
+    mask.ForEach(
+        [&](int x, int y)
         {
             const glm::dvec2 place((x + 0.5) * picture.x / width, (y + 0.5) * picture.y / height);
             mask.values.insert(mask.values.end(), static_cast<std::size_t>(channels),
                                silhouette.Contains(place) ? 1.0 : 0.0);
-        }
-    }
+        });
     return mask;
-}
-
-Coverage ToCoverage(const Field& field)
-{
-    Coverage coverage(field.width, field.height);
-    for (int y = 0; y < field.height; ++y)
-    {
-        for (int x = 0; x < field.width; ++x)
-        {
-            coverage.At(x, y) = field.At(x, y);
-        }
-    }
-    return coverage;
-}
-
-Field Black(int width, int height, int channels)
-{
-    const auto count = static_cast<std::size_t>(width * height * channels);
-    return {width, height, channels, std::vector<double>(count)};
 }
 
 /// The first article's: mask of half the size, Roberts cross, bilinear composite.
@@ -393,8 +361,7 @@ Coverage ScreenSpaceTwin(const Silhouette& silhouette, double width, int picture
     Field edge = RobertsReference(mask, width);
     std::ranges::transform(edge.values, edge.values.begin(),
                            [](double value) { return std::min(value, 1.0); });
-    return ToCoverage(
-        CompositeReference(Black(pictureWidth, pictureHeight, 3), edge, {1.0, 1.0, 1.0}));
+    return CompositeReference(Coverage(pictureWidth, pictureHeight), edge, {1.0, 1.0, 1.0});
 }
 
 /// The article on selection: seven blurs of the mask. The device keeps 8 bits behind each, and a
@@ -411,8 +378,8 @@ Coverage SelectionTwin(const Silhouette& silhouette, double width, int pictureWi
     {
         blur = BlurReference(blur, static_cast<double>(component.tapOffset()));
     }
-    return ToCoverage(CompositeReference(Black(pictureWidth, pictureHeight, 4), stencil, blur,
-                                         static_cast<double>(component.outlineStrength.value())));
+    return CompositeReference(Coverage(pictureWidth, pictureHeight), stencil, blur,
+                              static_cast<double>(component.outlineStrength.value()));
 }
 
 /// The article on post-processing: where the mask differs from four texels around.
@@ -428,19 +395,96 @@ Coverage MaskDifferenceTwin(const Silhouette& silhouette, double width, int pict
     {
         return silhouette.Contains({x + 0.5, y + 0.5}) ? 1 : 0;
     };
-    for (int y = 0; y < pictureHeight; ++y)
-    {
-        for (int x = 0; x < pictureWidth; ++x)
+    alpha.ForEach(
+        [&](int x, int y)
         {
             const int sum =
                 mask(x, y - away) + mask(x, y + away) + mask(x - away, y) + mask(x + away, y);
             alpha.At(x, y) = sum > 0 && 4 * mask(x, y) != sum ? 1.0 : 0.0;
-        }
-    }
+        });
     return alpha;
 }
 
 } // namespace
+
+Field RobertsReference(const Field& mask, double width)
+{
+    Field edge(mask.width, mask.height);
+    const double lower = std::floor(width * 0.5) * 0.5 / mask.width;
+    const double upper = std::ceil(width * 0.5) * 0.5 / mask.width;
+    const double lowerV = std::floor(width * 0.5) * 0.5 / mask.height;
+    const double upperV = std::ceil(width * 0.5) * 0.5 / mask.height;
+    mask.ForEach(
+        [&](int x, int y)
+        {
+            const double u = (x + 0.5) / mask.width;
+            const double v = (y + 0.5) / mask.height;
+            const double tap0 = mask.Sample(u - lower, v + upperV);
+            const double tap1 = mask.Sample(u + upper, v + lowerV);
+            const double tap2 = mask.Sample(u - lower, v - upperV);
+            const double tap3 = mask.Sample(u + upper, v - lowerV);
+            edge.At(x, y) = std::hypot(tap1 - tap2, tap0 - tap3);
+        });
+    return edge;
+}
+
+Field CompositeReference(const Field& base, const Field& edge, const std::array<double, 3>& color)
+{
+    Field result = base;
+    base.ForEach(
+        [&](int x, int y)
+        {
+            const double amount = edge.Sample((x + 0.5) / base.width, (y + 0.5) / base.height);
+            for (int channel = 0; channel < std::min(3, result.channels); ++channel)
+            {
+                result.At(x, y, channel) += amount * color[static_cast<std::size_t>(channel)];
+            }
+        });
+    return result;
+}
+
+Field BlurReference(const Field& source, double offset)
+{
+    Field result = source;
+    const double du = offset / source.width;
+    const double dv = offset / source.height;
+    source.ForEach(
+        [&](int x, int y)
+        {
+            const double u = (x + 0.5) / source.width;
+            const double v = (y + 0.5) / source.height;
+            for (int channel = 0; channel < 4; ++channel)
+            {
+                const double taps[] = {
+                    source.Sample(u - du, v - dv, channel), source.Sample(u + du, v - dv, channel),
+                    source.Sample(u + du, v + dv, channel), source.Sample(u - du, v + dv, channel)};
+                result.At(x, y, channel) = channel < 3
+                                               ? *std::ranges::max_element(taps)
+                                               : (taps[0] + taps[1] + taps[2] + taps[3]) / 4.0;
+            }
+        });
+    return result;
+}
+
+Field CompositeReference(const Field& source, const Field& stencil, const Field& blur,
+                         double strength)
+{
+    Field result = source;
+    source.ForEach(
+        [&](int x, int y)
+        {
+            const bool isInside = stencil.At(x, y, 0) != 0.0 || stencil.At(x, y, 1) != 0.0 ||
+                                  stencil.At(x, y, 2) != 0.0;
+            const double weight =
+                isInside ? 0.0 : std::clamp(blur.At(x, y, 3) - stencil.At(x, y, 3), 0.0, 1.0);
+            for (int channel = 0; channel < std::min(3, result.channels); ++channel)
+            {
+                double& value = result.At(x, y, channel);
+                value += weight * (blur.At(x, y, channel) * strength - value);
+            }
+        });
+    return result;
+}
 
 Twin FindTwin(const std::string& technique)
 {
