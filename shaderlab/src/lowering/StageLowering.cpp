@@ -13,8 +13,10 @@
 #include <limn/base/Text.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
+#include <span>
 
 namespace limn
 {
@@ -90,6 +92,7 @@ public:
         RemoveEmptyMembers();
         RemoveDuplicates(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
+        ReplaceStaticObjects();
         CopyAssignedUniforms();
         FindDelayedStatics();
         Lower();
@@ -161,6 +164,27 @@ public:
         }
     }
 
+    /// Replaces static textures, samplers and buffers, and elements of arrays of them, by what
+    /// their values name. To SPIR-V they are no variables, and D3D's compiler replaces them as
+    /// well.
+    void ReplaceStaticObjects()
+    {
+        std::vector<HlslProblem> problems;
+        const auto first =
+            std::stable_partition(m_Trees.begin(), m_Trees.end(), std::not_fn(isStaticObject));
+        const std::span<const Tree> objects(first, m_Trees.end());
+        for (const Tree& tree : objects)
+        {
+            ReplaceUses(*tree.root, *tree.variable, problems);
+        }
+        for (const Tree& tree : objects) // several may have one declaration
+        {
+            m_Code.Erase(tree.variable->firstToken, tree.variable->semicolon + 1);
+        }
+        m_Tokens.Refuse(problems);
+        m_Trees.erase(first, m_Trees.end());
+    }
+
     /// Gives each uniform that the code assigns to a writable copy.
     void CopyAssignedUniforms()
     {
@@ -204,8 +228,8 @@ public:
             const std::string value = m_Code.Spelled(tree.root->first, tree.root->end);
             const std::string name(variable.name);
             m_Prologue += tree.root->kind == HlslNodeKind::List
-                              ? "{ " + LocalCopy(variable) + " = " + value + "; " + name +
-                                    " = limn_value; }\n"
+                              ? "{ " + DeclarationOf("limn_value", variable) + " = " + value +
+                                    "; " + name + " = limn_value; }\n"
                               : name + " = " + value + ";\n";
             m_Code.Erase(tree.root->first - 1, tree.root->end);
             for (std::size_t i = variable.firstToken; i < variable.token; ++i)
@@ -335,6 +359,70 @@ private:
         const HlslVariable* variable = nullptr; ///< null of a body
     };
 
+    static bool isStaticObject(const Tree& tree)
+    {
+        return tree.variable && isObjectType(tree.variable->type) && tree.variable->semicolon > 0;
+    }
+
+    void ReplaceUses(const HlslNode& value, const HlslVariable& object,
+                     std::vector<HlslProblem>& problems)
+    {
+        for (const HlslNode& node : m_Nodes)
+        {
+            if (node.kind != HlslNodeKind::Name || node.local || node.variable != &object)
+            {
+                continue;
+            }
+            const bool isElement = node.parent && node.parent->kind == HlslNodeKind::Index &&
+                                   node.parent->child == &node;
+            const bool isArray = value.kind == HlslNodeKind::List;
+            const HlslNode& use = isElement ? *node.parent : node;
+            const HlslNode* replacement = !isArray    ? &value
+                                          : isElement ? FindElement(value, *node.next)
+                                                      : nullptr;
+            if (!replacement)
+            {
+                problems.push_back(
+                    {use.first, "'" + std::string(m_Tokens.Span(use.first, use.end)) +
+                                    "': the index of an array of static textures must be a "
+                                    "constant whole number, here less than " +
+                                    std::to_string(value.CountChildren()) +
+                                    "; choose with 'if' or 'switch' between the textures"});
+                continue;
+            }
+            const std::string text = m_Code.Spelled(replacement->first, replacement->end);
+            m_Code.Erase(use.first, use.end);
+            m_Code.Spelling(use.first) = text;
+        }
+    }
+
+    /// Returns the element of the list at a constant index, or null if there is none.
+    const HlslNode* FindElement(const HlslNode& list, const HlslNode& index) const
+    {
+        const IntegerNames& constants = m_Source.declarations.constants;
+        const auto varies = [&](const HlslNode& node)
+        {
+            switch (node.kind)
+            {
+            case HlslNodeKind::Literal:
+                return node.type.scalar != HlslScalar::Int && node.type.scalar != HlslScalar::Uint;
+            case HlslNodeKind::Name:
+                return node.local || !constants.contains(m_Tokens.Text(node.token));
+            case HlslNodeKind::Paren:
+            case HlslNodeKind::Prefix:
+            case HlslNodeKind::Binary:
+                return false;
+            default:
+                return true;
+            }
+        };
+        const std::int64_t at =
+            FindNode(index, varies)
+                ? -1
+                : EvaluateInteger(m_Tokens.Span(index.first, index.end), constants);
+        return at < 0 ? nullptr : list.Child(static_cast<std::size_t>(at));
+    }
+
     static bool isWritable(std::string_view type)
     {
         return type.starts_with("RW") || type.starts_with("RasterizerOrdered") ||
@@ -385,12 +473,12 @@ private:
         return std::ranges::count(variable.dimensions, "") > 0;
     }
 
-    /// The declaration of a local variable of the same type.
-    static std::string LocalCopy(const HlslVariable& variable)
+    /// The declaration of a variable of the same type.
+    static std::string DeclarationOf(std::string_view name, const HlslVariable& variable)
     {
         const std::string argument(variable.templateArgument);
         std::string text = std::string(variable.type) +
-                           (argument.empty() ? "" : "<" + argument + ">") + " limn_value";
+                           (argument.empty() ? " " : "<" + argument + "> ") + std::string(name);
         for (const std::string_view size : variable.dimensions)
         {
             text.append("[").append(size).append("]");
@@ -413,12 +501,7 @@ private:
     void Copy(const HlslVariable& uniform)
     {
         const std::string copy = "limn_copy" + std::string(uniform.name);
-        std::string declaration = " static " + std::string(uniform.type) + " " + copy;
-        for (const std::string_view size : uniform.dimensions)
-        {
-            declaration += "[" + std::string(size) + "]";
-        }
-        m_Code.Insert(uniform.endToken, declaration + ";");
+        m_Code.Insert(uniform.endToken, " static " + DeclarationOf(copy, uniform) + ";");
         m_Prologue += copy + " = " + std::string(uniform.name) + ";\n";
         for (const HlslNode& node : m_Nodes)
         {

@@ -307,6 +307,21 @@ TEST(ShaderCompilerError, TellsWhereAnEntryFunctionIsOnlyDeclared)
                                      "only declared", "t.shader:1", "body")));
 }
 
+TEST(ShaderCompilerError, TellsWhereAStaticTextureArrayIsIndexedByAVariable)
+{
+    const std::string code = "Texture2D _A; Texture2D _B; SamplerState sampler_A;\n"
+                             "static Texture2D All[2] = {_A, _B};\n"
+                             "float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                             "float4 frag(float4 p : SV_Position) : SV_Target\n"
+                             "{ int i = p.x; return All[i].Load(int3(0, 0, 0)) +\n"
+                             "  All[2].Load(int3(0, 0, 0)) +\n"
+                             "  All[1.0].Load(int3(0, 0, 0)); }";
+    EXPECT_THAT(CompileMessages(Program(code)),
+                ElementsAre(Mentions("t.shader:5:", "'All[i]'", "constant", "less than 2", "'if'"),
+                            Mentions("t.shader:6:", "'All[2]'", "constant", "less than 2"),
+                            Mentions("t.shader:7:", "'All[1.0]'", "whole number")));
+}
+
 TEST(ShaderCompilerError, NamesTheMissingFileThatPragmasWereToComeFrom)
 {
     EXPECT_THAT(ShaderMessages("Shader \"T\" { SubShader { Pass {\n"

@@ -170,6 +170,52 @@ TEST(ShaderCompiler, FillsTheCopyOfAnAssignedUniformAgainForEveryInvocation)
     EXPECT_THAT(text, Not(HasSubstr("Private")));
 }
 
+TEST(ShaderCompiler, LetsTheCodeAssignToUniformsOfTemplateTypes)
+{
+    const auto pass = CompileHlsl(R"(
+        vector<float, 3> _Offset;
+        matrix<float, 3, 2> _Table[2];
+        float4 vert(float4 p : POSITION) : SV_Position
+        {
+            _Offset.x += 1;
+            _Table[1][2][1] = p.x;
+            return float4(_Offset, _Table[1][2][1]);
+        }
+        float4 frag() : SV_Target { return 1; })");
+    ExpectValid(*pass);
+    ASSERT_EQ(pass->layout.buffers.size(), 1u);
+    EXPECT_EQ(pass->layout.buffers.at(0).members.at(0).name, "_Offset");
+}
+
+TEST(ShaderCompiler, TakesElementsOfStaticTextureArraysForTheTexturesThatTheyName)
+{
+    const auto texturesOf = [](const std::string& expression)
+    {
+        const auto pass = CompileHlsl(R"(
+            Texture2D _A; Texture2D _B; Texture2D _C; SamplerState sampler_A;
+            static const int k_Third = 2;
+            static Texture2D All[3] = { _A, _B, _C, };
+            static Texture2D One = _B, Other = _C;
+            float4 Read(Texture2D map, float2 uv) { return map.Sample(sampler_A, uv); }
+            float4 vert(float4 p : POSITION) : SV_Position { return p; }
+            float4 frag(float4 p : SV_Position) : SV_Target { return )" +
+                                      expression + "; }");
+        ExpectValid(*pass);
+        std::vector<std::string> names;
+        for (const TextureBinding& texture : pass->layout.textures)
+        {
+            names.push_back(texture.name);
+        }
+        return names;
+    };
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(Names{"_A"}, texturesOf("All[0].Sample(sampler_A, p.xy)"));
+    EXPECT_EQ(Names{"_B"}, texturesOf("All[(2 - 1)].Load(int3(0, 0, 0))"));
+    EXPECT_EQ(Names{"_C"}, texturesOf("Read(All[k_Third], p.xy)"));
+    EXPECT_EQ(Names{"_B"}, texturesOf("One.Sample(sampler_A, p.xy)"));
+    EXPECT_EQ(Names{"_C"}, texturesOf("Read(Other, p.xy)"));
+}
+
 TEST(ShaderCompiler, DoesNotTakeALocalOfTheSameNameForTheUniform)
 {
     const auto pass = CompileHlsl(R"(
