@@ -31,6 +31,8 @@ struct Overloaded : Functions...
 {
     using Functions::operator()...;
 };
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>; // Clang 14 has to be told
 
 /// Returns whether each sample that begins in the buffer ends in it, and the other way round.
 bool HasWholeSamples(const CommandBuffer& commandBuffer)
