@@ -25,8 +25,8 @@ Devices& AllDevices()
     return devices;
 }
 
-/// Formats whose uses every Vulkan device supports (Vulkan 1.3, "Required Format Support"). For
-/// formats that are not listed, the device decides.
+/// Every Vulkan device supports these uses of these formats (Vulkan 1.3, "Required Format
+/// Support"). For formats that are not listed, the device decides.
 struct Promise
 {
     /// s: sampled, l: with a linear filter, w: written by kernels, r: a target, b: blended
@@ -36,8 +36,7 @@ struct Promise
 
 using enum GraphicsFormat;
 
-/// Of D32_SFloat and D32_SFloat_S8_UInt devices have one of two with these bits; limn draws on none
-/// without its own.
+/// Vulkan lets a device lack D32_SFloat or D32_SFloat_S8_UInt, but limn draws on none that does.
 const std::vector<Promise>& Promises()
 {
     static const std::vector<Promise> promises = {

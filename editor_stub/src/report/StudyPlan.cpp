@@ -96,7 +96,7 @@ std::vector<CellId> PlanMeasures(const StudyOptions& options, std::span<const Te
     return cells;
 }
 
-/// What a cell measures, by its kind.
+/// These words name what a cell measures, by its kind.
 constexpr std::array k_KindWords{"error", "rounding error", "flicker", "time", "stability"};
 
 /// Returns words for a subject or a variant that results have a short key for.

@@ -9,8 +9,8 @@
 namespace limn::vulkan
 {
 
-// What the pools have in common. Each is a map to objects that have some of the members `owner`, a
-// weak pointer, and `createdBy` and `lastUse`, numbers of submissions.
+// All pools use these functions. Each pool is a map to objects that have some of the members
+// `owner`, a weak pointer, and `createdBy` and `lastUse`, numbers of submissions.
 
 /// Returns the pool's object, or null if there is none.
 template <typename Pool, typename Key>

@@ -104,7 +104,7 @@ FrameTimes DrawInTurn(std::span<Contestant> contestants, int rounds, VulkanDevic
     return times;
 }
 
-/// What a frame takes besides time: the bytes that its passes load, store and read, each texture as
+/// A frame takes this besides time: the bytes that its passes load, store and read, each texture as
 /// a whole, and those of its targets.
 struct FrameCost
 {
