@@ -13,7 +13,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         [&]
         {
             const UnityTree tree(text, "fuzz.asset", 1);
-            const auto mesh = ReadTextMesh(tree.root(), "fuzz.asset");
+            const auto [mesh, skin] = ReadTextMesh(tree.root(), "fuzz.asset");
+            for (const BoneWeights& weights : skin.weights)
+            {
+                test::RequireInFuzzer(
+                    std::ranges::all_of(weights, [&](const BoneWeight& each)
+                                        { return each.bone < skin.bindPoses.size(); }),
+                    "a vertex that follows a bone that is none");
+            }
             MeshData copy = mesh->data();
             ComputeMikkTangents(copy);
             test::RequireInFuzzer(copy.tangents.empty() ||

@@ -8,6 +8,7 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #define GLM_ENABLE_EXPERIMENTAL
+#include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtx/matrix_decompose.hpp>
 #include <limn/base/Case.h>
 #include <limn/base/ModuleFile.h>
@@ -96,6 +97,12 @@ public:
         const double length = glm::length(d);
         return length > 0.0 ? glm::vec3(glm::dvec3(-d.x, d.y, d.z) / length) : glm::vec3(0.0f);
     }
+    /// Returns the matrix that does in Unity's space what `matrix` does in the file's.
+    glm::dmat4 Matrix(const glm::dmat4& matrix) const
+    {
+        const glm::dmat4 axes = glm::scale(glm::dmat4(1.0), glm::dvec3(-m_Scale, m_Scale, m_Scale));
+        return axes * matrix * glm::inverse(axes);
+    }
     void SetTransform(const glm::dmat4& matrix, ModelNode& node) const
     {
         glm::dvec3 scale;
@@ -146,12 +153,14 @@ public:
             AddMaterial(*m_Scene.mMaterials[i]);
         }
         m_Model.nodes.emplace_back().name = name;
+        m_Rests[m_Scene.mRootNode->mName.C_Str()] = glm::dmat4(1.0);
         const aiNode& root = *m_Scene.mRootNode;
         AddMeshes(root, glm::dmat4(1.0), 0);
         for (unsigned i = 0; i < root.mNumChildren; ++i)
         {
             AddNode(*root.mChildren[i], 0, glm::dmat4(1.0));
         }
+        PlaceBones();
         return std::move(m_Model);
     }
 
@@ -188,6 +197,7 @@ private:
         ModelNode& node = m_Model.nodes.emplace_back();
         node.name = last.mName.C_Str();
         node.parent = parent;
+        m_Rests.try_emplace(node.name, chain.rest);
         m_Axes.SetTransform(parentRest * chain.node, node);
         AddMeshes(last, chain.rest * chain.geometry, index);
         for (unsigned i = 0; i < last.mNumChildren; ++i)
@@ -224,7 +234,74 @@ private:
             return;
         }
         node.mesh = m_Known[parts] = m_Model.meshes.size();
-        m_Model.meshes.push_back({node.name, Join(parts, matrix)});
+        ModelContent::NamedMesh mesh{node.name, Join(parts, matrix), JoinSkins(parts, matrix)};
+        if (mesh.data.tangents.empty() && m_Import.tangents != ModelTangents::None)
+        {
+            const std::vector<std::uint32_t> copied = ComputeMikkTangents(mesh.data);
+            for (std::size_t i = 0; !mesh.skin.isEmpty() && i < copied.size(); ++i)
+            {
+                const BoneWeights weights = mesh.skin.weights[copied[i]];
+                mesh.skin.weights.push_back(weights);
+            }
+        }
+        m_Model.meshes.push_back(std::move(mesh));
+    }
+
+    /// The bind poses lack what is left over of their bones' chains: those may not be read yet.
+    MeshSkin JoinSkins(const std::vector<unsigned>& parts, const glm::dmat4& matrix) const
+    {
+        MeshSkin skin;
+        std::map<std::string, std::uint32_t> bones;
+        std::size_t first = 0;
+        for (const unsigned part : parts)
+        {
+            const aiMesh& mesh = *m_Scene.mMeshes[part];
+            skin.weights.resize(first + mesh.mNumVertices);
+            for (unsigned b = 0; b < mesh.mNumBones; ++b)
+            {
+                const aiBone& bone = *mesh.mBones[b];
+                const auto [known, isNew] = bones.try_emplace(
+                    bone.mName.C_Str(), static_cast<std::uint32_t>(skin.bones.size()));
+                if (isNew)
+                {
+                    skin.bones.push_back(known->first);
+                    skin.bindPoses.emplace_back(
+                        m_Axes.Matrix(ToMatrix(bone.mOffsetMatrix) * glm::inverse(matrix)));
+                }
+                for (unsigned w = 0; w < bone.mNumWeights; ++w)
+                {
+                    const aiVertexWeight& weight = bone.mWeights[w];
+                    RequireIndex(weight.mVertexId, mesh);
+                    AddWeight(skin.weights[first + weight.mVertexId],
+                              {known->second, weight.mWeight});
+                }
+            }
+            first = skin.weights.size();
+        }
+        std::ranges::for_each(skin.weights, Normalize);
+        return skin.bones.empty() ? MeshSkin() : skin;
+    }
+
+    /// Keeps the largest.
+    static void AddWeight(BoneWeights& weights, const BoneWeight& added)
+    {
+        BoneWeight& least = *std::ranges::min_element(weights, {}, &BoneWeight::weight);
+        least = added.weight > least.weight ? added : least;
+    }
+
+    void PlaceBones()
+    {
+        for (ModelContent::NamedMesh& mesh : m_Model.meshes)
+        {
+            for (std::size_t i = 0; i < mesh.skin.bones.size(); ++i)
+            {
+                const auto rest = m_Rests.find(mesh.skin.bones[i]);
+                glm::mat4& pose = mesh.skin.bindPoses[i];
+                pose = rest != m_Rests.end()
+                           ? glm::mat4(m_Axes.Matrix(rest->second) * glm::dmat4(pose))
+                           : pose;
+            }
+        }
     }
 
     /// The arrays that a joined mesh has: those of any part.
@@ -284,10 +361,6 @@ private:
             subMesh.indexCount =
                 static_cast<std::uint32_t>(data.triangles.size()) - subMesh.indexStart;
             data.subMeshes.push_back(subMesh);
-        }
-        if (!channels.hasTangents && m_Import.tangents != ModelTangents::None)
-        {
-            ComputeMikkTangents(data);
         }
         return data;
     }
@@ -364,6 +437,7 @@ private:
     UnityAxes m_Axes;
     ModelContent m_Model;
     std::map<std::vector<unsigned>, std::size_t> m_Known; ///< meshes by what they are joined of
+    std::map<std::string, glm::dmat4> m_Rests; ///< what is left over of the nodes' chains
 };
 
 /// Unity makes the root of a node that is alone at the top.

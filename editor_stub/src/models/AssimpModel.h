@@ -14,6 +14,7 @@ struct ModelContent
     {
         std::string name;
         MeshData data;
+        MeshSkin skin;
     };
     std::vector<ModelNode> nodes;
     std::vector<NamedMesh> meshes;

@@ -64,7 +64,7 @@ public:
         std::iota(m_Groups.begin(), m_Groups.end(), std::size_t{0});
     }
 
-    void Compute()
+    std::vector<std::uint32_t> Compute()
     {
         Weld();
         for (std::size_t i = 0; i < m_Triangles.size(); ++i)
@@ -77,6 +77,7 @@ public:
         Evaluate();
         CopyToDegenerate();
         Split();
+        return std::move(m_Copied);
     }
 
 private:
@@ -311,6 +312,7 @@ private:
         copy(m_Data.uv7);
         copy(m_Data.uv8);
         copy(m_Data.vertices);
+        m_Copied.push_back(vertex);
         return static_cast<std::uint32_t>(m_Data.vertices.size() - 1);
     }
 
@@ -322,17 +324,16 @@ private:
     std::vector<std::size_t> m_Neighbours; ///< by corner, the edge that begins there
     std::vector<std::size_t> m_Groups;     ///< by corner, towards the group's first
     std::vector<glm::vec4> m_Results;      ///< by corner
+    std::vector<std::uint32_t> m_Copied;
 };
 
 } // namespace
 
-void ComputeMikkTangents(MeshData& data)
+std::vector<std::uint32_t> ComputeMikkTangents(MeshData& data)
 {
     data.tangents.clear();
-    if (!data.normals.empty() && !data.uv.empty())
-    {
-        MikkSpace(data).Compute();
-    }
+    return data.normals.empty() || data.uv.empty() ? std::vector<std::uint32_t>()
+                                                   : MikkSpace(data).Compute();
 }
 
 } // namespace limn

@@ -12,6 +12,7 @@ namespace limn
 /// whose triangles do not agree becomes several vertices. A mesh without normals or uv has no
 /// tangents afterwards. The time is linear in the number of triangles.
 /// @param data  must have indices that are in range
-void ComputeMikkTangents(MeshData& data);
+/// @return for each vertex that was added, in order, the vertex that it is a copy of
+std::vector<std::uint32_t> ComputeMikkTangents(MeshData& data);
 
 } // namespace limn

@@ -119,6 +119,10 @@ void TransferMesh(auto& stream, auto& mesh)
     stream.Array(data.uv7);
     stream.Array(data.triangles);
     stream.Array(data.subMeshes);
+    auto& skin = mesh.skin;
+    stream.List(skin.bones, [&](auto& bone) { stream.Value(bone); });
+    stream.Array(skin.bindPoses);
+    stream.Array(skin.weights);
 }
 
 void TransferNode(auto& stream, auto& node)
@@ -163,7 +167,7 @@ std::string ImportModel(const ImportedFile& file)
     return writer.bytes();
 }
 
-constexpr ImportKind k_Model{"model", "model 1", ImportInWorker<ImportModel>};
+constexpr ImportKind k_Model{"model", "model 2", ImportInWorker<ImportModel>};
 
 /// The materials of an .obj lie in files beside it, which it names.
 std::string MaterialFilesOf(const std::filesystem::path& path, std::string_view bytes)
@@ -203,6 +207,7 @@ Model LoadModel(const std::filesystem::path& path, const ModelImport& import,
         {
             model.meshes.push_back(
                 std::make_shared<const Mesh>(std::move(mesh.name), std::move(mesh.data)));
+            model.skins.push_back(std::move(mesh.skin));
         }
     }
     catch (const ContractError& error) // numbers of a mesh that are none

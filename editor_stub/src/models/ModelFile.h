@@ -1,13 +1,13 @@
 #pragma once
 
 #include "assets/Importer.h"
+#include "models/MeshSkin.h"
 #include "unity/UnityObjects.h"
 
 #include <filesystem>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>
 #include <limn/core/Color.h>
-#include <limn/core/Mesh.h>
 
 namespace limn
 {
@@ -68,6 +68,7 @@ struct Model
 {
     std::vector<ModelNode> nodes; ///< the first is the root
     std::vector<std::shared_ptr<const Mesh>> meshes;
+    std::vector<MeshSkin> skins; ///< of each mesh
     std::vector<ModelMaterial> materials;
     ModelImport import;
 

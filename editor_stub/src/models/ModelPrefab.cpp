@@ -68,6 +68,17 @@ private:
         m_Text += "--- !u!" + std::to_string(static_cast<int>(classID)) + " &" +
                   std::to_string(id) + "\n" + name + ":\n";
     }
+    void BeginComponent(std::size_t node, UnityClass classID, const char* name)
+    {
+        Begin(classID, IdOf(node, classID, name), name);
+    }
+    /// The id of the Transform of the node that is a bone; 0 if there is none.
+    std::int64_t BoneId(const std::string& bone) const
+    {
+        const auto found = std::ranges::find(m_Model.nodes, bone, &ModelNode::name);
+        const auto index = static_cast<std::size_t>(found - m_Model.nodes.begin());
+        return found == m_Model.nodes.end() ? 0 : IdOf(index, UnityClass::Transform, "Transform");
+    }
     static std::string Number(float value)
     {
         char text[40];
@@ -115,15 +126,27 @@ private:
     void WriteRenderer(std::size_t index, std::int64_t object)
     {
         const ModelNode& node = m_Model.nodes[index];
-        Begin(UnityClass::MeshFilter, IdOf(index, UnityClass::MeshFilter, "MeshFilter"),
-              "MeshFilter");
-        m_Text += "  m_GameObject: " + Own(object) +
-                  "\n  m_Mesh: {fileID: " + std::to_string(MeshId(*node.mesh)) +
-                  ", guid: " + m_Guid + ", type: 3}\n";
-        Begin(UnityClass::MeshRenderer, IdOf(index, UnityClass::MeshRenderer, "MeshRenderer"),
-              "MeshRenderer");
-        m_Text += "  m_GameObject: " + Own(object) +
-                  "\n  m_Enabled: 1\n  m_RenderingLayerMask: 1\n  m_Materials:\n";
+        const MeshSkin& skin = m_Model.skins[*node.mesh];
+        const std::string mesh = "  m_GameObject: " + Own(object) +
+                                 "\n  m_Mesh: {fileID: " + std::to_string(MeshId(*node.mesh)) +
+                                 ", guid: " + m_Guid + ", type: 3}\n";
+        if (skin.isEmpty())
+        {
+            BeginComponent(index, UnityClass::MeshFilter, "MeshFilter");
+            m_Text += mesh;
+            BeginComponent(index, UnityClass::MeshRenderer, "MeshRenderer");
+            m_Text += "  m_GameObject: " + Own(object) + "\n";
+        }
+        else
+        {
+            BeginComponent(index, UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer");
+            m_Text += mesh + "  m_Bones:\n";
+            for (const std::string& bone : skin.bones)
+            {
+                m_Text += "  - " + Own(BoneId(bone)) + "\n";
+            }
+        }
+        m_Text += "  m_Enabled: 1\n  m_RenderingLayerMask: 1\n  m_Materials:\n";
         for (const std::string& material : node.materials)
         {
             const auto remapped = m_Model.import.materials.find(material);

@@ -94,7 +94,7 @@ public:
     {
     }
 
-    std::shared_ptr<const Mesh> Read()
+    SkinnableMesh Read()
     {
         RequireReadable();
         const UnityNode vertices = m_Fields["m_VertexData"];
@@ -104,10 +104,12 @@ public:
         MeshData data;
         ReadArrays(data);
         ReadTriangles(data);
+        MeshSkin skin = ReadSkin();
         try
         {
             const std::string_view name = m_Fields["m_Name"].text();
-            return std::make_shared<const Mesh>(std::string(name), std::move(data));
+            return {std::make_shared<const Mesh>(std::string(name), std::move(data)),
+                    std::move(skin)};
         }
         catch (const ContractError& error)
         {
@@ -336,7 +338,81 @@ private:
         }
     }
 
+    MeshSkin ReadSkin() const
+    {
+        MeshSkin skin;
+        for (const UnityNode pose : m_Fields["m_BindPose"])
+        {
+            skin.bindPoses.push_back(Matrix(pose));
+        }
+        if (skin.bindPoses.empty() || m_Channels[k_Bones].components == 0)
+        {
+            return {};
+        }
+        skin.weights.resize(m_Count);
+        // A mesh whose vertices follow one bone each has no weights.
+        const bool isWeighted = m_Channels[k_Weights].components > 0;
+        std::size_t vertex = 0;
+        ForEach(k_Weights,
+                [&](const glm::vec4& value)
+                {
+                    for (int i = 0; i < 4; ++i)
+                    {
+                        skin.weights[vertex][static_cast<std::size_t>(i)].weight = value[i];
+                    }
+                    ++vertex;
+                });
+        vertex = 0;
+        ForEach(k_Bones,
+                [&](const glm::vec4& value)
+                {
+                    BoneWeights& weights = skin.weights[vertex++];
+                    weights[0].weight = isWeighted ? weights[0].weight : 1.0f;
+                    for (int i = 0; i < 4; ++i)
+                    {
+                        weights[static_cast<std::size_t>(i)].bone = Bone(value[i], skin);
+                    }
+                    Normalize(weights);
+                });
+        return skin;
+    }
+
+    std::uint32_t Bone(float number, const MeshSkin& skin) const
+    {
+        if (!(number >= 0.0f && number < static_cast<float>(skin.bindPoses.size())))
+        {
+            Fail(m_Fields["m_BindPose"],
+                 "a vertex follows bone " +
+                     std::to_string(std::lround(std::clamp(number, -1.0f, 1e9f))) +
+                     "; the mesh has " + std::to_string(skin.bindPoses.size()) + " bind poses");
+        }
+        return static_cast<std::uint32_t>(number);
+    }
+
+    glm::mat4 Matrix(const UnityNode& node) const
+    {
+        glm::mat4 matrix(1.0f);
+        for (int row = 0; row < 4; ++row)
+        {
+            for (int column = 0; column < 4; ++column)
+            {
+                const std::string key = "e" + std::to_string(row) + std::to_string(column);
+                const std::string_view text = node[key].text();
+                float& value = matrix[column][row];
+                const auto [end, error] =
+                    std::from_chars(text.data(), text.data() + text.size(), value);
+                if (error != std::errc() || !std::isfinite(value))
+                {
+                    Fail(node, "a bind pose has no number " + key);
+                }
+            }
+        }
+        return matrix;
+    }
+
     static constexpr std::size_t k_Positions = 0; ///< the channel
+    static constexpr std::size_t k_Weights = 12;
+    static constexpr std::size_t k_Bones = 13;
     const UnityNode m_Fields;
     const std::string& m_File;
     std::size_t m_Count = 0; ///< of vertices
@@ -348,7 +424,7 @@ private:
 
 } // namespace
 
-std::shared_ptr<const Mesh> ReadTextMesh(const UnityNode& fields, const std::string& file)
+SkinnableMesh ReadTextMesh(const UnityNode& fields, const std::string& file)
 {
     return TextMeshReader(fields, file).Read();
 }

@@ -181,7 +181,29 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityTarget& mesh,
     {
         known->second = ReadMesh([&] { return mesh.object->fields; }, file);
     }
-    return known->second;
+    return known->second.mesh;
+}
+
+const MeshSkin* UnityMaterials::FindSkin(const Mesh& mesh) const
+{
+    for (const auto& [place, known] : m_TextMeshes)
+    {
+        if (known.mesh.get() == &mesh)
+        {
+            return known.skin.isEmpty() ? nullptr : &known.skin;
+        }
+    }
+    for (const auto& [guid, model] : m_Models)
+    {
+        for (std::size_t i = 0; model && i < model->meshes.size(); ++i)
+        {
+            if (model->meshes[i].get() == &mesh)
+            {
+                return model->skins[i].isEmpty() ? nullptr : &model->skins[i];
+            }
+        }
+    }
+    return nullptr;
 }
 
 std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::path& path,
@@ -191,7 +213,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
     const auto [known, isNew] = m_TextMeshes.try_emplace({path.generic_string(), fileID});
     if (!isNew)
     {
-        return known->second;
+        return known->second.mesh;
     }
     const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
     if (!file)
@@ -209,11 +231,11 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
         return nullptr;
     }
     known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
-    if (!known->second)
+    if (!known->second.mesh)
     {
         NoteUnread(path, user);
     }
-    return known->second;
+    return known->second.mesh;
 }
 
 /// Notes at the first who refers to a mesh's file what comes of it that it cannot be read. Another
@@ -228,9 +250,9 @@ void UnityMaterials::NoteUnread(const std::filesystem::path& path, const UnityRe
     }
 }
 
-/// Returns the mesh. Returns null and adds a note if it is broken.
-std::shared_ptr<const Mesh> UnityMaterials::ReadMesh(const std::function<UnityNode()>& fields,
-                                                     const std::string& file)
+/// Returns the mesh. Adds a note and returns none if it is broken.
+SkinnableMesh UnityMaterials::ReadMesh(const std::function<UnityNode()>& fields,
+                                       const std::string& file)
 {
     try
     {
@@ -239,7 +261,7 @@ std::shared_ptr<const Mesh> UnityMaterials::ReadMesh(const std::function<UnityNo
     catch (const AssetError& error)
     {
         m_Notes.Add(error.diagnostics());
-        return nullptr;
+        return {};
     }
 }
 

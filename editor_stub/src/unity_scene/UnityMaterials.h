@@ -29,6 +29,8 @@ public:
     /// Loads a mesh. Returns null and adds a note at `user` if there is none.
     /// @param mesh  must not be null
     std::shared_ptr<const Mesh> LoadMesh(const UnityTarget& mesh, const UnityReader& user);
+    /// Returns the bones of a mesh that LoadMesh returned, or null if limn knows none.
+    const MeshSkin* FindSkin(const Mesh& mesh) const;
     /// Loads a material. Never returns null.
     /// @param path  the path of the reference in `user`
     std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
@@ -49,8 +51,7 @@ private:
     std::shared_ptr<const Mesh> LoadTextMesh(const std::filesystem::path& path, std::int64_t fileID,
                                              const UnityReader& user);
     void NoteUnread(const std::filesystem::path& path, const UnityReader& user);
-    std::shared_ptr<const Mesh> ReadMesh(const std::function<UnityNode()>& fields,
-                                         const std::string& file);
+    SkinnableMesh ReadMesh(const std::function<UnityNode()>& fields, const std::string& file);
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
     std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path);
@@ -72,8 +73,7 @@ private:
     /// The prefabs of models, by guid.
     std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs;
     std::map<std::string, std::optional<Model>> m_Models;
-    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Mesh>>
-        m_TextMeshes;                               ///< by file and id
+    std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_Materials;
     std::shared_ptr<const Material> m_Magenta;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/base/NumberText.h>
 
 namespace limn
 {
@@ -86,6 +87,86 @@ void AddMaterials(UnitySceneLoader& loader, const UnityReader& reader, MeshRende
     }
 }
 
+/// Returns the bones of a renderer in the order of a skin's poses: each leads from the bone's space
+/// into the world.
+/// @param missing  gets the number of bones that there are not
+std::vector<glm::dmat4> FindBones(const UnitySceneLoader& loader, const UnityReader& renderer,
+                                  const MeshSkin& skin, std::size_t& missing)
+{
+    std::map<std::string, glm::dmat4> byName;
+    std::vector<std::optional<glm::dmat4>> bones;
+    const std::size_t count = renderer.Count("m_Bones");
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        const UnityTarget target =
+            renderer.Reference("m_Bones.Array.data[" + std::to_string(i) + "]");
+        const UnityGameObject* bone = loader.hierarchy.Find(target.object);
+        bones.emplace_back();
+        if (bone != nullptr)
+        {
+            bones.back() = bone->drawn->transform.worldMatrix();
+            byName.try_emplace(bone->drawn->name, *bones.back());
+        }
+    }
+    std::vector<glm::dmat4> found;
+    for (std::size_t i = 0; i < skin.bindPoses.size(); ++i)
+    {
+        // A list that Unity wrote may be in another order than limn's reader of models has.
+        const auto named = i < skin.bones.size() ? byName.find(skin.bones[i]) : byName.end();
+        const bool isListed = i < bones.size() && bones[i];
+        missing += named == byName.end() && !isListed ? 1 : 0;
+        found.push_back(named != byName.end() ? named->second
+                        : isListed            ? *bones[i]
+                                              : glm::dmat4(1.0));
+    }
+    return found;
+}
+
+/// Returns the mesh of a SkinnedMeshRenderer where its bones, as the scene saves them, put it. The
+/// place of the object itself does not matter to it, as in Unity.
+std::shared_ptr<const Mesh> Pose(UnitySceneLoader& loader, const UnityGameObject& object,
+                                 const UnityReader& renderer,
+                                 const std::shared_ptr<const Mesh>& mesh)
+{
+    if (renderer.Count("m_Bones") == 0)
+    {
+        return mesh; // it has blend shapes alone
+    }
+    const MeshSkin* skin = loader.materials.FindSkin(*mesh);
+    if (skin == nullptr)
+    {
+        renderer.Note("m_Bones", "limn finds no bone weights in the mesh " + mesh->name() +
+                                     ", so it is drawn at rest, where its object is");
+        return mesh;
+    }
+    std::size_t missing = 0;
+    std::vector<glm::dmat4> bones = FindBones(loader, renderer, *skin, missing);
+    if (missing > 0)
+    {
+        renderer.Note("m_Bones", "the scene lacks " + CountText(missing, "bone") + " of the " +
+                                     std::to_string(bones.size()) + " that the mesh " +
+                                     mesh->name() +
+                                     " follows, so it is drawn at rest, where its object is");
+        return mesh;
+    }
+    const glm::dmat4 toObject = glm::inverse(glm::dmat4(object.drawn->transform.worldMatrix()));
+    for (glm::dmat4& bone : bones)
+    {
+        bone = toObject * bone;
+    }
+    try
+    {
+        return PoseMesh(mesh, *skin, bones);
+    }
+    catch (const ContractError&)
+    {
+        renderer.Note("m_Bones", "a vertex of the mesh " + mesh->name() +
+                                     " gets no place from its bones, because a scale of the object "
+                                     "is 0 or a place is too large, so it is drawn at rest");
+        return mesh;
+    }
+}
+
 void AddRenderer(UnitySceneLoader& loader, const UnityGameObject& object,
                  const std::set<const UnityInstance*>& hidden)
 {
@@ -94,7 +175,7 @@ void AddRenderer(UnitySceneLoader& loader, const UnityGameObject& object,
     const UnityInstance* skinned = object.Find(UnityClass::SkinnedMeshRenderer);
     if (skinned != nullptr)
     {
-        filter = renderer = skinned; // at its rest pose
+        filter = renderer = skinned;
     }
     if (renderer == nullptr || filter == nullptr)
     {
@@ -112,6 +193,8 @@ void AddRenderer(UnitySceneLoader& loader, const UnityGameObject& object,
     if (object.isActive && made.enabled)
     {
         made.mesh = loader.materials.LoadMesh(target, mesh);
+        made.mesh =
+            made.mesh && skinned != nullptr ? Pose(loader, object, reader, made.mesh) : made.mesh;
     }
     made.enabled = made.enabled && hidden.count(renderer) == 0;
     reader.ReadEnum("m_CastShadows", ShadowCastingMode::ShadowsOnly, made.shadowCastingMode);

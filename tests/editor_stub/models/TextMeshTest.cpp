@@ -68,7 +68,7 @@ struct MeshText
     {
         const std::string text = Text();
         const UnityTree tree(text, "Flag.asset", 4);
-        return ReadTextMesh(tree.root(), "Flag.asset");
+        return ReadTextMesh(tree.root(), "Flag.asset").mesh;
     }
     std::string Problem() const
     {

@@ -154,6 +154,152 @@ TEST_F(MeshesOfAProject, AreLeftOutWithASentenceWhereTheyAreNone)
     EXPECT_NE(MeshNameOf(asset, "Object1050"), "(none)") << "the rest is drawn";
 }
 
+/// TriangleText with bones 0, 1 and both for its vertices. The second bone lies at (0, 2, 0).
+std::string SkinnedTriangleText(const std::string& header)
+{
+    std::string text = TriangleText(header);
+    const auto replace = [&text](const std::string& from, const std::string& to)
+    {
+        text.replace(text.rfind(from), from.size(), to);
+    };
+    const std::string none = "    - stream: 0\n      offset: 0\n      format: 0\n"
+                             "      dimension: 0\n";
+    replace(none + none,
+            "    - stream: 0\n      offset: 12\n      format: 0\n      dimension: 2\n"
+            "    - stream: 0\n      offset: 20\n      format: 10\n      dimension: 2\n");
+    const std::string one = "0000803f";
+    const std::string half = "0000003f";
+    const std::string two = "00000040";
+    const std::string zero = "00000000";
+    const std::string second = "01000000"; // a bone's number
+    replace(text.substr(text.rfind("_typelessdata")),
+            "_typelessdata: " + zero + zero + zero + one + zero + zero + zero + //
+                zero + two + zero + one + zero + second + zero +                //
+                two + zero + zero + half + half + second + zero + "\n");
+    const auto pose = [](const char* y)
+    {
+        std::string rows;
+        for (int i = 0; i < 16; ++i)
+        {
+            rows += (i == 0 ? "  - e" : "    e") + std::to_string(i / 4) + std::to_string(i % 4) +
+                    ": " +
+                    (i == 7       ? y
+                     : i % 5 == 0 ? "1"
+                                  : "0") +
+                    "\n";
+        }
+        return rows;
+    };
+    return text + "  m_BindPose:\n" + pose("0") + pose("-2");
+}
+
+/// Returns the documents of an object.
+/// @param more  fields of its Transform
+std::string ObjectText(int id, const std::string& name, const std::string& more)
+{
+    return "--- !u!1 &" + std::to_string(id) + "\nGameObject:\n  m_Name: " + name +
+           "\n  m_IsActive: 1\n--- !u!4 &" + std::to_string(id + 1) +
+           "\nTransform:\n  m_GameObject: {fileID: " + std::to_string(id) +
+           "}\n  m_Father: {fileID: 0}\n" + more;
+}
+
+/// Three objects: a skinned renderer and, at (1, 0, 0) and (0, 3, 0), its bones.
+std::string SkinnedObjects(const std::string& mesh, const std::string& bones)
+{
+    return ObjectText(50, "Skinned",
+                      "  m_LocalPosition: {x: 5, y: 6, z: 7}\n"
+                      "  m_LocalRotation: {x: 0.70710678, y: 0, z: 0, w: 0.70710678}\n") +
+           "--- !u!137 &52\nSkinnedMeshRenderer:\n  m_GameObject: {fileID: 50}\n"
+           "  m_Enabled: 1\n  m_Materials: []\n  m_Mesh: " +
+           mesh + "\n  m_Bones:\n" + bones +
+           ObjectText(60, "First", "  m_LocalPosition: {x: 1, y: 0, z: 0}\n") +
+           ObjectText(70, "Second", "  m_LocalPosition: {x: 0, y: 3, z: 0}\n");
+}
+
+std::vector<glm::vec3> WorldVertices(SceneAsset& asset, const std::string& object)
+{
+    const GameObject& found = *asset.scene.Find(object);
+    std::vector<glm::vec3> places;
+    for (const glm::vec3& vertex : found.renderer->mesh->data().vertices)
+    {
+        places.emplace_back(found.transform.worldMatrix() * glm::dvec4(glm::dvec3(vertex), 1.0));
+    }
+    return places;
+}
+
+MATCHER_P(IsNear, place, "")
+{
+    return glm::distance(arg, place) < 1e-5f;
+}
+
+TEST_F(MeshesOfAProject, AreWhereTheirBonesPutThem)
+{
+    SceneAsset asset =
+        Load({}, SkinnedTriangleText("--- !u!43 &77") +
+                     SkinnedObjects("{fileID: 77}", "  - {fileID: 61}\n  - {fileID: 71}\n"));
+    EXPECT_THAT(NotesOf(asset), testing::Each(testing::Not(HasSubstr("m_Bones"))));
+    // By hand: the first bone moves by (1, 0, 0), the second by (0, 1, 0) from its bind pose, and
+    // the object's own place does not matter.
+    EXPECT_THAT(WorldVertices(asset, "Skinned"),
+                testing::ElementsAre(IsNear(glm::vec3(1, 0, 0)), IsNear(glm::vec3(0, 3, 0)),
+                                     IsNear(glm::vec3(2.5f, 0.5f, 0))));
+}
+
+TEST_F(MeshesOfAProject, AreAtRestWithASentenceWhereBonesAreMissing)
+{
+    SceneAsset asset =
+        Load({}, SkinnedTriangleText("--- !u!43 &77") +
+                     SkinnedObjects("{fileID: 77}", "  - {fileID: 61}\n  - {fileID: 999}\n"));
+    EXPECT_THAT(NotesOf(asset),
+                Contains(Mentions("m_Bones", "lacks 1 bone of the 2", "Triangle", "at rest")));
+    EXPECT_THAT(WorldVertices(asset, "Skinned"),
+                testing::ElementsAre(IsNear(glm::vec3(5, 6, 7)), IsNear(glm::vec3(5, 6, 9)),
+                                     IsNear(glm::vec3(7, 6, 7))));
+}
+
+TEST_F(MeshesOfAProject, AreAtRestWithASentenceWhereTheyHaveNoWeights)
+{
+    SceneAsset asset =
+        Load({}, TriangleText("--- !u!43 &77") +
+                     SkinnedObjects("{fileID: 77}", "  - {fileID: 61}\n  - {fileID: 71}\n"));
+    EXPECT_THAT(NotesOf(asset),
+                Contains(Mentions("m_Bones", "no bone weights", "Triangle", "at rest")));
+}
+
+/// A figure of an FBX whose one bone, a child of a node that is turned, moves all of it.
+TEST_F(MeshesOfAProject, OfAModelFollowTheBonesOfItsInstance)
+{
+    std::filesystem::create_directories(m_Folder / "Assets");
+    std::filesystem::copy_file(SourcePath("tests/fuzz/model_seeds/figure.fbx"),
+                               m_Folder / "Assets/Figure.fbx");
+    m_Folder.Write("Assets/Figure.fbx.meta", "fileFormatVersion: 2\nguid: " + k_A +
+                                                 "\nModelImporter:\n  fileIDToRecycleName:\n"
+                                                 "    400000: Body\n    400002: Hips\n"
+                                                 "    4300000: Body\n    13700000: Body\n");
+    const auto modification = [&](const char* target, const char* path, const char* value)
+    {
+        return "    - target: {fileID: " + std::string(target) + ", guid: " + k_A +
+               ", type: 3}\n      propertyPath: " + path + "\n      value: " + value +
+               "\n      objectReference: {fileID: 0}\n";
+    };
+    // The body is turned onto its back, as old scenes have it, and the bone is lifted by 3 m.
+    SceneAsset asset =
+        Load({}, "--- !u!1001 &50\nPrefabInstance:\n  m_Modification:\n"
+                 "    m_TransformParent: {fileID: 0}\n    m_Modifications:\n" +
+                     modification("400000", "m_LocalRotation.x", "-0.70710678") +
+                     modification("400000", "m_LocalRotation.w", "0.70710678") +
+                     modification("400002", "m_LocalPosition.y", "4") +
+                     "  m_SourcePrefab: {fileID: 100100000, guid: " + k_A + ", type: 3}\n");
+    EXPECT_THAT(NotesOf(asset), testing::Each(testing::Not(HasSubstr("m_Bones"))));
+    // By hand: (0, 0, 0), (1, 0, 0), (0, 2, 0) and (-1, 0, 0) metres, x turned over, and 3 m up.
+    // The triangles' uv are mirrored, so that two vertices are there twice.
+    EXPECT_THAT(
+        WorldVertices(asset, "Body"),
+        testing::UnorderedElementsAre(IsNear(glm::vec3(0, 3, 0)), IsNear(glm::vec3(0, 3, 0)),
+                                      IsNear(glm::vec3(-1, 3, 0)), IsNear(glm::vec3(1, 3, 0)),
+                                      IsNear(glm::vec3(0, 5, 0)), IsNear(glm::vec3(0, 5, 0))));
+}
+
 TEST_F(MeshesOfAProject, DoNotEndTheProgramWhereTheImporterCrashes)
 {
     std::filesystem::create_directories(m_Folder / "Assets");
