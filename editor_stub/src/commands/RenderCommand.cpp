@@ -9,7 +9,6 @@
 
 #include <future>
 #include <limn/vulkan/VulkanDevice.h>
-#include <set>
 #include <thread>
 
 namespace limn
@@ -44,13 +43,9 @@ Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice
 
 void PrintNotes(const RenderReport& report, Console& console)
 {
-    std::set<std::string> printed;
-    for (const std::string& note : report.notes)
+    for (const std::string& note : NotesOf(report))
     {
-        if (printed.insert(note).second)
-        {
-            console.Note(note);
-        }
+        console.Note(note);
     }
 }
 

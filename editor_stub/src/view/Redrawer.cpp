@@ -202,7 +202,7 @@ void Redrawer::Draw(Clock::time_point start)
 
 void Redrawer::PrintNew(const RenderReport& report)
 {
-    const std::set<std::string> notes(report.notes.begin(), report.notes.end());
+    const std::vector<std::string> notes = NotesOf(report);
     for (const std::string& note : notes)
     {
         if (m_RenderNotes.count(note) == 0)
@@ -210,7 +210,7 @@ void Redrawer::PrintNew(const RenderReport& report)
             m_Console.Note(note);
         }
     }
-    m_RenderNotes = notes;
+    m_RenderNotes = {notes.begin(), notes.end()};
 }
 
 void Redrawer::PrintNew(const std::vector<Diagnostic>& notes)

@@ -2,6 +2,8 @@
 
 #include "console/CacheFolder.h"
 
+#include <algorithm>
+#include <functional>
 #include <limn/base/WorkerProcess.h>
 #include <limn/core/DynamicGI.h>
 #include <limn/editor_stub/Overrides.h>
@@ -69,6 +71,40 @@ SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
     }
     ApplySelection(asset, options.selection);
     return asset;
+}
+
+std::vector<std::string> NotesOf(const RenderReport& report)
+{
+    std::vector<std::string> notes;
+    for (const std::string& note : report.notes)
+    {
+        if (std::ranges::find(notes, note) == notes.end())
+        {
+            notes.push_back(note);
+        }
+    }
+    FilterCounts counts{};
+    for (const auto* filters : {&report.draws, &report.filters})
+    {
+        for (const DrawRenderersReport& filter : *filters)
+        {
+            std::ranges::transform(filter.counts, counts, counts.begin(), std::plus());
+        }
+    }
+    const auto countOf = [&](FilterVerdict verdict)
+    {
+        return counts[static_cast<std::size_t>(verdict)];
+    };
+    const bool isAny = std::ranges::any_of(counts, [](int count) { return count > 0; });
+    if (isAny && countOf(FilterVerdict::Drawn) == 0)
+    {
+        notes.push_back(std::string("no pass draws any of the objects that the camera sees: ") +
+                        (countOf(FilterVerdict::NoMatchingPass) > 0
+                             ? "their shaders have no pass with a LightMode that is drawn"
+                             : "layer masks and render queues leave all of them out") +
+                        "; 'limn explain SCENE' says for each pass what it leaves out");
+    }
+    return notes;
 }
 
 void MakeOpaque(Image& image)

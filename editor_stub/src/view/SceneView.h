@@ -51,6 +51,10 @@ SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets);
 /// see-through.
 void MakeOpaque(Image& image);
 
+/// Returns the notes of a frame, each once, and one more if objects were asked about and none was
+/// drawn.
+std::vector<std::string> NotesOf(const RenderReport& report);
+
 /// A loaded scene with everything that is needed to draw it except the device: renderer and
 /// volumes.
 class SceneView

@@ -281,6 +281,23 @@ TEST_F(Render, CountsPerRuleWhenNothingPassesTheFilter)
     EXPECT_EQ(0, GreenPixels("out.png"));
 }
 
+TEST_F(Render, SaysSoWhereNoPassDrawsAnObject)
+{
+    folder.Write("other.shader", "Shader \"Other\" { SubShader { Pass {\n"
+                                 "Tags { \"LightMode\" = \"OtherPipeline\" }\n"
+                                 "HLSLPROGRAM\n#pragma vertex vert\n#pragma fragment frag\n"
+                                 "float4 vert() : SV_Position { return 0; }\n"
+                                 "float4 frag() : SV_Target { return 1; }\nENDHLSL } } }\n");
+    folder.Write("other.scene.yaml", "materials: {other: {shader: other.shader}}\n"
+                                     "objects: [{name: Piece, mesh: cube, material: other}]\n"
+                                     "camera: {position: [0, 0, -4]}\n");
+    const CommandRun run = RunCommand({"render", Path("other.scene.yaml"), "-o", Path("out.png")});
+    EXPECT_EQ(run.exitCode, 0) << run.err;
+    EXPECT_THAT(run.err, Mentions("no pass draws any of the objects", "LightMode", "limn explain"));
+    const CommandRun drawn = Draw({});
+    EXPECT_THAT(drawn.err, testing::Not(HasSubstr("no pass draws")));
+}
+
 TEST_F(Render, SetChangesAVolumesColour)
 {
     const CommandRun run = Draw(
