@@ -9,7 +9,7 @@ namespace limn
 namespace
 {
 
-using TexturePtr = std::shared_ptr<const RenderTexture>;
+using RenderTexturePtr = std::shared_ptr<const RenderTexture>;
 
 /// Returns whether draws into `from` can go to `to`, directly or resolved.
 bool SameShape(const RenderTexture& from, const RenderTexture& to)
@@ -63,7 +63,7 @@ bool CanForward(const FrameNodes& nodes, const FrameTables& tables, std::size_t 
 }
 
 /// The copy has alpha 1, so that is what draws leave there.
-void DrawInto(FrameNode& node, FrameTables& tables, const TexturePtr& to)
+void DrawInto(FrameNode& node, FrameTables& tables, const RenderTexturePtr& to)
 {
     node.targets.colors.front() = to;
     if (node.coversColor)
@@ -93,7 +93,7 @@ void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame
 {
     for (std::size_t i = 0; i < nodes.size(); ++i)
     {
-        const TexturePtr from = CopiedBy(nodes[i], frame);
+        const RenderTexturePtr from = CopiedBy(nodes[i], frame);
         const bool isKept = !from || OutlivesFrame(*from, frame.states) ||
                             Contains(outputs, *from) ||
                             !SameShape(*from, *nodes[i].targets.colors.front()) ||
@@ -102,7 +102,7 @@ void EliminateCopies(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& frame
         {
             continue;
         }
-        const TexturePtr to = nodes[i].targets.colors.front();
+        const RenderTexturePtr to = nodes[i].targets.colors.front();
         FrameNode* last = nullptr;
         for (FrameNode& node : nodes)
         {

@@ -12,9 +12,6 @@ namespace limn
 namespace
 {
 
-constexpr int k_NearestPass = 0; // of CameraTargets::copy
-constexpr int k_BilinearPass = 1;
-
 SamplerState SamplerOf(const TextureDesc& desc)
 {
     SamplerState sampler{desc.filterMode, desc.wrapMode, desc.wrapMode, desc.wrapMode};
@@ -365,9 +362,9 @@ void RenderGraph::AddBlitPass(const TextureHandle& source, const TextureHandle& 
                               std::string_view passName)
 {
     const bool isNearest = filterMode == RenderGraphUtils::BlitFilterMode::ClampNearest;
-    RenderGraphUtils::BlitMaterialParameters parameters(source, destination,
-                                                        CopyMaterial("AddBlitPass"),
-                                                        isNearest ? k_NearestPass : k_BilinearPass);
+    RenderGraphUtils::BlitMaterialParameters parameters(
+        source, destination, CopyMaterial("AddBlitPass"),
+        isNearest ? CameraTargets::k_NearestPass : CameraTargets::k_BilinearPass);
     parameters.scale = scale;
     parameters.offset = offset;
     AddBlitPass(parameters, passName);

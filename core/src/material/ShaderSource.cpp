@@ -9,7 +9,7 @@ namespace limn
 namespace
 {
 
-std::shared_ptr<ShaderSource>& OfThread()
+std::shared_ptr<ShaderSource>& SourceOfThread()
 {
     static thread_local std::shared_ptr<ShaderSource> source;
     return source;
@@ -52,18 +52,18 @@ std::string ShaderSource::UnknownShader(std::string_view name) const
 }
 
 ShaderSourceScope::ShaderSourceScope(std::shared_ptr<ShaderSource> source)
-    : m_Before(std::exchange(OfThread(), std::move(source)))
+    : m_Before(std::exchange(SourceOfThread(), std::move(source)))
 {
 }
 
 ShaderSourceScope::~ShaderSourceScope()
 {
-    OfThread() = std::move(m_Before);
+    SourceOfThread() = std::move(m_Before);
 }
 
 std::shared_ptr<const Shader> Shader::Find(std::string_view name)
 {
-    const std::shared_ptr<ShaderSource>& source = OfThread();
+    const std::shared_ptr<ShaderSource>& source = SourceOfThread();
     if (!source)
     {
         Debug::LogWarning("Shader.Find('" + std::string(name) +

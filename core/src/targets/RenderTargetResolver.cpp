@@ -17,13 +17,11 @@ namespace
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
 const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
-// The passes of CameraTargets::copy.
-constexpr int k_NearestPass = 0;
-constexpr int k_BilinearPass = 1;
+// Further passes of CameraTargets::copy.
 constexpr int k_NearestQuadPass = 6;
 constexpr int k_BilinearQuadPass = 7;
 constexpr int k_ColorAndDepthPass = 8;
-constexpr glm::vec4 k_WholeTexture(1.0f, 1.0f, 0.0f, 0.0f);
+constexpr glm::vec4 k_WholeSource(1.0f, 1.0f, 0.0f, 0.0f);
 
 /// A negative size is a part of the camera's.
 int SizeOf(int asked, int camera)
@@ -284,7 +282,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const IdentifiedBlitCommand& 
     }
     const bool isNearest = source->sampler().filterMode == FilterMode::Point;
     DrawCopy(source, *dest.rt(), BlitScaleBias(IsProjectionFlipped(*dest.rt())),
-             isNearest ? k_NearestPass : k_BilinearPass, "Blit");
+             isNearest ? CameraTargets::k_NearestPass : CameraTargets::k_BilinearPass, "Blit");
     return m_Result;
 }
 
@@ -299,7 +297,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyTextureCommand& com
     }
     ExpectCopyable(*source, *dest.rt());
     m_Result.SetRenderTarget(dest);
-    DrawCopy(source, *dest.rt(), k_WholeTexture, k_NearestPass, "CopyTexture");
+    DrawCopy(source, *dest.rt(), k_WholeSource, CameraTargets::k_NearestPass, "CopyTexture");
     BindAgain();
     return m_Result;
 }
@@ -343,8 +341,8 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyDrawCommand& comman
     }
     DrawCopy(source,
              command.depth        ? k_ColorAndDepthPass
-             : command.isBilinear ? k_BilinearPass
-                                  : k_NearestPass,
+             : command.isBilinear ? CameraTargets::k_BilinearPass
+                                  : CameraTargets::k_NearestPass,
              "BlitTexture", std::move(properties), MeshTopology::Triangles);
     return m_Result;
 }

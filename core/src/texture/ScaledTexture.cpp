@@ -18,7 +18,7 @@ struct Reference
     glm::ivec2 previous{1};
 };
 
-Reference& OfThread()
+Reference& SizeOfThread()
 {
     static thread_local Reference reference;
     return reference;
@@ -88,23 +88,23 @@ void RTHandles::SetReferenceSize(int width, int height)
         throw ContractError("SetReferenceSize: the size is " + std::to_string(width) + "x" +
                             std::to_string(height) + "; both must be greater than 0");
     }
-    Reference& reference = OfThread();
+    Reference& reference = SizeOfThread();
     reference.previous = std::exchange(reference.size, {width, height});
 }
 
 int RTHandles::maxWidth()
 {
-    return OfThread().size.x;
+    return SizeOfThread().size.x;
 }
 
 int RTHandles::maxHeight()
 {
-    return OfThread().size.y;
+    return SizeOfThread().size.y;
 }
 
 RTHandleProperties RTHandles::rtHandleProperties()
 {
-    const Reference& reference = OfThread();
+    const Reference& reference = SizeOfThread();
     return {reference.previous, reference.previous, reference.size, reference.size};
 }
 
@@ -139,7 +139,7 @@ ScaledTexture::ScaledTexture(RTHandles::ScaleFunc scale, const RenderTextureDesc
 
 const std::shared_ptr<const RenderTexture>& ScaledTexture::texture()
 {
-    const glm::ivec2 camera = OfThread().size;
+    const glm::ivec2 camera = SizeOfThread().size;
     if (!m_Texture || m_CameraSize != camera)
     {
         const glm::ivec2 size = SizeFor(camera);

@@ -111,10 +111,10 @@ private:
 };
 
 /// One collider of a volume, whatever its shape.
-class ColliderShape
+class ColliderOutline
 {
 public:
-    ColliderShape(const Volume& volume, const Collider& collider)
+    ColliderOutline(const Volume& volume, const Collider& collider)
         : m_Volume(volume), m_Collider(collider)
     {
     }
@@ -249,7 +249,7 @@ int DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> vo
     {
         for (const Collider& collider : volume.colliders)
         {
-            const ColliderShape shape(volume, collider);
+            const ColliderOutline shape(volume, collider);
             if (volume.isGlobal || !volume.enabled || !shape.isEnabled())
             {
                 continue;

@@ -15,7 +15,7 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Pipelines = "com.unity.render-pipelines.";
+constexpr std::string_view k_PipelinePackages = "com.unity.render-pipelines.";
 
 /// Returns the folders in the order of their names.
 std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& parent)
@@ -118,8 +118,8 @@ const std::filesystem::path* PackageFolders::Find(const std::string& name)
 
 bool PackageFolders::hasOwnPipeline()
 {
-    return FindOwn(std::string(k_Pipelines) + "core") ||
-           FindOwn(std::string(k_Pipelines) + "universal");
+    return FindOwn(std::string(k_PipelinePackages) + "core") ||
+           FindOwn(std::string(k_PipelinePackages) + "universal");
 }
 
 void PackageFolders::ListOwn()
@@ -144,7 +144,7 @@ void PackageFolders::ListOwn()
 
 void PackageFolders::ListCached()
 {
-    if (!m_Around.empty() && NameIn(m_Around / "package.json").starts_with(k_Pipelines))
+    if (!m_Around.empty() && NameIn(m_Around / "package.json").starts_with(k_PipelinePackages))
     {
         AddBelow(m_Around.parent_path(), m_Cached);
     }

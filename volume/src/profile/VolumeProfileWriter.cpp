@@ -88,7 +88,7 @@ std::string WriteLimn(const VolumeProfile& profile, const VolumeComponentRegistr
     return text.empty() ? "{}\n" : text;
 }
 
-std::string UnityHeader(std::int64_t fileID, int hideFlags, const std::string& name)
+std::string HeaderText(std::int64_t fileID, int hideFlags, const std::string& name)
 {
     return "--- !u!114 &" + std::to_string(fileID) +
            "\n"
@@ -112,7 +112,7 @@ std::string UnityHeader(std::int64_t fileID, int hideFlags, const std::string& n
 std::string UnityComponent(const VolumeComponent& component, const std::string& name,
                            std::int64_t fileID)
 {
-    std::string text = UnityHeader(fileID, 3, name);
+    std::string text = HeaderText(fileID, 3, name);
     text += std::string("  active: ") + (component.active ? "1" : "0") + "\n";
     for (const VolumeParameter* parameter : component.parameters())
     {
@@ -145,7 +145,7 @@ std::string WriteUnity(const VolumeProfile& profile, const VolumeComponentRegist
         fileIDs.push_back(FileIDOf(name, fileIDs));
         text += UnityComponent(*component, name, fileIDs.back());
     }
-    text += UnityHeader(k_ProfileFileID, 0, profile.name);
+    text += HeaderText(k_ProfileFileID, 0, profile.name);
     text += fileIDs.empty() ? "  components: []\n" : "  components:\n";
     for (const std::int64_t fileID : fileIDs)
     {

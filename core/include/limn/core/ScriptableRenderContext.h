@@ -21,9 +21,11 @@ struct CameraTargets
     RTHandle color;
     RTHandle depth;
     RenderTexturePool* temporaryTextures = nullptr; ///< null = none can be made
-    /// The material whose passes 0 and 1 draw _BlitTexture over the whole target, with the nearest
-    /// texel and bilinearly; null if the renderer has no shaders.
+    /// The material that draws _BlitTexture over the whole target, with the nearest texel or
+    /// bilinearly; null if the renderer has no shaders.
     std::shared_ptr<const Material> copy;
+    static constexpr int k_NearestPass = 0;
+    static constexpr int k_BilinearPass = 1;
 };
 
 /// The state that holds for all draws until it is set again.
