@@ -3,7 +3,7 @@
 
 #include "ShippedTechniques.h"
 #include "editor_stub/SceneFolder.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 #include <atomic>
 #include <cstdlib>

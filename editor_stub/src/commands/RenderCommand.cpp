@@ -4,7 +4,7 @@
 #include "assets/OutputFiles.h"
 #include "explain/RenderReports.h"
 #include "shaders/UsedShaders.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 #include "view/VolumeGizmos.h"
 
 #include <future>

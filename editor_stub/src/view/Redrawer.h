@@ -1,6 +1,6 @@
 #pragma once
 
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 #include <limn/base/FileWatcher.h>
 
 #include <chrono>

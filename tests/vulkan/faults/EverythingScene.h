@@ -4,7 +4,7 @@
 #include "GpuTestDevice.h"
 #include "Paths.h"
 #include "features/RecordingFeature.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 #include <limn/core/AsyncGPUReadback.h>
 #include <limn/core/CoreUtils.h>

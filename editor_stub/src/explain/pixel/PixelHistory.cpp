@@ -3,7 +3,7 @@
 #include "explain/Explanation.h"
 #include "explain/pixel/PassTrace.h"
 #include "shaders/UsedShaders.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 #include <algorithm>
 #include <cmath>

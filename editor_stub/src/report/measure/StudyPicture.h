@@ -1,7 +1,7 @@
 #pragma once
 
 #include "report/truth/OutlineReference.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 namespace limn::study
 {

@@ -1,7 +1,7 @@
 #include "report/measure/StudyPictures.h"
 
 #include "report/measure/StudyFiles.h"
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 #include <algorithm>
 #include <cctype>

@@ -1,4 +1,4 @@
-#include "view/SceneView.h"
+#include "scene/SceneView.h"
 
 #include "console/CacheFolder.h"
 
