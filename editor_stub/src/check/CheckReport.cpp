@@ -11,7 +11,7 @@ namespace limn
 namespace
 {
 
-constexpr std::size_t k_ListedLines = 20; ///< of an expectation, unless -v asks for all
+constexpr std::size_t k_ListedDifferences = 20; ///< of an expectation, unless -v asks for all
 
 std::size_t FailedCount(const std::vector<Expectation>& expectations)
 {
@@ -45,7 +45,7 @@ std::string CheckText(const std::vector<Expectation>& expectations, const std::s
             continue;
         }
         text += OneLine(PlaceOf(one, file) + ": " + one.name) + "\n";
-        const std::size_t most = isLong ? one.diff.size() : k_ListedLines;
+        const std::size_t most = isLong ? one.diff.size() : k_ListedDifferences;
         for (std::size_t i = 0; i < std::min(most, one.diff.size()); ++i)
         {
             text += "  " + OneLine(one.diff[i]) + "\n";

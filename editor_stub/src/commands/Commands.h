@@ -1,7 +1,7 @@
 #pragma once
 
 #include "console/Console.h"
-#include "scene/SceneView.h"
+#include "view/RenderOptions.h"
 
 #include <limn/editor_stub/RunLimn.h>
 #include <map>

@@ -7,7 +7,7 @@
 #include "explain/Explanation.h"
 #include "explain/pixel/PixelHistory.h"
 #include "selection/SceneSelection.h"
-#include "scene/SceneView.h"
+#include "view/RenderOptions.h"
 
 #include <algorithm>
 #include <chrono>

@@ -3,8 +3,9 @@
 #include "assets/FileKind.h"
 #include "assets/OutputFiles.h"
 #include "explain/RenderReports.h"
-#include "shaders/UsedShaders.h"
 #include "scene/SceneView.h"
+#include "shaders/UsedShaders.h"
+#include "view/RenderOptions.h"
 #include "view/VolumeGizmos.h"
 
 #include <future>

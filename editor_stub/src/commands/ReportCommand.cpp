@@ -11,7 +11,7 @@
 #include "report/measure/StudyFiles.h"
 #include "report/measure/StudyScene.h"
 #include "report/pages/WriteReport.h"
-#include "scene/SceneView.h"
+#include "view/RenderOptions.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -114,14 +114,7 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
 
 std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
 {
-    ShaderCompilerOptions compilerOptions;
-    const std::filesystem::path cacheFolder = DefaultCacheFolder();
-    if (!cacheFolder.empty() && MakeFolder(cacheFolder).empty())
-    {
-        compilerOptions.cacheFolder = cacheFolder;
-    }
-    compilerOptions.cacheLimit = CacheLimit(compilerOptions.cacheLimit);
-    compilerOptions.process = std::make_shared<WorkerProcess>();
+    ShaderCompilerOptions compilerOptions = DefaultCompilerOptions();
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));

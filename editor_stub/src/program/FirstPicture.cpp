@@ -1,5 +1,7 @@
+#include "console/Console.h"
+#include "scene/Loader.h"
 #include "scene/SceneView.h"
-
+#include "shaders/ShaderFolders.h"
 #include "shaders/UsedShaders.h"
 
 #include <exception>
@@ -14,28 +16,29 @@ namespace limn
 namespace
 {
 
-void DrawPicture(const RenderOptions& options, Console& console)
+void DrawPicture(const std::filesystem::path& scene, const std::filesystem::path& output,
+                 Console& console)
 {
-    ShaderCompilerOptions compilerOptions = ChooseCompilerOptions(options, console);
-    VulkanDevice device({options.device, options.validate, compilerOptions.cacheFolder});
+    ShaderCompilerOptions compilerOptions = DefaultCompilerOptions();
+    VulkanDevice device({"", false, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();
     AssetContext assets(compilerOptions);
-    SceneAsset asset = LoadForRendering(options, assets);
+    SceneAsset asset = LoadSceneFile(scene, assets, InactiveObjects::Check);
     console.Print(asset.notes);
     CompileUsedShaders(asset);
     SceneView view(std::move(asset), assets);
     UniversalRenderPipeline pipeline(device);
-    const RenderResult frame = view.Render(pipeline, options.time, true);
+    const RenderResult frame = view.Render(pipeline, 0.0, true);
     Image image = device.ReadBack(*frame.output.rt());
     MakeOpaque(image);
-    WritePng(options.output, image);
+    WritePng(output, image);
 }
 
 } // namespace
 
 } // namespace limn
 
-/// `first_picture SCENE FILE` draws as `limn render SCENE -o FILE` does.
+/// `first_picture SCENE FILE` draws a scene file as `limn render SCENE -o FILE` does.
 int main(int argc, char** argv)
 {
     limn::Console console(std::cout, std::cerr);
@@ -43,13 +46,10 @@ int main(int argc, char** argv)
     {
         if (argc != 3)
         {
-            console.Error("first_picture takes a scene and the PNG to write");
+            console.Error("first_picture takes a scene file and the PNG to write");
             return 2;
         }
-        limn::RenderOptions options;
-        options.scene = argv[1];
-        options.output = argv[2];
-        limn::DrawPicture(options, console);
+        limn::DrawPicture(argv[1], argv[2], console);
         return 0;
     }
     catch (const limn::AssetError& error)

@@ -101,4 +101,9 @@ void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
                          const std::string& subject, Material& material, References& references,
                          AssetDiagnostics& diagnostics);
 
+/// Loads a scene from a *.scene.yaml file, as LoadScene does.
+/// @throws AssetError  as LoadScene does
+SceneAsset LoadSceneFile(const std::filesystem::path& path, AssetContext& assets,
+                         InactiveObjects inactive = InactiveObjects::Load);
+
 } // namespace limn

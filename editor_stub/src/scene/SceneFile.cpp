@@ -3,7 +3,6 @@
 #include "settings/SettingsReader.h"
 #include "settings/ShadowKeys.h"
 #include "unity/RenderPipelineAsset.h"
-#include "unity_scene/UnityScene.h"
 
 #include <algorithm>
 #include <bit>
@@ -347,18 +346,9 @@ void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& 
     }
 }
 
-SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
-                     InactiveObjects inactive)
+SceneAsset LoadSceneFile(const std::filesystem::path& path, AssetContext& assets,
+                         InactiveObjects inactive)
 {
-    std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
-    {
-        return LoadUnityScene(FindFirstUnityScene(path), assets);
-    }
-    if (path.extension() == ".unity")
-    {
-        return LoadUnityScene(path, assets);
-    }
     assets.Reach(path);
     assets.AddRootsAround(path);
     const std::vector<YamlNode> documents = LoadYamlFile(path);

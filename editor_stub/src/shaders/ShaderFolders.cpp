@@ -1,7 +1,9 @@
 #include "shaders/ShaderFolders.h"
 
+#include "console/CacheFolder.h"
 #include "console/Texts.h"
 
+#include <limn/base/WorkerProcess.h>
 #include <limn/features/Features.h>
 
 namespace limn
@@ -61,6 +63,19 @@ bool isUnityShader(std::string_view name)
                                 "UI/",
                                 "Universal Render Pipeline/",
                                 "Unlit/"});
+}
+
+ShaderCompilerOptions DefaultCompilerOptions()
+{
+    ShaderCompilerOptions options;
+    const std::filesystem::path folder = DefaultCacheFolder();
+    if (!folder.empty() && MakeFolder(folder).empty())
+    {
+        options.cacheFolder = folder;
+    }
+    options.cacheLimit = CacheLimit(options.cacheLimit);
+    options.process = std::make_shared<WorkerProcess>();
+    return options;
 }
 
 } // namespace limn

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limn/shaderlab/ShaderCompiler.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <string_view>
 #include <vector>
@@ -19,5 +20,9 @@ ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders);
 /// Returns whether Unity or one of its packages has a shader of this name, so that no project needs
 /// to hold it. The folder in the name tells that, or the whole name for the oldest shaders.
 bool isUnityShader(std::string_view name);
+
+/// Returns the options of a compiler that has a process for imports and the default cache folder,
+/// if that can be made.
+ShaderCompilerOptions DefaultCompilerOptions();
 
 } // namespace limn

@@ -1,5 +1,6 @@
 #include "unity_scene/UnityScene.h"
 
+#include "scene/Loader.h"
 #include "unity_scene/UnityRenderSettings.h"
 #include "unity_scene/UnitySceneLoader.h"
 
@@ -258,6 +259,18 @@ SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& asset
     assets.Reach(path);
     assets.AddRootsAround(path);
     return ReadScene(path, assets);
+}
+
+SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
+                     InactiveObjects inactive)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+    {
+        return LoadUnityScene(FindFirstUnityScene(path), assets);
+    }
+    return path.extension() == ".unity" ? LoadUnityScene(path, assets)
+                                        : LoadSceneFile(path, assets, inactive);
 }
 
 } // namespace limn

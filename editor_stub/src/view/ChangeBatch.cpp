@@ -25,7 +25,7 @@ bool IsBeingBuilt(const std::filesystem::path& file)
     return file.extension() == ".so" && !IsWholeModule(file);
 }
 
-bool IsThere(const std::filesystem::path& file)
+bool IsFileThere(const std::filesystem::path& file)
 {
     std::error_code ignored;
     return std::filesystem::exists(file, ignored);
@@ -50,7 +50,7 @@ std::optional<std::chrono::milliseconds> ChangeBatch::Remaining(Clock::time_poin
     {
         return std::nullopt;
     }
-    const bool areAllThere = std::ranges::all_of(m_Files, IsThere);
+    const bool areAllThere = std::ranges::all_of(m_Files, IsFileThere);
     const bool isModuleBuilt = std::ranges::any_of(m_Files, IsBeingBuilt);
     const auto latest = m_First + (isModuleBuilt ? k_LongestOfModules : k_Longest);
     const auto end = areAllThere && !isModuleBuilt ? std::min(m_Last + k_Quiet, latest) : latest;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scene/SceneView.h"
+#include "view/RenderOptions.h"
 #include <limn/base/FileWatcher.h>
 
 #include <chrono>
