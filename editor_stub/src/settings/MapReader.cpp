@@ -24,7 +24,7 @@ const SceneKey& SceneMapReader::Ask(std::string_view key)
     const auto found = std::ranges::find(m_Keys, key, &SceneKey::name);
     if (found == m_Keys.end())
     {
-        throw ContractError(SubjectOf(key) + " is read, and scene/Keys.h does not have the key");
+        throw ContractError(SubjectOf(key) + " is read, and settings/Keys.h does not have the key");
     }
     m_Asked |= std::uint32_t{1} << (found - m_Keys.begin());
     return *found;
@@ -74,7 +74,7 @@ void SceneMapReader::Finish()
         if (((m_Asked >> i) & 1u) == 0)
         {
             throw ContractError(SubjectOf(m_Keys[i].name) +
-                                " is in scene/Keys.h, and nothing reads it");
+                                " is in settings/Keys.h, and nothing reads it");
         }
         if (m_Keys[i].isRequired)
         {

@@ -20,7 +20,7 @@ TEST(SceneMapReader, RefusesToReadAKeyThatTheListLacks)
     AssetDiagnostics diagnostics("f");
     SceneMapReader map(YamlNode(), "box", k_Keys, diagnostics);
     EXPECT_THAT(ThrownMessage<ContractError>([&] { map.Find("height"); }),
-                Mentions("box.height", "is read", "scene/Keys.h"));
+                Mentions("box.height", "is read", "settings/Keys.h"));
 }
 
 TEST(SceneMapReader, RefusesAListWithAKeyThatNothingReads)
@@ -30,7 +30,7 @@ TEST(SceneMapReader, RefusesAListWithAKeyThatNothingReads)
     float width = 0.0f;
     map.Read("width", width);
     EXPECT_THAT(ThrownMessage<ContractError>([&] { map.Finish(); }),
-                Mentions("box.name", "scene/Keys.h", "nothing reads"));
+                Mentions("box.name", "settings/Keys.h", "nothing reads"));
 }
 
 } // namespace limn::test
