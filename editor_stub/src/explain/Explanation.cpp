@@ -1,7 +1,7 @@
 #include "explain/Explanation.h"
 
-#include "shaders/UsedShaders.h"
 #include "scene/SceneView.h"
+#include "shaders/UsedShaders.h"
 
 #include <algorithm>
 #include <limn/core/Culling.h>

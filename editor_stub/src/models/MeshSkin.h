@@ -14,14 +14,15 @@ struct BoneWeight
     float weight = 0.0f;
 };
 
-/// Four bones at most move a vertex, as in Unity's default quality. Their weights add up to 1; all of
-/// a vertex that no bone moves are 0.
+/// Four bones at most move a vertex, as in Unity's default quality. Their weights add up to 1; all
+/// of a vertex that no bone moves are 0.
 using BoneWeights = std::array<BoneWeight, 4>;
 
 /// The bones that move a mesh's vertices. Unity: Mesh.bindposes, Mesh.boneWeights (2022.3).
 struct MeshSkin
 {
-    /// The names of the bones' nodes. Empty if a renderer lists its bones in the order of the poses.
+    /// The names of the bones' nodes. Empty if a renderer lists its bones in the order of the
+    /// poses.
     std::vector<std::string> bones;
     std::vector<glm::mat4> bindPoses; ///< lead from the mesh's space into the space of each bone
     std::vector<BoneWeights> weights; ///< of each vertex

@@ -2,8 +2,8 @@
 
 #include "explain/Explanation.h"
 #include "explain/pixel/PassTrace.h"
-#include "shaders/UsedShaders.h"
 #include "scene/SceneView.h"
+#include "shaders/UsedShaders.h"
 
 #include <algorithm>
 #include <cmath>
