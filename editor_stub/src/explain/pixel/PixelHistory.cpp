@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limn/core/Culling.h>
 #include <limn/editor_stub/Raycast.h>
+#include <limn/vulkan/VulkanDevice.h>
 #include <map>
 
 namespace limn
