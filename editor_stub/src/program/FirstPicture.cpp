@@ -1,3 +1,4 @@
+#include "assets/FileKind.h"
 #include "console/Console.h"
 #include "scene/Loader.h"
 #include "scene/SceneView.h"
@@ -19,6 +20,7 @@ namespace
 void DrawPicture(const std::filesystem::path& scene, const std::filesystem::path& output,
                  Console& console)
 {
+    RequireKind(scene.string(), {FileKind::Scene}, "first_picture");
     ShaderCompilerOptions compilerOptions = DefaultCompilerOptions();
     VulkanDevice device({"", false, compilerOptions.cacheFolder});
     compilerOptions.missingFeatures = device.missingShaderFeatures();
