@@ -128,11 +128,11 @@ std::shared_ptr<const Mesh> Pose(UnitySceneLoader& loader, const UnityGameObject
                                  const UnityReader& renderer,
                                  const std::shared_ptr<const Mesh>& mesh)
 {
-    if (renderer.Count("m_Bones") == 0)
+    const MeshSkin* skin = loader.materials.FindSkin(*mesh);
+    if (skin == nullptr && renderer.Count("m_Bones") == 0)
     {
         return mesh; // it has blend shapes alone
     }
-    const MeshSkin* skin = loader.materials.FindSkin(*mesh);
     if (skin == nullptr)
     {
         renderer.Note("m_Bones", "limn finds no bone weights in the mesh " + mesh->name() +

@@ -257,6 +257,13 @@ TEST_F(MeshesOfAProject, AreAtRestWithASentenceWhereBonesAreMissing)
                                      IsNear(glm::vec3(7, 6, 7))));
 }
 
+TEST_F(MeshesOfAProject, AreAtRestWithASentenceWhereNoBoneIsListed)
+{
+    const SceneAsset asset =
+        Load({}, SkinnedTriangleText("--- !u!43 &77") + SkinnedObjects("{fileID: 77}", ""));
+    EXPECT_THAT(NotesOf(asset), Contains(Mentions("m_Bones", "lacks 2 bones of the 2", "at rest")));
+}
+
 TEST_F(MeshesOfAProject, AreAtRestWithASentenceWhereTheyHaveNoWeights)
 {
     SceneAsset asset =
