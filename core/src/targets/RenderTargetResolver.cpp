@@ -17,7 +17,7 @@ namespace
 const ShaderPropertyId _BlitMipLevel{"_BlitMipLevel"};
 const ShaderPropertyId _BlitScaleBiasRt{"_BlitScaleBiasRt"};
 const ShaderPropertyId _InputDepthTexture{"_InputDepthTexture"};
-// Further passes of CameraTargets::copy.
+// These are further passes of CameraTargets::copy.
 constexpr int k_NearestQuadPass = 6;
 constexpr int k_BilinearQuadPass = 7;
 constexpr int k_ColorAndDepthPass = 8;

@@ -54,7 +54,7 @@ std::string CheckText(const std::vector<Expectation>& expectations, const std::s
                     ? "  … and " + std::to_string(one.diff.size() - most) + " more; -v lists them\n"
                     : "";
     }
-    return text + Count(expectations.size(), "expectation") + ", " +
+    return text + CountText(expectations.size(), "expectation") + ", " +
            std::to_string(FailedCount(expectations)) + " " + failed + "\n";
 }
 

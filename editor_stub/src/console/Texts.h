@@ -4,6 +4,7 @@
 #include <functional>
 #include <initializer_list>
 #include <iterator>
+#include <limn/base/NumberText.h>
 #include <limn/base/Text.h>
 #include <string>
 #include <string_view>
@@ -43,12 +44,6 @@ std::vector<std::string_view> NamesOf(const Items& items, const NameOf& nameOf)
     std::vector<std::string_view> names;
     std::ranges::transform(items, std::back_inserter(names), nameOf);
     return names;
-}
-
-/// Returns a count with its noun, plural unless it is 1: "3 cells", "1 cell".
-inline std::string Count(std::size_t count, std::string_view noun)
-{
-    return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
 /// Returns the text with `value` in place of each `what`.

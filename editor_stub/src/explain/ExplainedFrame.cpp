@@ -241,7 +241,7 @@ std::string DrawsText(const ExplainedPass& pass)
     const std::string before =
         pass.instances == pass.draws ? "" : std::to_string(pass.instances) + " → ";
     const char* part = pass.limited == pass.draws ? "in a part only" : "in a part";
-    return before + Count(static_cast<std::size_t>(pass.draws), "draw") +
+    return before + CountText(static_cast<std::size_t>(pass.draws), "draw") +
            some(pass.limited, pass.draws, part) +
            some(pass.indirect, pass.draws, "by a buffer's counts");
 }

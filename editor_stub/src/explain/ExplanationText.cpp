@@ -61,7 +61,7 @@ TextLines OddObjects(const Explanation& explanation)
     TextLines lines;
     for (const auto& [reason, objects] : names)
     {
-        lines.push_back(Count(objects.size(), "object") + " of " +
+        lines.push_back(CountText(objects.size(), "object") + " of " +
                         std::to_string(explanation.objects.size()) +
                         (objects.size() == 1 ? " is" : " are") + " not drawn, " + reason + ": " +
                         NameSome(objects));
@@ -268,7 +268,7 @@ std::string RunText(const ExplainedFrame& frame, const ExplainedPass& pass)
     }
     const std::size_t barriers =
         pass.barriers.size() + static_cast<std::size_t>(pass.bufferBarriers);
-    return text + sampled + "; " + Count(barriers, "barrier");
+    return text + sampled + "; " + CountText(barriers, "barrier");
 }
 
 /// ", shares memory with _Depth and _Mask", or nothing.
@@ -306,7 +306,7 @@ std::string TexturesText(const ExplainedFrame& frame)
     {
         bytes += texture.bytes;
     }
-    return Count(frame.textures.size(), "texture") + " of " + BytesText(bytes);
+    return CountText(frame.textures.size(), "texture") + " of " + BytesText(bytes);
 }
 
 std::string LeftOutText(const LeftOut& item)
@@ -336,9 +336,9 @@ std::string FrameText(const Explanation& explanation, bool isLong)
 
 std::string ShortText(const Explanation& explanation)
 {
-    return FrameText(explanation, false) + Count(explanation.objects.size(), "object") + ", " +
+    return FrameText(explanation, false) + CountText(explanation.objects.size(), "object") + ", " +
            TexturesText(explanation.frame) + ", " +
-           Count(explanation.variants.size(), "shader variant") + " of " +
+           CountText(explanation.variants.size(), "shader variant") + " of " +
            std::to_string(explanation.builtVariants) +
            " built: -v lists them, --object NAME and --pixel X,Y explain one\n";
 }
@@ -374,7 +374,7 @@ std::string ObjectText(const Explanation& explanation, const std::string& name, 
     {
         lines.push_back(pass + ": " + CountsText(counts[pass]));
     }
-    return Section(OneLine(name) + ", " + Count(objects.size(), "object"), lines) + idle +
+    return Section(OneLine(name) + ", " + CountText(objects.size(), "object"), lines) + idle +
            (isLong ? Objects(objects, "  ") : "-v lists the objects\n");
 }
 

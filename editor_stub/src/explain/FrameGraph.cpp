@@ -179,7 +179,7 @@ private:
     {
         const auto count = static_cast<std::size_t>(std::ranges::count_if(
             pass.reads, [this](std::size_t t) { return !m_Frame.textures[t].isDrawn; }));
-        return count == 0 ? "" : ", " + Count(count, "texture") + " given";
+        return count == 0 ? "" : ", " + CountText(count, "texture") + " given";
     }
 
     void AddLeftOut(std::size_t index)

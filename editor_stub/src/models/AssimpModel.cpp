@@ -282,7 +282,7 @@ private:
         return skin.bones.empty() ? MeshSkin() : skin;
     }
 
-    /// Keeps the largest.
+    /// Keeps the largest weights of a vertex.
     static void AddWeight(BoneWeights& weights, const BoneWeight& added)
     {
         BoneWeight& least = *std::ranges::min_element(weights, {}, &BoneWeight::weight);

@@ -98,7 +98,7 @@ std::string SizesText(const ShaderProgram& program, const std::string& indent)
                 " words, " +
                 (geometry == 0 ? "" : "geometry " + std::to_string(geometry) + " words, ") +
                 "fragment " + std::to_string(program.fragmentSpirv.size()) + " words, " +
-                Count(static_cast<std::size_t>(program.layout.colorOutputs), "colour output"));
+                CountText(static_cast<std::size_t>(program.layout.colorOutputs), "colour output"));
 }
 
 std::string PassText(const CheckedPass& checked, std::size_t index)
@@ -311,12 +311,12 @@ ShaderSummary Summarize(const std::vector<ShaderCheck>& checks)
 
 std::string ToString(const ShaderSummary& summary)
 {
-    std::string text = Count(static_cast<std::size_t>(summary.files), "file") + ": " +
+    std::string text = CountText(static_cast<std::size_t>(summary.files), "file") + ": " +
                        std::to_string(summary.parsed) + " parsed" +
                        Rate(summary.parsed, summary.files);
     if (summary.errors > 0)
     {
-        text += ", " + Count(static_cast<std::size_t>(summary.errors), "error");
+        text += ", " + CountText(static_cast<std::size_t>(summary.errors), "error");
     }
     const int tried = summary.passesTried();
     text += "; " + std::to_string(summary.passesOf(PassOutcome::Compiled)) + " of " +

@@ -173,18 +173,19 @@ std::string RestSentence(const PixelHistory& history)
 {
     const std::size_t objects = history.uncovered.size();
     std::string text =
-        Count(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
+        CountText(objects, "object") + (objects == 1 ? " does" : " do") + " not cover the pixel";
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
         const auto count = static_cast<std::size_t>(draws.count);
-        text +=
-            (count == 1 ? ", nor does " : ", nor do ") + Count(count, "draw") + " of " + draws.pass;
+        text += (count == 1 ? ", nor does " : ", nor do ") + CountText(count, "draw") + " of " +
+                draws.pass;
     }
     const auto absent =
         static_cast<std::size_t>(std::ranges::count(history.absent, false, &PixelAbsent::isHere));
-    text += absent > 0 ? "; " + Count(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
+    text +=
+        absent > 0 ? "; " + CountText(absent, "object") + IsOrAre(absent) + " drawn nowhere" : "";
     const std::size_t elsewhere = history.elsewhere.size();
-    text += elsewhere > 0 ? "; " + Count(elsewhere, "target") + IsOrAre(elsewhere) +
+    text += elsewhere > 0 ? "; " + CountText(elsewhere, "target") + IsOrAre(elsewhere) +
                                 " of another layout than the picture"
                           : "";
     return OneLine(text + ": -v names them") + "\n";
@@ -200,7 +201,7 @@ std::string RestText(const PixelHistory& history)
     for (const PixelUncovered& draws : history.uncoveredDraws)
     {
         uncovered.push_back(
-            Count(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass + ": " +
+            CountText(static_cast<std::size_t>(draws.count), "draw") + " of " + draws.pass + ": " +
             draws.shader + (draws.shaderPassName.empty() ? "" : " '" + draws.shaderPassName + "'"));
     }
     return Section("drawn, but not over the pixel", uncovered) +

@@ -236,7 +236,7 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
     if (chosen.failures > 0)
     {
         result.more = " It failed " + std::to_string(chosen.failures) + " of " +
-                      Count(chosen.stabilityCells, "stability check") + ".";
+                      CountText(chosen.stabilityCells, "stability check") + ".";
     }
     result.more += choice.others + CannotTell(comparison, &chosen, budgetMilliseconds) +
                    MoreTimeBuys(comparison, chosen, budgetMilliseconds);
@@ -259,7 +259,7 @@ std::vector<std::string> WarningsOf(const Comparison& comparison)
     else if (load.changed > 0)
     {
         warnings.push_back("The load changed during " + std::to_string(load.changed) + " of " +
-                           Count(load.measurements, "measurement") +
+                           CountText(load.measurements, "measurement") +
                            " of time; not where techniques are compared.");
     }
     constexpr double k_ManyProcessors = 0.2;

@@ -221,7 +221,7 @@ std::string Missing(const Study& study)
     const std::size_t count = names.size();
     names.resize(std::min(count, k_Named));
     return count == 0 ? ""
-                      : Count(count, "planned cell") + " not measured: " + Joined(names, ", ") +
+                      : CountText(count, "planned cell") + " not measured: " + Joined(names, ", ") +
                             (count > k_Named ? ", ..." : "") + ".";
 }
 
