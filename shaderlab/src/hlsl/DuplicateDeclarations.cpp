@@ -30,15 +30,35 @@ bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
     return first.buffer.starts_with("limn_") || !second.buffer.starts_with("limn_");
 }
 
-/// `cbuffer name { }` with nothing in it, which glslang does not read.
-void RemoveBuffer(TokenEdits& code, std::size_t close)
+/// Returns the tokens of a buffer, from `cbuffer` to one behind its end.
+/// @param close  its closing brace
+std::pair<std::size_t, std::size_t> SpanOfBuffer(const TokenEdits& code, std::size_t close)
 {
     std::size_t first = code.tokens().MatchingOpen(close);
     while (first > 0 && code.Text(first) != "cbuffer" && code.Text(first) != "tbuffer")
     {
         --first;
     }
-    code.Erase(first, close + (code.Text(close + 1) == ";" ? 2 : 1));
+    return {first, close + (code.Text(close + 1) == ";" ? 2 : 1)};
+}
+
+/// Returns the first token of what declares a uniform, which may be a buffer.
+std::size_t BeginOfDeclaration(const TokenEdits& code, const HlslVariable& uniform)
+{
+    return uniform.isInBuffer ? SpanOfBuffer(code, uniform.endToken).first : uniform.firstToken;
+}
+
+bool IsUsedBetween(const TokenEdits& code, const HlslVariable& first, const HlslVariable& second,
+                   const std::vector<bool>& isLeftOut)
+{
+    for (std::size_t i = first.semicolon; i < second.firstToken; ++i)
+    {
+        if (!isLeftOut[i] && code.Text(i) == first.name)
+        {
+            return true;
+        }
+    }
+    return false;
 }
 
 /// Takes names out of a declaration, with the commas that they leave, or all of it.
@@ -93,6 +113,7 @@ DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations)
         else if (isSame && !isStaying && other->semicolon > 0)
         {
             repeats.superfluous.push_back(other);
+            repeats.early.emplace_back(other, &variable);
             other = &variable;
         }
         else if (!variable.isInBuffer)
@@ -115,13 +136,14 @@ DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations)
     return repeats;
 }
 
-void RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations)
+DuplicateDeclarations RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations)
 {
-    const std::vector<const HlslVariable*> superfluous = FindDuplicates(declarations).superfluous;
+    DuplicateDeclarations found = FindDuplicates(declarations);
+    const std::vector<const HlslVariable*>& superfluous = found.superfluous;
     const std::set<const HlslVariable*> goes(superfluous.begin(), superfluous.end());
     if (goes.empty())
     {
-        return;
+        return found;
     }
     std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
     std::map<std::size_t, std::vector<const HlslVariable*>> lists; // by their semicolon
@@ -141,8 +163,33 @@ void RemoveDuplicates(TokenEdits& code, const HlslDeclarations& declarations)
         }
         if (variable->isInBuffer && --left[variable->endToken] == 0)
         {
-            RemoveBuffer(code, variable->endToken);
+            // glslang does not read `cbuffer name { }` with nothing in it.
+            const auto [first, end] = SpanOfBuffer(code, variable->endToken);
+            code.Erase(first, end);
         }
+    }
+    return found;
+}
+
+void MoveBuffersUp(TokenEdits& code, const DuplicateDeclarations& removed,
+                   const std::vector<bool>& isLeftOut)
+{
+    std::map<std::size_t, std::size_t> places; // the new ones, by the buffer's end
+    for (const auto& [first, second] : removed.early)
+    {
+        const std::size_t place = BeginOfDeclaration(code, *first);
+        if (place > 0 && !isLeftOut[second->token] &&
+            IsUsedBetween(code, *first, *second, isLeftOut))
+        {
+            const auto known = places.try_emplace(second->endToken, place).first;
+            known->second = std::min(known->second, place);
+        }
+    }
+    for (const auto& [close, place] : places)
+    {
+        const auto [first, end] = SpanOfBuffer(code, close);
+        code.Insert(place - 1, " " + code.Spelled(first, end));
+        code.Erase(first, end);
     }
 }
 

@@ -90,7 +90,7 @@ public:
         TakeStandIns();
         RefuseMatrices();
         RemoveEmptyMembers();
-        RemoveDuplicates(m_Code, m_Source.declarations);
+        const DuplicateDeclarations removed = RemoveDuplicates(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
         ReplaceStaticObjects();
         CopyAssignedUniforms();
@@ -98,6 +98,7 @@ public:
         Lower();
         DelayStatics();
         ClearStatics();
+        MoveBuffersUp(m_Code, removed, m_Reach.isLeftOut());
     }
 
     RewrittenHlsl Finish(const std::string& entry)

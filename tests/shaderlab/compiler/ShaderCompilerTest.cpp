@@ -187,6 +187,33 @@ TEST(ShaderCompiler, LetsTheCodeAssignToUniformsOfTemplateTypes)
     EXPECT_EQ(pass->layout.buffers.at(0).members.at(0).name, "_Offset");
 }
 
+TEST(ShaderCompiler, LetsFunctionsUseWhatTheAuthorDeclaresBeforeTheLibraryDoes)
+{
+    for (const char* declaration : {"float4 unity_OrthoParams;",
+                                    "cbuffer Author { float4 _Other; float4 unity_OrthoParams; };"})
+    {
+        const auto pass = CompileHlsl(std::string(declaration) + R"(
+            bool isFlat() { return unity_OrthoParams.w == 1.0; }
+            #include "UnityCG.cginc"
+            float4 vert(float4 p : POSITION) : SV_Position { return UnityObjectToClipPos(p); }
+            float4 frag() : SV_Target { return isFlat() ? _Time : unity_OrthoParams; })");
+        ExpectValid(*pass);
+        std::vector<std::string> owners;
+        for (const auto& buffer : pass->layout.buffers)
+        {
+            for (const auto& member : buffer.members)
+            {
+                if (member.name == "unity_OrthoParams")
+                {
+                    owners.push_back(buffer.name);
+                }
+            }
+        }
+        EXPECT_EQ(owners.size(), 1u) << declaration << ": limn feeds the library's alone";
+        EXPECT_THAT(owners, testing::Each(testing::StartsWith("limn_"))) << declaration;
+    }
+}
+
 TEST(ShaderCompiler, TakesElementsOfStaticTextureArraysForTheTexturesThatTheyName)
 {
     const auto texturesOf = [](const std::string& expression)
