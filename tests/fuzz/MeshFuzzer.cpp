@@ -2,6 +2,8 @@
 #include "models/MikkTangents.h"
 #include "models/TextMesh.h"
 
+#include <algorithm>
+
 using namespace limn;
 
 /// Any bytes are a mesh that Unity saved as text, or there is a complaint. Tangents can be made for
@@ -13,15 +15,15 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         [&]
         {
             const UnityTree tree(text, "fuzz.asset", 1);
-            const auto [mesh, skin] = ReadTextMesh(tree.root(), "fuzz.asset");
-            for (const BoneWeights& weights : skin.weights)
+            const SkinnableMesh read = ReadTextMesh(tree.root(), "fuzz.asset");
+            for (const BoneWeights& weights : read.skin.weights)
             {
                 test::RequireInFuzzer(
                     std::ranges::all_of(weights, [&](const BoneWeight& each)
-                                        { return each.bone < skin.bindPoses.size(); }),
+                                        { return each.bone < read.skin.bindPoses.size(); }),
                     "a vertex that follows a bone that is none");
             }
-            MeshData copy = mesh->data();
+            MeshData copy = read.mesh->data();
             ComputeMikkTangents(copy);
             test::RequireInFuzzer(copy.tangents.empty() ||
                                       copy.tangents.size() == copy.vertices.size(),
