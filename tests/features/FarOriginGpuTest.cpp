@@ -9,8 +9,8 @@ using namespace limn::test;
 namespace
 {
 
-constexpr int k_Width = 96;
-constexpr int k_Height = 60;
+constexpr int k_FarWidth = 96;
+constexpr int k_FarHeight = 60;
 constexpr double k_Distances[] = {1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
 
 /// Draws scenes, each with an outline around what is selected or without one.
@@ -22,8 +22,8 @@ protected:
         RenderRequest request;
         request.scene = &scene;
         request.camera = &camera;
-        request.width = k_Width;
-        request.height = k_Height;
+        request.width = k_FarWidth;
+        request.height = k_FarHeight;
         request.volumeStack = &m_Volumes.With(outline, Color{1, 0.5f, 0, 1}, 3.0f);
         if (!m_Pipeline)
         {
@@ -60,7 +60,7 @@ int Differing(const std::vector<std::byte>& a, const std::vector<std::byte>& b)
 int Drawn(const std::vector<std::byte>& picture)
 {
     std::vector<std::byte> background;
-    for (int i = 0; i < k_Width * k_Height; ++i)
+    for (int i = 0; i < k_FarWidth * k_FarHeight; ++i)
     {
         background.insert(background.end(), picture.begin(), picture.begin() + 4);
     }

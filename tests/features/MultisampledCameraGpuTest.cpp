@@ -16,9 +16,10 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Side = 32;
+constexpr int k_PictureSide = 32;
 /// Where four samples are in a pixel, from its left top, as Vulkan and D3D have them.
-constexpr glm::dvec2 k_Samples[] = {{0.375, 0.875}, {0.875, 0.625}, {0.125, 0.375}, {0.625, 0.125}};
+constexpr glm::dvec2 k_SamplePlaces[] = {
+    {0.375, 0.875}, {0.875, 0.625}, {0.125, 0.375}, {0.625, 0.125}};
 
 /// A square before a camera that sees 2 m of black, in linear colour.
 class MultisampledCameraGpu : public GpuTest
@@ -32,8 +33,8 @@ protected:
         m_Camera.backgroundColor = Color::black;
         m_Request.scene = &m_Scene;
         m_Request.camera = &m_Camera;
-        m_Request.width = k_Side;
-        m_Request.height = k_Side;
+        m_Request.width = k_PictureSide;
+        m_Request.height = k_PictureSide;
         m_Pipeline.msaaSampleCount = 4;
     }
 
@@ -106,20 +107,20 @@ TEST_F(MultisampledCameraGpu, ShowsOfAPixelThePartOfItsSamplesThatIsCovered)
     const Field picture = Draw();
     const double angle = glm::radians(k_Turned);
     int partly = 0;
-    for (int y = 0; y < k_Side; ++y)
+    for (int y = 0; y < k_PictureSide; ++y)
     {
-        for (int x = 0; x < k_Side; ++x)
+        for (int x = 0; x < k_PictureSide; ++x)
         {
             int covered = 0;
             bool isClear = true; // no sample is so near to an edge that rounding decides
-            for (const glm::dvec2& sample : k_Samples)
+            for (const glm::dvec2& sample : k_SamplePlaces)
             {
-                const glm::dvec2 at = (glm::dvec2(x, y) + sample) * (2.0 / k_Side) - 1.0;
+                const glm::dvec2 at = (glm::dvec2(x, y) + sample) * (2.0 / k_PictureSide) - 1.0;
                 const double u = std::abs(at.x * std::cos(angle) - at.y * std::sin(angle));
                 const double v = std::abs(at.x * std::sin(angle) + at.y * std::cos(angle));
                 const double inside = static_cast<double>(k_HalfSide) - std::max(u, v);
                 covered += inside > 0.0 ? 1 : 0;
-                isClear = isClear && std::abs(inside) * k_Side / 2.0 > 0.02;
+                isClear = isClear && std::abs(inside) * k_PictureSide / 2.0 > 0.02;
             }
             if (isClear)
             {
@@ -137,10 +138,10 @@ TEST_F(MultisampledCameraGpu, CoversAsManySamplesAsAlphaSaysWithAlphaToMask)
     AddSquare("AlphaToMask On", "float4(1, 1, 1, (floor(p.x) + 0.5) / 32)", 0.0f, 2.0f);
     const Field picture = Draw();
     const bool isLavapipe = SharedDevice().deviceName().find("llvmpipe") != std::string::npos;
-    for (int x = 0; x < k_Side; ++x)
+    for (int x = 0; x < k_PictureSide; ++x)
     {
-        const double alpha = (x + 0.5) / k_Side;
-        const double shown = picture.At(x, k_Side / 2, 0);
+        const double alpha = (x + 0.5) / k_PictureSide;
+        const double shown = picture.At(x, k_PictureSide / 2, 0);
         EXPECT_EQ(shown * 4.0, std::round(shown * 4.0)) << "whole samples";
         EXPECT_LT(std::abs(shown - alpha), isLavapipe ? 0.25 : 0.5);
         if (isLavapipe) // how many samples an alpha stands for is each driver's own
@@ -157,7 +158,7 @@ TEST_F(MultisampledCameraGpu, TellsOpaqueShadersThatAlphaToMaskWorks)
         m_Scene = Scene();
         AddSquare("", "float4(_AlphaToMaskAvailable, 0, 0, 1)", 0.0f, 2.0f, queue);
         m_Pipeline.msaaSampleCount = samples;
-        return Draw().At(k_Side / 2, k_Side / 2, 0);
+        return Draw().At(k_PictureSide / 2, k_PictureSide / 2, 0);
     };
     EXPECT_EQ(shown(2000, 4), 1.0);
     EXPECT_EQ(shown(3000, 4), 0.0);
@@ -178,9 +179,9 @@ TEST_F(MultisampledCameraGpu, GivesFullScreenPassesTheAverageOfTheSamples)
         "sampler_PointClamp, input.texcoord, 0).bgra; }\nENDHLSL\n} } }"));
     m_Renderer.AddFeature(std::move(feature));
     const Field after = Draw();
-    for (int y = 0; y < k_Side; ++y)
+    for (int y = 0; y < k_PictureSide; ++y)
     {
-        for (int x = 0; x < k_Side; ++x)
+        for (int x = 0; x < k_PictureSide; ++x)
         {
             ASSERT_EQ(after.At(x, y, 0), before.At(x, y, 2)) << x << ", " << y;
             ASSERT_EQ(after.At(x, y, 2), before.At(x, y, 0)) << x << ", " << y;

@@ -59,6 +59,12 @@ inline PassProgram ProgramOf(const std::string& hlsl)
     return ParsePass("HLSLPROGRAM" + hlsl + "ENDHLSL").program.value();
 }
 
+/// Returns a line that includes the file.
+inline std::string IncludeOf(const std::string& path)
+{
+    return "#include \"" + path + "\"\n";
+}
+
 /// A program of HLSL that starts on line 1 of "t.shader" and has the entry functions vert and frag.
 inline PassProgram Program(const std::string& hlsl,
                            ProgramLanguage language = ProgramLanguage::Hlsl)

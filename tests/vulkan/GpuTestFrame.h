@@ -137,6 +137,19 @@ inline MeshPtr MakeQuad(float left = -1.0f, float bottom = -1.0f, float right = 
 
 using Rgba8 = std::array<int, 4>;
 
+inline constexpr Rgba8 k_Red = {255, 0, 0, 255};
+inline constexpr Rgba8 k_Green = {0, 255, 0, 255};
+
+inline std::vector<std::byte> Bytes(std::initializer_list<int> values)
+{
+    std::vector<std::byte> bytes;
+    for (const int value : values)
+    {
+        bytes.push_back(static_cast<std::byte>(value));
+    }
+    return bytes;
+}
+
 inline Rgba8 Texel8(const Image& image, int x, int y)
 {
     const auto index = static_cast<std::size_t>(y * image.width + x) * 4;

@@ -12,7 +12,7 @@ namespace
 
 using testing::ElementsAre;
 
-const ShaderPropertyId _Value("_Value");
+const ShaderPropertyId k_Value("_Value");
 
 /// How recorded buffers become the frame's plain data.
 class Contexts : public testing::Test
@@ -91,10 +91,10 @@ TEST_F(Contexts, MakeANamedBufferASampleUnlessItsOwnOnesCrossItsEnds)
 TEST_F(Contexts, BindTheSameAgainInAFrameThatDrawsTheSame)
 {
     Triangle();
-    m_Material->SetFloat(_Value, 1.0f);
+    m_Material->SetFloat(k_Value, 1.0f);
     const FrameCommands first = Execute();
     m_Context.Begin(m_Report, glm::dvec3(0.0));
-    m_Material->SetFloat(_Value, 2.0f);
+    m_Material->SetFloat(k_Value, 2.0f);
     const FrameCommands second = Execute();
     EXPECT_EQ(first.setups.at(0).bindings, second.setups.at(0).bindings);
     EXPECT_EQ(ValueOf(first, 0), 1.0f);
@@ -108,7 +108,7 @@ TEST_F(Contexts, ForgetWhatWasGlobalAndBoundWhenAFrameBegins)
     const auto painted = std::make_shared<Material>(test::ShaderWithProgram(
         "", "Texture2D _Map; SamplerState sampler_Map;", "_Map.Sample(sampler_Map, 0.5)"));
     painted->SetTexture(ShaderPropertyId("_Map"), texture);
-    m_Cmd.SetGlobalFloat(_Value, 3.0f);
+    m_Cmd.SetGlobalFloat(k_Value, 3.0f);
     m_Cmd.DrawProcedural(glm::mat4(1.0f), painted, 0, 3);
     Triangle();
     m_Context.ExecuteCommandBuffer(m_Cmd); // and the frame is given up
@@ -188,7 +188,7 @@ TEST_F(Contexts, AreEmptyOnceTheCommandsAreTaken)
 
 TEST_F(Contexts, CanBeUsedAgainOnceTheCommandsAreTaken)
 {
-    m_Material->SetFloat(_Value, 1.0f);
+    m_Material->SetFloat(k_Value, 1.0f);
     Triangle();
     Execute();
     const FrameCommands second = Execute();
@@ -198,9 +198,9 @@ TEST_F(Contexts, CanBeUsedAgainOnceTheCommandsAreTaken)
 
 TEST_F(Contexts, GiveEachDrawTheGlobalsOfItsMoment)
 {
-    m_Cmd.SetGlobalFloat(_Value, 1.0f);
+    m_Cmd.SetGlobalFloat(k_Value, 1.0f);
     Triangle();
-    m_Cmd.SetGlobalFloat(_Value, 2.0f);
+    m_Cmd.SetGlobalFloat(k_Value, 2.0f);
     Triangle();
     const FrameCommands frame = Execute();
     EXPECT_EQ(ValueOf(frame, 0), 1.0f);
@@ -212,7 +212,7 @@ TEST_F(Contexts, GiveEachDrawItsOwnProperties)
     for (const float value : {1.0f, 2.0f})
     {
         MaterialPropertyBlock properties;
-        properties.SetFloat(_Value, value);
+        properties.SetFloat(k_Value, value);
         Triangle(properties);
     }
     const FrameCommands frame = Execute();
@@ -223,9 +223,9 @@ TEST_F(Contexts, GiveEachDrawItsOwnProperties)
 TEST_F(Contexts, LookAtTheMaterialWhenTheBufferIsExecuted)
 {
     Triangle();
-    m_Material->SetFloat(_Value, 1.0f);
+    m_Material->SetFloat(k_Value, 1.0f);
     m_Context.ExecuteCommandBuffer(m_Cmd);
-    m_Material->SetFloat(_Value, 2.0f);
+    m_Material->SetFloat(k_Value, 2.0f);
     m_Context.ExecuteCommandBuffer(m_Cmd);
     const FrameCommands frame = m_Context.TakeCommands();
     EXPECT_EQ(ValueOf(frame, 0), 1.0f);

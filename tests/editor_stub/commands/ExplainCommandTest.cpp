@@ -13,28 +13,28 @@ namespace
 
 using testing::HasSubstr;
 
-constexpr const char* k_Scene = "camera: {position: [0, 0, -5]}\n"
-                                "size: [64, 64]\n"
-                                "volumes:\n"
-                                "  - {name: Placement, profile: p.profile.yaml}\n"
-                                "  - name: Corner\n"
-                                "    profile: q.profile.yaml\n"
-                                "    isGlobal: false\n"
-                                "    priority: 1\n"
-                                "    weight: 0.5\n"
-                                "    blendDistance: 4\n"
-                                "    position: [0, 0, -2]\n"
-                                "    colliders: [{type: sphere, radius: 1}]\n"
-                                "objects:\n"
-                                "  - {name: Seen, mesh: Cube}\n"
-                                "  - {name: Behind, mesh: Cube, position: [0, 0, -50]}\n"
-                                "  - {name: Off, mesh: Cube, active: false}\n";
+constexpr const char* k_ExplainedScene = "camera: {position: [0, 0, -5]}\n"
+                                         "size: [64, 64]\n"
+                                         "volumes:\n"
+                                         "  - {name: Placement, profile: p.profile.yaml}\n"
+                                         "  - name: Corner\n"
+                                         "    profile: q.profile.yaml\n"
+                                         "    isGlobal: false\n"
+                                         "    priority: 1\n"
+                                         "    weight: 0.5\n"
+                                         "    blendDistance: 4\n"
+                                         "    position: [0, 0, -2]\n"
+                                         "    colliders: [{type: sphere, radius: 1}]\n"
+                                         "objects:\n"
+                                         "  - {name: Seen, mesh: Cube}\n"
+                                         "  - {name: Behind, mesh: Cube, position: [0, 0, -50]}\n"
+                                         "  - {name: Off, mesh: Cube, active: false}\n";
 
 class ExplainCommand : public testing::Test
 {
 protected:
     CommandRun Explain(const std::vector<std::string>& more = {},
-                       const std::string& scene = k_Scene) const
+                       const std::string& scene = k_ExplainedScene) const
     {
         m_Folder.Write("p.profile.yaml", "ScreenSpaceOutline: {m_OutlineWidth: 4}\n");
         m_Folder.Write("on.profile.yaml", "ScreenSpaceOutline: {m_Enable: true}\n");

@@ -12,36 +12,36 @@ namespace
 
 using testing::HasSubstr;
 
-constexpr const char* k_Good = "Shader \"My/Good\"\n"
-                               "{\n"
-                               "    Properties { _Tint (\"Tint\", Color) = (1, 0.5, 0, 1) }\n"
-                               "    SubShader\n"
-                               "    {\n"
-                               "        Pass\n"
-                               "        {\n"
-                               "            Name \"Only\"\n"
-                               "            Cull [_Cull]\n"
-                               "            ZTest Always\n"
-                               "            Blend SrcAlpha OneMinusSrcAlpha\n"
-                               "            ColorMask RGB\n"
-                               "            Stencil { Ref 2 Comp Equal Pass Replace }\n"
-                               "            HLSLPROGRAM\n"
-                               "            #pragma vertex V\n"
-                               "            #pragma fragment F\n"
-                               "            #pragma multi_compile _ FOG\n"
-                               "            float4 _Tint;\n"
-                               "            float4 V(float4 p : POSITION) : SV_POSITION\n"
-                               "            {\n"
-                               "                return p;\n"
-                               "            }\n"
-                               "            float4 F() : SV_Target\n"
-                               "            {\n"
-                               "                return _Tint;\n"
-                               "            }\n"
-                               "            ENDHLSL\n"
-                               "        }\n"
-                               "    }\n"
-                               "}\n";
+constexpr const char* k_GoodShader = "Shader \"My/Good\"\n"
+                                     "{\n"
+                                     "    Properties { _Tint (\"Tint\", Color) = (1, 0.5, 0, 1) }\n"
+                                     "    SubShader\n"
+                                     "    {\n"
+                                     "        Pass\n"
+                                     "        {\n"
+                                     "            Name \"Only\"\n"
+                                     "            Cull [_Cull]\n"
+                                     "            ZTest Always\n"
+                                     "            Blend SrcAlpha OneMinusSrcAlpha\n"
+                                     "            ColorMask RGB\n"
+                                     "            Stencil { Ref 2 Comp Equal Pass Replace }\n"
+                                     "            HLSLPROGRAM\n"
+                                     "            #pragma vertex V\n"
+                                     "            #pragma fragment F\n"
+                                     "            #pragma multi_compile _ FOG\n"
+                                     "            float4 _Tint;\n"
+                                     "            float4 V(float4 p : POSITION) : SV_POSITION\n"
+                                     "            {\n"
+                                     "                return p;\n"
+                                     "            }\n"
+                                     "            float4 F() : SV_Target\n"
+                                     "            {\n"
+                                     "                return _Tint;\n"
+                                     "            }\n"
+                                     "            ENDHLSL\n"
+                                     "        }\n"
+                                     "    }\n"
+                                     "}\n";
 
 class ShaderCommand : public testing::Test
 {
@@ -118,7 +118,7 @@ TEST_F(ShaderCommand, PrintsFilesAsCanonicalText)
 TEST_F(ShaderCommand, PrintsWhatParsesBesideWhatDoesNot)
 {
     Write("a_broken.shader", "Shader \"My/Broken\" { SubShader { Pass { Cull Sideways } } }");
-    Write("b_good.shader", k_Good);
+    Write("b_good.shader", k_GoodShader);
     Write("c_empty.shader", "");
     const CommandRun run = RunCommand({"shader", "--print", (folder / "").string()});
     EXPECT_EQ(1, run.exitCode);
@@ -130,7 +130,7 @@ TEST_F(ShaderCommand, PrintsWhatParsesBesideWhatDoesNot)
 
 TEST_F(ShaderCommand, DescribesASingleFile)
 {
-    const std::string path = Write("good.shader", k_Good);
+    const std::string path = Write("good.shader", k_GoodShader);
     const CommandRun run = RunCommand({"shader", path});
     EXPECT_EQ(0, run.exitCode);
     EXPECT_EQ("", run.err);
@@ -153,7 +153,7 @@ TEST_F(ShaderCommand, DescribesASingleFile)
 
 TEST_F(ShaderCommand, ReportsEveryErrorOfAllFilesAndSumsUp)
 {
-    Write("a.shader", k_Good);
+    Write("a.shader", k_GoodShader);
     Write("b.shader", "Shader \"B\" {\n SubShader { Pas { } } }");
     Write("notes.txt", "no shader");
     const CommandRun run = RunCommand({"shader", (folder / "").string()});
@@ -165,7 +165,7 @@ TEST_F(ShaderCommand, ReportsEveryErrorOfAllFilesAndSumsUp)
 
 TEST_F(ShaderCommand, ParseOnlyLeavesProgramsAlone)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.replace(text.find("return _Tint"), 12, "return _Tnt");
     const std::string path = Write("good.shader", text);
     EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
@@ -179,7 +179,7 @@ TEST_F(ShaderCommand, ParseOnlyLeavesProgramsAlone)
 
 TEST_F(ShaderCommand, GivesTheSameAsJson)
 {
-    const std::string good = Write("good.shader", k_Good);
+    const std::string good = Write("good.shader", k_GoodShader);
     const std::string bad = Write("bad.shader", "Shader \"B\" { Oops }");
     const CommandRun run = RunCommand({"shader", good, bad, "--json"});
     EXPECT_EQ(1, run.exitCode);
@@ -211,12 +211,12 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
 {
     const auto replaced = [](const std::string& what, const std::string& by)
     {
-        std::string text = k_Good;
+        std::string text = k_GoodShader;
         return text.replace(text.find(what), what.size(), by);
     };
     Write("compute.shader", replaced("#pragma fragment F", "#pragma fragment F\n#pragma hull H"));
     Write("fails.shader", replaced("return _Tint", "return _Tnt"));
-    Write("good.shader", k_Good);
+    Write("good.shader", k_GoodShader);
     Write("include.shader", replaced("float4 _Tint;", "#include \"nosuch.hlsl\"\nfloat4 _Tint;"));
     Write("hdrp.shader",
           replaced("SubShader\n    {", "SubShader\n    {\n        Tags { \"RenderPipeline\" = "
@@ -233,10 +233,10 @@ TEST_F(ShaderCommand, TellsApartWhatFailsIsRefusedOrLacksAnInclude)
 
 TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
 {
-    Write("a.shader", k_Good);
-    Write("dies.shader", k_Good);
-    Write("good.shader", k_Good);
-    std::string constant = k_Good;
+    Write("a.shader", k_GoodShader);
+    Write("dies.shader", k_GoodShader);
+    Write("good.shader", k_GoodShader);
+    std::string constant = k_GoodShader;
     constant.replace(constant.find("float4 _Tint;"), 13,
                      "uniform const sampler2D _T; float4 _Tint;");
     Write("object.shader",
@@ -267,7 +267,7 @@ TEST_F(ShaderCommand, TellsOfEveryOtherFileWhenTheCompilerDiesOnOne)
 
 TEST_F(ShaderCommand, GivesAnErrorForTheReasonNotTheWarningsBeforeIt)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.replace(text.find("return _Tint"), 12, "#warning first\nreturn _Tnt");
     const CommandRun run = RunCommand({"shader", Write("good.shader", text), "--json"});
     const nlohmann::json file = nlohmann::json::parse(run.out)["files"][0];
@@ -276,7 +276,7 @@ TEST_F(ShaderCommand, GivesAnErrorForTheReasonNotTheWarningsBeforeIt)
 
 TEST_F(ShaderCommand, RefusesAGrabPassByName)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.insert(text.find("Pass\n"), "GrabPass { \"_Grab\" }\n");
     const std::string path = Write("good.shader", text);
     const CommandRun run = RunCommand({"shader", path, "--json"});
@@ -293,7 +293,7 @@ TEST_F(ShaderCommand, RefusesAGrabPassByName)
 
 TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.replace(text.find("return _Tint"), 12, "return _Tnt");
     const std::string path = Write("good.shader", text);
     const CommandRun run = RunCommand({"shader", path, "--variants"});
@@ -303,7 +303,7 @@ TEST_F(ShaderCommand, CountsVariantsWithoutCompiling)
 
 TEST_F(ShaderCommand, CompilesTheVariantOfTheKeywords)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     const std::string line = "float4 _Tint;\n";
     text.insert(text.find(line) + line.size(), "#ifdef FOG\n#error foggy\n#endif\n");
     const std::string path = Write("good.shader", text);
@@ -315,7 +315,7 @@ TEST_F(ShaderCommand, CompilesTheVariantOfTheKeywords)
 
 TEST_F(ShaderCommand, ShowsWarningsOfFilesWithoutErrors)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.insert(text.find("Cull [_Cull]"), "LOD 1e2\n");
     const CommandRun run = RunCommand({"shader", Write("good.shader", text), "--parse-only"});
     EXPECT_EQ(0, run.exitCode);
@@ -324,7 +324,7 @@ TEST_F(ShaderCommand, ShowsWarningsOfFilesWithoutErrors)
 
 TEST_F(ShaderCommand, EmitsBothStagesInEveryLanguage)
 {
-    const std::string path = Write("good.shader", k_Good);
+    const std::string path = Write("good.shader", k_GoodShader);
     const std::vector<std::pair<std::string, std::string>> languages{
         {"glsl", "#version 450"}, {"hlsl", "SV_Position"}, {"msl", "#include <metal_stdlib>"}};
     const std::string output = (folder / "emitted").string();
@@ -352,7 +352,7 @@ TEST_F(ShaderCommand, NamesAFileThatIsNotThere)
 
 TEST_F(ShaderCommand, LosesNoOtherFileToOneThatIsNotThere)
 {
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.insert(text.rfind('}'), "Fallback \"My/Other\"\n"); // which is looked for in all folders
     const CommandRun run = RunCommand(
         {"shader", "--json", Write("good.shader", text), (folder / "none" / "no.shader").string()});
@@ -365,12 +365,12 @@ TEST_F(ShaderCommand, LosesNoOtherFileToOneThatIsNotThere)
 
 TEST_F(ShaderCommand, WritesTwoShadersOfOneNameSideBySide)
 {
-    std::string other = k_Good;
+    std::string other = k_GoodShader;
     other.replace(other.find("return _Tint;"), 13, "return _Tint * 2;");
-    std::string alike = k_Good;
+    std::string alike = k_GoodShader;
     alike.replace(alike.find("My/Good"), 7, "my_good");
     const CommandRun run =
-        RunCommand({"shader", Write("a.shader", k_Good), Write("b.shader", other),
+        RunCommand({"shader", Write("a.shader", k_GoodShader), Write("b.shader", other),
                     Write("c.shader", alike), "--emit", "glsl", "-o", (folder / "out").string()});
     EXPECT_EQ(0, run.exitCode) << run.err;
     const std::string first = ReadText((folder / "out/My_Good.0.frag.glsl").string());
@@ -391,7 +391,7 @@ TEST_F(ShaderCommand, TakesPackagesByTheNamesTheyHaveThemselves)
     };
     const std::string one = write("one", "ONE");
     const std::string two = write("two", "TWO");
-    std::string text = k_Good;
+    std::string text = k_GoodShader;
     text.insert(text.find("float4 _Tint;"), "#include \"Packages/com.me.one/a.hlsl\"\n"
                                             "#include \"Packages/com.me.two/a.hlsl\"\n"
                                             "#if !ONE || !TWO\n#error none\n#endif\n");
@@ -410,7 +410,7 @@ TEST_F(ShaderCommand, TakesPackagesByTheNamesTheyHaveThemselves)
     }
     EXPECT_EQ(1, RunCommand({"shader", file, "--package", one}).exitCode);
     // A folder that is a package may be what is to be checked.
-    folder.Write("given/one@1/Own.shader", k_Good);
+    folder.Write("given/one@1/Own.shader", k_GoodShader);
     EXPECT_EQ(0, RunCommand({"shader", "--package", "com.me.two=" + two, one}).exitCode);
 }
 
@@ -444,7 +444,7 @@ TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
 {
     for (const char* name : {"a", "b", "c"})
     {
-        std::string text = k_Good;
+        std::string text = k_GoodShader;
         text.replace(text.find("return _Tint;"), 13, "return float4(SampleLightmap(0, 0), 1);");
         text.replace(text.find("#pragma vertex"), 0,
                      "#include \"Packages/com.unity.render-pipelines.universal/ShaderLibrary/"
@@ -461,7 +461,7 @@ TEST_F(ShaderCommand, NotesOfManyFilesWhatTheyAllUseOnce)
 
 TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
 {
-    std::string surface = k_Good;
+    std::string surface = k_GoodShader;
     surface.replace(surface.find("#pragma fragment F"), 18, "#pragma surface F");
     const std::string path = Write("surface.shader", surface);
     const CommandRun single = RunCommand({"shader", path});
@@ -473,13 +473,13 @@ TEST_F(ShaderCommand, WithNothingButRefusalsFailsAndSaysSo)
     EXPECT_THAT(all.err, Mentions("error:", "nothing was compiled", "2 passes"));
     EXPECT_EQ("2 files: 2 parsed (100.0 %); 0 of 0 passes compiled, 2 refused\n", all.out);
     EXPECT_EQ(0, RunCommand({"shader", path, "--parse-only"}).exitCode);
-    Write("good.shader", k_Good);
+    Write("good.shader", k_GoodShader);
     EXPECT_EQ(0, RunCommand({"shader", (folder / "").string()}).exitCode);
 }
 
 TEST_F(ShaderCommand, WarnsOfKeywordsThatNoPassDeclares)
 {
-    const std::string path = Write("good.shader", k_Good);
+    const std::string path = Write("good.shader", k_GoodShader);
     const CommandRun near = RunCommand({"shader", path, "--keywords", "FOG,FOGG"});
     EXPECT_EQ(0, near.exitCode);
     EXPECT_THAT(LinesOf(near.err),

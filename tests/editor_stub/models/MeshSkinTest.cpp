@@ -32,7 +32,7 @@ MeshSkin OneBone()
     return skin;
 }
 
-void ExpectNear(const glm::vec3& value, const glm::vec3& expected)
+void ExpectPlaceNear(const glm::vec3& value, const glm::vec3& expected)
 {
     EXPECT_LT(glm::distance(value, expected), 1e-6f) << value.x << " " << value.y << " " << value.z;
 }
@@ -44,10 +44,10 @@ TEST(PoseMesh, KeepsNormalsUprightOnASurfaceThatIsStretched)
         const glm::dmat4 bone = glm::scale(glm::dmat4(1.0), glm::dvec3(1, 2, z));
         const MeshData posed = PoseMesh(SlantedTriangle(), OneBone(), {&bone, 1})->data();
         // By hand: the plane is x + y / 2 = 1 now.
-        ExpectNear(posed.vertices[1], {0, 2, 0});
-        ExpectNear(posed.vertices[2], {1, 0, z});
-        ExpectNear(posed.normals[0], glm::vec3(2, 1, 0) / std::sqrt(5.0f));
-        ExpectNear(posed.tangents[0], glm::vec3(1, -2, 0) / std::sqrt(5.0f));
+        ExpectPlaceNear(posed.vertices[1], {0, 2, 0});
+        ExpectPlaceNear(posed.vertices[2], {1, 0, z});
+        ExpectPlaceNear(posed.normals[0], glm::vec3(2, 1, 0) / std::sqrt(5.0f));
+        ExpectPlaceNear(posed.tangents[0], glm::vec3(1, -2, 0) / std::sqrt(5.0f));
         EXPECT_EQ(posed.tangents[0].w, 1.0f);
     }
 }
@@ -75,8 +75,8 @@ TEST(PoseMesh, LeavesVerticesThatNoBoneMoves)
     skin.weights[1] = {};
     const glm::dmat4 bone = glm::translate(glm::dmat4(1.0), glm::dvec3(5, 0, 0));
     const MeshData posed = PoseMesh(SlantedTriangle(), skin, {&bone, 1})->data();
-    ExpectNear(posed.vertices[0], {6, 0, 0});
-    ExpectNear(posed.vertices[1], {0, 1, 0});
+    ExpectPlaceNear(posed.vertices[0], {6, 0, 0});
+    ExpectPlaceNear(posed.vertices[1], {0, 1, 0});
 }
 
 TEST(PoseMesh, RefusesAPlaceThatIsNoNumber)

@@ -20,7 +20,7 @@ using testing::Not;
 /// Matches stderr and the exit code if the plug-in cannot be used, for which one line mentions
 /// these.
 template <typename... Parts>
-auto Refusal(const Parts&... parts)
+auto Refuses(const Parts&... parts)
 {
     return testing::ResultOf(LinesOf, ElementsAre(Mentions(parts...), "exit 1"));
 }
@@ -79,20 +79,20 @@ TEST(Plugin, ThatCannotBeUsedIsRefusedWithAReason)
     {
         return folder.Run("explain s.scene.yaml --plugin " + module);
     };
-    EXPECT_THAT(run("no.so"), Refusal("no.so:", "cannot be loaded", "no such file"));
-    EXPECT_THAT(run("text.so"), AllOf(Refusal("text.so:", "cannot be loaded"),
+    EXPECT_THAT(run("no.so"), Refuses("no.so:", "cannot be loaded", "no such file"));
+    EXPECT_THAT(run("text.so"), AllOf(Refuses("text.so:", "cannot be loaded"),
                                       Not(HasSubstr(std::filesystem::current_path().string()))));
     EXPECT_THAT(run("missing_symbol.so"),
-                Refusal("missing_symbol.so:", "probe::Paint(int)", "source"));
-    EXPECT_THAT(run("no_plugin.so"), Refusal("no_plugin.so:", "no plug-in", "'limn_plugin'",
+                Refuses("missing_symbol.so:", "probe::Paint(int)", "source"));
+    EXPECT_THAT(run("no_plugin.so"), Refuses("no_plugin.so:", "no plug-in", "'limn_plugin'",
                                              "LIMN_PLUGIN", "<limn/features/Plugin.h>"));
     const std::string version = folder.Run("--version"); // "limn 0.1.0\nexit 0\n"
     EXPECT_THAT(run("old_plugin.so"),
-                Refusal("old_plugin.so:", "limn 0.0.9", version.substr(0, version.find('\n')),
+                Refuses("old_plugin.so:", "limn 0.0.9", version.substr(0, version.find('\n')),
                         "build it again"));
     std::ostringstream layout;
     layout << std::hex << PluginLayout();
-    EXPECT_THAT(run("other_build.so"), Refusal("other_build.so:", "headers", LIMN_VERSION_TEXT,
+    EXPECT_THAT(run("other_build.so"), Refuses("other_build.so:", "headers", LIMN_VERSION_TEXT,
                                                "compiler", layout.str(), "build it again"));
 }
 
@@ -105,13 +105,13 @@ TEST(Plugin, WhoseFileEndsTooEarlyIsRefusedWhereverThatIs)
     {
         folder.Write("half.so", whole.substr(0, size));
         EXPECT_THAT(folder.Run("explain s.scene.yaml --plugin half.so"),
-                    Refusal("half.so:", "too early", std::to_string(size) + " bytes", "linker"));
+                    Refuses("half.so:", "too early", std::to_string(size) + " bytes", "linker"));
     }
     for (const std::size_t size : {std::size_t{10}, std::size_t{0}})
     {
         folder.Write("half.so", whole.substr(0, size));
         EXPECT_THAT(folder.Run("explain s.scene.yaml --plugin half.so"),
-                    Refusal("half.so:", "cannot be loaded", "too short"));
+                    Refuses("half.so:", "cannot be loaded", "too short"));
     }
 }
 
@@ -122,7 +122,7 @@ TEST(Plugin, WhoseFileIsLongEnoughButNotWrittenYetIsRefused)
     std::fill(half.begin() + static_cast<std::ptrdiff_t>(half.size() / 2), half.end(), '\0');
     folder.Write("half.so", half);
     EXPECT_THAT(folder.Run("explain s.scene.yaml --plugin half.so"),
-                Refusal("half.so:", "end of the file", "not there", "linker"));
+                Refuses("half.so:", "end of the file", "not there", "linker"));
 }
 
 TEST(Plugin, ThatThrowsIsNamed)
@@ -135,7 +135,7 @@ TEST(Plugin, ThatThrowsIsNamed)
     };
     const auto threw = [](const std::string& where, const std::string& what)
     {
-        return Refusal("probe.so:", "'Red' threw", where, what);
+        return Refuses("probe.so:", "'Red' threw", where, what);
     };
     EXPECT_THAT(run("Create"), threw("Create", "out of paint"));
     EXPECT_THAT(run("AddRenderPasses"), threw("AddRenderPasses", "not today"));
@@ -162,19 +162,19 @@ TEST(Plugin, ThatThrowsOutsideOfAFrameIsNamed)
         return folder.Run(command + " --plugin x.so");
     };
     EXPECT_THAT(run(probe::Fault::Constructor),
-                Refusal("x.so:", "'ProbeFeature' threw", "constructor", "no canvas"));
+                Refuses("x.so:", "'ProbeFeature' threw", "constructor", "no canvas"));
     EXPECT_THAT(run(probe::Fault::ComponentConstructor),
-                Refusal("x.so:", "'Probe' threw", "constructor", "no paint at all"));
+                Refuses("x.so:", "'Probe' threw", "constructor", "no paint at all"));
     EXPECT_THAT(run(probe::Fault::Registration),
-                Refusal("x.so:", "registration threw", "nothing to sell"));
+                Refuses("x.so:", "registration threw", "nothing to sell"));
     EXPECT_THAT(run(probe::Fault::Blend),
-                Refusal("x.so:", "'probe::Probe' threw", "Override", "paints do not mix"));
+                Refuses("x.so:", "'probe::Probe' threw", "Override", "paints do not mix"));
     EXPECT_THAT(run(probe::Fault::Describe),
-                Refusal("x.so:", "'Red' threw", "Describe", "lost for words"));
+                Refuses("x.so:", "'Red' threw", "Describe", "lost for words"));
     EXPECT_THAT(run(probe::Fault::Describe, "schema scene"),
-                Refusal("x.so:", "'probe::ProbeFeature' threw", "Describe", "lost for words"));
+                Refuses("x.so:", "'probe::ProbeFeature' threw", "Describe", "lost for words"));
     EXPECT_THAT(run(probe::Fault::Describe, "inspect s.scene.yaml"),
-                Refusal("x.so:", "'Red' threw", "Describe", "lost for words"));
+                Refuses("x.so:", "'Red' threw", "Describe", "lost for words"));
 }
 
 } // namespace limn::test

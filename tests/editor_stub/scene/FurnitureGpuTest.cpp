@@ -15,8 +15,8 @@ using namespace limn::test;
 namespace
 {
 
-constexpr int k_Width = 480;
-constexpr int k_Height = 270;
+constexpr int k_FurnitureWidth = 480;
+constexpr int k_FurnitureHeight = 270;
 
 AssetContext& Assets()
 {
@@ -54,8 +54,8 @@ public:
         RenderRequest request;
         request.scene = &asset.scene;
         request.camera = &asset.camera;
-        request.width = k_Width;
-        request.height = k_Height;
+        request.width = k_FurnitureWidth;
+        request.height = k_FurnitureHeight;
         request.volumeStack = &stack;
         const RenderResult result = pipeline.RenderSingleCamera(renderer, request);
         return SharedDevice().ReadBack(*result.output.rt());
@@ -86,7 +86,7 @@ using Bits = std::vector<bool>;
 
 Bits PixelsThatDiffer(const Image& a, const Image& b)
 {
-    Bits bits(static_cast<std::size_t>(k_Width * k_Height));
+    Bits bits(static_cast<std::size_t>(k_FurnitureWidth * k_FurnitureHeight));
     for (std::size_t i = 0; i < bits.size(); ++i)
     {
         for (std::size_t channel = 0; channel < 3; ++channel)
@@ -101,9 +101,9 @@ Bits PixelsThatDiffer(const Image& a, const Image& b)
 Bits Grown(const Bits& bits, int radius)
 {
     Bits grown(bits.size());
-    for (int y = 0; y < k_Height; ++y)
+    for (int y = 0; y < k_FurnitureHeight; ++y)
     {
-        for (int x = 0; x < k_Width; ++x)
+        for (int x = 0; x < k_FurnitureWidth; ++x)
         {
             for (int dy = -radius; dy <= radius; ++dy)
             {
@@ -111,10 +111,10 @@ Bits Grown(const Bits& bits, int radius)
                 {
                     const int nx = x + dx;
                     const int ny = y + dy;
-                    if (nx >= 0 && nx < k_Width && ny >= 0 && ny < k_Height &&
-                        bits[static_cast<std::size_t>(ny * k_Width + nx)])
+                    if (nx >= 0 && nx < k_FurnitureWidth && ny >= 0 && ny < k_FurnitureHeight &&
+                        bits[static_cast<std::size_t>(ny * k_FurnitureWidth + nx)])
                     {
-                        grown[static_cast<std::size_t>(y * k_Width + x)] = true;
+                        grown[static_cast<std::size_t>(y * k_FurnitureWidth + x)] = true;
                     }
                 }
             }

@@ -12,7 +12,7 @@ namespace limn::test
 namespace
 {
 
-enum class Mode
+enum class Reach
 {
     Off,
     Wide
@@ -24,8 +24,8 @@ public:
     MinIntParameter count{this, "m_Count", 3, 2};
     NoInterpMaxFloatParameter size{this, "m_Size", 0.1f, 0.7f};
     Vector3Parameter offset{this, "m_Offset", glm::vec3(1.0f, 2.0f, 0.5f)};
-    EnumParameter<Mode> mode{
-        this, "m_Mode", Mode::Wide, {{"Off", Mode::Off}, {"Wide", Mode::Wide}}};
+    EnumParameter<Reach> mode{
+        this, "m_Mode", Reach::Wide, {{"Off", Reach::Off}, {"Wide", Reach::Wide}}};
     LayerMaskParameter layers{this, "m_Layers", LayerMask(1)};
     AnimationCurveParameter curve{this, "m_Curve", AnimationCurve()};
     TextureCurveParameter textureCurve{this, "m_TextureCurve", TextureCurve()};

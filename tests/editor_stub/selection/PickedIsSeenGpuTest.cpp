@@ -16,8 +16,8 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Width = 77;
-constexpr int k_Height = 49;
+constexpr int k_PickedWidth = 77;
+constexpr int k_PickedHeight = 49;
 
 /// Objects of all shapes, each of one of the colours that are exact in a picture.
 struct Colored : SelectionScene
@@ -60,8 +60,8 @@ struct Colored : SelectionScene
         RenderRequest request;
         request.scene = &scene;
         request.camera = &camera;
-        request.width = k_Width;
-        request.height = k_Height;
+        request.width = k_PickedWidth;
+        request.height = k_PickedHeight;
         request.volumeStack = &stack;
         return SharedDevice().ReadBack(*pipeline.RenderSingleCamera(renderer, request).output.rt());
     }
@@ -70,7 +70,7 @@ struct Colored : SelectionScene
 /// "1" to "7", or "" for the background.
 std::string NameIn(const Image& image, int x, int y)
 {
-    const std::size_t at = 4 * static_cast<std::size_t>(y * k_Width + x);
+    const std::size_t at = 4 * static_cast<std::size_t>(y * k_PickedWidth + x);
     const auto bit = [&](std::size_t channel)
     {
         return static_cast<int>(image.texels[at + channel]) > 127 ? 1 << channel : 0;
@@ -83,11 +83,12 @@ std::string NameIn(const Image& image, int x, int y)
 std::set<std::string> NamesAround(const std::vector<std::string>& names, int x, int y)
 {
     std::set<std::string> around;
-    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, k_Height - 1); ++row)
+    for (int row = std::max(y - 1, 0); row <= std::min(y + 1, k_PickedHeight - 1); ++row)
     {
-        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, k_Width - 1); ++column)
+        for (int column = std::max(x - 1, 0); column <= std::min(x + 1, k_PickedWidth - 1);
+             ++column)
         {
-            around.insert(names[static_cast<std::size_t>(row * k_Width + column)]);
+            around.insert(names[static_cast<std::size_t>(row * k_PickedWidth + column)]);
         }
     }
     return around;
@@ -110,29 +111,31 @@ TEST_P(Picking, SelectsWhatIsSeenAtEachPixel)
     SelectController controller(content.scene, settings);
     std::vector<std::string> names;
     std::set<std::string> seen;
-    for (int y = 0; y < k_Height; ++y)
+    for (int y = 0; y < k_PickedHeight; ++y)
     {
-        for (int x = 0; x < k_Width; ++x)
+        for (int x = 0; x < k_PickedWidth; ++x)
         {
-            const GameObject* hit = controller.GetHitObj(content.camera, k_Width, k_Height, x, y);
+            const GameObject* hit =
+                controller.GetHitObj(content.camera, k_PickedWidth, k_PickedHeight, x, y);
             seen.insert(names.emplace_back(hit ? hit->name : ""));
         }
     }
     int different = 0;
     int atEdges = 0;
-    for (int y = 0; y < k_Height; ++y)
+    for (int y = 0; y < k_PickedHeight; ++y)
     {
-        for (int x = 0; x < k_Width; ++x)
+        for (int x = 0; x < k_PickedWidth; ++x)
         {
             const std::set<std::string> around = NamesAround(names, x, y);
             const std::string drawn = NameIn(image, x, y);
             atEdges += around.size() > 1 ? 1 : 0;
-            different += names[static_cast<std::size_t>(y * k_Width + x)] != drawn ? 1 : 0;
+            different += names[static_cast<std::size_t>(y * k_PickedWidth + x)] != drawn ? 1 : 0;
             EXPECT_EQ(around.count(drawn), 1u) << x << ", " << y << " is not near " << drawn;
         }
     }
     EXPECT_THAT(seen, testing::ElementsAre("", "1", "2", "3", "4", "5", "6", "7"));
-    EXPECT_LE(different, std::max(k_Width * k_Height / 1000.0, atEdges * 2.0 * SubPixel()));
+    EXPECT_LE(different,
+              std::max(k_PickedWidth * k_PickedHeight / 1000.0, atEdges * 2.0 * SubPixel()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Cameras, Picking, testing::Bool());

@@ -11,7 +11,7 @@ namespace
 using testing::HasSubstr;
 
 /// Text assets by guid.
-class Files
+class FilesOfProject
 {
 public:
     void Add(const std::string& guid, const std::string& text)
@@ -72,7 +72,7 @@ std::string NameOf(const UnityInstance& object)
 // unity_project.md 2.3: the numbers of Workbench.prefab in the article's project.
 TEST(UnityExpansion, GivesObjectsOfInstancesTheIdsThatUnityDoes)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("inner", "--- !u!1 &5676213065973766948\nGameObject:\n  m_Name: Jigsaw\n");
     files.Add("outer", InstanceText(7336795078047825314, "inner", ""));
     const auto expansion = files.Expand("outer");
@@ -83,7 +83,7 @@ TEST(UnityExpansion, GivesObjectsOfInstancesTheIdsThatUnityDoes)
 
 TEST(UnityExpansion, ChangesObjectsThroughTwoLevels)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("inner", ObjectText(5, "Inner"));
     files.Add("middle",
               ObjectText(7, "Middle") + InstanceText(64, "inner", Change(5, "m_Layer", "3")));
@@ -108,7 +108,7 @@ TEST(UnityExpansion, ChangesObjectsThroughTwoLevels)
 
 TEST(UnityExpansion, KnowsObjectsOfInstancesByTheirStrippedIds)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("inner", ObjectText(5, "Inner"));
     files.Add("scene", InstanceText(64, "inner", "") +
                            "--- !u!4 &999 stripped\nTransform:\n"
@@ -125,7 +125,7 @@ TEST(UnityExpansion, KnowsObjectsOfInstancesByTheirStrippedIds)
 
 TEST(UnityExpansion, LeavesOutWhatIsRemovedOrMissing)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("inner", ObjectText(5, "Inner"));
     files.Add("scene", InstanceText(64, "inner", "",
                                     "    m_RemovedGameObjects:\n    - {fileID: 5, guid: inner}\n") +
@@ -141,7 +141,7 @@ TEST(UnityExpansion, LeavesOutWhatIsRemovedOrMissing)
 
 TEST(UnityExpansion, RefusesAPrefabThatHoldsItself)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("a", InstanceText(1, "b", ""));
     files.Add("b", InstanceText(2, "a", ""));
     EXPECT_THROW(files.Expand("a"), AssetError);
@@ -149,7 +149,7 @@ TEST(UnityExpansion, RefusesAPrefabThatHoldsItself)
 
 TEST(UnityExpansion, RefusesMoreThanItTakes)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("0", ObjectText(5, "Leaf"));
     for (int i = 1; i < 40; ++i) // each holds the one before twice
     {
@@ -158,7 +158,7 @@ TEST(UnityExpansion, RefusesMoreThanItTakes)
                   InstanceText(2 * i, before, "") + InstanceText(2 * i + 1, before, ""));
     }
     EXPECT_THROW(files.Expand("39"), AssetError);
-    Files chain;
+    FilesOfProject chain;
     chain.Add("0", ObjectText(5, "Leaf"));
     for (int i = 1; i < 100; ++i)
     {
@@ -169,7 +169,7 @@ TEST(UnityExpansion, RefusesMoreThanItTakes)
 
 TEST(UnityReader, ReadsListsAsInstancesHaveMadeThem)
 {
-    Files files;
+    FilesOfProject files;
     files.Add("inner",
               "--- !u!23 &5\nMeshRenderer:\n  m_Materials:\n"
               "  - {fileID: 1, guid: one, type: 2}\n  - {fileID: 2, guid: two, type: 2}\n");

@@ -16,8 +16,8 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Width = 640;
-constexpr int k_Height = 360;
+constexpr int k_YardWidth = 640;
+constexpr int k_YardHeight = 360;
 const std::string k_Wood = "#c87828";  // Wood.png: 200, 120, 40
 const std::string k_Paint = "#2850c8"; // Paint.tif: 40, 80, 200
 
@@ -54,8 +54,8 @@ protected:
     static glm::dvec2 PixelOf(const glm::dvec3& point)
     {
         const double half = (point.z + 6.0) * std::tan(glm::radians(30.0));
-        return {k_Width / 2.0 + point.x / half * k_Height / 2.0,
-                k_Height / 2.0 - (point.y - 1.0) / half * k_Height / 2.0};
+        return {k_YardWidth / 2.0 + point.x / half * k_YardHeight / 2.0,
+                k_YardHeight / 2.0 - (point.y - 1.0) / half * k_YardHeight / 2.0};
     }
     /// Replaces a text of a file of the project, in one step, as Unity saves.
     void Replace(const std::string& file, const std::string& text, const std::string& by)
@@ -89,9 +89,9 @@ TEST_F(YardOnDevice, ShowsItsPicturesWhereItsCratesAre)
     EXPECT_EQ(At(image, 320, 20), "#000000");
     // The painted crate from its back's left edge to its front's right one.
     const int row = static_cast<int>(lower.y);
-    int left = k_Width;
+    int left = k_YardWidth;
     int right = -1;
-    for (int x = 0; x < k_Width; ++x)
+    for (int x = 0; x < k_YardWidth; ++x)
     {
         if (At(image, x, row) == k_Paint)
         {
@@ -110,7 +110,7 @@ TEST_F(YardOnDevice, HasOneOutlineAsWideAsTheProfileSays)
     const auto greenIn = [](const Image& picture, int from, int to)
     {
         int count = 0;
-        for (int y = 0; y < k_Height; ++y)
+        for (int y = 0; y < k_YardHeight; ++y)
         {
             for (int x = from; x < to; ++x)
             {
@@ -119,9 +119,10 @@ TEST_F(YardOnDevice, HasOneOutlineAsWideAsTheProfileSays)
         }
         return count;
     };
-    EXPECT_GT(greenIn(image, k_Width / 2, k_Width), 50) << "the right stack's upper crate";
-    EXPECT_EQ(greenIn(image, 0, k_Width / 2), 0) << "no other";
-    EXPECT_GT(greenIn(wide, k_Width / 2, k_Width), greenIn(image, k_Width / 2, k_Width));
+    EXPECT_GT(greenIn(image, k_YardWidth / 2, k_YardWidth), 50) << "the right stack's upper crate";
+    EXPECT_EQ(greenIn(image, 0, k_YardWidth / 2), 0) << "no other";
+    EXPECT_GT(greenIn(wide, k_YardWidth / 2, k_YardWidth),
+              greenIn(image, k_YardWidth / 2, k_YardWidth));
 }
 
 TEST_F(YardOnDevice, IsDrawnAnewWhenAFileOfItChanges)

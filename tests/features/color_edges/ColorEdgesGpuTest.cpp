@@ -13,7 +13,7 @@ namespace
 constexpr EdgeOperator k_Operators[] = {EdgeOperator::Roberts, EdgeOperator::Sobel,
                                         EdgeOperator::Prewitt};
 
-struct Look
+struct EdgeLook
 {
     EdgeOperator edgeOperator = EdgeOperator::Sobel;
     double width = 2.0;
@@ -47,7 +47,7 @@ std::pair<double, double> ReferenceTaps(double width)
     return {before, behind};
 }
 
-double ReferenceGradient(const Field& brightness, const Look& look, int x, int y)
+double ReferenceGradient(const Field& brightness, const EdgeLook& look, int x, int y)
 {
     const auto [before, behind] = ReferenceTaps(look.width);
     const std::array<double, 3> place{-before, (behind - before) / 2, behind};
@@ -67,7 +67,7 @@ double ReferenceGradient(const Field& brightness, const Look& look, int x, int y
 }
 
 /// Red over the picture without lines, where the lines are.
-Field Reference(const Field& base, const Look& look)
+Field Reference(const Field& base, const EdgeLook& look)
 {
     Field brightness{base.width, base.height, 1, {}};
     for (int y = 0; y < base.height; ++y)
@@ -98,13 +98,13 @@ Field Reference(const Field& base, const Look& look)
 
 /// The reference, and of pixels whose gradient is as near to the threshold as a step of the 8-bit
 /// weights by which lavapipe filters, what the picture has of both sides.
-Field ReferenceFor(const Field& picture, const Field& base, const Look& look)
+Field ReferenceFor(const Field& picture, const Field& base, const EdgeLook& look)
 {
     constexpr double k_Step = 1.0 / 256.0;
     Field nearest = Reference(base, look);
     for (const double step : {-k_Step, k_Step})
     {
-        Look other = look;
+        EdgeLook other = look;
         other.threshold += step;
         const Field reference = Reference(base, other);
         for (std::size_t i = 0; i < nearest.values.size(); ++i)
@@ -122,7 +122,7 @@ Field ReferenceFor(const Field& picture, const Field& base, const Look& look)
 class ColorEdgesGpu : public GpuTest
 {
 protected:
-    const VolumeStack& With(const Look& look)
+    const VolumeStack& With(const EdgeLook& look)
     {
         return m_Volumes.With(
             [&](ColorEdges& edges)
@@ -174,7 +174,7 @@ TEST_P(ColorEdgesAtSizeGpu, AgreesWithTheDoublePrecisionReference)
         {
             for (const double softness : {0.0, 0.3})
             {
-                const Look look{edgeOperator, width, 0.1, softness, 0.75};
+                const EdgeLook look{edgeOperator, width, 0.1, softness, 0.75};
                 const Field picture = run.ColorRows(&With(look));
                 const Field reference = ReferenceFor(picture, base, look);
                 EXPECT_GE(ShareWithinTwo(picture, reference), 0.999)
@@ -202,7 +202,7 @@ TEST_F(ColorEdgesGpu, AgreesWithTheReferenceForACameraOfFourSamples)
     run.SetSamples(4);
     AddEdges(run);
     const Field base = run.ColorRows(nullptr);
-    const Look look{EdgeOperator::Sobel, 2.0, 0.1, 0.3, 1.0};
+    const EdgeLook look{EdgeOperator::Sobel, 2.0, 0.1, 0.3, 1.0};
     EXPECT_GE(ShareWithinTwo(run.ColorRows(&With(look)), Reference(base, look)), 0.999);
 }
 
@@ -328,7 +328,7 @@ TEST_F(ColorEdgesGpu, KeepsWhatIsNoNumberWhereItIs)
     {
         for (const EdgeOperator edgeOperator : k_Operators)
         {
-            const Look look{edgeOperator, 3.0};
+            const EdgeLook look{edgeOperator, 3.0};
             patch.renderer->sharedMaterials = {Strange(strange)};
             const Field picture = lines.Color(&With(look));
             patch.renderer->sharedMaterials = {Plain(glm::vec3(ordinary))};
@@ -343,7 +343,7 @@ TEST_F(ColorEdgesGpu, LimitsLinesToWhereFilteredObjectsAreSeen)
     flat.Add({0, 0}, {64, 46}, 9, Plain({0.1f, 0.1f, 0.1f}));
     flat.Add({44, 34}, {54, 42}, 6, Plain({0.8f, 0.8f, 0.8f})).layer = k_FurnitureLayer;
     flat.Add({50, 32}, {60, 39}, 3, Plain({0.3f, 0.3f, 0.3f})); // before it, but no furniture
-    const Look look{EdgeOperator::Prewitt, 4.0};
+    const EdgeLook look{EdgeOperator::Prewitt, 4.0};
     Lines all(flat);
     const Field base = all.Color(nullptr);
     const Field everywhere = all.Color(&With(look));

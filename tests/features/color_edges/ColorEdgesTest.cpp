@@ -95,57 +95,31 @@ TEST_F(ColorEdgesFrame, ReachesAsFarAsTheLongerTapsOfAWidePicture)
     EXPECT_GE(part.x + part.width, 330);
 }
 
-struct NothingDrawn
-{
-    std::vector<std::string> why;
-    std::function<void(ColorEdges&)> set;
-    std::function<void(OutlineScene&)> change = [](OutlineScene&) {
-    };
-};
-
 TEST_F(ColorEdgesFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
 {
     m_Settings.m_OnlyFilteredObjects = true;
     m_Settings.m_LayerMask = LayerMask::FromIndex(k_FurnitureLayer);
-    const NothingDrawn cases[] = {{{"no volume", "ColorEdges.m_Enable", "default"}, {}},
-                                  {{"ColorEdges.m_OutlineWidth is 0"},
-                                   [](ColorEdges& edges)
-                                   {
-                                       edges.m_OutlineWidth.Override(0.0f);
-                                   }},
-                                  {{"ColorEdges.m_OutlineColor", "alpha 0"},
-                                   [](ColorEdges& edges)
-                                   {
-                                       edges.m_OutlineColor.Override(Color::clear);
-                                   }},
-                                  {{"0 of 3", "layer mask leaves out 3"},
-                                   Nothing,
-                                   [](OutlineScene& content)
-                                   {
-                                       for (const auto& object : content.scene.objects())
-                                       {
-                                           object->layer = 0;
-                                       }
-                                   }},
-                                  {{"0 of 0"},
-                                   Nothing,
-                                   [](OutlineScene& content)
-                                   {
-                                       for (const auto& object : content.scene.objects())
-                                       {
-                                           object->transform.localPosition.x += 1000.0f;
-                                       }
-                                   }}};
-    for (const NothingDrawn& c : cases)
-    {
-        m_Content = OutlineScene();
-        c.change(m_Content);
-        const RenderResult result = Render(c.set);
-        EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
-            << testing::PrintToString(c.why);
-        EXPECT_THAT(result.report.notes, ElementsAre(testing::AllOf(Mentions("Edges", "not drawn"),
-                                                                    MentionsInOrder(c.why))));
-    }
+    ExpectNothingDrawn({{{"no volume", "ColorEdges.m_Enable", "default"}, {}},
+                        {{"ColorEdges.m_OutlineWidth is 0"},
+                         [](ColorEdges& edges)
+                         {
+                             edges.m_OutlineWidth.Override(0.0f);
+                         }},
+                        {{"ColorEdges.m_OutlineColor", "alpha 0"},
+                         [](ColorEdges& edges)
+                         {
+                             edges.m_OutlineColor.Override(Color::clear);
+                         }},
+                        {{"0 of 3", "layer mask leaves out 3"},
+                         Nothing,
+                         [](OutlineScene& content)
+                         {
+                             for (const auto& object : content.scene.objects())
+                             {
+                                 object->layer = 0;
+                             }
+                         }},
+                        {{"0 of 0"}, Nothing, MoveObjectsAway}});
 }
 
 // The note says what the filter did; here nothing is filtered.

@@ -137,7 +137,7 @@ protected:
     BlendedComponent<DepthNormalsOutline> m_Volumes;
 };
 
-struct PictureOf
+struct PictureSize
 {
     int width;
     int height;
@@ -145,7 +145,7 @@ struct PictureOf
 };
 
 class ArticleOutlineAtSizeGpu : public ArticleOutlineGpu,
-                                public testing::WithParamInterface<PictureOf>
+                                public testing::WithParamInterface<PictureSize>
 {
 };
 
@@ -172,9 +172,9 @@ TEST_P(ArticleOutlineAtSizeGpu, AgreesWithTheArticlesFormulaInDouble)
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, ArticleOutlineAtSizeGpu,
-                         testing::Values(PictureOf{96, 64, 1}, PictureOf{61, 37, 1},
-                                         PictureOf{33, 65, 1}, PictureOf{96, 64, 4},
-                                         PictureOf{61, 37, 4}, PictureOf{33, 65, 4}),
+                         testing::Values(PictureSize{96, 64, 1}, PictureSize{61, 37, 1},
+                                         PictureSize{33, 65, 1}, PictureSize{96, 64, 4},
+                                         PictureSize{61, 37, 4}, PictureSize{33, 65, 4}),
                          [](const auto& of)
                          {
                              return std::to_string(of.param.width) + "x" +

@@ -7,10 +7,10 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Width = 24;
-constexpr int k_Height = 4;
-constexpr double k_Near = 1.0;
-constexpr double k_Far = 11.0;
+constexpr int k_FogWidth = 24;
+constexpr int k_FogHeight = 4;
+constexpr double k_FogNear = 1.0;
+constexpr double k_FogFar = 11.0;
 constexpr double k_Depths[] = {1.5, 4.0, 9.5};
 const glm::dvec3 k_Color(0.8, 0.1, 0.3);
 const glm::dvec3 k_FogColor(0.25, 0.5, 2.0); ///< linear
@@ -112,14 +112,15 @@ fixed4 Frag(V i) : SV_Target
 class FogGpu : public GpuTest
 {
 protected:
-    FogGpu() : m_Flat(k_Width, k_Height) {}
+    FogGpu() : m_Flat(k_FogWidth, k_FogHeight) {}
 
     void Fill(const std::shared_ptr<const Material>& material)
     {
         for (std::size_t i = 0; i < std::size(k_Depths); ++i)
         {
             const auto left = 8.0f * static_cast<float>(i);
-            m_Flat.Add({left, 0}, {left + 8, k_Height}, static_cast<float>(k_Depths[i]), material);
+            m_Flat.Add({left, 0}, {left + 8, k_FogHeight}, static_cast<float>(k_Depths[i]),
+                       material);
         }
     }
     void SetFog(FogMode mode)
@@ -137,9 +138,9 @@ protected:
         const Field picture = run.Color(nullptr);
         for (std::size_t i = 0; i < std::size(k_Depths); ++i)
         {
-            const double behindNear = k_Depths[i] - k_Near;
+            const double behindNear = k_Depths[i] - k_FogNear;
             const double distance =
-                kind.isByVertex ? behindNear * k_Far / (k_Far - k_Near) : behindNear;
+                kind.isByVertex ? behindNear * k_FogFar / (k_FogFar - k_FogNear) : behindNear;
             const double seen = m_Flat.scene.fog ? Seen(m_Flat.scene, distance, kind) : 1.0;
             for (int channel = 0; channel < 3; ++channel)
             {
@@ -155,7 +156,7 @@ protected:
     void ExpectFogInEachMode(const std::shared_ptr<const Material>& material, const FogKind& kind)
     {
         Fill(material);
-        PictureRun run(m_Flat.scene, m_Flat.camera, k_Width, k_Height);
+        PictureRun run(m_Flat.scene, m_Flat.camera, k_FogWidth, k_FogHeight);
         m_Flat.scene.fog = false;
         ExpectFog(run, kind);
         for (const FogMode mode :
@@ -214,7 +215,8 @@ TEST_F(FogGpu, IsAWallWhereItBeginsAndEndsAtOnce)
     Fill(FoggedByPixel());
     SetFog(FogMode::Linear);
     m_Flat.scene.fogStartDistance = m_Flat.scene.fogEndDistance = 5.0f;
-    const Field picture = PictureRun(m_Flat.scene, m_Flat.camera, k_Width, k_Height).Color(nullptr);
+    const Field picture =
+        PictureRun(m_Flat.scene, m_Flat.camera, k_FogWidth, k_FogHeight).Color(nullptr);
     EXPECT_NEAR(k_Color.x, picture.At(4, 2, 0), 1e-3);
     EXPECT_NEAR(k_Color.x, picture.At(12, 2, 0), 1e-3);
     EXPECT_NEAR(k_FogColor.x, picture.At(20, 2, 0), 1e-3);
@@ -226,13 +228,13 @@ TEST_F(FogGpu, LeavesTheSkyAsItIs)
     m_Flat.camera.clearFlags = CameraClearFlags::Skybox;
     const auto shader = FindBuiltinShader("Skybox/Procedural", Compiler());
     m_Flat.scene.skybox = std::make_shared<const Material>(shader);
-    m_Flat.Add({0, 0}, {8, k_Height}, 6.0f, Plain(glm::vec3(k_Color)));
-    PictureRun run(m_Flat.scene, m_Flat.camera, k_Width, k_Height);
+    m_Flat.Add({0, 0}, {8, k_FogHeight}, 6.0f, Plain(glm::vec3(k_Color)));
+    PictureRun run(m_Flat.scene, m_Flat.camera, k_FogWidth, k_FogHeight);
     const Field clear = run.Color(nullptr);
     SetFog(FogMode::Exponential);
     const Field veiled = run.Color(nullptr);
     EXPECT_GT(std::abs(clear.At(4, 2, 2) - veiled.At(4, 2, 2)), 0.2);
-    for (int x = 9; x < k_Width; ++x)
+    for (int x = 9; x < k_FogWidth; ++x)
     {
         for (int channel = 0; channel < 3; ++channel)
         {

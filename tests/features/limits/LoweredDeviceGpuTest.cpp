@@ -20,18 +20,18 @@ struct Sample
     const char* profile;
 };
 
-constexpr Sample k_Samples[] = {{"furniture/furniture", "furniture/cannot_place"},
-                                {"translucent_solid/translucent_solid", ""},
-                                {"selection/selection", "selection/auto"},
-                                {"selection/selection", "selection/color_edges"},
-                                {"selection/selection", "selection/depth_normals"},
-                                {"selection/selection", "selection/inflated"},
-                                {"selection/selection", "selection/mask_difference"},
-                                {"selection/selection", "selection/rim"},
-                                {"selection/selection", "selection/screen_space"},
-                                {"selection/selection", "selection/selection"},
-                                {"selection/selection", "selection/strokes"},
-                                {"selection/selection", "selection/wide"}};
+constexpr Sample k_SampleScenes[] = {{"furniture/furniture", "furniture/cannot_place"},
+                                     {"translucent_solid/translucent_solid", ""},
+                                     {"selection/selection", "selection/auto"},
+                                     {"selection/selection", "selection/color_edges"},
+                                     {"selection/selection", "selection/depth_normals"},
+                                     {"selection/selection", "selection/inflated"},
+                                     {"selection/selection", "selection/mask_difference"},
+                                     {"selection/selection", "selection/rim"},
+                                     {"selection/selection", "selection/screen_space"},
+                                     {"selection/selection", "selection/selection"},
+                                     {"selection/selection", "selection/strokes"},
+                                     {"selection/selection", "selection/wide"}};
 
 struct Lack
 {
@@ -106,7 +106,7 @@ std::map<std::string, std::size_t> Outcomes(const Lack& lack, const std::vector<
     std::map<std::string, std::size_t> outcomes;
     for (std::size_t i = 0; i < pictures.size(); ++i)
     {
-        ++outcomes[Outcome(k_Samples[i], device, pictures[i])];
+        ++outcomes[Outcome(k_SampleScenes[i], device, pictures[i])];
     }
     EXPECT_EQ("", Text(device.validationMessages())) << lack.name;
     return outcomes;
@@ -130,15 +130,16 @@ TEST_F(LoweredDevice, DrawsEveryOutlineAsBefore)
     }
     const std::vector<Lack> atOnce{{"all at once", all.c_str()}};
     std::vector<Image> pictures;
-    for (const Sample& sample : k_Samples)
+    for (const Sample& sample : k_SampleScenes)
     {
         pictures.push_back(Draw(sample, SharedDevice()));
     }
     for (const Lack& lack : isTable ? std::vector(std::begin(k_Lacks), std::end(k_Lacks)) : atOnce)
     {
         const auto outcomes = Outcomes(lack, pictures);
-        EXPECT_EQ((std::map<std::string, std::size_t>{{"drawn as before", std::size(k_Samples)}}),
-                  outcomes)
+        EXPECT_EQ(
+            (std::map<std::string, std::size_t>{{"drawn as before", std::size(k_SampleScenes)}}),
+            outcomes)
             << lack.name;
         for (auto outcome = outcomes.begin(); isTable && outcome != outcomes.end(); ++outcome)
         {

@@ -39,7 +39,7 @@ int FrontAt(const std::vector<Rectangle>& rectangles, int x, int y, bool onlyOut
     return front;
 }
 
-struct Look
+struct MaskLook
 {
     double width = 2.0;
     double threshold = 2.0;
@@ -53,7 +53,7 @@ double DepthAt(double distance, bool orthographic)
                         : k_Far * (distance - k_Near) / (distance * (k_Far - k_Near));
 }
 
-bool IsClipped(const Look& look, double distance, bool orthographic)
+bool IsClipped(const MaskLook& look, double distance, bool orthographic)
 {
     return DepthAt(distance, orthographic) >= look.threshold ||
            (look.distance > 0.0 && distance >= look.distance);
@@ -63,7 +63,7 @@ class MaskDifferenceOutlineGpu : public GpuTest
 {
 protected:
     /// Green lines.
-    const VolumeStack& With(const Look& look)
+    const VolumeStack& With(const MaskLook& look)
     {
         return m_Volumes.With(
             [&](MaskDifferenceOutline& outline)
@@ -125,7 +125,7 @@ std::vector<Rectangle> RandomRectangles(int width, int height, std::mt19937& ran
 }
 
 /// A line wherever one of the four neighbours shows another object than the pixel itself.
-Field Reference(const Field& base, const std::vector<Rectangle>& rectangles, const Look& look,
+Field Reference(const Field& base, const std::vector<Rectangle>& rectangles, const MaskLook& look,
                 bool orthographic)
 {
     Field result = base;
@@ -168,7 +168,7 @@ TEST_P(MaskDifferenceOutlineAtSizeGpu, AgreesWithTheReferenceForEveryDepthAndCam
         // Rectangles are 2, 2.5, 3 ... 8.5 m away; the background counts as the far plane.
         const double near = DepthAt(3.25, orthographic);
         const double far = DepthAt(6.75, orthographic);
-        const Look looks[] = {
+        const MaskLook looks[] = {
             {1},           {2}, {5}, {3, 1.0}, {3, near}, {7, far}, {2, 2.0, 4.25}, {2, near, 6.75},
             {2, far, 3.25}};
         const std::vector<Rectangle> rectangles = RandomRectangles(width, height, random);
@@ -186,7 +186,7 @@ TEST_P(MaskDifferenceOutlineAtSizeGpu, AgreesWithTheReferenceForEveryDepthAndCam
         settings.m_FramebufferFetch = false;
         Outlined fromTexture(flat, settings);
         const Field base = inPlace.Color(nullptr);
-        for (const Look& look : looks)
+        for (const MaskLook& look : looks)
         {
             const Field picture = inPlace.Color(&With(look));
             EXPECT_GE(ShareWithinTwo(picture, Reference(base, rectangles, look, orthographic)),
@@ -308,7 +308,7 @@ TEST_F(MaskDifferenceOutlineGpu, DrawsLinesAroundWhatLiesInTheMiddleOfOthers)
     }
     Outlined run(flat);
     const Field base = run.Color(nullptr);
-    const Look look{1.0};
+    const MaskLook look{1.0};
     EXPECT_EQ(ShareWithinTwo(run.Color(&With(look)), Reference(base, rectangles, look, true)), 1.0);
 }
 

@@ -122,67 +122,40 @@ TEST_F(MaskDifferenceFrame, HasAMaskNoLargerThanTheObjectsNeed)
     EXPECT_FALSE(mask.depth) << "which of them is in front does not matter";
 }
 
-struct NothingDrawn
-{
-    std::vector<std::string> why;
-    std::function<void(MaskDifferenceOutline&)> set;
-    std::function<void(OutlineScene&)> change = [](OutlineScene&) {
-    };
-};
-
 TEST_F(MaskDifferenceFrame, CostsNoPassWhereNothingIsDrawnAndSaysWhy)
 {
-    const NothingDrawn cases[] = {{{"no volume", "MaskDifferenceOutline.m_Enable"}, {}},
-                                  {{"MaskDifferenceOutline.m_OutlineWidth is 0"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.m_OutlineWidth.Override(0.0f);
-                                   }},
-                                  {{"MaskDifferenceOutline.m_OutlineWidth is 0.25", "no pixel"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.m_OutlineWidth.Override(0.25f);
-                                   }},
-                                  {{"MaskDifferenceOutline.m_OutlineColor", "alpha 0"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.m_OutlineColor.Override(Color::clear);
-                                   }},
-                                  {{"MaskDifferenceOutline.m_OutlineColor", "black"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.m_OutlineColor.Override(Color::black);
-                                   }},
-                                  {{"every depth", "clipped"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.outline_depth_threshold_clip_player.Override(0.0f);
-                                   }},
-                                  {{"every depth", "clipped"},
-                                   [](MaskDifferenceOutline& outline)
-                                   {
-                                       outline.m_ClipDistance.Override(0.25f);
-                                   }},
-                                  {{"0 of 0"},
-                                   Defaults,
-                                   [](OutlineScene& content)
-                                   {
-                                       for (const auto& object : content.scene.objects())
-                                       {
-                                           object->transform.localPosition.x += 1000.0f;
-                                       }
-                                   }}};
-    for (const NothingDrawn& c : cases)
-    {
-        m_Content = OutlineScene();
-        c.change(m_Content);
-        const RenderResult result = Render(c.set);
-        EXPECT_THAT(TargetsOf(result), ElementsAre("_CameraColorAttachmentA", "limn_Output"))
-            << testing::PrintToString(c.why);
-        EXPECT_THAT(
-            result.report.notes,
-            ElementsAre(testing::AllOf(Mentions("Outline", "not drawn"), MentionsInOrder(c.why))));
-    }
+    ExpectNothingDrawn({{{"no volume", "MaskDifferenceOutline.m_Enable"}, {}},
+                        {{"MaskDifferenceOutline.m_OutlineWidth is 0"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.m_OutlineWidth.Override(0.0f);
+                         }},
+                        {{"MaskDifferenceOutline.m_OutlineWidth is 0.25", "no pixel"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.m_OutlineWidth.Override(0.25f);
+                         }},
+                        {{"MaskDifferenceOutline.m_OutlineColor", "alpha 0"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.m_OutlineColor.Override(Color::clear);
+                         }},
+                        {{"MaskDifferenceOutline.m_OutlineColor", "black"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.m_OutlineColor.Override(Color::black);
+                         }},
+                        {{"every depth", "clipped"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.outline_depth_threshold_clip_player.Override(0.0f);
+                         }},
+                        {{"every depth", "clipped"},
+                         [](MaskDifferenceOutline& outline)
+                         {
+                             outline.m_ClipDistance.Override(0.25f);
+                         }},
+                        {{"0 of 0"}, Defaults, MoveObjectsAway}});
 }
 
 } // namespace

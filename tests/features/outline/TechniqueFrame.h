@@ -1,5 +1,6 @@
 #pragma once
 
+#include "Mentions.h"
 #include "features/color_edges/FlatPicture.h"
 
 #include <algorithm>
@@ -17,6 +18,14 @@ class TechniqueFrame : public testing::Test
 {
 protected:
     using Set = std::function<void(Component&)>;
+
+    /// A frame in which the technique has nothing to draw.
+    struct NothingDrawn
+    {
+        std::vector<std::string> why; ///< what the note mentions, in this order
+        Set set;
+        std::function<void(Content&)> change = nullptr; ///< of the scene
+    };
 
     explicit TechniqueFrame(std::string name) : m_Name(std::move(name)) {}
 
@@ -55,6 +64,32 @@ protected:
             names.push_back(pass.name.name());
         }
         return names;
+    }
+
+    void ExpectNothingDrawn(const std::vector<NothingDrawn>& cases)
+    {
+        for (const NothingDrawn& c : cases)
+        {
+            m_Content = Content();
+            if (c.change)
+            {
+                c.change(m_Content);
+            }
+            const RenderResult result = Render(c.set);
+            EXPECT_THAT(TargetsOf(result),
+                        testing::ElementsAre("_CameraColorAttachmentA", "limn_Output"))
+                << testing::PrintToString(c.why);
+            EXPECT_THAT(result.report.notes,
+                        testing::ElementsAre(
+                            testing::AllOf(Mentions(m_Name, "not drawn"), MentionsInOrder(c.why))));
+        }
+    }
+    static void MoveObjectsAway(Content& content)
+    {
+        for (const auto& object : content.scene.objects())
+        {
+            object->transform.localPosition.x += 1000.0f;
+        }
     }
 
     /// The first colour of each pass that the device runs.

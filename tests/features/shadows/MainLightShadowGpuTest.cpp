@@ -7,8 +7,8 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Width = 80;
-constexpr int k_Height = 56;
+constexpr int k_ShadowedWidth = 80;
+constexpr int k_ShadowedHeight = 56;
 constexpr float k_Distance = 20.0f;
 
 std::vector<std::string> PassesOf(const RenderResult& result)
@@ -34,7 +34,8 @@ protected:
     }
 
     /// The camera's colour.
-    Field Draw(const Scene& scene, const Camera& camera, int width = k_Width, int height = k_Height)
+    Field Draw(const Scene& scene, const Camera& camera, int width = k_ShadowedWidth,
+               int height = k_ShadowedHeight)
     {
         RenderRequest request;
         request.scene = &scene;
@@ -122,7 +123,7 @@ private:
 
 TEST_F(MainLightShadowGpu, FallsWhereADoublePrecisionRayMeetsABox)
 {
-    ShadowScene shadows(k_Width, k_Height, Attenuation());
+    ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, Attenuation());
     shadows.AddBoxes();
     for (const bool orthographic : {false, true})
     {
@@ -137,14 +138,14 @@ TEST_F(MainLightShadowGpu, FallsWhereADoublePrecisionRayMeetsABox)
             EXPECT_EQ(agreement.different, 0);
             EXPECT_GT(agreement.lit, 1000);
             EXPECT_GT(agreement.shadowed, 100);
-            EXPECT_LT(agreement.rim, k_Width * k_Height / 2);
+            EXPECT_LT(agreement.rim, k_ShadowedWidth * k_ShadowedHeight / 2);
         }
     }
 }
 
 TEST_F(MainLightShadowGpu, IsSharperWithMoreCascades)
 {
-    ShadowScene shadows(k_Width, k_Height, Attenuation());
+    ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, Attenuation());
     shadows.AddBoxes();
     m_Pipeline.shadows.shadowCascadeCount = 4;
     m_Pipeline.shadows.mainLightShadowmapResolution = 512;
@@ -160,7 +161,7 @@ TEST_F(MainLightShadowGpu, FadesToTheDistanceAndTakesItsStrengthAllOver)
     for (const int cascades : {1, 2, 3, 4})
     {
         SCOPED_TRACE(cascades);
-        ShadowScene shadows(k_Width, k_Height,
+        ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight,
                             Attenuation("GetMainLight(TransformWorldToShadowCoord(positionWS), "
                                         "positionWS, float4(1, 1, 1, 1))"));
         shadows.scene.mainLight.shadowStrength = 0.75f;
@@ -168,14 +169,14 @@ TEST_F(MainLightShadowGpu, FadesToTheDistanceAndTakesItsStrengthAllOver)
         roof.renderer->shadowCastingMode = ShadowCastingMode::ShadowsOnly;
         m_Pipeline.shadows.shadowCascadeCount = cascades;
         m_Pipeline.shadows.shadowDistance = 20.0f;
-        PictureRun run(shadows.scene, shadows.camera, k_Width, k_Height);
+        PictureRun run(shadows.scene, shadows.camera, k_ShadowedWidth, k_ShadowedHeight);
         run.SetShadows(m_Pipeline.shadows);
         const Field picture = run.Color(nullptr);
         shadows.boxes.clear(); // rays pass the roof
         int between = 0;
-        for (int y = 0; y < k_Height; ++y)
+        for (int y = 0; y < k_ShadowedHeight; ++y)
         {
-            for (int x = 0; x < k_Width; ++x)
+            for (int x = 0; x < k_ShadowedWidth; ++x)
             {
                 const auto hit = shadows.Cast(shadows.RayThrough(x + 0.5, y + 0.5));
                 if (!hit || hit->distance > 50.0)
@@ -195,7 +196,7 @@ TEST_F(MainLightShadowGpu, FadesToTheDistanceAndTakesItsStrengthAllOver)
 
 TEST_F(MainLightShadowGpu, IsThrownByTheSidesThatTheCastingModeSays)
 {
-    ShadowScene shadows(k_Width, k_Height, Attenuation());
+    ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, Attenuation());
     GameObject& box = shadows.Add({0.0f, 2.0f, 2.0f}, {2.0f, 2.0f, 2.0f});
     using enum ShadowCastingMode;
     const Field on = Draw(shadows);
@@ -203,9 +204,9 @@ TEST_F(MainLightShadowGpu, IsThrownByTheSidesThatTheCastingModeSays)
     const Field off = Draw(shadows);
     EXPECT_THAT(PassesOf(m_Result), testing::Contains("MainLightShadow")) << "the floor's";
     EXPECT_GT(CountDifferent(on, off), 50);
-    for (int y = 0; y < k_Height; ++y)
+    for (int y = 0; y < k_ShadowedHeight; ++y)
     {
-        for (int x = 0; x < k_Width; ++x)
+        for (int x = 0; x < k_ShadowedWidth; ++x)
         {
             const auto hit = shadows.Cast(shadows.RayThrough(x + 0.5, y + 0.5));
             ASSERT_TRUE(!hit || hit->distance > static_cast<double>(k_Distance) ||
@@ -215,7 +216,7 @@ TEST_F(MainLightShadowGpu, IsThrownByTheSidesThatTheCastingModeSays)
     }
 
     // A sheet that looks up casts no shadow from below but with both sides.
-    ShadowScene sheets(k_Width, k_Height, Attenuation());
+    ShadowScene sheets(k_ShadowedWidth, k_ShadowedHeight, Attenuation());
     GameObject& sheet = sheets.scene.Add("sheet");
     sheet.transform.localPosition = {0.0f, 1.5f, 2.0f};
     sheet.transform.localRotation = EulerToRotation({-90.0f, 0.0f, 0.0f}); // a quad faces -z: down
@@ -249,7 +250,7 @@ bool HasShadowVariant(const RenderResult& result)
 TEST_F(MainLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
 {
     const auto lit = std::make_shared<Material>(FindBuiltinShader("Limn/Half Lambert", Compiler()));
-    ShadowScene shadows(k_Width, k_Height, lit);
+    ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, lit);
     shadows.AddBoxes();
     const auto expectNone = [&](const std::string& why)
     {
@@ -259,7 +260,7 @@ TEST_F(MainLightShadowGpu, CostsNothingWhereNothingThrowsOrShowsIt)
         EXPECT_FALSE(HasShadowVariant(m_Result));
         for (const CompiledRenderPass& pass : m_Result.frame->passes)
         {
-            EXPECT_EQ(pass.width, k_Width) << pass.name;
+            EXPECT_EQ(pass.width, k_ShadowedWidth) << pass.name;
         }
         return picture;
     };
@@ -303,7 +304,7 @@ TEST_F(MainLightShadowGpu, OfLitIsDarkerInShadowAndGoneWhereAMaterialDoesNotRece
     {
         SCOPED_TRACE(name);
         const auto lit = std::make_shared<Material>(FindBuiltinShader(name, Compiler()));
-        ShadowScene shadows(k_Width, k_Height, lit);
+        ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, lit);
         shadows.AddBoxes();
         const Field with = Draw(shadows);
         shadows.scene.mainLight.shadows = LightShadows::None;
@@ -338,18 +339,18 @@ TEST_F(MainLightShadowGpu, IsTheSameFarAwayFromTheWorldsOrigin)
     for (const int cascades : {1, 4})
     {
         m_Pipeline.shadows.shadowCascadeCount = cascades;
-        ShadowScene here(k_Width, k_Height, lit);
+        ShadowScene here(k_ShadowedWidth, k_ShadowedHeight, lit);
         here.AddBoxes();
         const Field expected = Draw(here);
         Transform away;
-        ShadowScene there(k_Width, k_Height, lit);
+        ShadowScene there(k_ShadowedWidth, k_ShadowedHeight, lit);
         there.AddBoxes();
         Carry(there, away, {1e7, -1e7, 5e6});
         const Field picture = Draw(there);
         int different = 0;
-        for (int y = 0; y < k_Height; ++y)
+        for (int y = 0; y < k_ShadowedHeight; ++y)
         {
-            for (int x = 0; x < k_Width; ++x)
+            for (int x = 0; x < k_ShadowedWidth; ++x)
             {
                 if (std::abs(expected.At(x, y, 0) - picture.At(x, y, 0)) <= 2.0 / 255.0)
                 {
@@ -363,8 +364,9 @@ TEST_F(MainLightShadowGpu, IsTheSameFarAwayFromTheWorldsOrigin)
                 {
                     for (int dx = -1; dx <= 1; ++dx)
                     {
-                        const double value = expected.At(std::clamp(x + dx, 0, k_Width - 1),
-                                                         std::clamp(y + dy, 0, k_Height - 1), 0);
+                        const double value =
+                            expected.At(std::clamp(x + dx, 0, k_ShadowedWidth - 1),
+                                        std::clamp(y + dy, 0, k_ShadowedHeight - 1), 0);
                         low = std::min(low, value);
                         high = std::max(high, value);
                     }
@@ -372,7 +374,7 @@ TEST_F(MainLightShadowGpu, IsTheSameFarAwayFromTheWorldsOrigin)
                 EXPECT_GT(high - low, 0.05) << x << ", " << y;
             }
         }
-        EXPECT_LT(different, k_Width * k_Height / 20) << cascades << " cascades";
+        EXPECT_LT(different, k_ShadowedWidth * k_ShadowedHeight / 20) << cascades << " cascades";
     }
 }
 
@@ -385,7 +387,7 @@ TEST_F(MainLightShadowGpu, IsTheSameWhicheverWayRoundDepthIs)
         options.usesReversedZBuffer = reversed;
         const auto compiler = std::make_shared<ShaderCompiler>(options);
         ShadowScene shadows(
-            k_Width, k_Height,
+            k_ShadowedWidth, k_ShadowedHeight,
             Attenuation("GetMainLight(TransformWorldToShadowCoord(positionWS))", compiler));
         shadows.AddBoxes();
         m_Pipeline.shadows.shadowCascadeCount = 2;
@@ -393,14 +395,14 @@ TEST_F(MainLightShadowGpu, IsTheSameWhicheverWayRoundDepthIs)
         RenderRequest request;
         request.scene = &shadows.scene;
         request.camera = &shadows.camera;
-        request.width = k_Width;
-        request.height = k_Height;
+        request.width = k_ShadowedWidth;
+        request.height = k_ShadowedHeight;
         const RenderResult result = m_Pipeline.RenderSingleCamera(renderer, request);
         pictures.push_back(ToField(SharedDevice().ReadBack(*result.output.rt())));
         const Agreement agreement = Compare(pictures.back(), shadows, 0.15);
         EXPECT_EQ(agreement.different, 0) << reversed;
     }
-    EXPECT_LT(CountDifferent(pictures[0], pictures[1]), k_Width * k_Height / 100);
+    EXPECT_LT(CountDifferent(pictures[0], pictures[1]), k_ShadowedWidth * k_ShadowedHeight / 100);
 }
 
 TEST_F(MainLightShadowGpu, RefusesSettingsOutsideTheirRange)

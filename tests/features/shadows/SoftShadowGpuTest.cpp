@@ -8,7 +8,7 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Side = 48;
+constexpr int k_MapSide = 48;
 constexpr int k_Texels = 12;
 
 /// How much of [a, b] a tent over [-w, w] of area 1 covers.
@@ -26,7 +26,7 @@ double UnderTent(double a, double b, double w)
 class SoftShadowGpu : public GpuTest
 {
 protected:
-    SoftShadowGpu() : m_Wall(k_Side, k_Side)
+    SoftShadowGpu() : m_Wall(k_MapSide, k_MapSide)
     {
         std::mt19937 random(3);
         for (float& depth : m_Depths)
@@ -58,7 +58,7 @@ protected:
                               {-half, -half, half, -half});
         m_Material->SetVector(ShaderPropertyId("_MainLightShadowOffset1"),
                               {-half, half, half, half});
-        m_Wall.Add({0, 0}, {k_Side, k_Side}, 5, m_Material);
+        m_Wall.Add({0, 0}, {k_MapSide, k_MapSide}, 5, m_Material);
     }
 
     /// @param softness  as _MainLightShadowParams.y has it
@@ -68,7 +68,7 @@ protected:
                               {1.0f, softness, 0.0f, 0.0f});
         softness > 0.0f ? m_Material->EnableKeyword("_SHADOWS_SOFT")
                         : m_Material->DisableKeyword("_SHADOWS_SOFT");
-        PictureRun run(m_Wall.scene, m_Wall.camera, k_Side, k_Side);
+        PictureRun run(m_Wall.scene, m_Wall.camera, k_MapSide, k_MapSide);
         return run.Color(nullptr);
     }
 
@@ -96,14 +96,14 @@ protected:
         const Field picture = Draw(softness);
         double least = 1.0;
         double most = 0.0;
-        for (int y = 0; y < k_Side; ++y)
+        for (int y = 0; y < k_MapSide; ++y)
         {
-            for (int x = 0; x < k_Side; ++x)
+            for (int x = 0; x < k_MapSide; ++x)
             {
-                const double u = (0.3 + 0.4 * (x + 0.5) / k_Side) * k_Texels;
-                const double v = (0.3 + 0.4 * (y + 0.5) / k_Side) * k_Texels;
+                const double u = (0.3 + 0.4 * (x + 0.5) / k_MapSide) * k_Texels;
+                const double v = (0.3 + 0.4 * (y + 0.5) / k_MapSide) * k_Texels;
                 const double wanted = Filtered(u, v, weight);
-                ASSERT_NEAR(picture.At(x, k_Side - 1 - y, 0), wanted, 1e-3)
+                ASSERT_NEAR(picture.At(x, k_MapSide - 1 - y, 0), wanted, 1e-3)
                     << x << ", " << y << " from the bottom";
                 least = std::min(least, wanted);
                 most = std::max(most, wanted);

@@ -16,8 +16,8 @@ namespace limn::test
 namespace
 {
 
-constexpr int k_Width = 96;
-constexpr int k_Height = 97;
+constexpr int k_CanvasWidth = 96;
+constexpr int k_CanvasHeight = 97;
 
 struct Shape
 {
@@ -68,7 +68,7 @@ class StrokePicture : public TechniquePicture
 {
 public:
     explicit StrokePicture(float width, StrokeOutlineSettings settings = {},
-                           int pixelsWide = k_Width, int pixelsHigh = k_Height)
+                           int pixelsWide = k_CanvasWidth, int pixelsHigh = k_CanvasHeight)
         : TechniquePicture(SharedDevice(), pixelsWide, pixelsHigh),
           feature(AddFeature<StrokeOutlineRendererFeature>(std::move(settings))),
           component(Enable<StrokeOutline>(width))
@@ -130,7 +130,8 @@ TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
             SCOPED_TRACE(shape.name + std::string(", width ") + std::to_string(width));
             picture.component.m_OutlineWidth.Override(static_cast<float>(width));
             const OutlineScore score =
-                Score(picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height),
+                Score(picture.Alpha(),
+                      ExactOutlineCoverage(silhouette, {width}, k_CanvasWidth, k_CanvasHeight),
                       {&silhouette});
             EXPECT_EQ(score.badValues, 0u);
             EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
@@ -172,7 +173,8 @@ TEST_F(StrokeOutlineGpu, IsOffByAPixelAtMostWhereThereAreTips)
             StrokePicture picture(static_cast<float>(width));
             picture.Add("tips", triangles);
             const OutlineScore score =
-                Score(picture.Alpha(), ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height),
+                Score(picture.Alpha(),
+                      ExactOutlineCoverage(silhouette, {width}, k_CanvasWidth, k_CanvasHeight),
                       {&silhouette});
             EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
             EXPECT_LE(score.largest, 0.9); // the star's nine tips
@@ -219,10 +221,11 @@ TEST_F(StrokeOutlineGpu, CoversTheUnionWhereOutlinesOfTwoPartsNearlyMeet)
                 StrokePicture picture(static_cast<float>(width));
                 picture.Add("comb", comb);
                 const Coverage measured = picture.Alpha();
-                Coverage exact = ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height);
-                for (int y = 0; y < k_Height; ++y)
+                Coverage exact =
+                    ExactOutlineCoverage(silhouette, {width}, k_CanvasWidth, k_CanvasHeight);
+                for (int y = 0; y < k_CanvasHeight; ++y)
                 {
-                    for (int x = 0; x < k_Width; ++x)
+                    for (int x = 0; x < k_CanvasWidth; ++x)
                     {
                         const glm::dvec2 place = glm::dvec2(x + 0.5, y + 0.5) - k_CombMiddle;
                         if (std::abs(place.x * std::cos(turn) + place.y * std::sin(turn)) > 16.0)
@@ -248,8 +251,8 @@ TEST_F(StrokeOutlineGpu, KeepsAThinNeedleWhole)
     {
         StrokePicture picture(static_cast<float>(width));
         picture.Add("needle", needle);
-        EXPECT_GE(ScoreOutline(picture.Alpha(),
-                               ExactOutlineCoverage(silhouette, {width}, k_Width, k_Height))
+        EXPECT_GE(ScoreOutline(picture.Alpha(), ExactOutlineCoverage(silhouette, {width},
+                                                                     k_CanvasWidth, k_CanvasHeight))
                       .intersectionOverUnion,
                   0.99);
     }
@@ -311,7 +314,7 @@ TEST_F(StrokeOutlineGpu, IsExactForACamerasOwnProjection)
             EulerToRotation({70.0f, 15.0f, 0.0f});
         return picture;
     };
-    const float aspect = static_cast<float>(k_Width) / static_cast<float>(k_Height);
+    const float aspect = static_cast<float>(k_CanvasWidth) / static_cast<float>(k_CanvasHeight);
     for (const bool orthographic : {false, true})
     {
         const auto plain = look(orthographic);
@@ -349,11 +352,11 @@ TEST_F(StrokeOutlineGpu, OutlinesOverlappingObjectsTogetherOrEachOnItsOwn)
         const Silhouette both(Together({left, right}));
         const Silhouette ofLeft(left);
         const Silhouette ofRight(right);
-        Coverage exact = ExactOutlineCoverage(both, {5.0}, k_Width, k_Height);
+        Coverage exact = ExactOutlineCoverage(both, {5.0}, k_CanvasWidth, k_CanvasHeight);
         if (grouping == OutlineGrouping::PerObject)
         {
-            const Coverage a = ExactOutlineCoverage(ofLeft, {5.0}, k_Width, k_Height);
-            const Coverage b = ExactOutlineCoverage(ofRight, {5.0}, k_Width, k_Height);
+            const Coverage a = ExactOutlineCoverage(ofLeft, {5.0}, k_CanvasWidth, k_CanvasHeight);
+            const Coverage b = ExactOutlineCoverage(ofRight, {5.0}, k_CanvasWidth, k_CanvasHeight);
             for (std::size_t i = 0; i < exact.values.size(); ++i)
             {
                 exact.values[i] = 1.0 - (1.0 - a.values[i]) * (1.0 - b.values[i]); // blended
@@ -375,7 +378,7 @@ TEST_F(StrokeOutlineGpu, ReachesIntoThePictureFromBesideItAndLeavesTheBorderAlon
     picture.Add("across", across);
     const OutlineScore score =
         ScoreOutline(picture.Alpha(), ExactOutlineCoverage(Silhouette(Together({beside, across})),
-                                                           {6.0}, k_Width, k_Height));
+                                                           {6.0}, k_CanvasWidth, k_CanvasHeight));
     EXPECT_LE(score.meanAbsoluteError, 0.004);
     EXPECT_GE(score.intersectionOverUnion, 0.998);
 }
@@ -435,7 +438,7 @@ TEST_F(StrokeOutlineGpu, GrowsWithItsWidthAndStaysWithinItsTexturesOfTheObjectsS
         last = area;
     }
     // Beyond the diagonal the whole picture but the disc is covered.
-    EXPECT_NEAR(last, k_Width * k_Height - 3.14159265 * 12.2 * 12.2, 2.0);
+    EXPECT_NEAR(last, k_CanvasWidth * k_CanvasHeight - 3.14159265 * 12.2 * 12.2, 2.0);
 
     StrokePicture small(8.0f, {}, 640, 480);
     small.Add("disc", DiscTriangles({300.3, 200.6}, 20.2));
@@ -473,7 +476,7 @@ TEST_F(StrokeOutlineGpu, TellsWhatIsHiddenFromWhatIsSeen)
 {
     const glm::dvec2 middle(47.3, 48.6);
     const Silhouette disc(DiscTriangles(middle, 20.2));
-    const Coverage whole = ExactOutlineCoverage(disc, {5.0}, k_Width, k_Height);
+    const Coverage whole = ExactOutlineCoverage(disc, {5.0}, k_CanvasWidth, k_CanvasHeight);
     const double rounded = std::sqrt(2.0) * SubPixel();
     const auto alpha = [&](OutlineOcclusion occlusion, int channel)
     {
@@ -495,9 +498,9 @@ TEST_F(StrokeOutlineGpu, TellsWhatIsHiddenFromWhatIsSeen)
     const auto expect = [&](const Coverage& measured, bool left, bool right)
     {
         double largest = 0.0;
-        for (int y = 0; y < k_Height; ++y)
+        for (int y = 0; y < k_CanvasHeight; ++y)
         {
-            for (int x = 0; x < k_Width; ++x)
+            for (int x = 0; x < k_CanvasWidth; ++x)
             {
                 const bool isIn = x < 40 ? left : right;
                 const bool isOnBorder =

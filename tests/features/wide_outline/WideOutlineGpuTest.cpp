@@ -36,7 +36,7 @@ struct Limits
 };
 constexpr double k_Widths[] = {1.0, 2.0, 8.0, 32.0};
 
-std::vector<Limits> Shapes()
+std::vector<Limits> ShapeLimits()
 {
     return {
         {"disc", DiscTriangles({47.3, 48.6}, 20.0), {.06, .042, .015, .0053}, .96},
@@ -92,7 +92,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, WideOutlineByMethodGpu, testing::ValuesIn(k_Me
 
 TEST_P(WideOutlineByMethodGpu, IsAsNearToTheExactOutlineAsFourSamplesAllow)
 {
-    for (const Limits& shape : Shapes())
+    for (const Limits& shape : ShapeLimits())
     {
         const Silhouette silhouette(shape.triangles);
         for (std::size_t i = 0; i < std::size(k_Widths); ++i)
@@ -122,7 +122,7 @@ TEST_P(WideOutlineByMethodGpu, IsAsNearToTheExactOutlineAsFourSamplesAllow)
 
 TEST_F(WideOutlineGpu, IsAlikeByEitherMethod)
 {
-    for (const Limits& shape : Shapes())
+    for (const Limits& shape : ShapeLimits())
     {
         for (const OutlineBand& band :
              {OutlineBand{2.0}, {8.0}, {30.0}, {3.0, OutlineSide::Outer, 2.5}})
@@ -348,11 +348,12 @@ TEST_F(WideOutlineGpu, OutlinesWholeObjectsOrWhatIsSeenOfThem)
 /// do.
 std::shared_ptr<Material> CutoutDisc()
 {
-    constexpr int k_Side = 64;
+    constexpr int k_DiscSide = 64;
     std::vector<std::byte> texels;
-    for (int i = 0; i < k_Side * k_Side; ++i)
+    for (int i = 0; i < k_DiscSide * k_DiscSide; ++i)
     {
-        const double away = std::hypot(i % k_Side - 31.5, static_cast<int>(i / k_Side) - 31.5);
+        const double away =
+            std::hypot(i % k_DiscSide - 31.5, static_cast<int>(i / k_DiscSide) - 31.5);
         const double alpha = std::clamp(0.6 + (16.0 - away) / 8.0, 0.0, 1.0); // 0.6 at the edge
         texels.insert(texels.end(), 3, std::byte{255});
         texels.push_back(static_cast<std::byte>(std::lround(255.0 * alpha)));
@@ -365,7 +366,7 @@ std::shared_ptr<Material> CutoutDisc()
         "half4 F() : SV_Target { clip(-1); return 0; }\nENDHLSL } } }"));
     material->EnableKeyword("_ALPHATEST_ON");
     material->SetTexture(Shader::PropertyToID("_BaseMap"),
-                         std::make_shared<Texture2D>("disc", k_Side, k_Side,
+                         std::make_shared<Texture2D>("disc", k_DiscSide, k_DiscSide,
                                                      GraphicsFormat::R8G8B8A8_UNorm, texels));
     material->SetFloat(Shader::PropertyToID("_Cutoff"), 0.6f);
     return material;

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 const std::string k_Functions = "\nfloat4 vert() : SV_POSITION { return 0; }\n"
                                 "float4 frag() : SV_Target { return VALUE; }\n";
 
-class Include : public testing::Test
+class IncludedFile : public testing::Test
 {
 protected:
     /// Compiles a shader in project/Assets/Shaders that holds this and asks for the macro VALUE.
@@ -42,14 +42,14 @@ protected:
     test::TemporaryFolder folder;
 };
 
-TEST_F(Include, FindsNestedFilesFromTheFolderOfTheShader)
+TEST_F(IncludedFile, FindsNestedFilesFromTheFolderOfTheShader)
 {
     folder.Write("project/Assets/Shaders/sub/a.hlsl", "#include \"sub/b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/sub/b.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"sub/a.hlsl\""), ElementsAre());
 }
 
-TEST_F(Include, FindsPackagesByTheNameInTheirManifest)
+TEST_F(IncludedFile, FindsPackagesByTheNameInTheirManifest)
 {
     const std::string manifest = "{\"name\": \"com.me.NAME\", \"version\": \"1.0.0\"}";
     const auto manifestOf = [&](const std::string& name)
@@ -73,7 +73,7 @@ TEST_F(Include, FindsPackagesByTheNameInTheirManifest)
                 ElementsAre(HasSubstr("there is no file")));
 }
 
-TEST_F(Include, FindsThePackageThatTheShaderItselfIsPartOf)
+TEST_F(IncludedFile, FindsThePackageThatTheShaderItselfIsPartOf)
 {
     folder.Write("MyRepository/package.json", "{\"name\": \"com.me.repository\"}");
     folder.Write("MyRepository/ShaderLibrary/a.hlsl", "#define VALUE 1\n");
@@ -84,7 +84,7 @@ TEST_F(Include, FindsThePackageThatTheShaderItselfIsPartOf)
     EXPECT_NO_THROW(compiler.Compile(program));
 }
 
-TEST_F(Include, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
+TEST_F(IncludedFile, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
     const std::string core = "com.unity.render-pipelines.core";
@@ -112,7 +112,7 @@ TEST_F(Include, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
                 ElementsAre());
 }
 
-TEST_F(Include, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
+TEST_F(IncludedFile, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
 {
     folder.Write("repositories/urp/package.json",
                  "{\"name\": \"com.unity.render-pipelines.universal\"}");
@@ -130,7 +130,7 @@ TEST_F(Include, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
     EXPECT_NO_THROW(compiler.Compile(program));
 }
 
-TEST_F(Include, SeesAPackageThatComesIntoTheProject)
+TEST_F(IncludedFile, SeesAPackageThatComesIntoTheProject)
 {
     ShaderCompilerOptions options;
     options.cacheFolder = Path("cache");
@@ -144,7 +144,7 @@ TEST_F(Include, SeesAPackageThatComesIntoTheProject)
     EXPECT_THAT(Compile(text, options).size(), 1u);
 }
 
-TEST_F(Include, FindsPackagesInAFolderByTheirNames)
+TEST_F(IncludedFile, FindsPackagesInAFolderByTheirNames)
 {
     folder.Write("one/package.json", "{\"name\": \"com.me.one\"}");
     folder.Write("one/inner/package.json", "{\"name\": \"com.me.inner\"}");
@@ -158,7 +158,7 @@ TEST_F(Include, FindsPackagesInAFolderByTheirNames)
     EXPECT_THAT(FindPackages(Path("none")), ElementsAre());
 }
 
-TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
+TEST_F(IncludedFile, FindsFilesBesideInTheProjectAndInPackages)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"sub/b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/sub/b.hlsl", "#include \"../../Common/c.hlsl\"\n");
@@ -178,7 +178,7 @@ TEST_F(Include, FindsFilesBesideInTheProjectAndInPackages)
     EXPECT_THAT(Compile("#include <Packages/com.me.y/f.hlsl>", options), ElementsAre());
 }
 
-TEST_F(Include, MayDependOnTheStage)
+TEST_F(IncludedFile, MayDependOnTheStage)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_FRAGMENT\n#define VALUE 1\n"
                                                   "#endif\n");
@@ -188,14 +188,14 @@ TEST_F(Include, MayDependOnTheStage)
     EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre(HasSubstr("'VALUE'")));
 }
 
-TEST_F(Include, TakesBackslashesAndNamesThatDifferInCase)
+TEST_F(IncludedFile, TakesBackslashesAndNamesThatDifferInCase)
 {
     folder.Write("project/Assets/Shaders/Sub/File.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"sub\\\\file.HLSL\""), ElementsAre());
     EXPECT_THAT(Compile("#include \"unitycg.CGINC\"\n#define VALUE 1"), ElementsAre());
 }
 
-TEST_F(Include, StaysInTheFoldersItMayReadFrom)
+TEST_F(IncludedFile, StaysInTheFoldersItMayReadFrom)
 {
     const std::string secret = folder.Write("secret.hlsl", "#define VALUE 1\n").string();
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
@@ -216,7 +216,7 @@ TEST_F(Include, StaysInTheFoldersItMayReadFrom)
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
 }
 
-TEST_F(Include, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
+TEST_F(IncludedFile, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
 {
     folder.Write("repository/Common/a.hlsl", "#define VALUE 1\n");
     folder.Write("secret.hlsl", "#define VALUE 1\n");
@@ -233,7 +233,7 @@ TEST_F(Include, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
     EXPECT_THAT(compile("../../../secret.hlsl").at(0), HasSubstr("is outside the folders"));
 }
 
-TEST_F(Include, StaysThereWhereverTheProgramWasStarted)
+TEST_F(IncludedFile, StaysThereWhereverTheProgramWasStarted)
 {
     folder.Write("secret.hlsl", "#define VALUE 1\n");
     const std::filesystem::path before = std::filesystem::current_path();
@@ -247,7 +247,7 @@ TEST_F(Include, StaysThereWhereverTheProgramWasStarted)
     EXPECT_THAT(below[0], HasSubstr("there is no file \"secret.hlsl\""));
 }
 
-TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)
+TEST_F(IncludedFile, TakesASlashInFrontForTheFolderOfTheProject)
 {
     folder.Write("project/Inc/a.hlsl", "#include \"/Inc/b.hlsl\"\n");
     folder.Write("project/Inc/b.hlsl", "#define VALUE 1\n");
@@ -260,7 +260,7 @@ TEST_F(Include, TakesASlashInFrontForTheFolderOfTheProject)
     EXPECT_THAT(Compile("#include \"/Inc/d.hlsl\"", options), ElementsAre());
 }
 
-TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
+TEST_F(IncludedFile, GoesRoundInACircleNoLongerThanItMust)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"b.hlsl\"\n#include \"b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/b.hlsl", "\n#include \"a.hlsl\"\n");
@@ -277,7 +277,7 @@ TEST_F(Include, GoesRoundInACircleNoLongerThanItMust)
     EXPECT_THAT(Compile("#include \"a.hlsl\"\n#include \"a.hlsl\""), ElementsAre());
 }
 
-TEST_F(Include, MayBeNestedDeeplyButNotWithoutEnd)
+TEST_F(IncludedFile, MayBeNestedDeeplyButNotWithoutEnd)
 {
     for (int i = 0; i < 70; ++i)
     {

@@ -19,7 +19,7 @@ ShaderCompilerOptions SmallHalf()
 
 /// To the nearest number of 16 bits, of two as near the even one. What is computed from such
 /// numbers by one of + - * / and rounded to double first does not come out otherwise.
-double ToHalf(double x)
+double RoundedToHalf(double x)
 {
     if (x == 0.0 || !std::isfinite(x))
     {
@@ -83,7 +83,7 @@ TEST_F(HalfPrecisionGpu, RoundsInProgramsOfUrpToo)
     grid.Add(
         "Rounded(a.x)", Combine(k_Numbers),
         [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
-        { return Values(ToHalf(a.x)); },
+        { return Values(RoundedToHalf(a.x)); },
         Tolerance{0.0, 1e-30});
     grid.Run();
 }
@@ -95,7 +95,7 @@ TEST_F(HalfPrecisionGpu, RoundsWhatIsAssignedPassedAndReturned)
     const auto exactly = Tolerance{0.0, 1e-30};
     const auto rounded = [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
     {
-        return Values(ToHalf(a.x));
+        return Values(RoundedToHalf(a.x));
     };
     for (const char* call :
          {"Assigned(a.x)", "Passed(a.x)", "Returned(a.x)", "Elements(a.x)", "ByReference(a.x)"})
@@ -105,17 +105,17 @@ TEST_F(HalfPrecisionGpu, RoundsWhatIsAssignedPassedAndReturned)
     grid.Add(
         "Parts(a.x, b.x)", Combine(k_Numbers, {0.7}),
         [](const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4&)
-        { return glm::dvec2(ToHalf(b.x), ToHalf(a.x)); },
+        { return glm::dvec2(RoundedToHalf(b.x), RoundedToHalf(a.x)); },
         exactly);
     grid.Add(
         "Both(a.x)", Combine(k_Numbers),
         [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
-        { return glm::dvec2(ToHalf(a.x), a.x); },
+        { return glm::dvec2(RoundedToHalf(a.x), a.x); },
         exactly);
     grid.Add(
         "Chosen(a.x)", Combine(k_Numbers),
         [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
-        { return std::max(ToHalf(a.x), ToHalf(0.1f)); },
+        { return std::max(RoundedToHalf(a.x), RoundedToHalf(0.1f)); },
         exactly);
     grid.Run();
 }
@@ -131,7 +131,7 @@ TEST_F(HalfPrecisionGpu, ComputesHalvesWithHalvesInSixteenBits)
         grid.Add(
             call, Combine(some, some),
             [function](const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4&)
-            { return ToHalf(function(ToHalf(a.x), ToHalf(b.x))); },
+            { return RoundedToHalf(function(RoundedToHalf(a.x), RoundedToHalf(b.x))); },
             exactly);
     };
     add("Sum(a.x, b.x)", [](double x, double y) { return x + y; });
@@ -142,17 +142,17 @@ TEST_F(HalfPrecisionGpu, ComputesHalvesWithHalvesInSixteenBits)
     grid.Add(
         "Quotient(a.x, b.x)", Combine(some, some),
         [](const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4&)
-        { return ToHalf(ToHalf(a.x) / ToHalf(b.x)); },
+        { return RoundedToHalf(RoundedToHalf(a.x) / RoundedToHalf(b.x)); },
         nearly);
     grid.Add(
         "Root(a.x)", Combine({1.0, 2.0, 1000.3, 65504.0}),
         [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
-        { return ToHalf(std::sqrt(ToHalf(a.x))); },
+        { return RoundedToHalf(std::sqrt(RoundedToHalf(a.x))); },
         nearly);
     grid.Add(
         "Mixed(a.x, b.x, c.x)", Combine({1.0, 7.3}, {0.0, 2.1}, {0.0, 0.5, 1.0}),
         [](const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& c)
-        { return std::lerp(ToHalf(a.x), ToHalf(b.x), ToHalf(c.x)); },
+        { return std::lerp(RoundedToHalf(a.x), RoundedToHalf(b.x), RoundedToHalf(c.x)); },
         nearly);
     // 1 + 2^-11 is halfway to the next number and rounds to even, twice; taken together, not.
     grid.Add(
@@ -162,13 +162,13 @@ TEST_F(HalfPrecisionGpu, ComputesHalvesWithHalvesInSixteenBits)
     grid.Add(
         "Promoted(a.x, b.x)", Combine({1.0, 3.0}, {1.00048828125, 70000.0}),
         [](const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4&)
-        { return ToHalf(a.x) * b.x; },
+        { return RoundedToHalf(a.x) * b.x; },
         exactly);
     // Distances of more than 255 pixels have no square.
     grid.Add(
         "Squared(a.xy)", {{{255.0, 0, 0, 0}}, {{256.0, 0, 0, 0}}, {{200.0, 200.0, 0, 0}}},
         [](const glm::dvec4& a, const glm::dvec4&, const glm::dvec4&)
-        { return ToHalf(a.x * a.x + a.y * a.y); },
+        { return RoundedToHalf(a.x * a.x + a.y * a.y); },
         exactly);
     grid.Run();
 }

@@ -16,11 +16,6 @@ using test::CompileHlsl;
 
 constexpr const char* k_Universal = "Packages/com.unity.render-pipelines.universal/";
 
-std::string Include(const std::string& path)
-{
-    return "#include \"" + path + "\"\n";
-}
-
 /// Every file of the library below a folder, as it is included.
 std::vector<std::string> Headers(const std::string& folder)
 {
@@ -82,8 +77,8 @@ void ExpectPassesCompile(const std::vector<std::string>& keywords)
     {
         SCOPED_TRACE(files.pass);
         const std::string folder = std::string(k_Universal) + "Shaders/";
-        PassProgram program = test::Program(Include(folder + files.input + ".hlsl") +
-                                            Include(folder + files.pass + ".hlsl"));
+        PassProgram program = test::Program(test::IncludeOf(folder + files.input + ".hlsl") +
+                                            test::IncludeOf(folder + files.pass + ".hlsl"));
         program.vertex.name = files.vertex;
         program.fragment.name = files.fragment;
         const auto pass = compiler.Compile(program, keywords);
@@ -102,7 +97,7 @@ TEST(ShaderLibraryPackages, CanBeIncludedFileByFile)
         for (const std::string& header : Headers(folder))
         {
             SCOPED_TRACE(header);
-            EXPECT_NO_THROW(CompileHlsl(Idle(Include(header))));
+            EXPECT_NO_THROW(CompileHlsl(Idle(test::IncludeOf(header))));
         }
     }
 }
@@ -115,7 +110,8 @@ TEST(ShaderLibraryPackages, CanBeIncludedTogether)
     {
         for (const std::string& header : Headers(folder))
         {
-            all += header.find("UniversalMetaPass") == std::string::npos ? Include(header) : "";
+            all += header.find("UniversalMetaPass") == std::string::npos ? test::IncludeOf(header)
+                                                                         : "";
         }
     }
     EXPECT_NO_THROW(CompileHlsl(Idle(all)));
@@ -212,7 +208,7 @@ TEST(ShaderLibraryPackages, CompileAToonShaderWithAllLights)
 TEST(ShaderLibraryPackages, TakeInstancedPropertiesWithAndWithoutASemicolon)
 {
     const auto pass =
-        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+        CompileHlsl(test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
         UNITY_INSTANCING_BUFFER_START(Props)
             UNITY_DEFINE_INSTANCED_PROP(float4, _Tint)
             UNITY_DEFINE_INSTANCED_PROP(float, _Width);
@@ -262,7 +258,7 @@ TEST(ShaderLibraryPackages, AddTheMipBiasOnlyInTheUniversalPipeline)
 {
     const auto sample = [](const std::string& header)
     {
-        return CompileHlsl(Include(header) + R"(
+        return CompileHlsl(test::IncludeOf(header) + R"(
             TEXTURE2D(_Map); SAMPLER(sampler_Map);
             float4 vert(float4 p : POSITION) : SV_Position { return p; }
             float4 frag(float4 p : SV_Position) : SV_Target
@@ -279,8 +275,8 @@ TEST(ShaderLibraryPackages, WriteFourTargetsInADeferredPass)
 {
     ShaderCompiler compiler;
     const std::string folder = std::string(k_Universal) + "Shaders/";
-    PassProgram program = test::Program(Include(folder + "SimpleLitInput.hlsl") +
-                                        Include(folder + "SimpleLitGBufferPass.hlsl"));
+    PassProgram program = test::Program(test::IncludeOf(folder + "SimpleLitInput.hlsl") +
+                                        test::IncludeOf(folder + "SimpleLitGBufferPass.hlsl"));
     program.vertex.name = "LitPassVertexSimple";
     program.fragment.name = "LitPassFragmentSimple";
     EXPECT_EQ(compiler.Compile(program)->layout.colorOutputs, 4);
@@ -289,7 +285,7 @@ TEST(ShaderLibraryPackages, WriteFourTargetsInADeferredPass)
 TEST(ShaderLibraryPackages, BringColorsProbesAndOldNamesWithTheLighting)
 {
     const auto pass =
-        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
+        CompileHlsl(test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
                     R"(
         float4 vert(float4 p : POSITION) : SV_Position { return p; }
         float4 frag(float4 p : SV_Position) : SV_Target
@@ -307,10 +303,10 @@ TEST(ShaderLibraryPackages, BringColorsProbesAndOldNamesWithTheLighting)
 
 TEST(ShaderLibraryPackages, KnowHairWrappedLightWhiteBalanceAndNamesOfOlderVersions)
 {
-    const auto pass =
-        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
-                    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl") +
-                    R"(
+    const auto pass = CompileHlsl(
+        test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
+        test::IncludeOf("Packages/com.unity.render-pipelines.core/ShaderLibrary/BSDF.hlsl") +
+        R"(
         float4 vert(float4 p : POSITION) : SV_Position { return p; }
         float4 frag(float4 p : SV_Position) : SV_Target
         {
@@ -329,7 +325,7 @@ TEST(ShaderLibraryPackages, KnowHairWrappedLightWhiteBalanceAndNamesOfOlderVersi
 TEST(ShaderLibraryPackages, HaveSamplersAndTexelSizesOfBlitsByName)
 {
     const auto samplers =
-        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+        CompileHlsl(test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
         TEXTURE2D(_Map);
         float4 vert(float4 p : POSITION) : SV_Position { return p; }
         float4 frag(float4 p : SV_Position) : SV_Target
@@ -339,7 +335,8 @@ TEST(ShaderLibraryPackages, HaveSamplersAndTexelSizesOfBlitsByName)
         })");
     EXPECT_EQ(samplers->layout.samplers.size(), 2u);
     const auto blit = CompileHlsl(
-        Include("Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl") + R"(
+        test::IncludeOf("Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl") +
+        R"(
         Varyings vert(Attributes input) { return Vert(input); }
         float4 frag(Varyings input) : SV_Target { return _BlitTexture_TexelSize; })");
     ASSERT_EQ(blit->layout.buffers.size(), 1u);
@@ -353,7 +350,7 @@ TEST(ShaderLibraryPackages, WriteRenderingLayersInAVariantOfTheirOwn)
     PassProgram program =
         test::Program("#include_with_pragmas \"" + std::string(k_Universal) +
                       "ShaderLibrary/RenderingLayers.hlsl\"\n" +
-                      Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
+                      test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") + R"(
         float4 vert(float4 p : POSITION) : SV_Position { return TransformObjectToHClip(p.xyz); }
         void frag(out float4 color : SV_Target0
         #ifdef _WRITE_RENDERING_LAYERS
@@ -375,8 +372,9 @@ TEST(ShaderLibraryPackages, WriteRenderingLayersInAVariantOfTheirOwn)
 TEST(ShaderLibraryPackages, CompileAGeneratedPassOfASprite)
 {
     const std::string includes = std::string(k_Universal) + "Editor/ShaderGraph/Includes/";
-    const auto pass = CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") +
-                                  R"(
+    const auto pass =
+        CompileHlsl(test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") +
+                    R"(
         #define SHADERPASS SHADERPASS_SPRITEUNLIT
         #define VARYINGS_NEED_COLOR
         struct Attributes { float3 positionOS : POSITION; float4 color : COLOR; };
@@ -399,9 +397,9 @@ TEST(ShaderLibraryPackages, CompileAGeneratedPassOfASprite)
         SurfaceDescription SurfaceDescriptionFunction(SurfaceDescriptionInputs i)
         {
             SurfaceDescription s; s.BaseColor = i.position.xyz; s.Alpha = 0.5; return s;
-        })" + "\n" + Include(includes + "ShaderPass.hlsl") +
-                                  Include(includes + "Varyings.hlsl") +
-                                  Include(includes + "SpriteUnlitPass.hlsl"));
+        })" + "\n" + test::IncludeOf(includes + "ShaderPass.hlsl") +
+                    test::IncludeOf(includes + "Varyings.hlsl") +
+                    test::IncludeOf(includes + "SpriteUnlitPass.hlsl"));
     EXPECT_EQ(pass->layout.vertexInputs.size(), 2u);
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
 }
@@ -409,7 +407,7 @@ TEST(ShaderLibraryPackages, CompileAGeneratedPassOfASprite)
 TEST(ShaderLibraryPackages, KnowShadowNamesOfOlderVersions)
 {
     const auto pass =
-        CompileHlsl(Include(std::string(k_Universal) + "ShaderLibrary/Shadows.hlsl") + R"(
+        CompileHlsl(test::IncludeOf(std::string(k_Universal) + "ShaderLibrary/Shadows.hlsl") + R"(
         TEXTURE2D_SHADOW(_Map); SAMPLER_CMP(sampler_Map);
         float4 vert(float4 p : POSITION) : SV_Position { return p; }
         float4 frag(float4 p : SV_Position) : SV_Target

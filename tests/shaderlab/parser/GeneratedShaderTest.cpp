@@ -10,18 +10,13 @@ namespace
 
 constexpr const char* k_Includes = "Packages/com.unity.render-pipelines.universal/";
 
-std::string Include(const std::string& path)
-{
-    return "#include \"" + path + "\"\n";
-}
-
 const std::string k_Libraries =
-    Include(std::string(k_Includes) + "ShaderLibrary/Core.hlsl") +
-    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") +
-    Include(std::string(k_Includes) + "ShaderLibrary/Lighting.hlsl") +
-    Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/TextureStack.hlsl") +
-    Include(std::string(k_Includes) + "ShaderLibrary/ShaderGraphFunctions.hlsl") +
-    Include(std::string(k_Includes) + "Editor/ShaderGraph/Includes/ShaderPass.hlsl");
+    test::IncludeOf(std::string(k_Includes) + "ShaderLibrary/Core.hlsl") +
+    test::IncludeOf("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") +
+    test::IncludeOf(std::string(k_Includes) + "ShaderLibrary/Lighting.hlsl") +
+    test::IncludeOf("Packages/com.unity.render-pipelines.core/ShaderLibrary/TextureStack.hlsl") +
+    test::IncludeOf(std::string(k_Includes) + "ShaderLibrary/ShaderGraphFunctions.hlsl") +
+    test::IncludeOf(std::string(k_Includes) + "Editor/ShaderGraph/Includes/ShaderPass.hlsl");
 
 constexpr const char* k_Members = R"(
     #define ATTRIBUTES_NEED_NORMAL
@@ -125,8 +120,10 @@ TEST(GeneratedShader, CompilesEveryPassOfAShaderGraph)
         const bool isMeta = std::string(item.kind) == "SHADERPASS_META";
         const std::string text =
             k_Members + ("#define SHADERPASS " + std::string(item.kind) + "\n") + k_Libraries +
-            (isMeta ? Include(std::string(k_Includes) + "ShaderLibrary/MetaInput.hlsl") : "") +
-            k_Graph + Include(folder + "Varyings.hlsl") + Include(folder + item.file + ".hlsl");
+            (isMeta ? test::IncludeOf(std::string(k_Includes) + "ShaderLibrary/MetaInput.hlsl")
+                    : "") +
+            k_Graph + test::IncludeOf(folder + "Varyings.hlsl") +
+            test::IncludeOf(folder + item.file + ".hlsl");
         for (const std::vector<std::string>& keywords :
              {std::vector<std::string>{}, {"_ALPHATEST_ON", "_SURFACE_TYPE_TRANSPARENT"}})
         {
@@ -208,8 +205,8 @@ TEST(GeneratedShader, CompilesTheOtherPassesOfSpritesAndTheEditor)
                 const std::string text =
                     "#define SHADERPASS " + std::string(item.kind) + "\n#define " + define +
                     " 1\n#define ALPHA_CLIP_THRESHOLD 1\n#define _ALPHATEST_ON 1\n" + k_Libraries +
-                    k_SpriteGraph + Include(k_Includes + graphs + "Varyings.hlsl") +
-                    Include(k_Includes + folder + item.file + ".hlsl");
+                    k_SpriteGraph + test::IncludeOf(k_Includes + graphs + "Varyings.hlsl") +
+                    test::IncludeOf(k_Includes + folder + item.file + ".hlsl");
                 ShaderCompiler compiler;
                 const auto pass = compiler.Compile(test::Program(text), {});
                 EXPECT_EQ(test::ValidationMessages(pass->vertexSpirv), "");
@@ -270,11 +267,11 @@ TEST(GeneratedShader, CompilesPassesForTheWholeScreen)
             const std::string text =
                 "#define DEPTH_WRITE 1\n#define DEPTH_WRITE_MODE_" + std::string(mode) +
                 "\n#define REQUIRE_DEPTH_TEXTURE\n#define REQUIRE_NORMAL_TEXTURE\n" +
-                Include(k_Fullscreen + "FullscreenShaderPass.cs.hlsl") + k_Libraries +
-                Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/"
-                        "DebugMipmapStreamingMacros.hlsl") +
-                k_FullscreenGraph + Include(k_Fullscreen + "FullscreenCommon.hlsl") +
-                Include(k_Fullscreen + "Fullscreen" + file + ".hlsl");
+                test::IncludeOf(k_Fullscreen + "FullscreenShaderPass.cs.hlsl") + k_Libraries +
+                test::IncludeOf("Packages/com.unity.render-pipelines.core/ShaderLibrary/"
+                                "DebugMipmapStreamingMacros.hlsl") +
+                k_FullscreenGraph + test::IncludeOf(k_Fullscreen + "FullscreenCommon.hlsl") +
+                test::IncludeOf(k_Fullscreen + "Fullscreen" + file + ".hlsl");
             ShaderCompiler compiler;
             const auto pass =
                 compiler.Compile(test::Program(text), std::vector<std::string>{"FOG_LINEAR"});

@@ -33,7 +33,7 @@ int Setting(const char* name, int otherwise)
     return text ? std::atoi(text) : otherwise;
 }
 
-const std::vector<Input> k_Inputs = {
+const std::vector<Input> k_SnippetInputs = {
     {{1, 0.5, -2, 3}, {1, -2, 3, 0}},
     {{-0.25, 4, 0, 1.5}, {5, 0, -1, 7}},
     {{2, -1, 0.75, -3}, {2, 4, 6, -3}},
@@ -74,11 +74,11 @@ std::vector<std::uint32_t> RunSnippets(const std::vector<Snippet>& all)
         declarations += Print(snippet);
         body += snippet.name + "(index, " + std::to_string(size) + " + index * " +
                 std::to_string(count) + ");\n";
-        size += count * k_Inputs.size();
+        size += count * k_SnippetInputs.size();
     }
     std::vector<float> floats;
     std::vector<std::int32_t> integers;
-    for (const Input& input : k_Inputs)
+    for (const Input& input : k_SnippetInputs)
     {
         floats.insert(floats.end(), input.floats.begin(), input.floats.end());
         integers.insert(integers.end(), input.integers.begin(), input.integers.end());
@@ -106,7 +106,7 @@ std::string Difference(const Snippet& snippet, const std::vector<std::uint32_t>&
                        std::size_t begin)
 {
     const auto parts = PartsOf(snippet);
-    for (const Input& input : k_Inputs)
+    for (const Input& input : k_SnippetInputs)
     {
         const Numbers wanted = Interpret(snippet, input);
         for (std::size_t i = 0; i < parts.size(); ++i)
@@ -115,8 +115,9 @@ std::string Difference(const Snippet& snippet, const std::vector<std::uint32_t>&
             if (got != wanted[i])
             {
                 return "result " + std::to_string(i) + " of " + snippet.name + " for input " +
-                       std::to_string(&input - k_Inputs.data()) + " is " + std::to_string(got) +
-                       " instead of " + std::to_string(wanted[i]) + ":\n" + Print(snippet);
+                       std::to_string(&input - k_SnippetInputs.data()) + " is " +
+                       std::to_string(got) + " instead of " + std::to_string(wanted[i]) + ":\n" +
+                       Print(snippet);
             }
         }
         begin += parts.size();
@@ -149,7 +150,7 @@ std::string Differences(const std::vector<Snippet>& all)
     for (const Snippet& snippet : all)
     {
         report += Difference(snippet, given, begin);
-        begin += PartsOf(snippet).size() * k_Inputs.size();
+        begin += PartsOf(snippet).size() * k_SnippetInputs.size();
     }
     return report;
 }
@@ -166,7 +167,7 @@ TEST_F(HlslSnippetsGpu, GiveWhatTheyGiveInDouble)
     std::uint64_t hash = 14695981039346656037u; // FNV-1a, to compare what two compilers make
     for (int i = 0; i < count; ++i)
     {
-        some.push_back(Generate(static_cast<std::uint64_t>(seed + i), k_Inputs, isLavapipe));
+        some.push_back(Generate(static_cast<std::uint64_t>(seed + i), k_SnippetInputs, isLavapipe));
         const std::string text = Print(some.back());
         for (const char c : text)
         {

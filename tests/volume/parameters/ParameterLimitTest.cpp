@@ -12,7 +12,7 @@ namespace limn
 namespace
 {
 
-constexpr double k_Infinity = std::numeric_limits<double>::infinity();
+constexpr double k_Unlimited = std::numeric_limits<double>::infinity();
 
 template <typename Parameter, typename T>
 void ExpectSetter(Parameter& parameter, T given, T expected)
@@ -38,7 +38,7 @@ void ExpectLimits(Parameter parameter, bool hasMin, bool hasMax)
     parameter.Override(T(50));
     EXPECT_EQ(parameter.value(), T(50)) << "Override does not clamp";
     EXPECT_EQ(parameter.range(),
-              (ValueRange{hasMin ? 2.0 : -k_Infinity, hasMax ? 6.0 : k_Infinity}));
+              (ValueRange{hasMin ? 2.0 : -k_Unlimited, hasMax ? 6.0 : k_Unlimited}));
 }
 
 TEST(LimitedParameter, ClampsInTheSetterAlone)

@@ -16,7 +16,7 @@ namespace
 using test::Mentions;
 using test::VolumeScene;
 
-constexpr float k_Infinity = std::numeric_limits<float>::infinity();
+constexpr float k_InfiniteFloat = std::numeric_limits<float>::infinity();
 
 Collider CubeMesh()
 {
@@ -187,7 +187,7 @@ TEST_F(ColliderTest, ExtremeBlendDistancesGiveNumbers)
         EXPECT_EQ(10.0f, ParamAt({1, 0, 0}));
         EXPECT_EQ(0.0f, ParamAt({1.001f, 0, 0}));
     }
-    for (const float endless : {1e30f, k_Infinity})
+    for (const float endless : {1e30f, k_InfiniteFloat})
     {
         m_Volume.blendDistance = endless;
         EXPECT_EQ(10.0f, ParamAt({1e7f, 0, 0}));
@@ -222,9 +222,9 @@ TEST_F(ColliderTest, ABoxOfNoScaleIsAPoint)
 TEST_F(ColliderTest, InfinitePrioritiesAreFirstAndLast)
 {
     m_Volume.isGlobal = true;
-    m_Volume.priority = -k_Infinity;
+    m_Volume.priority = -k_InfiniteFloat;
     EXPECT_EQ(0.0f, ParamAt({0, 0, 0}));
-    m_Volume.priority = k_Infinity;
+    m_Volume.priority = k_InfiniteFloat;
     EXPECT_EQ(10.0f, ParamAt({0, 0, 0}));
 }
 

@@ -49,8 +49,6 @@ std::string HeaderOf(const std::filesystem::path& file)
     return bytes;
 }
 
-constexpr Rgba8 k_Red = {255, 0, 0, 255};
-
 } // namespace
 
 using Device = GpuTest;

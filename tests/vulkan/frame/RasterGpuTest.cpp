@@ -74,9 +74,6 @@ Rgba8 DrawTwo(float redZ, float greenZ, const PipelineState& red, const Pipeline
     return Texel8(ReadRows(*target), 1, 1);
 }
 
-constexpr Rgba8 k_Red = {255, 0, 0, 255};
-constexpr Rgba8 k_Green = {0, 255, 0, 255};
-
 } // namespace
 
 using Rasterization = GpuTest;

@@ -62,16 +62,6 @@ private:
     std::shared_ptr<Material> m_Material;
 };
 
-std::vector<std::byte> Bytes(std::initializer_list<int> values)
-{
-    std::vector<std::byte> bytes;
-    for (const int value : values)
-    {
-        bytes.push_back(static_cast<std::byte>(value));
-    }
-    return bytes;
-}
-
 SamplerState PointClamp()
 {
     using enum TextureWrapMode;

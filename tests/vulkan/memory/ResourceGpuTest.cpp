@@ -56,16 +56,6 @@ MeshPtr FullMesh()
 
 using Float4 = std::array<float, 4>;
 
-std::vector<std::byte> Bytes(std::initializer_list<int> values)
-{
-    std::vector<std::byte> bytes;
-    for (const int value : values)
-    {
-        bytes.push_back(static_cast<std::byte>(value));
-    }
-    return bytes;
-}
-
 /// 2x2: red, green / blue, white.
 std::shared_ptr<const Texture2D> FourColors(SamplerState sampler = {})
 {
@@ -104,10 +94,10 @@ SamplerState Point(TextureWrapMode wrap)
     return {FilterMode::Point, wrap, wrap, wrap, false};
 }
 
-constexpr Float4 k_Red = {1, 0, 0, 1};
-constexpr Float4 k_Green = {0, 1, 0, 1};
-constexpr Float4 k_Blue = {0, 0, 1, 1};
-constexpr Float4 k_White = {1, 1, 1, 1};
+constexpr Float4 k_RedTexel = {1, 0, 0, 1};
+constexpr Float4 k_GreenTexel = {0, 1, 0, 1};
+constexpr Float4 k_BlueTexel = {0, 0, 1, 1};
+constexpr Float4 k_WhiteTexel = {1, 1, 1, 1};
 
 } // namespace
 
@@ -158,10 +148,10 @@ TEST_F(Resources, ReplaceMissingAttributesByConstants)
 TEST_F(Resources, PutTheFirstRowAtVZero)
 {
     const SamplerState point = Point(TextureWrapMode::Clamp);
-    EXPECT_EQ(k_Red, SampleAt(0.25f, 0.25f, FourColors(), point));
-    EXPECT_EQ(k_Green, SampleAt(0.75f, 0.25f, FourColors(), point));
-    EXPECT_EQ(k_Blue, SampleAt(0.25f, 0.75f, FourColors(), point));
-    EXPECT_EQ(k_White, SampleAt(0.75f, 0.75f, FourColors(), point));
+    EXPECT_EQ(k_RedTexel, SampleAt(0.25f, 0.25f, FourColors(), point));
+    EXPECT_EQ(k_GreenTexel, SampleAt(0.75f, 0.25f, FourColors(), point));
+    EXPECT_EQ(k_BlueTexel, SampleAt(0.25f, 0.75f, FourColors(), point));
+    EXPECT_EQ(k_WhiteTexel, SampleAt(0.75f, 0.75f, FourColors(), point));
 }
 
 TEST_F(Resources, WrapAsTheSamplerSays)
@@ -174,10 +164,10 @@ TEST_F(Resources, WrapAsTheSamplerSays)
         Float4 at075;
         Float4 at175;
     };
-    const Case cases[] = {{TextureWrapMode::Repeat, k_Green, k_Red, k_Red},
-                          {TextureWrapMode::Clamp, k_Red, k_Red, k_Red},
-                          {TextureWrapMode::Mirror, k_Red, k_Green, k_Red},
-                          {TextureWrapMode::MirrorOnce, k_Red, k_Green, k_Green}};
+    const Case cases[] = {{TextureWrapMode::Repeat, k_GreenTexel, k_RedTexel, k_RedTexel},
+                          {TextureWrapMode::Clamp, k_RedTexel, k_RedTexel, k_RedTexel},
+                          {TextureWrapMode::Mirror, k_RedTexel, k_GreenTexel, k_RedTexel},
+                          {TextureWrapMode::MirrorOnce, k_RedTexel, k_GreenTexel, k_GreenTexel}};
     for (const Case& expected : cases)
     {
         SCOPED_TRACE(static_cast<int>(expected.wrap));
@@ -222,10 +212,10 @@ TEST_F(Resources, UseTheTexturesOwnSamplerWhereTheSlotHasNone)
     bindings.textures = {{binding, FourColors(Point(TextureWrapMode::Repeat)), std::nullopt}};
     CompiledFrame frame;
     const DrawCommand own = MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
-    EXPECT_EQ(k_Green, DrawTexel(frame, own));
+    EXPECT_EQ(k_GreenTexel, DrawTexel(frame, own));
     bindings.textures[0].sampler = Point(TextureWrapMode::Clamp);
     const DrawCommand slots = MakeDraw(frame, pass, MakeQuad(), PlainState(), bindings);
-    EXPECT_EQ(k_Red, DrawTexel(frame, slots));
+    EXPECT_EQ(k_RedTexel, DrawTexel(frame, slots));
 }
 
 TEST_F(Resources, IndexPerDrawDataFromTheFirstInstance)

@@ -42,7 +42,6 @@ TEST_F(DynamicKeywords, ChangeThePictureWithoutAnotherVariant)
     constexpr Rgba8 k_Black = {0, 0, 0, 255};
     constexpr Rgba8 k_Blue = {0, 0, 255, 255};
     constexpr Rgba8 k_Magenta = {255, 0, 255, 255};
-    constexpr Rgba8 k_Green = {0, 255, 0, 255};
     EXPECT_EQ(std::pair(k_Black, k_Black), draw());
     material->EnableKeyword("BLUE");
     EXPECT_EQ(std::pair(k_Blue, k_Blue), draw());

@@ -38,7 +38,7 @@ protected:
 };
 
 /// Each triangle becomes a column of the target as wide as a texel, coloured by its second vertex.
-const char* const k_Columns = R"(
+const char* const k_ColumnShader = R"(
     struct v2g { float3 p : TEXCOORD0; };
     struct g2f { float4 pos : SV_POSITION; nointerpolation float4 color : COLOR; };
     v2g vert(float3 p : POSITION) { v2g o; o.p = p; return o; }
@@ -77,7 +77,7 @@ TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
     const TargetPtr target = MakeTarget(4, 2);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     frame.passes[0].commands.emplace_back(
-        MakeDraw(frame, CompileGeometryPass(k_Columns), ColorMesh()));
+        MakeDraw(frame, CompileGeometryPass(k_ColumnShader), ColorMesh()));
     SharedDevice().Execute(frame);
     const Image image = ReadRows(*target);
     const Rgba8 expected[] = {
@@ -91,7 +91,7 @@ TEST_F(Geometry, MakesOtherTrianglesOfTriangles)
 // A vertex's values may come in several arrays: the colours here have one of their own.
 TEST_F(Geometry, TakesTheValuesOfAVertexInSeveralArrays)
 {
-    std::string text = k_Columns;
+    std::string text = k_ColumnShader;
     const auto replace = [&](const std::string& from, const std::string& to)
     {
         ASSERT_NE(text.find(from), text.npos) << from;

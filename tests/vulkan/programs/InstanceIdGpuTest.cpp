@@ -13,12 +13,12 @@ namespace
 
 using InstanceIds = GpuTest;
 
-constexpr int k_Width = 4;
+constexpr int k_RowWidth = 4;
 
 /// Over column 0 of the target.
 MeshPtr ColumnQuad()
 {
-    return MakeQuad(-1, -1, -1 + 2.0f / k_Width, 1);
+    return MakeQuad(-1, -1, -1 + 2.0f / k_RowWidth, 1);
 }
 
 /// What moves the quad to a column, and a rendering layer to know it by.
@@ -27,7 +27,7 @@ PerDrawData ColumnData(int column)
     PerDrawData data{};
     data.objectToWorld[0] = data.objectToWorld[5] = data.objectToWorld[10] =
         data.objectToWorld[15] = 1.0f;
-    data.objectToWorld[12] = 2.0f / k_Width * static_cast<float>(column);
+    data.objectToWorld[12] = 2.0f / k_RowWidth * static_cast<float>(column);
     data.renderingLayer[0] = 10u + static_cast<std::uint32_t>(column);
     return data;
 }
@@ -49,9 +49,9 @@ const std::string k_IdOfColumn = R"(
 TEST_F(InstanceIds, CountFromZeroInEachDraw)
 {
     const PassPtr pass = CompilePass(k_IdOfColumn);
-    const TargetPtr target = MakeTarget(k_Width, 1, GraphicsFormat::R32G32B32A32_SFloat);
+    const TargetPtr target = MakeTarget(k_RowWidth, 1, GraphicsFormat::R32G32B32A32_SFloat);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
-    for (int i = 0; i < k_Width; ++i)
+    for (int i = 0; i < k_RowWidth; ++i)
     {
         frame.perDraw.push_back(ColumnData(i));
     }
@@ -65,7 +65,7 @@ TEST_F(InstanceIds, CountFromZeroInEachDraw)
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
     const Image image = ReadRows(*target);
-    for (int i = 0; i < k_Width; ++i)
+    for (int i = 0; i < k_RowWidth; ++i)
     {
         EXPECT_EQ(TexelFloat(image, i, 0)[0], static_cast<float>(i % 3)) << "column " << i;
         EXPECT_EQ(TexelFloat(image, i, 0)[1], static_cast<float>(10 + i)) << "column " << i;
@@ -80,7 +80,7 @@ TEST_F(InstanceIds, NeedNoPerDrawData)
             return float4(p.x + id * 0.5, p.y, p.z, 1);
         }
         float4 frag() : SV_Target { return 1; })");
-    const TargetPtr target = MakeTarget(k_Width, 1);
+    const TargetPtr target = MakeTarget(k_RowWidth, 1);
     CompiledFrame frame = FrameOf({ClearPass(target)}, target);
     DrawCommand draw = MakeDraw(frame, pass, ColumnQuad());
     draw.firstInstance = 1;
@@ -88,7 +88,7 @@ TEST_F(InstanceIds, NeedNoPerDrawData)
     frame.passes[0].commands.emplace_back(draw);
     SharedDevice().Execute(frame);
     const Image image = ReadRows(*target);
-    for (int i = 0; i < k_Width; ++i)
+    for (int i = 0; i < k_RowWidth; ++i)
     {
         EXPECT_EQ(Texel8(image, i, 0)[0], i < 2 ? 255 : 0) << "column " << i;
     }
@@ -128,7 +128,7 @@ TEST_F(InstanceIds, AreZeroForEachMeshOfACommandBuffer)
             "#pragma vertex V\n#pragma fragment F\n" +
                 std::string(pragma) + program + "\nENDHLSL } } }",
             "t.shader", std::make_shared<ShaderCompiler>()));
-        const TargetPtr target = MakeTarget(k_Width, 1);
+        const TargetPtr target = MakeTarget(k_RowWidth, 1);
         CommandBuffer cmd;
         cmd.SetRenderTarget(RTHandle(target));
         cmd.ClearRenderTarget(ClearFlag::Color, Color::black);
@@ -141,7 +141,7 @@ TEST_F(InstanceIds, AreZeroForEachMeshOfACommandBuffer)
         context.ExecuteCommandBuffer(cmd);
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), {}, std::array{target}));
         const Image image = ReadRows(*target);
-        for (int i = 0; i < k_Width; ++i)
+        for (int i = 0; i < k_RowWidth; ++i)
         {
             EXPECT_EQ(Texel8(image, i, 0)[0], i == 2 ? 0 : 255) << pragma << "column " << i;
             EXPECT_EQ(Texel8(image, i, 0)[1], 0) << pragma << "column " << i;

@@ -22,13 +22,13 @@ VertexFetch FetchFor(const VertexInput& input)
         throw DrawError("vertex input '" + input.semantic +
                         "' is of an integer type; meshes carry floats");
     }
-    constexpr VkFormat k_Formats[] = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT,
-                                      VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
-                                      VK_FORMAT_R32G32B32A32_SFLOAT};
+    constexpr VkFormat k_FetchFormats[] = {VK_FORMAT_UNDEFINED, VK_FORMAT_R32_SFLOAT,
+                                           VK_FORMAT_R32G32_SFLOAT, VK_FORMAT_R32G32B32_SFLOAT,
+                                           VK_FORMAT_R32G32B32A32_SFLOAT};
     const auto& known = VertexAttributes();
     const auto found = std::ranges::find(known, input.semantic, &VertexAttribute::semantic);
     return {static_cast<std::size_t>(found - known.begin()), input.location,
-            k_Formats[found == known.end() ? 4 : found->components]};
+            k_FetchFormats[found == known.end() ? 4 : found->components]};
 }
 
 VkDescriptorSetLayoutBinding Binding(std::uint32_t binding, VkDescriptorType type,
