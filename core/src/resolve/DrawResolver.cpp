@@ -184,8 +184,14 @@ PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
     if (!known.isKnown || known.materialVersion != material.version())
     {
         bool readsGlobals = false;
+        std::vector<std::string> unset;
         known.state = ResolveState(material.shader()->passState(shaderPass), material, globals,
-                                   &readsGlobals);
+                                   &readsGlobals, &unset);
+        for (const std::string& reference : unset)
+        {
+            Note(reference + " is 0, as in Unity: nothing sets this property",
+                 material.shader()->name());
+        }
         known.isKnown = !readsGlobals;
         known.materialVersion = material.version();
     }

@@ -15,8 +15,13 @@ class StateReader
 {
 public:
     StateReader(const RenderState& state, const Material& material,
-                const MaterialPropertyBlock& globals, bool& readsGlobals)
-        : m_State(state), m_Material(material), m_Globals(globals), m_ReadsGlobals(readsGlobals)
+                const MaterialPropertyBlock& globals, bool& readsGlobals,
+                std::vector<std::string>* unset)
+        : m_State(state),
+          m_Material(material),
+          m_Globals(globals),
+          m_ReadsGlobals(readsGlobals),
+          m_Unset(unset)
     {
     }
 
@@ -60,7 +65,11 @@ private:
         }
         if (value == nullptr)
         {
-            Fail(property, command, "is set neither in the material nor globally");
+            if (m_Unset != nullptr)
+            {
+                m_Unset->push_back(std::string(command) + " [" + property + "]");
+            }
+            return 0.0;
         }
         if (const float* number = std::get_if<float>(value))
         {
@@ -102,6 +111,7 @@ private:
     const Material& m_Material;
     const MaterialPropertyBlock& m_Globals;
     bool& m_ReadsGlobals;
+    std::vector<std::string>* m_Unset; ///< may be null
 };
 
 constexpr int k_MaxCompare = static_cast<int>(CompareFunction::Always);
@@ -140,10 +150,12 @@ StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader
 } // namespace
 
 PipelineState ResolveState(const RenderState& state, const Material& material,
-                           const MaterialPropertyBlock& globals, bool* readsGlobals)
+                           const MaterialPropertyBlock& globals, bool* readsGlobals,
+                           std::vector<std::string>* unset)
 {
     bool isGlobal = false;
-    const StateReader reader(state, material, globals, readsGlobals ? *readsGlobals : isGlobal);
+    const StateReader reader(state, material, globals, readsGlobals ? *readsGlobals : isGlobal,
+                             unset);
     PipelineState result;
     result.cull = reader.Read(state.cull, "Cull", 0, static_cast<int>(CullMode::Back));
     result.zTest = reader.Read(state.zTest, "ZTest", 0, k_MaxCompare);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <limn/base/Diagnostic.h>
 
+#include "Mentions.h"
 #include "ThrownMessage.h"
 #include "renderers/DrawHarness.h"
 
@@ -99,6 +100,26 @@ TEST_F(Contexts, BindTheSameAgainInAFrameThatDrawsTheSame)
     EXPECT_EQ(first.setups.at(0).bindings, second.setups.at(0).bindings);
     EXPECT_EQ(ValueOf(first, 0), 1.0f);
     EXPECT_EQ(ValueOf(second, 0), 2.0f);
+}
+
+TEST_F(Contexts, SayInEachFrameThatNobodySetsAPropertyOfAState)
+{
+    const auto glass = std::make_shared<Material>(
+        test::ShaderOf("Shader \"Test/Glass\" { SubShader { Pass { Cull [_Missing] HLSLPROGRAM\n"
+                       "#pragma vertex vert\n#pragma fragment frag\n"
+                       "float4 vert() : SV_POSITION { return 0; }\n"
+                       "float4 frag() : SV_Target { return 1; }\nENDHLSL } } }"));
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), glass, 0, 3);
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), glass, 0, 3);
+    for (int frame = 0; frame < 2; ++frame)
+    {
+        m_Report = RenderReport();
+        m_Context.Begin(m_Report, glm::dvec3(0.0));
+        const FrameCommands commands = Execute();
+        EXPECT_EQ(commands.setups.at(0).state.cull, CullMode::Off);
+        EXPECT_THAT(m_Report.notes, ElementsAre(test::Mentions("'Test/Glass'", "Cull [_Missing]",
+                                                               "0", "Unity", "sets")));
+    }
 }
 
 TEST_F(Contexts, ForgetWhatWasGlobalAndBoundWhenAFrameBegins)

@@ -109,11 +109,17 @@ TEST_F(ResolvedState, TakesAReferenceThatTheMaterialLacksFromTheGlobals)
     EXPECT_EQ(Resolve().zTest, CompareFunction::Equal);
 }
 
-TEST_F(ResolvedState, RefusesAReferenceThatNobodySet)
+// In Unity, a state that refers to a property has 0 until something gives it the property's value.
+TEST_F(ResolvedState, IsZeroForAReferenceThatNobodySetsAndTellsSo)
 {
-    Make("ZTest [_Missing]");
-    EXPECT_THAT(Error(), Mentions("'Glass'", "'Test/State'", "ZTest [_Missing]", "neither",
-                                  "material", "globally"));
+    Make("Cull [_Missing] ZTest [_Lost] Blend One One");
+    std::vector<std::string> unset;
+    const PipelineState state =
+        ResolveState(m_Material->shader()->passState(0), *m_Material, m_Globals, nullptr, &unset);
+    EXPECT_EQ(state.cull, CullMode::Off);
+    EXPECT_EQ(state.zTest, CompareFunction::Disabled);
+    EXPECT_EQ(state.targets[0].sourceColorBlendMode, BlendMode::One);
+    EXPECT_THAT(unset, testing::ElementsAre("Cull [_Missing]", "ZTest [_Lost]"));
 }
 
 TEST_F(ResolvedState, RefusesANumberThatIsNoMemberOfTheEnum)
@@ -128,9 +134,9 @@ TEST_F(ResolvedState, RefusesANumberThatIsNoMemberOfTheEnum)
 
 TEST_F(ResolvedState, SaysWhichPassIsMeant)
 {
-    Make("\n Cull [_Missing]");
+    Make("\n Cull [_P]", "_P (\"\", Float) = 3");
     EXPECT_EQ(FullError(),
-              Error() + "; the pass is at " + m_Material->shader()->document().file + ":1:51");
+              Error() + "; the pass is at " + m_Material->shader()->document().file + ":1:69");
 }
 
 TEST_F(ResolvedState, NamesTheRangeOfEveryCommand)

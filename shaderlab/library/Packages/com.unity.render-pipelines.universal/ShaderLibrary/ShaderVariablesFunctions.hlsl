@@ -121,7 +121,7 @@ bool IsSurfaceTypeTransparent()
 }
 // What is not transparent covers all that is behind it.
 float OutputAlpha(float alpha, bool isTransparent) { return isTransparent ? alpha : 1.0; }
-float OutputAlpha(float outputAlpha, float surfaceType)
+float OutputAlpha(float outputAlpha, float surfaceType = 1.0)
 {
     return IsSurfaceTypeTransparent(surfaceType) ? outputAlpha : 1.0;
 }
