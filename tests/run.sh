@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Builds limn with its tests and runs those that tell whether it works on this machine. Arguments go
-# to ctest in place of that choice: `tests/run.sh -R volume` runs what has `volume` in its name, and
-# `tests/run.sh --parallel 2` runs everything, as .ci/run does.
+# Builds limn with its tests and runs those that tell whether it works on this machine. `--all` adds
+# what is left to .ci/run: a second driver, and projects that use an installed limn. Other arguments
+# go to ctest and choose among all tests: tests/run.sh -R volume
 set -euo pipefail
 cd "$(dirname "$0")/.."
 source .ci/setup.sh
@@ -12,5 +12,7 @@ cmake --preset tests >/dev/null
 cmake --build --preset tests
 if [ $# = 0 ]; then
     set -- --label-exclude 'second_driver|install'
+elif [ "$1" = --all ]; then
+    shift
 fi
 ctest --preset tests "$@"
