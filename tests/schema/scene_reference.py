@@ -65,7 +65,9 @@ def value_of(schema):
             return "`true` or `false`"
         # A number is what Unity's files have for a name; a text is a path or a name of the file's own.
         named = [value_of(part) for part in parts if "enum" in part]
-        return " or ".join(named + ["text" for part in parts if part.get("type") == "string"]) or value_of(parts[0])
+        named += ["text" for part in parts if part.get("type") == "string"]
+        named += ["a list of them" for part in parts if "enum" in part.get("items", {})]
+        return " or ".join(named) or value_of(parts[0])
     kind = schema.get("type")
     if kind == "array":
         items = schema["items"]

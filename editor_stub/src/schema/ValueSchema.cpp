@@ -169,7 +169,12 @@ Json EnumSchema(std::span<const EnumEntry> entries)
     {
         names.emplace_back(entry.name);
     }
-    return EnumSchema(names);
+    Json schema = EnumSchema(names);
+    if (std::ranges::find(names, "Everything") != names.end())
+    {
+        schema["anyOf"].push_back(ListSchema({{"enum", names}}));
+    }
+    return schema;
 }
 
 Json RenderPassEventSchema()

@@ -203,6 +203,17 @@ std::vector<std::string_view> LayerNames::names() const
 std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> entries,
                             std::string_view subject, AssetDiagnostics& diagnostics)
 {
+    const EnumEntry* everything = FindEntry(entries, "Everything");
+    if (everything != nullptr && node.isSequence())
+    {
+        std::optional<int> bits = 0;
+        for (const YamlNode& item : node.items())
+        {
+            const std::optional<int> bit = ReadEnum(item, entries, subject, diagnostics);
+            bits = bits && bit ? std::optional(*bits | *bit) : std::nullopt;
+        }
+        return bits;
+    }
     const std::optional<std::string> text = ReadString(node, subject, diagnostics);
     if (!text)
     {
@@ -217,6 +228,10 @@ std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> ent
     {
         RefuseName(node, *text, entries, subject, diagnostics);
         return std::nullopt;
+    }
+    if (everything != nullptr && (*number == -1 || (*number & ~everything->value) == 0))
+    {
+        return *number & everything->value;
     }
     const bool isMember = std::ranges::any_of(entries, [&number](const EnumEntry& entry)
                                               { return entry.value == *number; });

@@ -28,7 +28,8 @@ std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject
 std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
                                            const LayerKind& kind, AssetDiagnostics& diagnostics);
 
-/// Reads the value of an enum's member by its name or its number.
+/// Reads the value of an enum's member by its name or its number. An enum with a member Everything
+/// is a set of bits: a list of names, any sum of numbers and Unity's -1 are read as well.
 std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> entries,
                             std::string_view subject, AssetDiagnostics& diagnostics);
 

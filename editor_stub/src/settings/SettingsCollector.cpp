@@ -80,12 +80,21 @@ struct ValueText
     }
     std::string operator()(EnumValue value) const
     {
-        std::string text = std::to_string(value.value);
+        std::vector<std::string_view> parts;
         for (const EnumEntry& entry : value.entries)
         {
-            text = entry.value == value.value ? std::string(entry.name) : text;
+            if (entry.value == value.value)
+            {
+                return std::string(entry.name);
+            }
+            if (entry.value != 0 && (entry.value & value.value) == entry.value)
+            {
+                parts.push_back(entry.name);
+            }
         }
-        return text;
+        const bool isSet =
+            std::ranges::find(value.entries, "Everything", &EnumEntry::name) != value.entries.end();
+        return isSet ? "[" + Joined(parts, ", ") + "]" : std::to_string(value.value);
     }
     std::string operator()(RenderingLayerValue value) const
     {

@@ -13,8 +13,8 @@ namespace
 constexpr EnumEntry k_InjectionPoints[] = {{"BeforeRenderingTransparents", 450},
                                            {"BeforeRenderingPostProcessing", 550},
                                            {"AfterRenderingPostProcessing", 600}};
-constexpr EnumEntry k_Requirements[] = {
-    {"None", 0}, {"Depth", 1}, {"Normal", 2}, {"Color", 4}, {"Motion", 8}};
+constexpr EnumEntry k_Requirements[] = {{"None", 0},  {"Depth", 1},  {"Normal", 2},
+                                        {"Color", 4}, {"Motion", 8}, {"Everything", 15}};
 
 } // namespace
 

@@ -1,5 +1,6 @@
 #include "Mentions.h"
 #include "SceneFolder.h"
+#include "settings/SettingsCollector.h"
 
 #include <limn/core/Material.h>
 #include <limn/editor_stub/UnityRendererData.h>
@@ -134,6 +135,42 @@ TEST(FullScreenPassInAScene, TakesEverySettingUnderUnitysName)
     EXPECT_EQ(ScriptableRenderPassInput::Depth, feature.requirements);
     EXPECT_EQ("m", feature.passMaterial->name());
     EXPECT_TRUE(feature.bindDepthStencilAttachment);
+}
+
+TEST(FullScreenPassInAScene, CanRequireSeveralTextures)
+{
+    struct Case
+    {
+        const char* text;
+        int bits;
+        const char* shown;
+    };
+    for (const Case& one :
+         {Case{"[Depth, Normal]", 3, "[Depth, Normal]"}, Case{"3", 3, "[Depth, Normal]"},
+          Case{"[Motion]", 8, "Motion"}, Case{"[]", 0, "None"}, Case{"15", 15, "Everything"},
+          Case{"-1", 15, "Everything"}, Case{"Everything", 15, "Everything"}})
+    {
+        SceneFolder folder;
+        const SceneAsset asset = folder.LoadWithCamera("renderer:\n  features:\n"
+                                                       "    - type: FullScreenPassRendererFeature\n"
+                                                       "      requirements: " +
+                                                       std::string(one.text) + "\n");
+        auto& feature =
+            dynamic_cast<FullScreenPassRendererFeature&>(*asset.renderer.features.at(0));
+        EXPECT_EQ(one.bits, static_cast<int>(feature.requirements)) << one.text;
+        FullScreenPassRendererFeature untouched;
+        const std::vector<InspectedValue> values = CollectSettings(feature, untouched, {}, {});
+        const auto shown = std::ranges::find(values, "requirements", &InspectedValue::name);
+        ASSERT_NE(shown, values.end());
+        EXPECT_EQ(one.shown, shown->value);
+    }
+    SceneFolder folder;
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\nrenderer:\n  features:\n"
+                                  "    - {type: FullScreenPassRendererFeature, requirements: 16}\n"
+                                  "    - {type: FullScreenPassRendererFeature, "
+                                  "requirements: [Depth, Dpeth]}\n"),
+                testing::ElementsAre(Mentions("4:59:", "requirements", "16", "Motion 8"),
+                                     Mentions("5:67:", "requirements", "'Dpeth'", "'Depth'")));
 }
 
 TEST(RenderObjectsInAUnityAsset, IsKnownByItsPackagesGuid)

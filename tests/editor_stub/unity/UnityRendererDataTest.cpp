@@ -89,15 +89,17 @@ TEST(UnityRendererData, ReadsAFullScreenPassByBothOfItsGuids)
                      AssetWithFeature("  m_Script: {fileID: 11500000, guid: " + std::string(guid) +
                                       ", type: 3}\n  m_Name: Whole\n"
                                       "  m_EditorClassIdentifier: \n  m_Active: 1\n"
-                                      "  injectionPoint: 600\n  requirements: 4\n"
+                                      "  injectionPoint: 600\n  requirements: 5\n"
                                       "  passIndex: 0\n"));
         AssetContext assets;
         const UnityRendererDataLoadResult result =
             LoadUnityRendererData(folder / "r.asset", assets);
         ASSERT_EQ(1u, result.renderer.features.size()) << guid;
         EXPECT_EQ("Whole", result.renderer.features[0]->name);
-        EXPECT_NE(nullptr, dynamic_cast<const FullScreenPassRendererFeature*>(
-                               result.renderer.features[0].get()));
+        const auto& pass =
+            dynamic_cast<const FullScreenPassRendererFeature&>(*result.renderer.features[0]);
+        EXPECT_EQ(ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Color,
+                  pass.requirements);
     }
 }
 

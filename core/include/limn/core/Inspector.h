@@ -23,7 +23,7 @@ namespace limn
 class Material;
 class Shader;
 
-/// One member of an enum setting.
+/// One member of an enum setting. If one is named Everything, the members are bits of a set.
 struct EnumEntry
 {
     std::string_view name;

@@ -132,7 +132,7 @@ std::vector<std::optional<PixelBox>> PlaceLabels(std::span<const LabelWish> wish
                                                  const PixelBox& frame)
 {
     // The best known first: right, left, then the corners, above and below.
-    constexpr std::array<std::array<double, 2>, 8> k_Directions = {
+    constexpr std::array<std::array<double, 2>, 8> k_LabelSides = {
         {{1, 0}, {-1, 0}, {1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}}};
     constexpr std::array k_Distances = {9.0, 16.0, 26.0, 40.0, 58.0, 80.0};
     std::vector<PixelBox> taken(obstacles.begin(), obstacles.end());
@@ -143,7 +143,7 @@ std::vector<std::optional<PixelBox>> PlaceLabels(std::span<const LabelWish> wish
         double least = std::numeric_limits<double>::infinity();
         for (const double distance : k_Distances)
         {
-            for (const auto& [alongX, alongY] : k_Directions)
+            for (const auto& [alongX, alongY] : k_LabelSides)
             {
                 const PixelBox box = BoxAt(wish, alongX, alongY, distance);
                 const double covered = Covered(box, taken);
