@@ -9,6 +9,7 @@
 #include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
+#include <utility>
 
 namespace limn
 {
@@ -181,8 +182,9 @@ void ReadPostProcessing(const UnityObject& root, RendererAsset& renderer)
     const YamlNode* data = root.fields.Find("postProcessData");
     if (data && ReadFileID(*data).value_or(0) != 0)
     {
-        renderer.features.push_back(std::make_unique<PostProcessRendererFeature>());
-        renderer.featureTypes.push_back(renderer.features.back()->name);
+        auto feature = std::make_unique<PostProcessRendererFeature>();
+        renderer.featureTypes.push_back(std::exchange(feature->name, "Post-processing"));
+        renderer.features.push_back(std::move(feature));
     }
 }
 

@@ -31,6 +31,10 @@ void PostProcessRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
 {
     const ActiveEffects effects(renderingData.volumeStack);
     const bool isEnabled = renderingData.cameraData.postProcessEnabled;
+    if (!effects.any() && !isEnabled)
+    {
+        return; // nobody asks for it
+    }
     if (!effects.any() || !isEnabled)
     {
         renderingData.report->notes.push_back(

@@ -46,6 +46,7 @@ TEST(UnityRendererData, GivesTheFeatureOfTheArticlesProject)
     ASSERT_EQ(2u, result.renderer.features.size()) << "and post-processing, which URP has built in";
     EXPECT_NE(nullptr,
               dynamic_cast<const PostProcessRendererFeature*>(result.renderer.features[1].get()));
+    EXPECT_EQ("Post-processing", result.renderer.features[1]->name);
     const auto& feature =
         dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features[0]);
     EXPECT_EQ("Screem Space Outline", feature.name);

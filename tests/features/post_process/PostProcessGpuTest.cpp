@@ -300,6 +300,8 @@ TEST_F(PostProcessGpu, IsLeftToTheCamera)
     EXPECT_THAT(run.result().report.notes,
                 testing::Contains(Mentions("PostProcessRendererFeature", "not drawn",
                                            "renderPostProcessing is off")));
+    run.Render(&Nothing(), true);
+    EXPECT_THAT(run.result().report.notes, testing::IsEmpty()) << "no volume asks for it either";
     flat.camera.renderPostProcessing = true;
     run.Render(&m_Volumes.With(fill), true);
     EXPECT_THAT(run.result().report.notes, testing::IsEmpty());
