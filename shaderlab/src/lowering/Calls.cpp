@@ -1,5 +1,7 @@
 #include "lowering/Lowering.h"
 
+#include <limn/base/WordList.h>
+
 namespace limn
 {
 
@@ -77,6 +79,7 @@ void HlslLowering::LowerCall(HlslNode& node)
             LowerTruth(node);
         }
         LowerFloats(node);
+        LowerSingle(node);
         LowerParts(node);
         LowerExponent(node);
         LowerInteger(node);
@@ -178,6 +181,28 @@ void HlslLowering::LowerFloats(HlslNode& node)
             Cast(*argument, given.Of(HlslScalar::Float));
         }
     }
+}
+
+/// Functions of vectors take a single value as a vector of one; glslang does not know how long it
+/// is.
+void HlslLowering::LowerSingle(HlslNode& node)
+{
+    static const WordList s_OfVectors("normalize reflect refract faceforward");
+    const std::string_view name = Text(node.token);
+    if (!s_OfVectors.Has(name) || !node.child || !node.type.isScalar())
+    {
+        return;
+    }
+    const std::string type = HlslType::Number(node.type.scalar, 2).Spelling();
+    for (HlslNode* argument = node.child; argument; argument = argument->next)
+    {
+        const bool isRatio = name == "refract" && argument == node.last;
+        if (!isRatio)
+        {
+            Wrap(*argument, type + "(", ", 0)");
+        }
+    }
+    Wrap(node, "", ".x");
 }
 
 /// `ldexp(x, e)` takes any number as the exponent; glslang makes invalid SPIR-V of floats.

@@ -83,6 +83,7 @@ private:
     void LowerParts(HlslNode& node);
     void LowerExponent(HlslNode& node);
     void LowerFloats(HlslNode& node);
+    void LowerSingle(HlslNode& node);
     void LowerInteger(HlslNode& node);
     void LowerSign(const HlslNode& node);
     void LowerLit(HlslNode& node);

@@ -51,6 +51,32 @@ TEST_F(HlslDialectValues, ConditionsAreNumbersCutToIntegers)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, FunctionsOfVectorsTakeASingleValue)
+{
+    FunctionGrid grid(R"(
+        int Three() { return 3; }
+        static const float k_Sign = normalize(-4.0);
+        // Unity's library has no such function: many shaders have one of their own.
+        float Remap(float value, float from1, float to1, float from2, float to2)
+        {
+            return(value - from1) / (to1 - from1) * (to2 - from2) + from2;
+        })");
+    const auto inputs = Combine({-4.0, -0.25, 0.5, 3.0});
+    grid.Add("normalize(a.x)", inputs, OfA([](const auto& a) { return a.x < 0.0 ? -1.0 : 1.0; }));
+    grid.Add("normalize((half)a.x + a.x)", inputs,
+             OfA([](const auto& a) { return a.x < 0.0 ? -1.0 : 1.0; }));
+    grid.Add("normalize(Three()) + k_Sign + normalize(2)", inputs,
+             OfA([](const auto&) { return 1.0; }));
+    grid.Add("normalize(a.xy).x * length(a.xy)", inputs, OfA([](const auto& a) { return a.x; }),
+             {1e-5, 1e-6});
+    grid.Add("reflect(a.x, 0.5)", inputs, OfA([](const auto& a) { return a.x / 2.0; }));
+    grid.Add("refract(a.x, -1.0, 0)", inputs, OfA([](const auto&) { return 1.0; }));
+    grid.Add("faceforward(2.0, a.x, 1.0)", inputs,
+             OfA([](const auto& a) { return a.x < 0.0 ? 2.0 : -2.0; }));
+    grid.Add("Remap(a.x, 0, 2, 1, 5)", inputs, OfA([](const auto& a) { return 2.0 * a.x + 1.0; }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, PartsOfANumberMayBeIntegers)
 {
     FunctionGrid grid(R"(

@@ -88,8 +88,6 @@ TEST_F(GeometryFunctions, InvertMatricesAndMoveBetweenRanges)
                  return glm::inverse(glm::transpose(rows)) * dvec4(dvec3(v), 1.0);
              },
              {1e-5, 2e-6});
-    grid.Add("Remap(-2, 6, 10, -30, a.x)", Combine({-4.0, -2.0, 0.0, 3.0, 6.0, 8.0}),
-             [](auto& a, auto&, auto&) { return -5.0 * a.x; }, {1e-5, 4e-6});
     grid.Add("mul(RotationFromAxisAngle(a.xyz, sin(c.x), cos(c.x)), b.xyz)",
              CombineVectors(UnitVectors(), {{1, 2, -3}, {0, 0.5, 0}}, {{0, 0, 0}, {1.2, 0, 0}}),
              [](auto& a, auto& b, auto& c)

@@ -145,12 +145,6 @@ float3 Orthonormalize(float3 tangent, float3 normal)
     return normalize(tangent - dot(tangent, normal) * normal);
 }
 
-// The place that a value has in one range, in another range; outside of it too.
-float Remap(float origFrom, float origTo, float targetFrom, float targetTo, float value)
-{
-    return lerp(targetFrom, targetTo, (value - origFrom) / (origTo - origFrom));
-}
-
 // Where t lies between two numbers, 0...1.
 TEMPLATE_3_REAL(RangeRemap, low, high, t, return saturate((t - low) / (high - low)))
 // The number that lies at t of the way between two.
