@@ -103,7 +103,10 @@ private:
     {
         const ShaderLabDocument& document = *m_Check.document;
         const std::string& name = document.fallback;
-        if (!m_Shaders || name.empty() || m_Shaders->Find(name))
+        // Magenta, as limn draws what has no SubShader for it.
+        const bool isErrorShader =
+            name == "Hidden/InternalErrorShader" || name.ends_with("/FallbackError");
+        if (!m_Shaders || name.empty() || isErrorShader || m_Shaders->Find(name))
         {
             return;
         }

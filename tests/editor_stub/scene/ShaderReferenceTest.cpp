@@ -114,8 +114,7 @@ TEST_F(ShaderReference, AnUnknownFallbackIsAWarningAtItsPlace)
 TEST_F(ShaderReference, UnitysOwnShadersAreANote)
 {
     for (const std::string name :
-         {"Diffuse", "VertexLit", "Hidden/Universal Render Pipeline/FallbackError",
-          "Sprites/Default", "Legacy Shaders/Transparent/VertexLit"})
+         {"Diffuse", "VertexLit", "Sprites/Default", "Legacy Shaders/Transparent/VertexLit"})
     {
         const std::string user =
             Write("user.shader", "Shader \"User\" { SubShader {\n  UsePass \"" + name +
@@ -128,6 +127,20 @@ TEST_F(ShaderReference, UnitysOwnShadersAreANote)
                     Mentions(user + ":2:3:", "note", "UsePass", "'" + name + "'", "Unity's own"));
         EXPECT_THAT(run.err,
                     Mentions(user + ":4:3:", "note", "Fallback", "'" + name + "'", "Unity's own"));
+    }
+}
+
+TEST_F(ShaderReference, UnitysErrorShaderAsAFallbackIsNothingToSay)
+{
+    for (const std::string name :
+         {"Hidden/InternalErrorShader", "Hidden/Universal Render Pipeline/FallbackError"})
+    {
+        const std::string user = Write("user.shader", "Shader \"User\" { SubShader { Pass { } }\n"
+                                                      "  Fallback \"" +
+                                                          name + "\" }");
+        const CommandRun run = RunCommand({"shader", user});
+        EXPECT_EQ(0, run.exitCode) << name;
+        EXPECT_THAT(run.err, testing::Not(HasSubstr("Fallback"))) << name;
     }
 }
 
