@@ -226,6 +226,16 @@ void HlslLowering::LowerDeclarator(HlslNode& node)
     {
         return;
     }
+    // `float x = x`, where nothing else has that name, is undefined; glslang knows no such name.
+    // Amplify's templates write it into code that is not reached.
+    const HlslNode& value = *node.child;
+    const bool isItself = value.kind == HlslNodeKind::Name && !value.local && !value.variable &&
+                          Text(value.token) == Text(node.token);
+    if (isItself && node.type.isNumber() && !node.type.isMatrix() && node.type.dimensions == 0)
+    {
+        m_Code.Spelling(value.token) = "0";
+        return;
+    }
     std::vector<std::string_view> dimensions;
     for (std::size_t i = node.token + 1; Text(i) == "["; i = m_Code.AfterBracket(i))
     {

@@ -51,6 +51,21 @@ TEST_F(HlslDialectValues, ConditionsAreNumbersCutToIntegers)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, AVariableMayBeItsOwnValueWhereItIsNotReached)
+{
+    FunctionGrid grid(R"(
+        float Alpha(float x)
+        {
+            float Threshold = Threshold;
+            half3 Color = Color;
+            if (x > 100.0) clip(x - Threshold - Color.r);
+            Threshold = 2.0 * x;
+            return Threshold;
+        })");
+    grid.Add("Alpha(a.x)", k_Inputs, OfA([](const auto& a) { return 2.0 * a.x; }));
+    grid.Run();
+}
+
 TEST_F(HlslDialectValues, FunctionsOfVectorsTakeASingleValue)
 {
     FunctionGrid grid(R"(
