@@ -63,7 +63,7 @@ std::string LargeShader(std::size_t size)
 
 void Parse(benchmark::State& state, const std::string& text)
 {
-    std::size_t allocations = 0;
+    long allocations = 0;
     for (auto _ : state)
     {
         const long before = limn::benchmarks::AllocationCount();
