@@ -1,4 +1,5 @@
 #include "graph/RenderGraphRun.h"
+#include "resolve/DrawRecorder.h"
 
 #include <algorithm>
 
@@ -61,7 +62,7 @@ std::string RenderGraphRun::LineFor(const GraphicsBuffer& buffer, AccessFlags fl
 bool RenderGraphRun::wasGlobal(const Texture& texture) const
 {
     bool wasGlobal = false;
-    m_Context.m_Globals.ForEach(
+    m_Context.m_Recorder->globals().ForEach(
         [&](ShaderPropertyId id, const ShaderPropertyValue& value)
         {
             const auto* held = std::get_if<std::shared_ptr<const Texture>>(&value);

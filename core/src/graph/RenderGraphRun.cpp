@@ -1,6 +1,7 @@
 #include "graph/RenderGraphRun.h"
 
 #include "material/PropertyValues.h"
+#include "resolve/DrawRecorder.h"
 
 #include <algorithm>
 #include <utility>
@@ -64,7 +65,7 @@ CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer&
 RTHandle RenderGraphRun::GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id)
 {
     return RTHandle(std::dynamic_pointer_cast<const RenderTexture>(
-        CopyOf<std::shared_ptr<const Texture>>(context.m_Globals.Find(id))));
+        CopyOf<std::shared_ptr<const Texture>>(context.m_Recorder->globals().Find(id))));
 }
 
 void RenderGraphRun::Run(RenderGraphPass& pass)

@@ -3,7 +3,6 @@
 #include "support/RequireFinite.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limn/base/Diagnostic.h>
 
@@ -114,53 +113,17 @@ BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offs
             static_cast<std::uint32_t>(size)};
 }
 
-template <typename Value>
-void MaterialPropertyBlock::PutValue(ShaderPropertyId id, Value&& value)
+void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue value)
 {
     m_HasBuffers = m_HasBuffers || std::holds_alternative<BufferRange>(value);
     if (const std::uint32_t place = FindPlace(id))
     {
-        m_Values[place - 1] = std::forward<Value>(value);
+        m_Values[place - 1] = std::move(value);
         return;
     }
-    constexpr std::size_t k_Large = 8; // as what is global, and most materials
     const Slot slot{id, static_cast<std::uint32_t>(m_Values.size())};
-    m_Values.push_back(std::forward<Value>(value));
+    m_Values.push_back(std::move(value));
     m_Slots.insert(std::ranges::lower_bound(m_Slots, id, {}, &Slot::id), slot);
-    if (2 * m_Slots.size() <= m_Places.size())
-    {
-        SetPlace(slot);
-    }
-    else if (m_Slots.size() > k_Large)
-    {
-        SetPlaces();
-    }
-}
-
-void MaterialPropertyBlock::SetPlace(const Slot& slot)
-{
-    std::size_t at = PlaceOf(slot.id);
-    while (m_Places[at].value != 0)
-    {
-        at = (at + 1) & (m_Places.size() - 1);
-    }
-    m_Places[at] = {slot.id, slot.value + 1};
-}
-
-void MaterialPropertyBlock::SetPlaces()
-{
-    m_Places.assign(2 * std::bit_ceil(m_Slots.size()), Slot());
-    std::ranges::for_each(m_Slots, [this](const Slot& each) { SetPlace(each); });
-}
-
-void MaterialPropertyBlock::Put(ShaderPropertyId id, const ShaderPropertyValue& value)
-{
-    PutValue(id, value);
-}
-
-void MaterialPropertyBlock::Put(ShaderPropertyId id, ShaderPropertyValue&& value)
-{
-    PutValue(id, std::move(value));
 }
 
 void MaterialPropertyBlock::Set(ShaderPropertyId id, ShaderPropertyValue value)
@@ -199,16 +162,11 @@ void MaterialPropertyBlock::Remove(ShaderPropertyId id)
     }
     m_Values.pop_back();
     m_Slots.erase(removed);
-    if (!m_Places.empty())
-    {
-        SetPlaces();
-    }
 }
 
 void MaterialPropertyBlock::Clear()
 {
     m_Slots.clear();
-    m_Places.clear();
     m_Values.clear();
     m_HasBuffers = false;
 }

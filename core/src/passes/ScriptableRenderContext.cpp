@@ -53,8 +53,8 @@ bool HasWholeSamples(const CommandBuffer& commandBuffer)
 } // namespace
 
 ScriptableRenderContext::ScriptableRenderContext()
-    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_Globals, m_PassName)),
-      m_Identified(std::make_unique<RenderTargetResolver>(m_Frame, m_Globals))
+    : m_Recorder(std::make_unique<DrawRecorder>(m_Frame, m_PassName)),
+      m_Identified(std::make_unique<RenderTargetResolver>(m_Frame, m_Recorder->globals()))
 {
 }
 
@@ -72,7 +72,6 @@ void ScriptableRenderContext::Begin(RenderReport& report, const glm::dvec3& orig
     m_PassName = {};
     m_Frame = Emptied(std::move(spare));
     m_Frame.usesReversedZBuffer = usesReversedZBuffer;
-    m_Globals.Clear();
     m_Recorder->Begin(m_Report->notes, m_Origin);
     m_Identified->EndCamera();
 }

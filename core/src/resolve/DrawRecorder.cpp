@@ -120,6 +120,7 @@ bool isInstanceable(const ShaderProgram& program)
 
 void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& origin)
 {
+    m_Globals.Clear();
     m_Changes.clear();
     m_KeepsChanges = false;
     ++m_GlobalsVersion;
@@ -153,12 +154,13 @@ void DrawRecorder::BeginCamera()
 
 void DrawRecorder::SetGlobal(const SetGlobalCommand& command)
 {
+    const FrameGlobals::Place place = m_Globals.PlaceOf(command.id);
     if (m_KeepsChanges)
     {
-        const ShaderPropertyValue* before = m_Globals.Find(command.id);
-        m_Changes.push_back({command.id, before ? std::optional(*before) : std::nullopt});
+        const ShaderPropertyValue* before = m_Globals.At(place);
+        m_Changes.push_back({place, before ? std::optional(*before) : std::nullopt});
     }
-    m_Globals.Put(command.id, command.value);
+    m_Globals.Set(place, command.value);
     ++m_GlobalsVersion;
 }
 
@@ -240,29 +242,30 @@ DrawRecorder::Place DrawRecorder::MarkPlace()
 
 void DrawRecorder::WithGlobalsOf(const Place& place, const std::function<void()>& record)
 {
-    m_LaterGlobals = m_Globals;
     const std::size_t count = m_Changes.size();
-    for (std::size_t i = count; i-- > place.globalChange;)
-    {
-        const GlobalChange& change = m_Changes[i];
-        if (change.before)
-        {
-            m_Globals.Set(change.id, *change.before);
-        }
-        else
-        {
-            m_Globals.Remove(change.id);
-        }
-    }
+    UndoChanges(place.globalChange, count);
     ++m_GlobalsVersion;
     m_AreKeywordsOld = true;
     const CommonDrawState state = std::exchange(m_State, place.state);
     record();
     m_State = state;
+    UndoChanges(count, m_Changes.size());
     m_Changes.resize(count);
-    std::swap(m_Globals, m_LaterGlobals);
+    for (std::size_t i = place.globalChange; i < count; ++i)
+    {
+        m_Globals.Swap(m_Changes[i].place, m_Changes[i].other);
+    }
     ++m_GlobalsVersion;
     m_AreKeywordsOld = true;
+}
+
+/// Gives the globals back the values that they had before these changes.
+void DrawRecorder::UndoChanges(std::size_t begin, std::size_t end)
+{
+    for (std::size_t i = end; i-- > begin;)
+    {
+        m_Globals.Swap(m_Changes[i].place, m_Changes[i].other);
+    }
 }
 
 DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
@@ -278,7 +281,7 @@ DrawSetup DrawRecorder::LookUp(const Material& material, int shaderPass,
                    draw.program->layout.geometryInput, material);
     draw.shader = material.shader();
     draw.shaderPass = shaderPass;
-    draw.state = Override(m_Resolver.StateOf(material, shaderPass, m_Globals), stateBlock);
+    draw.state = Override(m_Resolver.StateOf(material, shaderPass), stateBlock);
     draw.state.offsetUnits += m_State.depthBias;
     draw.state.offsetFactor += m_State.slopeDepthBias;
     ExpectStencil(draw.state, material, shaderPass);

@@ -27,8 +27,8 @@ public:
     using Place = ScriptableRenderContext::Place;
 
     /// @param passName  the pass whose draws are recorded at the time
-    DrawRecorder(FrameCommands& frame, MaterialPropertyBlock& globals, const SampleName& passName)
-        : m_Frame(frame), m_Globals(globals), m_Resolver(passName)
+    DrawRecorder(FrameCommands& frame, const SampleName& passName)
+        : m_Frame(frame), m_Resolver(m_Globals, passName)
     {
     }
 
@@ -39,6 +39,7 @@ public:
 
     /// Begins a camera of a frame, which may have several.
     void BeginCamera();
+    const FrameGlobals& globals() const { return m_Globals; } ///< as they are now
     /// Ends a frame, see DrawResolver::End.
     void End() { m_Resolver.End(); }
 
@@ -108,6 +109,7 @@ public:
 private:
     void Take(ShaderPropertyId id, const ShaderPropertyValue& value);
     void TurnProjection();
+    void UndoChanges(std::size_t begin, std::size_t end);
     void Dispatch(const RecordedDispatch& recorded, const PropertySources& sources);
     void ExpectSameDepth(const Material& material) const;
     void ExpectStencil(const PipelineState& state, const Material& material, int shaderPass) const;
@@ -121,8 +123,10 @@ private:
 
     struct GlobalChange
     {
-        ShaderPropertyId id;
-        std::optional<ShaderPropertyValue> before; ///< none = it was not set
+        FrameGlobals::Place place = 0;
+        /// The value before it; after it, while a pass is recorded at a place before. None = it
+        /// was not set.
+        std::optional<ShaderPropertyValue> other;
     };
 
     struct Variant
@@ -132,9 +136,7 @@ private:
     };
 
     FrameCommands& m_Frame;
-    MaterialPropertyBlock& m_Globals;
-    MaterialPropertyBlock
-        m_LaterGlobals; ///< those of now, while a pass is recorded at a place before
+    FrameGlobals m_Globals;
     std::vector<GlobalChange> m_Changes; ///< since the first place was marked
     bool m_KeepsChanges = false;
     std::uint64_t m_GlobalsVersion = 0;

@@ -1,5 +1,6 @@
 #include "resolve/DrawResolver.h"
 
+#include "resolve/ResolveState.h"
 #include "resolve/StorageSlots.h"
 #include "resolve/UniformWriter.h"
 
@@ -176,8 +177,7 @@ void DrawResolver::End()
     }
 }
 
-PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
-                                    const MaterialPropertyBlock& globals)
+PipelineState DrawResolver::StateOf(const Material& material, int shaderPass)
 {
     m_HasResolved = true;
     KnownState& known = m_States[{shaderPass, material.id()}];
@@ -185,7 +185,7 @@ PipelineState DrawResolver::StateOf(const Material& material, int shaderPass,
     {
         bool readsGlobals = false;
         std::vector<std::string> unset;
-        known.state = ResolveState(material.shader()->passState(shaderPass), material, globals,
+        known.state = ResolveState(material.shader()->passState(shaderPass), material, m_Globals,
                                    &readsGlobals, &unset);
         for (const std::string& reference : unset)
         {
@@ -207,17 +207,20 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
     m_HasResolved = true;
     const Material& material = *sources.material;
     ProgramIds& ids = IdsOf(pass, material.shader()->name());
+    Shared& shared = m_Shared[{pass.get(), material.id()}];
+    shared.isUsed = true;
+    const UniformLayers layers{&shared.uniforms, globalsVersion};
     if ((sources.block != nullptr && !sources.block->isEmpty()) || sources.arguments != nullptr ||
         sources.lights != nullptr)
     {
-        return Build(ids, sources, uniformData);
+        return Build(ids, sources, layers, uniformData);
     }
-    Shared& shared = m_Shared[{pass.get(), material.id()}];
-    if (!shared.isUsed || shared.materialVersion != material.version() ||
-        shared.globalsVersion != globalsVersion)
+    if (shared.materialVersion != material.version() || shared.globalsVersion != globalsVersion)
     {
-        Build(ids, sources, uniformData);
-        shared = {material.version(), globalsVersion, m_BuiltCount - 1, true};
+        Build(ids, sources, layers, uniformData);
+        shared.materialVersion = material.version();
+        shared.globalsVersion = globalsVersion;
+        shared.built = m_BuiltCount - 1;
     }
     return m_Built[shared.built];
 }
@@ -227,7 +230,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
                       const PropertySources& sources, std::vector<std::byte>& uniformData)
 {
     m_HasResolved = true;
-    return Build(IdsOf(kernel, sources.compute->name()), sources, uniformData);
+    return Build(IdsOf(kernel, sources.compute->name()), sources, {}, uniformData);
 }
 
 /// Adds a note. A message about several shaders becomes one note: "shader 'A' (and 'B', 'C'):
@@ -256,12 +259,7 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
 {
     ProgramIds ids;
     ids.pass = pass;
-    for (const UniformBuffer& buffer : pass->layout.buffers)
-    {
-        ids.buffers.push_back({buffer.name,
-                               buffer.name == k_DynamicKeywordBuffer,
-                               {buffer.members.begin(), buffer.members.end()}});
-    }
+    ids.uniforms.emplace(pass->layout, m_Globals);
     for (const TextureBinding& texture : pass->layout.textures)
     {
         ids.textures.emplace_back(texture.name);
@@ -296,18 +294,11 @@ DrawResolver::ProgramIds DrawResolver::MakeIds(const std::shared_ptr<const Shade
 
 bool DrawResolver::Reads(const ProgramIds& ids, ShaderPropertyId property)
 {
-    const auto isBuffer = [&](const BufferPlaces& buffer)
-    {
-        return buffer.id == property ||
-               std::ranges::find(buffer.members, property, &UniformPlace::id) !=
-                   buffer.members.end();
-    };
     const auto isIn = [&](const std::vector<ShaderPropertyId>& list)
     {
         return std::ranges::find(list, property) != list.end();
     };
-    return std::ranges::any_of(ids.buffers, isBuffer) || isIn(ids.textures) ||
-           isIn(ids.storageTextures) ||
+    return ids.uniforms->Reads(property) || isIn(ids.textures) || isIn(ids.storageTextures) ||
            std::ranges::find(ids.samplers, property, &SamplerSource::texture) !=
                ids.samplers.end() ||
            std::ranges::find(ids.storageBuffers, property, &StoragePlace::id) !=
@@ -354,6 +345,7 @@ DrawResolver::ProgramIds& DrawResolver::IdsOf(const std::shared_ptr<const Shader
 
 std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
                                                         const PropertySources& sources,
+                                                        const UniformLayers& layers,
                                                         std::vector<std::byte>& uniformData)
 {
     if (sources.material != nullptr)
@@ -366,7 +358,7 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
     m_Building.buffers.clear();
     m_Building.storageTextures.clear();
     m_Building.perDrawBinding.reset();
-    AddUniforms(ids, sources, uniformData);
+    AddUniforms(ids, sources, layers, uniformData);
     AddTextures(ids, sources);
     AddStorage(ids, sources);
     m_Built.resize(std::max(m_Built.size(), m_BuiltCount + 1));
@@ -381,39 +373,37 @@ std::shared_ptr<const DrawBindings> DrawResolver::Build(ProgramIds& ids,
     return built;
 }
 
-void DrawResolver::AddUniforms(const ProgramIds& ids, const PropertySources& sources,
-                               std::vector<std::byte>& uniformData)
+void DrawResolver::AddUniforms(ProgramIds& ids, const PropertySources& sources,
+                               const UniformLayers& layers, std::vector<std::byte>& uniformData)
 {
     const PropertyLayout& layout = ids.pass->layout;
+    ProgramUniforms& uniforms = *ids.uniforms;
+    const std::size_t begin =
+        (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
+    uniformData.resize(layout.buffers.empty() ? uniformData.size() : begin + uniforms.size());
+    const auto bytes = std::span(uniformData).subspan(std::min(begin, uniformData.size()));
+    const bool isWritten = layers.material != nullptr &&
+                           uniforms.Write(sources, *layers.material, layers.globalsVersion, bytes);
     const bool hasBuffers = sources.HasBuffers();
     for (std::size_t b = 0; b < layout.buffers.size(); ++b)
     {
         const UniformBuffer& buffer = layout.buffers[b];
-        if (hasBuffers)
+        const BufferRange* range = hasBuffers ? FindBuffer(uniforms.name(b), sources) : nullptr;
+        if (range != nullptr)
         {
-            if (const BufferRange* range = FindBuffer(ids.buffers[b].id, sources))
-            {
-                m_Building.buffers.push_back(UniformSlot(buffer, *range, sources));
-                continue;
-            }
+            m_Building.buffers.push_back(UniformSlot(buffer, *range, sources));
+            continue;
         }
-        const std::size_t offset =
-            (uniformData.size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;
-        uniformData.resize(offset + buffer.size);
-        const std::span<std::byte> bytes(uniformData.data() + offset, buffer.size);
-        if (ids.buffers[b].isOfKeywords)
+        if (buffer.name == k_DynamicKeywordBuffer)
         {
-            WriteDynamicKeywords(buffer, sources, bytes);
+            WriteDynamicKeywords(buffer, sources, bytes.subspan(uniforms.offset(b), buffer.size));
         }
-        else
+        else if (!isWritten)
         {
-            for (const UniformPlace& member : ids.buffers[b].members)
-            {
-                WriteUniform(member, sources, bytes);
-            }
+            uniforms.WriteBuffer(b, sources, bytes);
         }
         m_Building.uniforms.push_back(
-            {buffer.binding, static_cast<std::uint32_t>(offset), buffer.size});
+            {buffer.binding, static_cast<std::uint32_t>(begin) + uniforms.offset(b), buffer.size});
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "material/UniformPlace.h"
+#include "resolve/ProgramUniforms.h"
 
 #include <iterator>
 #include <limn/core/ComputeShader.h>
@@ -27,10 +27,10 @@ void EraseUnused(Map& map)
 /// The sources of the property values of a draw or dispatch, first to last.
 struct PropertySources
 {
-    const MaterialPropertyBlock* block = nullptr;   ///< may be null; a kernel's own
-    const Material* material = nullptr;             ///< null = a dispatch's
-    const MaterialPropertyBlock* globals = nullptr; ///< never null
-    const ComputeShader* compute = nullptr;         ///< null = a draw's
+    const MaterialPropertyBlock* block = nullptr; ///< may be null; a kernel's own
+    const Material* material = nullptr;           ///< null = a dispatch's
+    const FrameGlobals* globals = nullptr;        ///< never null
+    const ComputeShader* compute = nullptr;       ///< null = a draw's
     int kernel = 0;
     const BufferRange* arguments = nullptr; ///< set for an indirect draw or dispatch, else null
     const MaterialPropertyBlock* lights = nullptr; ///< the lights of an object, before all else
@@ -51,8 +51,12 @@ struct PropertySources
 class DrawResolver
 {
 public:
+    /// @param globals   of the frames
     /// @param passName  the pass whose draws are resolved at the time, for the notes
-    explicit DrawResolver(const SampleName& passName) : m_PassName(passName) {}
+    DrawResolver(FrameGlobals& globals, const SampleName& passName)
+        : m_Globals(globals), m_PassName(passName)
+    {
+    }
 
     /// Begins a frame.
     /// @param notes  receives a sentence for each texture of a shader that nothing gives a value,
@@ -78,8 +82,7 @@ public:
 
     /// Returns the result of ResolveState for a pass, which is kept until a property of the
     /// material changes.
-    PipelineState StateOf(const Material& material, int shaderPass,
-                          const MaterialPropertyBlock& globals);
+    PipelineState StateOf(const Material& material, int shaderPass);
 
     /// Begins a camera, for which HasBound forgets the draws so far.
     void BeginCamera() { ++m_Camera; }
@@ -98,12 +101,6 @@ private:
         std::optional<SamplerState> state;
         ShaderPropertyId texture;
     };
-    struct BufferPlaces
-    {
-        ShaderPropertyId id;
-        bool isOfKeywords = false; ///< k_DynamicKeywordBuffer
-        std::vector<UniformPlace> members;
-    };
     struct StoragePlace
     {
         ShaderPropertyId id;
@@ -114,7 +111,7 @@ private:
     struct ProgramIds
     {
         std::shared_ptr<const ShaderProgram> pass; ///< keeps the address of the key in use
-        std::vector<BufferPlaces> buffers;
+        std::optional<ProgramUniforms> uniforms;   ///< set
         std::vector<ShaderPropertyId> textures;
         /// The values, by texture, that the shader's Properties have if nothing sets it; null = not
         /// known yet.
@@ -127,12 +124,19 @@ private:
     static bool Reads(const ProgramIds& ids, ShaderPropertyId property);
     /// Marks those of the material's undeclared properties that the program reads.
     void FollowUndeclared(const ProgramIds& ids, const Material& material);
-    static ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
+    ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const std::string& shader);
     ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader);
+    /// The uniform values of a draw, which are kept in layers; a dispatch has none.
+    struct UniformLayers
+    {
+        ProgramUniforms::MaterialLayer* material = nullptr;
+        std::uint64_t globalsVersion = 0;
+    };
     std::shared_ptr<const DrawBindings> Build(ProgramIds& ids, const PropertySources& sources,
+                                              const UniformLayers& layers,
                                               std::vector<std::byte>& uniformData);
-    void AddUniforms(const ProgramIds& ids, const PropertySources& sources,
+    void AddUniforms(ProgramIds& ids, const PropertySources& sources, const UniformLayers& layers,
                      std::vector<std::byte>& uniformData);
     void AddTextures(ProgramIds& ids, const PropertySources& sources);
     void AddStorage(const ProgramIds& ids, const PropertySources& sources);
@@ -165,14 +169,17 @@ private:
         PipelineState state;
     };
     std::unordered_map<MaterialKey<int>, KnownState, HashKey> m_States;
-    /// The bindings that a material last had.
+    /// The bindings that a material last had without values of a draw's own, and its uniform
+    /// values.
     struct Shared
     {
         std::uint64_t materialVersion = 0;
         std::uint64_t globalsVersion = 0;
         std::size_t built = 0; ///< in m_Built
-        bool isUsed = false;   ///< in this frame
+        ProgramUniforms::MaterialLayer uniforms;
+        bool isUsed = false; ///< in this frame
     };
+    FrameGlobals& m_Globals;
     std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
     std::unordered_map<MaterialKey<const ShaderProgram*>, Shared, HashKey> m_Shared;
     /// The bindings in the order in which they were needed; behind m_BuiltCount those of the frame

@@ -1,8 +1,9 @@
+#include "resolve/ResolveState.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limn/base/NumberText.h>
 #include <limn/core/DrawError.h>
-#include <limn/core/Material.h>
 
 namespace limn
 {
@@ -14,9 +15,8 @@ namespace
 class StateReader
 {
 public:
-    StateReader(const RenderState& state, const Material& material,
-                const MaterialPropertyBlock& globals, bool& readsGlobals,
-                std::vector<std::string>* unset)
+    StateReader(const RenderState& state, const Material& material, const FrameGlobals& globals,
+                bool& readsGlobals, std::vector<std::string>* unset)
         : m_State(state),
           m_Material(material),
           m_Globals(globals),
@@ -109,7 +109,7 @@ private:
 
     const RenderState& m_State;
     const Material& m_Material;
-    const MaterialPropertyBlock& m_Globals;
+    const FrameGlobals& m_Globals;
     bool& m_ReadsGlobals;
     std::vector<std::string>* m_Unset; ///< may be null
 };
@@ -150,7 +150,7 @@ StencilFace ResolveFace(const StencilFaceState& state, const StateReader& reader
 } // namespace
 
 PipelineState ResolveState(const RenderState& state, const Material& material,
-                           const MaterialPropertyBlock& globals, bool* readsGlobals,
+                           const FrameGlobals& globals, bool* readsGlobals,
                            std::vector<std::string>* unset)
 {
     bool isGlobal = false;

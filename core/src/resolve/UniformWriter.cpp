@@ -135,36 +135,36 @@ const char* KindOf(const ShaderPropertyValue& value)
                     (member.type == UniformType::Matrix4x4 ? "a matrix" : "a number or vector"));
 }
 
-void WriteValue(const UniformPlace& member, const ShaderPropertyValue& value,
-                const PropertySources& sources, Bytes bytes)
+bool WriteValue(const UniformPlace& member, const ShaderPropertyValue& value, Bytes bytes)
 {
     const bool isMatrix = std::holds_alternative<glm::mat4>(value) ||
                           std::holds_alternative<PropertyArray<glm::mat4>>(value);
     if (isMatrix != (member.type == UniformType::Matrix4x4))
     {
-        FailKind(member, value, sources);
+        return false;
     }
-    std::visit(
+    return std::visit(
         [&](const auto& v)
         {
             using Value = std::decay_t<decltype(v)>;
             if constexpr (std::is_same_v<Value, std::shared_ptr<const Texture>> ||
                           std::is_same_v<Value, BufferRange>)
             {
-                FailKind(member, value, sources);
+                return false;
             }
             else
             {
                 Write(member, v, bytes);
+                return true;
             }
         },
         value);
 }
 
 /// A texture that was never set is the 1x1 default.
-void WriteTexelSize(const UniformPlace& member, const PropertySources& sources, Bytes bytes)
+void WriteTexelSize(const UniformPlace& member, const ShaderPropertyValue* value, Bytes bytes)
 {
-    const auto* texture = As<std::shared_ptr<const Texture>>(sources.Find(member.texture));
+    const auto* texture = As<std::shared_ptr<const Texture>>(value);
     const bool isSet = texture != nullptr && *texture != nullptr;
     const float w = isSet ? static_cast<float>((*texture)->width()) : 1.0f;
     const float h = isSet ? static_cast<float>((*texture)->height()) : 1.0f;
@@ -197,22 +197,35 @@ UniformPlace::UniformPlace(const UniformMember& member)
     }
 }
 
-void WriteUniform(const UniformPlace& member, const PropertySources& sources,
-                  std::span<std::byte> buffer)
+bool WriteUniform(const UniformPlace& member, const ShaderPropertyValue* value,
+                  const ShaderPropertyValue* texture, std::span<std::byte> buffer)
 {
     const Bytes bytes = buffer.subspan(member.offset, member.size);
-    if (const ShaderPropertyValue* value = sources.Find(member.id))
+    std::ranges::fill(bytes, std::byte{0});
+    if (value != nullptr)
     {
-        WriteValue(member, *value, sources, bytes);
+        return WriteValue(member, *value, bytes);
     }
-    else if (member.unset == UniformPlace::Unset::TexelSize)
+    if (member.unset == UniformPlace::Unset::TexelSize)
     {
-        WriteTexelSize(member, sources, bytes);
+        WriteTexelSize(member, texture, bytes);
     }
     else if (member.unset == UniformPlace::Unset::OneOneZeroZero)
     {
         const float values[] = {1.0f, 1.0f, 0.0f, 0.0f};
         WriteComponents(member, values, 4, bytes);
+    }
+    return true;
+}
+
+void WriteUniform(const UniformPlace& member, const PropertySources& sources,
+                  std::span<std::byte> buffer)
+{
+    const ShaderPropertyValue* value = sources.Find(member.id);
+    const bool needsTexture = value == nullptr && member.unset == UniformPlace::Unset::TexelSize;
+    if (!WriteUniform(member, value, needsTexture ? sources.Find(member.texture) : nullptr, buffer))
+    {
+        FailKind(member, *value, sources);
     }
 }
 

@@ -11,8 +11,15 @@ namespace limn
 /// Writes one value of a uniform buffer. A name that nothing has set is zero, except for `X_ST` and
 /// `X_HDR` (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to
 /// X).
-/// @param buffer  the whole buffer's bytes
-/// @throws ContractError naming material and property, if the value's kind does not fit
+/// @param value    null = nothing has set it
+/// @param texture  the texture X, if the value is not set; null = nothing has set that either
+/// @param buffer   all bytes that UniformPlace::offset counts
+/// @return false if the value's kind does not fit; then it is zero
+bool WriteUniform(const UniformPlace& member, const ShaderPropertyValue* value,
+                  const ShaderPropertyValue* texture, std::span<std::byte> buffer);
+
+/// Writes the value that the sources have.
+/// @throws DrawError naming material and property, if the value's kind does not fit
 void WriteUniform(const UniformPlace& member, const PropertySources& sources,
                   std::span<std::byte> buffer);
 

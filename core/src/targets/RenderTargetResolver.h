@@ -1,5 +1,7 @@
 #pragma once
 
+#include "material/FrameGlobals.h"
+
 #include <limn/core/RenderTexturePool.h>
 #include <limn/core/ScriptableRenderContext.h>
 #include <unordered_map>
@@ -13,7 +15,7 @@ class RenderTargetResolver
 public:
     /// @param frame    the frame, whose last commands give what is bound
     /// @param globals  where names that are no temporary textures are looked up
-    RenderTargetResolver(const FrameCommands& frame, const MaterialPropertyBlock& globals)
+    RenderTargetResolver(const FrameCommands& frame, const FrameGlobals& globals)
         : m_Frame(frame), m_Globals(globals)
     {
     }
@@ -61,7 +63,7 @@ private:
     void BindAgain();
 
     const FrameCommands& m_Frame;
-    const MaterialPropertyBlock& m_Globals;
+    const FrameGlobals& m_Globals;
     CameraTargets m_Camera;
     std::vector<std::string>* m_Notes = nullptr; ///< null = no camera is rendered
     std::unordered_map<ShaderPropertyId, TemporaryTexture> m_Temporaries;

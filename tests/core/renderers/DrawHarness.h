@@ -83,7 +83,8 @@ std::vector<T> ReadUniform(const FrameCommands& frame, const SeenDraw& draw,
     return values;
 }
 
-/// Resolves one triangle drawn with a material, and shows what it binds.
+/// Resolves one triangle drawn with a material, and shows what it binds. Each is a frame of one
+/// context, which keeps what it may.
 class OneDraw
 {
 public:
@@ -95,12 +96,12 @@ public:
     void Resolve(const std::shared_ptr<const Material>& material)
     {
         report = {};
-        ScriptableRenderContext context(report);
-        context.ExecuteCommandBuffer(before);
+        m_Context.Begin(report, glm::dvec3(0.0));
+        m_Context.ExecuteCommandBuffer(before);
         CommandBuffer cmd;
         cmd.DrawProcedural(glm::mat4(1.0f), material, 0, 3, block);
-        context.ExecuteCommandBuffer(cmd);
-        m_Frame = context.TakeCommands();
+        m_Context.ExecuteCommandBuffer(cmd);
+        m_Frame = m_Context.TakeCommands();
     }
 
     SeenDraw draw() const { return DrawsOf(m_Frame).at(0); }
@@ -151,6 +152,7 @@ public:
     }
 
 private:
+    ScriptableRenderContext m_Context;
     FrameCommands m_Frame;
 };
 

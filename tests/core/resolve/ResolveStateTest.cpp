@@ -2,6 +2,7 @@
 
 #include "Mentions.h"
 #include "ThrownMessage.h"
+#include "resolve/ResolveState.h"
 #include "scene/TestScene.h"
 
 namespace limn
@@ -38,7 +39,7 @@ protected:
     }
 
     std::shared_ptr<Material> m_Material;
-    MaterialPropertyBlock m_Globals;
+    FrameGlobals m_Globals;
 };
 
 TEST_F(ResolvedState, IsShaderLabsDefaultWithoutCommands)
@@ -105,7 +106,7 @@ TEST_F(ResolvedState, RoundsReferencesToTheNearestMember)
 TEST_F(ResolvedState, TakesAReferenceThatTheMaterialLacksFromTheGlobals)
 {
     Make("ZTest [_GlobalTest]");
-    m_Globals.SetInt(ShaderPropertyId("_GlobalTest"), 3);
+    m_Globals.Set(ShaderPropertyId("_GlobalTest"), 3);
     EXPECT_EQ(Resolve().zTest, CompareFunction::Equal);
 }
 

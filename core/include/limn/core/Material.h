@@ -261,14 +261,4 @@ private:
     std::uint64_t m_Version = 0;
 };
 
-/// Returns a pass's state with the material's values in place of its property references; a name
-/// that the material lacks is looked up in `globals`.
-/// @param readsGlobals  set to true if a global was looked for; may be null
-/// @param unset         gets "Cull [_Cull]" for each reference to a property that nothing sets,
-///                      whose value is 0 then, as in Unity; may be null
-/// @throws ContractError naming material, shader and property, if a value is no member of the enum
-PipelineState ResolveState(const RenderState& state, const Material& material,
-                           const MaterialPropertyBlock& globals, bool* readsGlobals = nullptr,
-                           std::vector<std::string>* unset = nullptr);
-
 } // namespace limn

@@ -167,15 +167,6 @@ private:
     /// Returns one more than the index of the value in m_Values; 0 = there is none.
     std::uint32_t FindPlace(ShaderPropertyId id) const
     {
-        if (!m_Places.empty())
-        {
-            std::size_t at = PlaceOf(id);
-            while (m_Places[at].value != 0 && m_Places[at].id != id)
-            {
-                at = (at + 1) & (m_Places.size() - 1);
-            }
-            return m_Places[at].value;
-        }
         // This halves the range without branches, since nothing predicts which way they would go.
         const Slot* slot = m_Slots.data();
         for (std::size_t count = m_Slots.size(); count > 1; count -= count / 2)
@@ -184,24 +175,10 @@ private:
         }
         return !m_Slots.empty() && slot->id == id ? slot->value + 1 : 0;
     }
-    /// Returns where the search for an id begins in m_Places.
-    std::size_t PlaceOf(ShaderPropertyId id) const
-    {
-        return (id.value * 0x9E3779B1U >> 16U) & (m_Places.size() - 1);
-    }
-    void SetPlace(const Slot& slot);
-    void SetPlaces();          ///< sets all, in a table of the right size
-    friend class DrawRecorder; // what a command buffer holds was looked at when it was recorded
     /// Sets a value as Set does, if it is known to be finite.
-    void Put(ShaderPropertyId id, const ShaderPropertyValue& value);
-    void Put(ShaderPropertyId id, ShaderPropertyValue&& value);
-    template <typename Value>
-    void PutValue(ShaderPropertyId id, Value&& value);
+    void Put(ShaderPropertyId id, ShaderPropertyValue value);
 
     std::vector<Slot> m_Slots; ///< by id
-    /// A hash table for FindPlace, whose size is a power of two and which is half empty: an id is
-    /// at the place that its bits give, or behind it with no gap between. Small blocks have none.
-    std::vector<Slot> m_Places;
     std::vector<ShaderPropertyValue> m_Values;
     bool m_HasBuffers = false;
 };

@@ -123,7 +123,6 @@ private:
     glm::dvec3 m_Origin{0.0};
     SampleName m_PassName;
     FrameCommands m_Frame;
-    MaterialPropertyBlock m_Globals;
     std::unique_ptr<DrawRecorder> m_Recorder;
     std::unique_ptr<RenderTargetResolver> m_Identified;
 };
