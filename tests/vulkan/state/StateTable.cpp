@@ -3,6 +3,7 @@
 #include <device/Translate.h>
 #include <frame/DynamicState.h>
 #include <programs/PipelineBuilder.h>
+#include <resolve/ResolveState.h>
 
 namespace limn::test
 {
