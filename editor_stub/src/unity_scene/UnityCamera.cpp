@@ -122,7 +122,7 @@ int ReadUnityCamera(UnitySceneLoader& loader)
     {
         throw AssetError(loader.path.generic_string(), {},
                          "no camera draws a picture: none is active and enabled and draws onto "
-                         "the screen; switch one on in Unity");
+                         "the screen; switch one on in Unity, or name another scene with --scene");
     }
     Camera& camera = loader.asset.camera;
     int renderer = -1;

@@ -64,6 +64,22 @@ void ExpectAProjectionOfItsOwnOrTheLens()
     EXPECT_EQ(camera.projectionMatrixFor(2.0f), lens);
 }
 
+void ExpectAProjectionForShaders()
+{
+    Camera camera = RightAngledCamera();
+    const glm::dmat4 lens = camera.projectionMatrixFor(1.0f);
+    for (const bool isTexture : {false, true})
+    {
+        const glm::vec4 nearest = GpuProjection(lens, true, isTexture) *
+                                  glm::vec4(0, camera.nearClipPlane, -camera.nearClipPlane, 1);
+        EXPECT_NEAR(nearest.z / nearest.w, 1.0f, 1e-6f);
+        EXPECT_NEAR(nearest.y / nearest.w, isTexture ? -1.0f : 1.0f, 1e-6f);
+        const glm::vec4 farthest =
+            GpuProjection(lens, true, isTexture) * glm::vec4(0, 0, -camera.farClipPlane, 1);
+        EXPECT_NEAR(farthest.z / farthest.w, 0.0f, 1e-6f);
+    }
+}
+
 void ExpectATransform()
 {
     Camera camera;
@@ -179,6 +195,7 @@ DiffersChecks CameraDiffers()
             {Members("Camera", {"projectionMatrix", "ResetProjectionMatrix",
                                 "nonJitteredProjectionMatrix", "cullingMatrix"}),
              ExpectAProjectionOfItsOwnOrTheLens},
+            {{"GL.GetGPUProjectionMatrix"}, ExpectAProjectionForShaders},
             {Members("Camera", {"transform", "cameraToWorldMatrix", "worldToCameraMatrix"}),
              ExpectATransform},
             {OfEach({"CameraData", "UniversalCameraData"},

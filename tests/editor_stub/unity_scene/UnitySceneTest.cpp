@@ -291,7 +291,8 @@ TEST_F(ProjectOfAFewFiles, NeedsACamera)
 {
     Write("Assets/Main.unity", CubeText(2, "Box", 0, k_Red));
     EXPECT_THAT(Problems([&] { LoadScene(m_Folder.path(), m_Assets); }),
-                ElementsAre(HasSubstr("no camera draws a picture")));
+                ElementsAre(AllOf(HasSubstr("no camera draws a picture"),
+                                  HasSubstr("name another scene with --scene"))));
 }
 
 TEST_F(ProjectOfAFewFiles, SaysWhyNothingIsDrawn)

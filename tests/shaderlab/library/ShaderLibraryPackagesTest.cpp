@@ -322,6 +322,40 @@ TEST(ShaderLibraryPackages, KnowHairWrappedLightWhiteBalanceAndNamesOfOlderVersi
     EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
 }
 
+TEST(ShaderLibraryPackages, HaveTheTexturesOfShaderGraphs)
+{
+    const auto pass = CompileHlsl(
+        test::IncludeOf("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") + R"(
+        TEXTURECUBE(_Sky); SAMPLER(sampler_Sky);
+        TEXTURE3D(_Fog); SAMPLER(sampler_Fog);
+        TEXTURE2D_ARRAY(_Maps); SAMPLER(sampler_Maps);
+        SAMPLER(sampler_Linear_Repeat);
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target
+        {
+            UnityTextureCube sky = UnityBuildTextureCubeStruct(_Sky);
+            UnityTexture3D fog = UnityBuildTexture3DStruct(_Fog);
+            UnityTexture2DArray maps = UnityBuildTexture2DArrayStruct(_Maps);
+            UnitySamplerState state = UnityBuildSamplerStateStruct(sampler_Linear_Repeat);
+            float4 sum = SAMPLE_TEXTURECUBE_LOD(sky.tex, sky.samplerstate, p.xyz, 0);
+            sum += fog.Sample(fog.samplerstate, p.xyz) + maps.Sample(maps.samplerstate, p.xyz);
+            sum += sky.SampleLevel(state, p.xyz, 1) + fog.SampleBias(state, p.xyz, 1);
+            return sum + maps.SampleGrad(state, p.xyz, p.xy, p.yz);
+        })");
+    EXPECT_EQ(pass->layout.textures.size(), 3u);
+    EXPECT_EQ(pass->layout.samplers.size(), 4u);
+    EXPECT_EQ(test::ValidationMessages(pass->fragmentSpirv), "");
+}
+
+TEST(ShaderLibraryPackages, KnowLightLayersWithoutURP)
+{
+    CompileHlsl(test::IncludeOf(
+                    "Packages/com.unity.render-pipelines.core/ShaderLibrary/CommonLighting.hlsl") +
+                R"(
+        float4 vert(float4 p : POSITION) : SV_Position { return p; }
+        float4 frag(float4 p : SV_Position) : SV_Target { return IsMatchingLightLayer(1u, 3u); })");
+}
+
 TEST(ShaderLibraryPackages, HaveSamplersAndTexelSizesOfBlitsByName)
 {
     const auto samplers =

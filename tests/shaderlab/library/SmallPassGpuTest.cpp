@@ -143,17 +143,18 @@ TEST_F(SmallPasses, BakersGetWhatSurfacesScatterAndGive)
 
 TEST_F(SmallPasses, TheWholeTargetIsCovered)
 {
-    FunctionGrid grid(Include("Shaders/Utils/Fullscreen") + R"(
+    FunctionGrid grid("#define _USE_DRAW_PROCEDURAL 1\n" + Include("Shaders/Utils/Fullscreen") + R"(
         Varyings Corner(float index)
         {
             Attributes v = (Attributes)0;
             v.vertexID = uint(index);
             return FullscreenVert(v);
         })");
+    grid.SetGlobal("_ScaleBias", {1, 1, 0, 0});
     // Whichever way the corners go: what is seen at a place of the target is that place of the
-    // picture.
-    grid.Add("Corner(a.x).positionCS.x - (Corner(a.x).uv.x * 2 - 1)", Combine({0.0, 1.0, 2.0, 3.0}),
-             [](auto&, auto&, auto&) { return 0.0; });
+    // picture. y of clip space points up, v down.
+    grid.Add("Corner(a.x).positionCS.xy + (0.5 - Corner(a.x).uv) * float2(2, -2)",
+             Combine({0.0, 1.0, 2.0, 3.0}), [](auto&, auto&, auto&) { return dvec2(0); });
     grid.Add("abs(Corner(a.x).positionCS.xyw)", Combine({0.0, 1.0, 2.0, 3.0}),
              [](auto&, auto&, auto&) { return dvec3(1); });
     grid.Add("abs(Corner(a.x).uv * 2 - 1)", Combine({0.0, 1.0, 2.0, 3.0}),

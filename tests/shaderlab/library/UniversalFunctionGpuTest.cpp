@@ -231,6 +231,11 @@ TEST_F(UniversalLibrary, TurnsDepthIntoDistanceAndPlace)
                  return glm::dvec3(0.5 + 0.5 * c.x / c.w, 0.5 - 0.5 * c.y / c.w, c.z / c.w);
              },
              {2e-5, 2e-6});
+    grid.Add("float4(ComputeNormalizedDeviceCoordinates(a.xyz), "
+             "ComputeNormalizedDeviceCoordinatesWithZ(a.xyz).z, ComputeClipSpacePosition(a.xyz).w)",
+             CombineVectors(k_Points), // of clip space
+             [](auto& a, auto&, auto&)
+             { return glm::dvec4(0.5 + 0.5 * a.x, 0.5 - 0.5 * a.y, a.z, 1); });
     const char* place = "ComputeWorldSpacePosition(ComputeNormalizedDeviceCoordinatesWithZ(a.xyz, "
                         "UNITY_MATRIX_VP).xy, ComputeNormalizedDeviceCoordinatesWithZ(a.xyz, "
                         "UNITY_MATRIX_VP).z, UNITY_MATRIX_I_VP)";
@@ -351,7 +356,7 @@ TEST_F(UniversalLibrary, CoversTheScreenFromTheVertexNumberAlone)
     grid.Add("GetQuadVertexPosition((uint)a.x)", four,
              table({{0, 1, 1, 1}, {0, 0, 1, 1}, {1, 0, 1, 1}, {1, 1, 1, 1}}));
     grid.Add("float4(GetQuadTexCoord((uint)a.x), 0, 0)", four,
-             table({{0, 0, 0, 0}, {0, 1, 0, 0}, {1, 1, 0, 0}, {1, 0, 0, 0}}));
+             table({{0, 1, 0, 0}, {0, 0, 0, 0}, {1, 0, 0, 0}, {1, 1, 0, 0}}));
     grid.Run();
 }
 

@@ -2,6 +2,7 @@
 #include "GpuTestFrame.h"
 
 #include <cmath>
+#include <functional>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/FrameCompiler.h>
@@ -50,6 +51,34 @@ protected:
         SharedDevice().Execute(CompileFrame(context.TakeCommands(), SharedDevice().textureStates(),
                                             std::span(&output, 1)));
         ExpectNoValidationMessages();
+    }
+    /// Makes a material that copies `_Source` by HLSL that follows the includes of URP.
+    std::shared_ptr<Material> CopyWith(const std::string& vertex, const std::string& hlsl) const
+    {
+        const std::string universal = "#include \"Packages/com.unity.render-pipelines.universal/";
+        auto material = std::make_shared<Material>(Shader::FromText(
+            "Shader \"Test/Copy\" { SubShader { Pass { Cull Off ZTest Always ZWrite Off\n"
+            "HLSLPROGRAM\n#pragma multi_compile _ _USE_DRAW_PROCEDURAL\n#pragma vertex " +
+                vertex + "\n#pragma fragment frag\n" + universal + "ShaderLibrary/Core.hlsl\"\n" +
+                universal + "Shaders/PostProcessing/Common.hlsl\"\n" +
+                "TEXTURE2D(_Source); SAMPLER(sampler_PointClamp);\n" + hlsl + "\nENDHLSL } } }",
+            "copy.shader", QuadCompiler()));
+        material->SetTexture("_Source", m_Source);
+        return material;
+    }
+    /// Expects that a draw fills a target with m_Source.
+    void ExpectCopy(const std::function<void()>& draw)
+    {
+        const TargetPtr target = MakeTarget(8, 4);
+        m_Cmd.SetRenderTarget(RTHandle(target));
+        m_Cmd.ClearRenderTarget(ClearFlag::Color, Color::clear);
+        draw();
+        Execute(target);
+        const Image image = ReadRows(*target);
+        for (int i = 0; i < 32; ++i)
+        {
+            EXPECT_EQ(Texel8(image, i % 8, i / 8)[0], Value(i % 8, i / 8)) << i;
+        }
     }
     /// Red at a place of level 0 in texels, each texel at its middle, clamped.
     static double Bilinear(double x, double y)
@@ -163,6 +192,66 @@ TEST_F(BlitQuadGpu, WritesColourWithDepthOrAlone)
     }
     EXPECT_THROW(Blitter::BlitColorAndDepth(m_Cmd, m_Source, color, {1, 1, 0, 0}, 0.0f, true),
                  ContractError);
+}
+
+// Passes of URP 7 to 13 have FullscreenVert from PostProcessing/Common.hlsl, and `uv`.
+TEST_F(BlitQuadGpu, FullscreenVertCopiesByMeshAndByVertexNumber)
+{
+    const auto material =
+        CopyWith("FullscreenVert", "half4 frag(Varyings input) : SV_Target { return "
+                                   "SAMPLE_TEXTURE2D(_Source, sampler_PointClamp, input.uv); }");
+    const glm::mat4 identity(1.0f);
+    ExpectCopy(
+        [&]
+        {
+            m_Cmd.Blit(BuiltinRenderTextureType::None, BuiltinRenderTextureType::CurrentActive,
+                       material, 0);
+        });
+    ExpectCopy(
+        [&]
+        {
+            m_Cmd.SetViewProjectionMatrices(glm::dmat4(1.0), glm::dmat4(1.0));
+            m_Cmd.DrawMesh(RenderingUtils::fullscreenMesh(), identity, material);
+        });
+    material->EnableKeyword("_USE_DRAW_PROCEDURAL");
+    m_Cmd.SetGlobalVector("_ScaleBias", {1, 1, 0, 0});
+    ExpectCopy([&] { m_Cmd.DrawProcedural(identity, material, 0, MeshTopology::Quads, 4); });
+}
+
+TEST_F(BlitQuadGpu, QuadsOfAShadersOwnAreNotMirrored)
+{
+    const auto material = CopyWith(
+        "vert", "struct Interpolated { float4 position : SV_POSITION; float2 uv : TEXCOORD0; };\n"
+                "Interpolated vert(uint id : SV_VertexID)\n"
+                "{ Interpolated o; float4 corner = GetQuadVertexPosition(id);\n"
+                "o.position = float4(corner.xy * float2(2, -2) + float2(-1, 1), corner.zw);\n"
+                "o.uv = GetQuadTexCoord(id); return o; }\n"
+                "half4 frag(Interpolated input) : SV_Target { return "
+                "SAMPLE_TEXTURE2D(_Source, sampler_PointClamp, input.uv); }");
+    ExpectCopy([&] { m_Cmd.DrawProcedural(glm::mat4(1.0f), material, 0, MeshTopology::Quads, 4); });
+}
+
+// VertQuadPadding adds half of the padding on each side: a texture of 4x2 texels with a padding of
+// 2 fills the middle of a target of 6x4.
+TEST_F(BlitQuadGpu, PaddingSurroundsTheTexture)
+{
+    const auto material = CopyWith("VertQuadPadding", "half4 frag(Varyings input) : SV_Target "
+                                                      "{ return half4(input.texcoord, 0, 1); }");
+    m_Cmd.SetGlobalVector("_BlitScaleBias", {1, 1, 0, 0});
+    m_Cmd.SetGlobalVector("_BlitScaleBiasRt", {1, 1, 0, 0});
+    m_Cmd.SetGlobalVector("_BlitTextureSize", {4, 2, 0, 0});
+    m_Cmd.SetGlobalInteger("_BlitPaddingSize", 2);
+    const TargetPtr target = MakeTarget(6, 4, GraphicsFormat::R32G32B32A32_SFloat);
+    m_Cmd.SetRenderTarget(RTHandle(target));
+    m_Cmd.DrawProcedural(glm::mat4(1.0f), material, 0, MeshTopology::Quads, 4);
+    Execute(target);
+    const Image image = ReadRows(*target);
+    for (int i = 0; i < 24; ++i)
+    {
+        // The texture's first texel is at (1, 1) of the target.
+        EXPECT_NEAR(TexelFloat(image, i % 6, i / 6)[0], (i % 6 - 1 + 0.5) / 4.0, 1e-6) << i;
+        EXPECT_NEAR(TexelFloat(image, i % 6, i / 6)[1], (i / 6 - 1 + 0.5) / 2.0, 1e-6) << i;
+    }
 }
 
 } // namespace limn::test

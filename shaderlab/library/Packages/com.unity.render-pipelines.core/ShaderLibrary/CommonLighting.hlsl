@@ -87,4 +87,9 @@ float ComputeWrappedDiffuseLighting(float NdotL, float w)
 {
     return saturate((NdotL + w) / Sq(1.0 + w));
 }
+
+bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers)
+{
+    return (lightLayers & renderingLayers) != 0;
+}
 #endif

@@ -33,6 +33,8 @@ float4 ComputeClipSpacePosition(float2 positionNDC, float deviceDepth)
     return float4(positionNDC.x * 2.0 - 1.0, 1.0 - positionNDC.y * 2.0, deviceDepth, 1.0);
 }
 
+// Without a transform the position is one of clip space, whose w is 1.
+float4 ComputeClipSpacePosition(float3 position) { return float4(position, 1.0); }
 float4 ComputeClipSpacePosition(float3 position, float4x4 clipSpaceTransform)
 {
     return mul(clipSpaceTransform, float4(position, 1.0));
@@ -50,9 +52,19 @@ float3 ComputeNormalizedDeviceCoordinatesWithZ(float3 position, float4x4 clipSpa
         ComputeClipSpacePosition(position, clipSpaceTransform));
 }
 
+float3 ComputeNormalizedDeviceCoordinatesWithZ(float3 position)
+{
+    return ComputeNormalizedDeviceCoordinatesWithZ(ComputeClipSpacePosition(position));
+}
+
 float2 ComputeNormalizedDeviceCoordinates(float3 position, float4x4 clipSpaceTransform)
 {
     return ComputeNormalizedDeviceCoordinatesWithZ(position, clipSpaceTransform).xy;
+}
+
+float2 ComputeNormalizedDeviceCoordinates(float3 position)
+{
+    return ComputeNormalizedDeviceCoordinatesWithZ(position).xy;
 }
 
 float3 ComputeWorldSpacePosition(float4 positionCS, float4x4 invViewProjMatrix)

@@ -22,9 +22,8 @@ float4 GetQuadVertexPosition(uint vertexID, float z = UNITY_NEAR_CLIP_VALUE)
     return float4(x, y, z, 1.0);
 }
 
-// v = 0 is the top row
+// The same corners: y points down where a quad's corners become clip space, as v does.
 float2 GetQuadTexCoord(uint vertexID)
 {
-    float4 position = GetQuadVertexPosition(vertexID, UNITY_NEAR_CLIP_VALUE);
-    return float2(position.x, 1.0 - position.y);
+    return GetQuadVertexPosition(vertexID, UNITY_NEAR_CLIP_VALUE).xy;
 }

@@ -16,6 +16,30 @@ UnitySamplerState limn_UnitySamplerState(SamplerState samplerstate)
     return result;
 }
 
+// The methods that sample `tex`, each with a sampler of either kind.
+#define limn_SAMPLING(Place) \
+    float4 Sample(SamplerState s, Place at) { return tex.Sample(s, at); } \
+    float4 Sample(UnitySamplerState s, Place at) { return tex.Sample(s.samplerstate, at); } \
+    float4 SampleLevel(SamplerState s, Place at, float lod) { return tex.SampleLevel(s, at, lod); } \
+    float4 SampleLevel(UnitySamplerState s, Place at, float lod) \
+    { \
+        return tex.SampleLevel(s.samplerstate, at, lod); \
+    } \
+    float4 SampleBias(SamplerState s, Place at, float bias) { return tex.SampleBias(s, at, bias); } \
+    float4 SampleBias(UnitySamplerState s, Place at, float bias) \
+    { \
+        return tex.SampleBias(s.samplerstate, at, bias); \
+    }
+#define limn_SAMPLING_BY_SLOPES(Place) \
+    float4 SampleGrad(SamplerState s, Place at, float2 dpdx, float2 dpdy) \
+    { \
+        return tex.SampleGrad(s, at, dpdx, dpdy); \
+    } \
+    float4 SampleGrad(UnitySamplerState s, Place at, float2 dpdx, float2 dpdy) \
+    { \
+        return tex.SampleGrad(s.samplerstate, at, dpdx, dpdy); \
+    }
+
 struct UnityTexture2D
 {
     Texture2D tex;
@@ -23,13 +47,9 @@ struct UnityTexture2D
     float4 texelSize;
     float4 scaleTranslate;
 
-    float4 Sample(UnitySamplerState s, float2 uv) { return tex.Sample(s.samplerstate, uv); }
-    float4 Sample(SamplerState s, float2 uv) { return tex.Sample(s, uv); }
-    float4 SampleLevel(UnitySamplerState s, float2 uv, float lod)
-    {
-        return tex.SampleLevel(s.samplerstate, uv, lod);
-    }
-    float4 SampleLevel(SamplerState s, float2 uv, float lod) { return tex.SampleLevel(s, uv, lod); }
+    limn_SAMPLING(float2)
+    limn_SAMPLING_BY_SLOPES(float2)
+    float4 Load(int3 pixel) { return tex.Load(pixel); }
     float2 GetTransformedUV(float2 uv) { return uv * scaleTranslate.xy + scaleTranslate.zw; }
 };
 #define UnityBuildTexture2DStruct(n) limn_UnityTexture2D(n, sampler##n, n##_TexelSize, n##_ST)
@@ -41,6 +61,58 @@ UnityTexture2D limn_UnityTexture2D(Texture2D tex, SamplerState samplerstate, flo
     UnityTexture2D made;
     made.scaleTranslate = scaleTranslate;
     made.texelSize = texelSize;
+    made.samplerstate = samplerstate;
+    made.tex = tex;
+    return made;
+}
+
+// The z of a place is the element.
+struct UnityTexture2DArray
+{
+    Texture2DArray tex;
+    SamplerState samplerstate;
+
+    limn_SAMPLING(float3)
+    limn_SAMPLING_BY_SLOPES(float3)
+    float4 Load(int4 pixel) { return tex.Load(pixel); }
+};
+#define UnityBuildTexture2DArrayStruct(n) limn_UnityTexture2DArray(n, sampler##n)
+UnityTexture2DArray limn_UnityTexture2DArray(Texture2DArray tex, SamplerState samplerstate)
+{
+    UnityTexture2DArray made;
+    made.samplerstate = samplerstate;
+    made.tex = tex;
+    return made;
+}
+
+struct UnityTextureCube
+{
+    TextureCube tex;
+    SamplerState samplerstate;
+
+    limn_SAMPLING(float3)
+};
+#define UnityBuildTextureCubeStruct(n) limn_UnityTextureCube(n, sampler##n)
+UnityTextureCube limn_UnityTextureCube(TextureCube tex, SamplerState samplerstate)
+{
+    UnityTextureCube made;
+    made.samplerstate = samplerstate;
+    made.tex = tex;
+    return made;
+}
+
+struct UnityTexture3D
+{
+    Texture3D tex;
+    SamplerState samplerstate;
+
+    limn_SAMPLING(float3)
+    float4 Load(int4 pixel) { return tex.Load(pixel); }
+};
+#define UnityBuildTexture3DStruct(n) limn_UnityTexture3D(n, sampler##n)
+UnityTexture3D limn_UnityTexture3D(Texture3D tex, SamplerState samplerstate)
+{
+    UnityTexture3D made;
     made.samplerstate = samplerstate;
     made.tex = tex;
     return made;

@@ -148,9 +148,4 @@ Light GetAdditionalLight(uint i, InputData inputData, float4 shadowMask,
 }
 
 float4 CalculateShadowMask(InputData inputData) { return float4(1, 1, 1, 1); }
-
-bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers)
-{
-    return (lightLayers & renderingLayers) != 0;
-}
 #endif

@@ -66,6 +66,8 @@ cbuffer limn_PerCameraExtra
     float4x4 _NonJitteredViewProjMatrix;
     float4 unity_CameraWorldClipPlanes[6]; // left, right, bottom, top, near, far
     float4 _RTHandleScale;
+    float4 _ScaleBias; // of what scripts draw over whole targets, and of the targets
+    float4 _ScaleBiasRt;
     float4 _ScreenCoordScaleBias; // where scripts render a picture in parts
     float4 _ScreenSizeOverride;
     float4 _DrawObjectPassData; // w: 1 for opaque objects

@@ -53,6 +53,16 @@ Varyings VertQuad(Attributes input)
     return output;
 }
 
+// With _BlitPaddingSize texels around the texture in all, half of them on each side.
+Varyings VertQuadPadding(Attributes input)
+{
+    Varyings output = VertQuad(input);
+    float2 padding = float(_BlitPaddingSize);
+    float2 place = GetQuadTexCoord(input.vertexID) * (_BlitTextureSize + padding) - 0.5 * padding;
+    output.texcoord = place / _BlitTextureSize * _BlitScaleBias.xy + _BlitScaleBias.zw;
+    return output;
+}
+
 float4 FragBlit(Varyings input, SamplerState s)
 {
     return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, s, input.texcoord, _BlitMipLevel);

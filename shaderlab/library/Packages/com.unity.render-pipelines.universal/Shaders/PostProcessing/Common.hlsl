@@ -1,11 +1,15 @@
-// What the passes after the scene share: Blit.hlsl's vertex functions, and the steps of grading, each
-// from the colour of one pixel. The keywords are those of URP's own passes.
+// What the passes after the scene share: vertex functions of whole targets, and the steps of grading,
+// each from the colour of one pixel. The keywords are those of URP's own passes.
 #pragma once
 #ifndef UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 #define UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
+#ifdef limn_Vertex_FullscreenVert // a pass of URP 7 to 13
+#include "Packages/com.unity.render-pipelines.universal/Shaders/Utils/Fullscreen.hlsl"
+#else
 #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
+#endif
 
 // By the weights of the space that tonemapping works in: ACEScg's, or Rec. 709's.
 float GetLuminance(float3 colorLinear)
