@@ -35,6 +35,7 @@ ShaderLabParseResult Parser::Parse()
     {
         ParseFile();
     }
+    ReadPragmas();
     FinishDiagnostics();
     return std::move(m_Result);
 }

@@ -114,6 +114,7 @@ private:
     // ParserPrograms.cpp
     std::optional<SourceChunk> ReadChunk(std::string_view endWord);
     std::optional<PassProgram> ReadProgram();
+    void ReadPragmas();
     void ParseIncludeBlock();
     void ParseProgram();
     void ParseSurface();

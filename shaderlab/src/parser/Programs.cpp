@@ -4,6 +4,8 @@
 #include "tokens/Lines.h"
 #include <limn/base/Text.h>
 
+#include <algorithm>
+
 namespace limn
 {
 
@@ -95,17 +97,60 @@ std::optional<SourceChunk> Parser::ReadChunk(std::string_view endWord)
     return chunk;
 }
 
+/// An include block is for the programs behind it, and for those before it in its Pass, SubShader
+/// or Shader.
 void Parser::ParseIncludeBlock()
 {
     const ProgramLanguage language = LanguageOf(m_Word);
-    if (auto chunk = ReadChunk(EndWordOf(language)); chunk && Count())
+    auto chunk = ReadChunk(EndWordOf(language));
+    if (!chunk || !Count())
     {
-        m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
+        return;
+    }
+    const auto include = [&](ShaderLabPass& pass)
+    {
+        if (pass.program && pass.program->language == language && Count() &&
+            CountRepeated(chunk->text.size()))
+        {
+            pass.program->chunks.insert(pass.program->chunks.end() - 1, *chunk);
+        }
+    };
+    if (m_Pass != nullptr)
+    {
+        include(*m_Pass);
+    }
+    else if (m_SubShader != nullptr)
+    {
+        std::ranges::for_each(m_SubShader->passes, include);
+    }
+    else
+    {
+        for (ShaderLabSubShader& subShader : m_Result.document.subShaders)
+        {
+            std::ranges::for_each(subShader.passes, include);
+        }
+    }
+    m_Includes[static_cast<std::size_t>(language)].push_back(std::move(*chunk));
+}
+
+/// Reads the pragmas of all programs, which have all of their include blocks only at the file's
+/// end.
+void Parser::ReadPragmas()
+{
+    for (ShaderLabSubShader& subShader : m_Result.document.subShaders)
+    {
+        for (ShaderLabPass& pass : subShader.passes)
+        {
+            if (pass.program)
+            {
+                ScanPragmas(*pass.program);
+            }
+        }
     }
 }
 
-/// The program that starts here, behind all include blocks of its language that the file has so
-/// far.
+/// Returns the program that starts here, behind all include blocks of its language that the file
+/// has so far. ReadPragmas completes it.
 std::optional<PassProgram> Parser::ReadProgram()
 {
     PassProgram program;
@@ -121,7 +166,6 @@ std::optional<PassProgram> Parser::ReadProgram()
     program.file = m_Result.document.file;
     program.chunks = includes;
     program.chunks.push_back(std::move(*chunk));
-    ScanPragmas(program);
     return program;
 }
 

@@ -39,7 +39,7 @@ TEST(PassProgram, DoesNotEndAtItsClosingKeywordInAComment)
     EXPECT_EQ(test::ProgramOf(" xENDHLSL ").chunks.at(0).text, " xENDHLSL ");
 }
 
-TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInTheFile)
+TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItAndBehindItInWhatSurroundsIt)
 {
     const ShaderLabDocument document = test::ParseGood(R"(Shader "x" {
         HLSLINCLUDE A ENDHLSL
@@ -54,14 +54,38 @@ TEST(PassProgram, StartsWithTheIncludeBlocksBeforeItInTheFile)
         SubShader { Pass { HLSLPROGRAM 4 ENDHLSL } }
         HLSLINCLUDE E ENDHLSL })");
     const auto& passes = document.subShaders.at(0).passes;
-    EXPECT_THAT(ChunkTexts(passes.at(0)), ElementsAre(" A ", " B ", " 1 "));
+    EXPECT_THAT(ChunkTexts(passes.at(0)), ElementsAre(" A ", " B ", " D ", " E ", " 1 "));
     EXPECT_THAT(ChunkTexts(passes.at(1)), ElementsAre(" C ", " 2 "));
     EXPECT_EQ(passes.at(1).program->language, ProgramLanguage::Cg);
-    EXPECT_THAT(ChunkTexts(passes.at(2)), ElementsAre(" A ", " B ", " D ", " 3 "));
+    EXPECT_THAT(ChunkTexts(passes.at(2)), ElementsAre(" A ", " B ", " D ", " E ", " 3 "));
     EXPECT_THAT(ChunkTexts(document.subShaders.at(1).passes.at(0)),
-                ElementsAre(" A ", " B ", " D ", " 4 "));
+                ElementsAre(" A ", " B ", " D ", " E ", " 4 "));
     EXPECT_EQ(passes.at(0).program->chunks.at(0).firstLine, 2);
     EXPECT_EQ(passes.at(0).program->chunks.at(1).firstLine, 5);
+}
+
+TEST(PassProgram, IsNotGivenTheLaterIncludeBlocksOfAnotherSubShader)
+{
+    const ShaderLabDocument document = test::ParseGood(R"(Shader "x" {
+        SubShader { Pass { HLSLPROGRAM 1 ENDHLSL HLSLINCLUDE A ENDHLSL }
+                    Pass { HLSLINCLUDE B ENDHLSL HLSLPROGRAM 2 ENDHLSL } }
+        SubShader { HLSLINCLUDE C ENDHLSL Pass { HLSLPROGRAM 3 ENDHLSL } } })");
+    const auto& passes = document.subShaders.at(0).passes;
+    EXPECT_THAT(ChunkTexts(passes.at(0)), ElementsAre(" A ", " 1 "));
+    EXPECT_THAT(ChunkTexts(passes.at(1)), ElementsAre(" A ", " B ", " 2 "));
+    EXPECT_THAT(ChunkTexts(document.subShaders.at(1).passes.at(0)),
+                ElementsAre(" A ", " B ", " C ", " 3 "));
+}
+
+TEST(PassProgram, TakesEntryPointsFromAnIncludeBlockBehindIt)
+{
+    const ShaderLabDocument document = test::ParseGood(
+        "Shader \"x\" { SubShader { Pass { Tags { \"LightMode\" = \"ShadowCaster\" } CGPROGRAM\n"
+        "#pragma vertex B\nENDCG } CGINCLUDE\n#pragma vertex A\n#pragma fragment F\nENDCG } }");
+    const PassProgram& program = document.subShaders.at(0).passes.at(0).program.value();
+    EXPECT_EQ(program.vertex.name, "B");
+    EXPECT_EQ(program.fragment.name, "F");
+    EXPECT_EQ(program.lightMode, "ShadowCaster");
 }
 
 TEST(PassProgram, TakesEntryPointsAndTargetFromPragmas)

@@ -4,7 +4,8 @@ Shader "T"
     {
         Pass
         {
-            HLSLPROGRAM float a; ENDHLSL
+            HLSLPROGRAM float b; 
+ float a; ENDHLSL
         }
         Pass
         {
