@@ -67,7 +67,9 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                    : stage == ShaderStage::Compute  ? "SHADER_STAGE_COMPUTE"
                                                     : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
-    if (!program.vertex.name.empty())
+    const bool isIdentifier =
+        std::ranges::all_of(program.vertex.name, [](char c) { return isLetter(c) || isDigit(c); });
+    if (isIdentifier && !program.vertex.name.empty())
     {
         // A library's file tells by it for which version of the library a pass was written.
         Define(source, "limn_Vertex_" + program.vertex.name);

@@ -165,6 +165,19 @@ TEST(ShaderCompilerError, AsksForTheFunctionThatAPragmaNames)
                                      "'Vert'")));
 }
 
+TEST(ShaderCompilerError, AsksForTheFunctionWhateverThePragmaNames)
+{
+    PassProgram program = Program("float4 vert(float4 p : POSITION) : SV_Position { return p; }\n"
+                                  "float4 frag() : SV_Target { return 1; }\n");
+    for (const std::string name : {"1(", "a'b", "v#x", "\"x\\", "(a,a)", "v/*"})
+    {
+        program.vertex = {name, {4, 2}};
+        EXPECT_THAT(CompileMessages(program),
+                    ElementsAre(Mentions("t.shader:4:2: error: #pragma vertex",
+                                         "there is no function '" + name + "'")));
+    }
+}
+
 TEST(ShaderCompilerError, AsksForMissingPragmas)
 {
     PassProgram program = Program("");

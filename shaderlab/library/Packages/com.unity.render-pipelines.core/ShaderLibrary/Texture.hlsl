@@ -66,6 +66,16 @@ UnityTexture2D limn_UnityTexture2D(Texture2D tex, SamplerState samplerstate, flo
     return made;
 }
 
+// The function that makes the structure of a texture and its sampler.
+#define limn_MAKING(Kind) \
+    Unity##Kind limn_Unity##Kind(Kind tex, SamplerState samplerstate) \
+    { \
+        Unity##Kind made; \
+        made.samplerstate = samplerstate; \
+        made.tex = tex; \
+        return made; \
+    }
+
 // The z of a place is the element.
 struct UnityTexture2DArray
 {
@@ -77,13 +87,7 @@ struct UnityTexture2DArray
     float4 Load(int4 pixel) { return tex.Load(pixel); }
 };
 #define UnityBuildTexture2DArrayStruct(n) limn_UnityTexture2DArray(n, sampler##n)
-UnityTexture2DArray limn_UnityTexture2DArray(Texture2DArray tex, SamplerState samplerstate)
-{
-    UnityTexture2DArray made;
-    made.samplerstate = samplerstate;
-    made.tex = tex;
-    return made;
-}
+limn_MAKING(Texture2DArray)
 
 struct UnityTextureCube
 {
@@ -93,13 +97,7 @@ struct UnityTextureCube
     limn_SAMPLING(float3)
 };
 #define UnityBuildTextureCubeStruct(n) limn_UnityTextureCube(n, sampler##n)
-UnityTextureCube limn_UnityTextureCube(TextureCube tex, SamplerState samplerstate)
-{
-    UnityTextureCube made;
-    made.samplerstate = samplerstate;
-    made.tex = tex;
-    return made;
-}
+limn_MAKING(TextureCube)
 
 struct UnityTexture3D
 {
@@ -110,10 +108,4 @@ struct UnityTexture3D
     float4 Load(int4 pixel) { return tex.Load(pixel); }
 };
 #define UnityBuildTexture3DStruct(n) limn_UnityTexture3D(n, sampler##n)
-UnityTexture3D limn_UnityTexture3D(Texture3D tex, SamplerState samplerstate)
-{
-    UnityTexture3D made;
-    made.samplerstate = samplerstate;
-    made.tex = tex;
-    return made;
-}
+limn_MAKING(Texture3D)
