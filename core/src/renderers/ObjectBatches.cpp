@@ -134,14 +134,14 @@ private:
 } // namespace
 
 std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
-                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
+                                         const std::pmr::vector<PassNumbers>& passesOf,
                                          const std::vector<std::uint32_t>& commutes,
                                          std::vector<std::uint32_t>& rows)
 {
     BatchMaker maker(*items.table(), commutes);
     for (const ClassRun& run : runs)
     {
-        const std::vector<std::uint32_t>& passes = passesOf[run.passes];
+        const PassNumbers& passes = passesOf[run.passes];
         if (passes.size() == 1)
         {
             maker.Add(passes.front(), run.rowClass, run.first, run.count);

@@ -17,6 +17,14 @@ namespace limn
 namespace
 {
 
+/// Returns where lists that stay from call to call get their memory, many pieces at a time: objects
+/// that move meet lights that no frame before has had beside them, and each such pair is an entry.
+std::pmr::memory_resource& MemoryOfThread()
+{
+    static thread_local std::pmr::unsynchronized_pool_resource memory;
+    return memory;
+}
+
 /// A pass of a material, looked up once for all objects that are drawn with it.
 struct ObjectPass
 {
@@ -57,7 +65,7 @@ public:
     /// Adds the passes that a renderer of this material draws.
     /// @param properties  of the renderer; null = none
     void AddOf(const std::shared_ptr<const Material>& material,
-               const MaterialPropertyBlock* properties, std::vector<std::uint32_t>& passes)
+               const MaterialPropertyBlock* properties, PassNumbers& passes)
     {
         m_Properties = properties;
         if (m_Drawing.overrideMaterial)
@@ -148,7 +156,7 @@ private:
     struct Index
     {
         std::uint64_t call = 0;
-        std::unordered_map<Key, Known, HashKey> known;
+        std::pmr::unordered_map<Key, Known, HashKey> known{&MemoryOfThread()};
     };
     static Index& NextCall()
     {
@@ -267,14 +275,13 @@ class LightSplitter
 public:
     /// @param passesOf  by class; what is drawn with lights is appended
     LightSplitter(const RendererItems& items, PassList& passes,
-                  std::vector<std::vector<std::uint32_t>>& passesOf, ObjectLights& lights)
+                  std::pmr::vector<PassNumbers>& passesOf, ObjectLights& lights)
         : m_Items(items),
           m_Passes(passes),
           m_PassesOf(passesOf),
           m_Lights(lights),
           m_Next(static_cast<std::uint32_t>(items.table()->classes().size()))
     {
-        ++m_Memory.call;
     }
 
     /// Until the thread's next call.
@@ -322,7 +329,7 @@ private:
         {
             known = {m_Memory.call, m_Next};
             m_PassesOf.resize(std::max(m_PassesOf.size(), std::size_t{m_Next} + 1));
-            std::vector<std::uint32_t>& lit = m_PassesOf[m_Next++];
+            PassNumbers& lit = m_PassesOf[m_Next++];
             lit.clear();
             for (const std::uint32_t pass : m_PassesOf[rowClass])
             {
@@ -342,9 +349,9 @@ private:
     struct Memory
     {
         std::uint64_t call = 0;
-        std::unordered_map<std::uint64_t, Known> known;
+        std::pmr::unordered_map<std::uint64_t, Known> known{&MemoryOfThread()};
     };
-    static Memory& MemoryOfThread()
+    static Memory& NextCall()
     {
         static thread_local Memory memory;
         constexpr std::size_t k_Most = 1 << 16;
@@ -352,15 +359,16 @@ private:
         {
             memory.known.clear();
         }
+        ++memory.call;
         return memory;
     }
 
     const RendererItems& m_Items;
     PassList& m_Passes;
-    std::vector<std::vector<std::uint32_t>>& m_PassesOf;
+    std::pmr::vector<PassNumbers>& m_PassesOf;
     ObjectLights& m_Lights;
     std::uint32_t m_Next;
-    Memory& m_Memory = MemoryOfThread();
+    Memory& m_Memory = NextCall();
     std::vector<ClassRun>& m_Runs = ThreadScratch<ClassRun>();
 };
 
@@ -372,7 +380,7 @@ void DrawObjects(const RendererItems& items, std::span<const ClassRun> runs,
 {
     const RendererTable& table = *items.table();
     PassList passes(drawing, stateBlock, recorder);
-    static thread_local std::vector<std::vector<std::uint32_t>> passesOf; // by class
+    static thread_local std::pmr::vector<PassNumbers> passesOf(&MemoryOfThread()); // by class
     std::vector<std::uint8_t>& isKnown = ThreadScratch<std::uint8_t>();
     passesOf.resize(std::max(passesOf.size(), table.classes().size()));
     isKnown.resize(table.classes().size());

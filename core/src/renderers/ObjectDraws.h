@@ -4,6 +4,8 @@
 
 #include <limn/core/Culling.h>
 
+#include <memory_resource>
+
 namespace limn
 {
 
@@ -27,6 +29,9 @@ struct ClassRun
     std::uint32_t passes = 0;
 };
 
+/// The passes that a renderer draws, in order: indices of one call's list.
+using PassNumbers = std::pmr::vector<std::uint32_t>;
+
 /// Sorts items and returns all runs, which are valid until the thread's next call.
 std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
 
@@ -40,7 +45,7 @@ std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettin
 /// @param rows      the batches' rows of the table are appended to it
 /// @return the batches in the order in which they are drawn, valid until the thread's next call
 std::span<const ObjectBatch> MakeBatches(const RendererItems& items, std::span<const ClassRun> runs,
-                                         const std::vector<std::vector<std::uint32_t>>& passesOf,
+                                         const std::pmr::vector<PassNumbers>& passesOf,
                                          const std::vector<std::uint32_t>& commutes,
                                          std::vector<std::uint32_t>& rows);
 
