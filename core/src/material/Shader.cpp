@@ -1,3 +1,4 @@
+#include <limn/core/BuiltinShaders.h>
 #include <limn/core/Shader.h>
 
 #include "support/UniqueId.h"
@@ -57,6 +58,24 @@ std::optional<int> ParseQueue(std::string_view text)
     return std::clamp(queue + std::clamp(number, -5000, 5000), 0, 5000);
 }
 
+/// Adds the program that Unity makes of a pass that has none and no fixed-function commands:
+/// without them it draws in white.
+/// @param file  what a message about the pass names
+void AddFixedFunctionProgram(ShaderLabPass& pass, const std::string& file)
+{
+    if (pass.program || pass.kind != ShaderLabPassKind::Pass || !pass.legacyCommands.empty())
+    {
+        return;
+    }
+    pass.program =
+        BuiltinShaders().Find("Hidden/limn/FixedFunction")->subShaders[0].passes[0].program;
+    pass.program->file = file;
+    if (const std::string* lightMode = pass.tags.Find("LightMode"))
+    {
+        pass.program->lightMode = *lightMode;
+    }
+}
+
 } // namespace
 
 Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compiler,
@@ -91,9 +110,13 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
     }
     for (ShaderLabPass& pass : m_SubShader.passes)
     {
-        if (pass.program && m_Compiler)
+        if (m_Compiler)
         {
-            pass.program = m_Compiler->ReadPragmas(*pass.program);
+            AddFixedFunctionProgram(pass, m_Document.file);
+            if (pass.program)
+            {
+                pass.program = m_Compiler->ReadPragmas(*pass.program);
+            }
         }
         m_LightModes.emplace_back(pass.lightMode());
         m_FullScreen.push_back(ReadFullScreenTag(pass, m_Document.file));
@@ -216,8 +239,8 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
         const bool isPlain = pass.kind == ShaderLabPassKind::Pass;
         throw AssetError(m_Document.file, pass.location,
                          name() + (isPlain
-                                       ? ": the pass has no program; fixed-function passes are not "
-                                         "drawn, write an HLSLPROGRAM"
+                                       ? ": the pass has no program, and limn makes none of "
+                                         "fixed-function commands; write an HLSLPROGRAM"
                                        : ": a GrabPass is not drawn; read _CameraOpaqueTexture"));
     }
     return m_Compiler->Compile(*pass.program, variant);

@@ -79,7 +79,7 @@ std::string KindText(const ShaderLabPass& pass)
     case ShaderLabPassKind::Pass:
         break;
     }
-    return pass.legacyCommands.empty() ? "no program"
+    return pass.legacyCommands.empty() ? "no program: it draws the mesh in white"
                                        : "no program: limn makes none of fixed-function commands";
 }
 

@@ -34,7 +34,7 @@ inline std::shared_ptr<const Shader> ShaderWithModes(const std::vector<std::stri
     std::string passes;
     for (const std::string& mode : lightModes)
     {
-        passes += "Pass { Tags { \"LightMode\" = \"" + mode + "\" } }\n";
+        passes += "Pass { Tags { \"LightMode\" = \"" + mode + "\" } Lighting On }\n";
     }
     return ShaderOf("Shader \"Test/Modes\" { SubShader { Tags { \"Queue\" = \"" + queue + "\" }\n" +
                     passes + "} }");

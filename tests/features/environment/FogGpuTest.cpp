@@ -145,7 +145,7 @@ protected:
             for (int channel = 0; channel < 3; ++channel)
             {
                 const double wanted =
-                    k_FogColor[channel] + (k_Color[channel] - k_FogColor[channel]) * seen;
+                    k_FogColor[channel] + (m_Color[channel] - k_FogColor[channel]) * seen;
                 // A half and what a float's exp2 and clip depth lose.
                 EXPECT_NEAR(wanted, picture.At(8 * static_cast<int>(i) + 4, 2, channel),
                             1e-3 * wanted + 2e-4)
@@ -174,6 +174,7 @@ protected:
     }
 
     FlatScene m_Flat;
+    glm::dvec3 m_Color = k_Color; ///< of what is veiled
 };
 
 TEST_F(FogGpu, VeilsByTheModesFormulaInOrthographicPictures)
@@ -185,6 +186,14 @@ TEST_F(FogGpu, VeilsByTheModesFormulaInPerspective)
 {
     m_Flat.MakePerspective();
     ExpectFogInEachMode(FoggedByVertex(), {true, k_UrpsDensity});
+}
+
+TEST_F(FogGpu, VeilsWhatAPassWithoutAProgramDraws)
+{
+    m_Color = glm::dvec3(1.0);
+    ExpectFogInEachMode(std::make_shared<const Material>(
+                            ShaderOf("Shader \"Test/White\" { SubShader { Pass { } } }")),
+                        {true, k_UrpsDensity});
 }
 
 TEST_F(FogGpu, VeilsEachPixelByItsDistanceInOrthographicPictures)
