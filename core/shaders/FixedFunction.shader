@@ -1,6 +1,6 @@
 // What a pass without a program draws: the mesh in white, under the scene's fog. A pass that only
 // marks the stencil or the depth is often written so.
-Shader "Hidden/limn/FixedFunction"
+Shader "Hidden/Limn/FixedFunction"
 {
     SubShader
     {

@@ -68,7 +68,7 @@ void AddFixedFunctionProgram(ShaderLabPass& pass, const std::string& file)
         return;
     }
     pass.program =
-        BuiltinShaders().Find("Hidden/limn/FixedFunction")->subShaders[0].passes[0].program;
+        BuiltinShaders().Find("Hidden/Limn/FixedFunction")->subShaders[0].passes[0].program;
     pass.program->file = file;
     if (const std::string* lightMode = pass.tags.Find("LightMode"))
     {
