@@ -25,6 +25,11 @@ namespace limn
 std::string RespellForGlslang(std::string text, const PassProgram& program, ColumnFinder& lines,
                               std::vector<Diagnostic>& warnings);
 
+/// Gives a struct of limn's library another name where the author declares one of that name, and so
+/// for functions with equal parameters. An author wrote it for a version of Unity's library that
+/// did not have it.
+void HideLibraryNames(TokenEdits& code, ColumnFinder& lines);
+
 /// Turns enumerators into integer constants and the types of `enum`s into int, because glslang does
 /// not support enums; they mean nothing more.
 void SpellEnums(TokenEdits& code);

@@ -297,6 +297,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Colu
     rewrite(TakeNamespaces);
     rewrite(CopyBaseMembers);
     rewrite(TakeStaticMembers);
+    rewrite([&](TokenEdits& whole) { HideLibraryNames(whole, lines); });
     rewrite(
         [&](TokenEdits& whole)
         {

@@ -171,4 +171,10 @@ void ColumnFinder::AddColumns(std::vector<Diagnostic>& diagnostics)
     }
 }
 
+bool ColumnFinder::isOfLibrary(const std::string& file)
+{
+    const std::optional<IncludedFile> found = m_Resolver.Reread(file);
+    return found && found->isEmbedded;
+}
+
 } // namespace limn

@@ -38,6 +38,9 @@ public:
     /// word that a message names, if the line contains it.
     void AddColumns(std::vector<Diagnostic>& diagnostics);
 
+    /// Returns whether a file is one of limn's own library.
+    bool isOfLibrary(const std::string& file);
+
 private:
     const PassProgram& m_Program;
     IncludeResolver& m_Resolver;

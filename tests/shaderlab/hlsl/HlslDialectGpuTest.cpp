@@ -304,4 +304,47 @@ TEST_F(HlslDialectValues, StaticMembersHaveTheirValues)
     grid.Run();
 }
 
+TEST_F(HlslDialectValues, AnAuthorsNamesHideThoseOfTheLibrary)
+{
+    FunctionGrid grid(R"(
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+        struct LightingData { float3 normalWS; float height; };
+        half2 RotateByAngle(half2 v, half angle) { return v * 10 + angle; }
+        float Own(float3 n)
+        {
+            LightingData data;
+            data.normalWS = n;
+            data.height = RotateByAngle(n.xy, n.z).y;
+            return data.height + data.normalWS.x;
+        }
+        float RotateByAngle(float3 v) { return v.z; })");
+    grid.Add("Own(a.xyz)", k_Inputs,
+             [](const glm::dvec4& a, auto&, auto&) { return a.y * 10.0 + a.z + a.x; });
+    grid.Add("RotateByAngle(b.xyz)", k_Inputs,
+             [](auto&, const glm::dvec4& b, auto&) { return b.z; });
+    // The library's own uses stay: a lit surface needs its LightingData.
+    grid.Add(
+        "UniversalFragmentBlinnPhong((InputData)0, a.xyz * 0, half4(0, 0, 0, 0), 0, c.xyz, 1).a",
+        k_Once, [](auto&, auto&, auto&) { return 1.0; });
+    grid.Run();
+}
+
+TEST_F(HlslDialectValues, BakedLightIsDimmedByOcclusionOnly)
+{
+    FunctionGrid grid(R"(
+        #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
+        float3 Mixed(float3 baked, float occlusion)
+        {
+            Light light = (Light)0;
+            AmbientOcclusionFactor factor;
+            factor.indirectAmbientOcclusion = occlusion;
+            factor.directAmbientOcclusion = 7;
+            MixRealtimeAndBakedGI(light, float3(0, 1, 0), baked, factor);
+            return baked;
+        })");
+    grid.Add("Mixed(a.xyz, b.w).x", k_Inputs,
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&) { return a.x * b.w; });
+    grid.Run();
+}
+
 } // namespace limn::test

@@ -114,6 +114,11 @@ void MixRealtimeAndBakedGI(inout Light light, float3 normalWS, inout float3 bake
                            float4 shadowMask)
 {
 }
+void MixRealtimeAndBakedGI(inout Light light, float3 normalWS, inout float3 bakedGI,
+                           AmbientOcclusionFactor aoFactor)
+{
+    bakedGI *= aoFactor.indirectAmbientOcclusion;
+}
 
 float3 GlobalIllumination(BRDFData brdfData, BRDFData brdfDataClearCoat, float clearCoatMask,
                           float3 bakedGI, float occlusion, float3 positionWS, float3 normalWS,
