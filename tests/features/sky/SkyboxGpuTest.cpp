@@ -220,6 +220,131 @@ TEST_F(SkyboxGpu, OfSixSidesTurnsAsTheCubeMapDoes)
         k_Relative, k_Weights);
 }
 
+/// A picture of noise in which the top row is the first, each texel a plain area.
+class Panorama
+{
+public:
+    Panorama(int width, int height) : m_Size(width, height)
+    {
+        std::mt19937 random(11);
+        for (int i = 0; i < width * height * 4; ++i)
+        {
+            m_Texels.push_back(std::byte(random() % 256));
+        }
+    }
+    std::shared_ptr<const Texture2D> Picture() const
+    {
+        SamplerState nearest{FilterMode::Point};
+        return std::make_shared<const Texture2D>("noise", m_Size.x, m_Size.y,
+                                                 GraphicsFormat::R8G8B8A8_UNorm,
+                                                 FlipRows(m_Texels, m_Size.y), nearest);
+    }
+    /// @param place  from the top left, 0...1; nothing near to a texel's border
+    std::optional<glm::dvec3> At(const glm::dvec2& place) const
+    {
+        const glm::dvec2 texel = place * glm::dvec2(m_Size);
+        for (const double coordinate : {texel.x, texel.y})
+        {
+            if (std::abs(coordinate - std::round(coordinate)) < 1e-3)
+            {
+                return std::nullopt;
+            }
+        }
+        const auto first = (static_cast<std::size_t>(texel.y) * static_cast<std::size_t>(m_Size.x) +
+                            static_cast<std::size_t>(texel.x)) *
+                           4;
+        glm::dvec3 value;
+        for (int channel = 0; channel < 3; ++channel)
+        {
+            value[channel] =
+                std::to_integer<int>(m_Texels[first + static_cast<std::size_t>(channel)]) / 255.0;
+        }
+        return value;
+    }
+
+private:
+    glm::ivec2 m_Size;
+    std::vector<std::byte> m_Texels;
+};
+
+/// Longitude from -x by way of +z, as parts of a turn, and latitude from the top.
+glm::dvec2 LongitudeAndLatitude(const glm::dvec3& ray)
+{
+    constexpr double k_Turn = 6.283185307179586;
+    return {std::atan2(-ray.z, ray.x) / k_Turn + 0.5, std::acos(ray.y) / (k_Turn / 2)};
+}
+
+TEST_F(SkyboxGpu, OfOnePictureOfAllAroundHasPlusXInItsMiddle)
+{
+    const Panorama panorama(16, 8);
+    Material& sky = Sky("Skybox/Panoramic");
+    sky.SetTexture(ShaderPropertyId("_MainTex"), panorama.Picture());
+    sky.SetFloat(ShaderPropertyId("_Rotation"), 35.0f);
+    const glm::dquat back = glm::angleAxis(glm::radians(35.0), glm::dvec3(0, 1, 0));
+    const auto expect = [&](const std::function<std::optional<glm::dvec2>(glm::dvec2)>& place)
+    {
+        for (const glm::vec3& degrees : k_Views)
+        {
+            Look(degrees);
+            ExpectSky(
+                [&](const glm::dvec3& ray) -> std::optional<glm::dvec3>
+                {
+                    const auto there = place(LongitudeAndLatitude(back * ray));
+                    const auto texel = there ? panorama.At(*there) : std::optional(glm::dvec3(0));
+                    return texel ? std::optional(*texel * Doubled(0.5)) : std::nullopt;
+                },
+                k_Relative, 1e-6);
+        }
+    };
+    expect([](const glm::dvec2& place) { return place; });
+    sky.SetFloat(ShaderPropertyId("_Layout"), 1.0f); // the left eye's in the left half
+    expect([](const glm::dvec2& place) { return glm::dvec2(place.x / 2, place.y); });
+    sky.SetFloat(ShaderPropertyId("_Layout"), 2.0f); // and in the upper one
+    expect([](const glm::dvec2& place) { return glm::dvec2(place.x, place.y / 2); });
+    sky.SetFloat(ShaderPropertyId("_Layout"), 0.0f);
+    sky.SetFloat(ShaderPropertyId("_ImageType"), 1.0f); // nothing but half a turn
+    expect(
+        [](const glm::dvec2& place)
+        { return place.x < 0.5 ? std::optional(glm::dvec2(place.x * 2, place.y)) : std::nullopt; });
+    sky.SetFloat(ShaderPropertyId("_MirrorOnBack"), 1.0f);
+    expect([](const glm::dvec2& place)
+           { return glm::dvec2(place.x < 0.5 ? place.x * 2 : place.x * 2 - 1, place.y); });
+}
+
+TEST_F(SkyboxGpu, OfOnePictureOfSixFramesIsTheCube)
+{
+    // The cells of +X -X +Y -Y +Z -Z; the last of the high cross stands upside down.
+    const glm::ivec2 wide[] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {3, 1}};
+    const glm::ivec2 high[] = {{2, 1}, {0, 1}, {1, 0}, {1, 2}, {1, 1}, {1, 3}};
+    for (const glm::ivec2 cells :
+         {glm::ivec2(4, 3), glm::ivec2(3, 4), glm::ivec2(6, 1), glm::ivec2(1, 6)})
+    {
+        const Panorama panorama(cells.x * k_FaceWidth, cells.y * k_FaceWidth);
+        Material& sky = Sky("Skybox/Panoramic");
+        sky.SetTexture(ShaderPropertyId("_MainTex"), panorama.Picture());
+        sky.EnableKeyword("_MAPPING_6_FRAMES_LAYOUT");
+        for (const glm::vec3& degrees : k_Views)
+        {
+            Look(degrees);
+            ExpectSky(
+                [&](const glm::dvec3& ray) -> std::optional<glm::dvec3>
+                {
+                    const Faces::Place place = Faces::PlaceOf(ray);
+                    const auto face = static_cast<int>(place.face);
+                    glm::dvec2 inFace = glm::dvec2(place.right, place.down) / double(k_FaceWidth);
+                    const glm::ivec2 cell = cells.x == 4   ? wide[face]
+                                            : cells.x == 3 ? high[face]
+                                            : cells.x == 6 ? glm::ivec2(face, 0)
+                                                           : glm::ivec2(0, face);
+                    inFace = cells.x == 3 && face == 5 ? 1.0 - inFace : inFace;
+                    const auto texel = panorama.At((glm::dvec2(cell) + inFace) / glm::dvec2(cells));
+                    return texel ? std::optional(*texel * Doubled(0.5)) : std::nullopt;
+                },
+                k_Relative, 1e-6);
+        }
+    }
+}
+
 /// One quad that covers the left half, a twentieth of a metre before the far plane.
 GameObject& AddFarQuad(Scene& scene, const Camera& camera, std::shared_ptr<const Material> material)
 {
