@@ -210,7 +210,7 @@ std::shared_ptr<const Mesh> AssetContext::LoadMesh(const std::filesystem::path& 
     return Cached(m_Meshes, normal, load);
 }
 
-std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
+std::filesystem::path AssetContext::ReachPicture(const std::filesystem::path& path)
 {
     Reach(path);
     const std::filesystem::path metaFile = MetaFileOf(path);
@@ -219,13 +219,27 @@ std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem
     {
         throw AssetError(metaFile.generic_string(), {}, k_OutsideRoots);
     }
-    return Cached(m_Textures, path.lexically_normal(),
-                  [&] { return ReadTexture(path.lexically_normal()); });
+    return path.lexically_normal();
+}
+
+std::shared_ptr<const Texture2D> AssetContext::LoadTexture(const std::filesystem::path& path)
+{
+    const std::filesystem::path normal = ReachPicture(path);
+    return Cached(m_Textures, normal, [&] { return ReadTexture(normal, ImportTexture); });
+}
+
+std::shared_ptr<const Cubemap> AssetContext::LoadCubemap(const std::filesystem::path& path)
+{
+    const std::filesystem::path normal = ReachPicture(path);
+    return Cached(m_Cubemaps, normal, [&] { return ReadTexture(normal, ImportCubemap); });
 }
 
 /// Refuses the picture that is too much, a PNG before it decodes it: small files may hold
 /// gigabytes.
-std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem::path& path)
+template <typename Imported>
+std::shared_ptr<const Imported> AssetContext::ReadTexture(
+    const std::filesystem::path& path,
+    std::shared_ptr<const Imported> (*import)(const std::filesystem::path&, const Importer&))
 {
     constexpr std::uintmax_t k_Most = std::uintmax_t{4} << 30;
     const auto count = [&](std::uintmax_t own)
@@ -247,8 +261,8 @@ std::shared_ptr<const Texture2D> AssetContext::ReadTexture(const std::filesystem
         }
     };
     count(PngTexelBytes(path));
-    std::shared_ptr<const Texture2D> texture = ImportTexture(path, *m_Importer);
-    count(texture->texels().size());
+    std::shared_ptr<const Imported> texture = import(path, *m_Importer);
+    count(texture ? texture->texels().size() : 0);
     return texture;
 }
 
@@ -319,10 +333,12 @@ void AssetContext::Forget(const std::filesystem::path& path)
     }
     m_Meshes.erase(normal);
     m_Textures.erase(normal);
+    m_Cubemaps.erase(normal);
     m_TexelBytes.erase(normal);
     if (normal.extension() == ".meta")
     {
         m_Textures.erase(normal.parent_path() / normal.stem());
+        m_Cubemaps.erase(normal.parent_path() / normal.stem());
     }
     m_Profiles.erase(normal);
     // Assets that refer to the file are quickly read again.

@@ -1,3 +1,4 @@
+#include "assets/PictureFile.h"
 #include "console/Texts.h"
 #include "scene/Loader.h"
 #include "shaders/KeywordsOfValues.h"
@@ -89,7 +90,8 @@ std::string ExpectedFor(TextureDimension dimension)
     case TextureDimension::Tex2DArray:
         return "{slices: [.png files]}";
     case TextureDimension::Cube:
-        return "{faces: [six .png files, +X -X +Y -Y +Z -Z]}";
+        return "a picture that its .meta file makes a cube, {faces: [six .png files, +X -X +Y -Y "
+               "+Z -Z]}";
     case TextureDimension::CubeArray:
         return "{faces: [six .png files a cube, +X -X +Y -Y +Z -Z]}";
     case TextureDimension::Tex2D:
@@ -423,15 +425,30 @@ void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
     const TextureDimension dimension = property.dimension;
     const bool isFlat = dimension == TextureDimension::Tex2D;
     std::shared_ptr<const Texture> texture = DefaultTexture(node.scalar(), dimension);
+    bool isExpected = true;
     if (isFlat && std::filesystem::path(node.scalar()).extension() == ".png")
     {
         texture = ReadPicture(node, subject, references);
+    }
+    else if (dimension == TextureDimension::Cube && IsPictureFile(node.scalar()))
+    {
+        texture = references.Read(node, subject,
+                                  [&](const std::filesystem::path& path)
+                                  {
+                                      auto cube = references.assets().LoadCubemap(path);
+                                      isExpected = cube != nullptr;
+                                      return cube;
+                                  });
     }
     else if (!isFlat && node.isMap())
     {
         texture = ReadSliced(node, subject, dimension, references, diagnostics);
     }
-    else if (texture->name() != node.scalar())
+    else
+    {
+        isExpected = texture->name() == node.scalar();
+    }
+    if (!isExpected)
     {
         diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
                                                ExpectedFor(dimension) + ", or one of " +

@@ -1,5 +1,6 @@
 #include "unity/TextureImporter.h"
 
+#include "assets/CubePicture.h"
 #include "assets/PictureFile.h"
 #include "assets/PictureSettings.h"
 #include "unity/UnityTree.h"
@@ -18,10 +19,12 @@ struct TextureImport
 {
     bool mipChain = true;
     PictureSettings picture;
+    CubeMapping cube = CubeMapping::None;
     SamplerState sampler;
 };
 
 constexpr int k_NormalMap = 1; ///< a textureType
+constexpr int k_Cube = 2;      ///< a textureShape
 constexpr int k_LargestTexture = 16384;
 constexpr float k_NoMipBias = -100.0f; ///< Unity writes it where there is none
 
@@ -112,6 +115,17 @@ void ReadPictureSettings(YamlMapReader& map, AssetDiagnostics& diagnostics,
     ReadMaxSize(map, diagnostics, settings.maxTextureSize);
 }
 
+CubeMapping ReadCubeMapping(YamlMapReader& map)
+{
+    int shape = 0;
+    map.Read("textureShape", shape);
+    CubeMapping mapping = CubeMapping::AutoCubemap;
+    ReadSetting(map, "generateCubemap", static_cast<int>(CubeMapping::AutoCubemap), mapping);
+    const bool isOld = mapping != CubeMapping::Cylindrical && mapping != CubeMapping::FullCubemap &&
+                       mapping != CubeMapping::AutoCubemap;
+    return shape != k_Cube ? CubeMapping::None : isOld ? CubeMapping::Spheremap : mapping;
+}
+
 /// Reads the settings that limn uses. There are dozens of other keys.
 TextureImport ReadTextureImport(const YamlNode& meta, const std::filesystem::path& metaFile)
 {
@@ -133,6 +147,7 @@ TextureImport ReadTextureImport(const YamlNode& meta, const std::filesystem::pat
     if (importer != nullptr)
     {
         ReadPictureSettings(map, diagnostics, import.picture);
+        import.cube = ReadCubeMapping(map);
     }
     diagnostics.ThrowIfErrors();
     return import;
@@ -189,8 +204,9 @@ TextureImport LoadTextureImport(const std::filesystem::path& metaFile)
 }
 
 /// The settings as they go to a worker.
-void TransferSettings(auto& stream, auto& settings)
+void TransferSettings(auto& stream, auto& settings, auto& cube)
 {
+    stream.Value(cube);
     stream.Values(settings.sRGB, settings.alpha, settings.isNormalMap, settings.flipGreenChannel,
                   settings.convertToNormalMap, settings.heightScale, settings.maxTextureSize);
     for (auto& channel : settings.swizzle)
@@ -206,21 +222,60 @@ void TransferImage(auto& stream, auto& image)
     stream.Array(image.texels);
 }
 
+Image FacesOf(Image picture, CubeMapping mapping, const std::filesystem::path& path)
+{
+    const std::string size = std::to_string(picture.width) + "x" + std::to_string(picture.height);
+    std::optional<Image> faces = CutCube(std::move(picture), mapping);
+    if (!faces)
+    {
+        throw AssetError(path.generic_string(), {},
+                         "a picture of " + size +
+                             " texels that is to be a cube is a mirroring ball, which limn does "
+                             "not read; it reads twice as wide as high (longitude and latitude), "
+                             "4:3 or 3:4 (a cross), and 6:1 or 1:6 (a strip)");
+    }
+    return *std::move(faces);
+}
+
 std::string ImportPicture(const ImportedFile& file)
 {
     std::string ending;
     PictureSettings settings;
+    CubeMapping cube = CubeMapping::None;
     ByteReader reader(file.settings);
     reader.Value(ending);
-    TransferSettings(reader, settings);
-    Image image = ApplyPictureSettings(DecodePicture(file.path, file.bytes), settings);
-    image.texels = FlipRows(image.texels, image.height);
+    TransferSettings(reader, settings, cube);
+    Image image = DecodePicture(file.path, file.bytes);
+    if (cube == CubeMapping::None)
+    {
+        image = ApplyPictureSettings(std::move(image), settings);
+        image.texels = FlipRows(image.texels, image.height);
+    }
+    else
+    {
+        settings.maxTextureSize *= FacesAlong(image, cube);
+        image = FacesOf(ApplyPictureSettings(std::move(image), settings), cube, file.path);
+    }
     ByteWriter writer;
     TransferImage(writer, image);
     return writer.bytes();
 }
 
-constexpr ImportKind k_Picture{"picture", "picture 1", ImportInWorker<ImportPicture>};
+constexpr ImportKind k_Picture{"picture", "picture 2", ImportInWorker<ImportPicture>};
+
+Image Import(const std::filesystem::path& path, const TextureImport& import,
+             const Importer& importer)
+{
+    ByteWriter settings;
+    settings.Value(path.extension().string()); // it tells how the bytes are read
+    TransferSettings(settings, import.picture, import.cube);
+    const FileCache::Entry entry =
+        importer.Import(k_Picture, path, settings.bytes(), ReadForImport(k_Picture, path));
+    Image image;
+    ByteReader reader(entry.payload());
+    TransferImage(reader, image);
+    return image;
+}
 
 } // namespace
 
@@ -232,18 +287,32 @@ std::filesystem::path MetaFileOf(const std::filesystem::path& texture)
 std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path,
                                                const Importer& importer)
 {
-    const TextureImport import = LoadTextureImport(MetaFileOf(path));
-    ByteWriter settings;
-    settings.Value(path.extension().string()); // it tells how the bytes are read
-    TransferSettings(settings, import.picture);
-    const FileCache::Entry entry =
-        importer.Import(k_Picture, path, settings.bytes(), ReadForImport(k_Picture, path));
-    Image image;
-    ByteReader reader(entry.payload());
-    TransferImage(reader, image);
+    TextureImport import = LoadTextureImport(MetaFileOf(path));
+    import.cube = CubeMapping::None;
+    Image image = Import(path, import, importer);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
                                              image.format, std::move(image.texels), import.sampler,
                                              import.mipChain);
+}
+
+std::shared_ptr<const Cubemap> ImportCubemap(const std::filesystem::path& path,
+                                             const Importer& importer)
+{
+    const TextureImport import = LoadTextureImport(MetaFileOf(path));
+    if (import.cube == CubeMapping::None)
+    {
+        return nullptr;
+    }
+    const Image image = Import(path, import, importer);
+    CubemapFaces faces;
+    const std::size_t bytes = image.texels.size() / faces.size();
+    for (std::size_t i = 0; i < faces.size(); ++i)
+    {
+        const std::byte* const first = image.texels.data() + i * bytes;
+        faces[i].assign(first, first + bytes);
+    }
+    return std::make_shared<const Cubemap>(path.filename().string(), image.width, image.format,
+                                           std::move(faces), import.sampler, import.mipChain);
 }
 
 } // namespace limn

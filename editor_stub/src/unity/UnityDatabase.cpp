@@ -39,6 +39,7 @@ constexpr BuiltIn k_BuiltIns[] = {
     {k_BuiltinExtra, 103, {UnityPackageAsset::Shader, "Skybox/Cubemap"}},
     {k_BuiltinExtra, 104, {UnityPackageAsset::Shader, "Skybox/6 Sided"}},
     {k_BuiltinExtra, 106, {UnityPackageAsset::Shader, "Skybox/Procedural"}},
+    {k_BuiltinExtra, 108, {UnityPackageAsset::Shader, "Skybox/Panoramic"}},
     {k_BuiltinExtra, 10750, {UnityPackageAsset::Shader, "Unlit/Transparent"}},
     {k_BuiltinExtra, 10751, {UnityPackageAsset::Shader, "Unlit/Transparent Cutout"}},
     {k_BuiltinExtra, 10752, {UnityPackageAsset::Shader, "Unlit/Texture"}},

@@ -386,6 +386,34 @@ std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference&
     return Load(material, user, path);
 }
 
+std::shared_ptr<const Texture> UnityMaterials::LoadReflection(const UnityReference& cube,
+                                                              const UnityReader& user)
+{
+    const std::string path = "m_CustomReflection";
+    const std::filesystem::path* file = m_Database.Find(cube.guid);
+    if (file == nullptr || !IsPictureFile(*file))
+    {
+        user.Note(path,
+                  (file == nullptr ? AbsenceOf(cube, m_Database, "the cube's guid")
+                                   : file->filename().string() + " is no picture that limn reads") +
+                      ", so nothing is mirrored");
+        return nullptr;
+    }
+    try
+    {
+        if (auto texture = m_Assets.LoadCubemap(*file))
+        {
+            return texture;
+        }
+        user.Note(path, file->filename().string() + " is no cube, so nothing is mirrored");
+    }
+    catch (const AssetError& error)
+    {
+        m_Notes.Add(error.diagnostics());
+    }
+    return nullptr;
+}
+
 std::shared_ptr<const Material> UnityMaterials::Magenta()
 {
     if (!m_Magenta)
@@ -579,6 +607,29 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     }
 }
 
+/// Returns the dimension of a texture property; Tex2D if the shader declares no such property.
+static TextureDimension DimensionOf(const Shader& shader, const ShaderPropertyId& id)
+{
+    const int property = shader.FindPropertyIndex(id.name());
+    return property < 0
+               ? TextureDimension::Tex2D
+               : shader.document().properties[static_cast<std::size_t>(property)].dimension;
+}
+
+std::shared_ptr<const Texture> UnityMaterials::LoadPicture(const std::filesystem::path& path,
+                                                           TextureDimension dimension)
+{
+    switch (dimension)
+    {
+    case TextureDimension::Tex2D:
+        return m_Assets.LoadTexture(path);
+    case TextureDimension::Cube:
+        return m_Assets.LoadCubemap(path);
+    default:
+        return nullptr;
+    }
+}
+
 void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
                                  const UnityShader& shader, Material& material)
 {
@@ -614,21 +665,17 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
                         ", so the shader's own is used");
                 return;
             }
-            const int property = material.shader()->FindPropertyIndex(id.name());
-            if (property >= 0 && material.shader()
-                                         ->document()
-                                         .properties[static_cast<std::size_t>(property)]
-                                         .dimension != TextureDimension::Tex2D)
+            try
             {
+                if (auto picture = LoadPicture(*path, DimensionOf(*material.shader(), id)))
+                {
+                    material.SetTexture(id, std::move(picture));
+                    return;
+                }
                 m_Notes.Add(file, value.line(),
                             std::string(name) + ": " + path->filename().string() +
                                 " is no cube, volume or array, which the shader takes, so the "
                                 "shader's own is used");
-                return;
-            }
-            try
-            {
-                material.SetTexture(id, m_Assets.LoadTexture(*path));
             }
             catch (const AssetError& error)
             {

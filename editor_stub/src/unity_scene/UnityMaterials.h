@@ -44,6 +44,10 @@ public:
     /// Loads the material of the sky. Returns null and adds a note at `user` if it does not exist.
     std::shared_ptr<const Material> LoadSkybox(const UnityReference& material,
                                                const UnityReader& user);
+    /// Loads the cube that surfaces mirror in place of the sky. Returns null and adds a note at
+    /// `user` if there is none that limn reads.
+    std::shared_ptr<const Texture> LoadReflection(const UnityReference& cube,
+                                                  const UnityReader& user);
 
 private:
     const Model* LoadModelOf(const std::string& guid);
@@ -63,6 +67,9 @@ private:
                    Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
                      Material& material);
+    /// Returns null if the file makes no texture of that dimension.
+    std::shared_ptr<const Texture> LoadPicture(const std::filesystem::path& path,
+                                               TextureDimension dimension);
     /// Returns the name of the graph that is a material file's shader, or "" if it is none.
     std::string GraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();

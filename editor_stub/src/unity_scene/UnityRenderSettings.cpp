@@ -61,17 +61,16 @@ void ReadAmbient(const UnityReader& reader, RenderSettings& settings)
     settings.ambientProbe.AddAmbientLight(average);
 }
 
-void ReadReflections(const UnityReader& reader, RenderSettings& settings)
+void ReadReflections(const UnityReader& reader, UnityMaterials& materials, RenderSettings& settings)
 {
     settings.defaultReflectionMode = DefaultReflectionMode::Skybox;
     ReadMember(reader, "m_DefaultReflectionMode",
                {DefaultReflectionMode::Skybox, DefaultReflectionMode::Custom},
                settings.defaultReflectionMode);
-    if (settings.defaultReflectionMode == DefaultReflectionMode::Custom &&
-        !reader.Reference("m_CustomReflection").isNull())
+    const UnityTarget cube = reader.Reference("m_CustomReflection");
+    if (settings.defaultReflectionMode == DefaultReflectionMode::Custom && !cube.isNull())
     {
-        reader.Note("m_CustomReflection",
-                    "the cube is left out, so nothing is mirrored; limn reads no cubes of Unity's");
+        settings.customReflectionTexture = materials.LoadReflection(cube.asset, reader);
     }
     int resolution = settings.defaultReflectionResolution;
     reader.Read("m_DefaultReflectionResolution", resolution);
@@ -113,7 +112,7 @@ void ReadUnityRenderSettings(const UnityReader& reader, UnityMaterials& material
         settings.skybox = materials.LoadSkybox(skybox.asset, reader);
     }
     ReadAmbient(reader, settings);
-    ReadReflections(reader, settings);
+    ReadReflections(reader, materials, settings);
     ReadFog(reader, settings);
 }
 

@@ -107,6 +107,16 @@ TEST_F(TextureProperty, MakesACubeOfSixFacesTheTopRowFirst)
     EXPECT_EQ(1u, folder.assets.reachedFiles().count(folder / "nz.png"));
 }
 
+TEST_F(TextureProperty, MakesACubeOfOnePictureThatItsMetaFileMakesOne)
+{
+    WritePicture(folder / "strip.png", 6, 1, 0);
+    EXPECT_THAT(ProblemsOf("_Sky: strip.png"),
+                ElementsAre(Mentions("5:11: material 'm'._Sky:", "'strip.png'", "its .meta file")));
+    folder.Write("strip.png.meta", "TextureImporter:\n  textureShape: 2\n");
+    folder.assets.Forget(folder / "strip.png.meta");
+    EXPECT_EQ((std::vector{0, 1, 2, 3, 4, 5}), Reds("_Sky", "strip.png"));
+}
+
 TEST_F(TextureProperty, MakesAnArrayOfCubes)
 {
     const auto skies = Read("_Skies", "{faces: [px.png, nx.png, py.png, ny.png, pz.png, nz.png, "
@@ -161,9 +171,9 @@ TEST_F(TextureProperty, SaysWhatATextureOfItsDimensionLooksLike)
 
 TEST_F(TextureProperty, CountsFacesAndSlices)
 {
-    EXPECT_THAT(
-        ProblemsOf("_Sky: {faces: [px.png, nx.png]}"),
-        ElementsAre(Mentions("5:19: material 'm'._Sky.faces:", "2 files", "{faces: [six .png")));
+    EXPECT_THAT(ProblemsOf("_Sky: {faces: [px.png, nx.png]}"),
+                ElementsAre(Mentions("5:19: material 'm'._Sky.faces:", "2 files",
+                                     ".meta file makes a cube", "{faces: [six .png")));
     EXPECT_THAT(
         ProblemsOf("_Skies: {faces: [px.png]}"),
         ElementsAre(Mentions("5:21: material 'm'._Skies.faces:", "1 file;", "six .png", "a cube")));

@@ -2,6 +2,13 @@
 #include "Mentions.h"
 #include "SceneFolder.h"
 
+#include <array>
+#include <cmath>
+#include <functional>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/core/Material.h>
@@ -285,6 +292,171 @@ TEST_F(TextureImporter, NamesAPointerOfGitLfs)
     m_Scene.Write("wood.png", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
     EXPECT_THAT(Problems([&] { Load(); }),
                 ElementsAre(Mentions("Git LFS", "picture", "'git lfs pull'")));
+}
+
+/// The colour that a cube shows in a direction, by the table of cube maps of Direct3D 11's
+/// specification: the face is that of the largest coordinate, and its texels begin at the top left.
+std::array<int, 3> ColorTowards(const Cubemap& cube, const glm::vec3& d)
+{
+    const glm::vec3 size = glm::abs(d);
+    const bool isX = size.x > size.y && size.x > size.z;
+    const bool isY = !isX && size.y > size.z;
+    const float away = isX ? size.x : isY ? size.y : size.z;
+    const bool isNegative = (isX ? d.x : isY ? d.y : d.z) < 0.0f;
+    const float s = isX ? (isNegative ? d.z : -d.z) : isY ? d.x : (isNegative ? -d.x : d.x);
+    const float t = isY ? (isNegative ? -d.z : d.z) : -d.y;
+    const int face = (isX ? 0 : isY ? 2 : 4) + (isNegative ? 1 : 0);
+    const auto texel = [&](float along)
+    {
+        return static_cast<int>((along / away + 1.0f) / 2.0f * static_cast<float>(cube.width()));
+    };
+    const int index = (face * cube.width() + texel(t)) * cube.width() + texel(s);
+    const std::byte* const first = cube.texels().data() + 4 * index;
+    return {std::to_integer<int>(first[0]), std::to_integer<int>(first[1]),
+            std::to_integer<int>(first[2])};
+}
+
+/// Pictures whose .meta file makes them cubes.
+class CubeImporter : public TextureImporter
+{
+protected:
+    /// @param color  of the texel in a column and a row, from the top left
+    void WriteSky(int width, int height,
+                  const std::function<std::array<int, 3>(int x, int y)>& color) const
+    {
+        Image image{width, height, GraphicsFormat::R8G8B8A8_SRGB, {}};
+        for (int y = 0; y < height; ++y)
+        {
+            for (int x = 0; x < width; ++x)
+            {
+                for (const int channel : color(x, y))
+                {
+                    image.texels.push_back(static_cast<std::byte>(channel));
+                }
+                image.texels.push_back(std::byte{255});
+            }
+        }
+        WritePng(m_Scene / "sky.png", image);
+    }
+    std::shared_ptr<const Cubemap> LoadSky(const std::string& lines = "  textureShape: 2\n")
+    {
+        WriteMeta(lines, "sky.png");
+        m_Scene.assets.Forget(m_Scene / "sky.png");
+        return m_Scene.assets.LoadCubemap(m_Scene / "sky.png");
+    }
+};
+
+TEST_F(CubeImporter, CutsCrossesAndStripsSoThatNeighboursInThemAreNeighboursInTheCube)
+{
+    struct Cell
+    {
+        const char* name;
+        glm::ivec2 columnAndRow;
+        glm::vec3 middle, right, up; ///< as the picture shows them
+    };
+    const std::vector<Cell> wide = {{"+X", {2, 1}, {1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
+                                    {"-X", {0, 1}, {-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
+                                    {"+Y", {1, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
+                                    {"-Y", {1, 2}, {0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
+                                    {"+Z", {1, 1}, {0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
+                                    {"-Z", {3, 1}, {0, 0, -1}, {-1, 0, 0}, {0, 1, 0}}};
+    std::vector<Cell> high = wide;
+    high[5] = {"-Z below -Y", {1, 3}, {0, 0, -1}, {1, 0, 0}, {0, -1, 0}};
+    std::vector<Cell> row = wide;
+    std::vector<Cell> column = wide;
+    for (int i = 0; i < 6; ++i)
+    {
+        row[static_cast<std::size_t>(i)].columnAndRow = {i, 0};
+        column[static_cast<std::size_t>(i)].columnAndRow = {0, i};
+    }
+    for (const auto& [cells, size] :
+         {std::pair(wide, glm::ivec2(4, 3)), std::pair(high, glm::ivec2(3, 4)),
+          std::pair(row, glm::ivec2(6, 1)), std::pair(column, glm::ivec2(1, 6))})
+    {
+        WriteSky(size.x * 4, size.y * 4, [](int x, int y) { return std::array{9 * x, 9 * y, 0}; });
+        const auto cube = LoadSky();
+        ASSERT_NE(cube, nullptr);
+        EXPECT_EQ(cube->width(), 4);
+        EXPECT_EQ(cube->mipmapCount(), 3);
+        for (const Cell& cell : cells)
+        {
+            for (const glm::ivec2 texel : {glm::ivec2(0, 0), glm::ivec2(3, 1), glm::ivec2(1, 3)})
+            {
+                const glm::vec2 place = (glm::vec2(texel) + 0.5f) / 2.0f - 1.0f;
+                const glm::ivec2 there = cell.columnAndRow * 4 + texel;
+                EXPECT_EQ(
+                    ColorTowards(*cube, cell.middle + place.x * cell.right - place.y * cell.up),
+                    (std::array{9 * there.x, 9 * there.y, 0}))
+                    << size.x << ":" << size.y << " " << cell.name;
+            }
+        }
+    }
+}
+
+TEST_F(CubeImporter, LooksLongitudesAndLatitudesUpFilteredInLinearLight)
+{
+    // Plus z in the middle of the picture, plus x right of it: as HDRP's functions have it.
+    constexpr int k_Width = 256;
+    const auto color = [](double longitude, double latitude)
+    {
+        return std::array{128 + static_cast<int>(std::lround(100 * std::sin(longitude))),
+                          128 + static_cast<int>(std::lround(100 * std::cos(longitude))),
+                          128 + static_cast<int>(std::lround(70 * latitude))};
+    };
+    constexpr double k_Pi = 3.141592653589793;
+    WriteSky(k_Width, k_Width / 2,
+             [&](int x, int y)
+             {
+                 return color((x + 0.5) / k_Width * 2 * k_Pi - k_Pi,
+                              k_Pi / 2 - (y + 0.5) / k_Width * 2 * k_Pi);
+             });
+    for (const int mapping : {6, 2})
+    {
+        const auto cube =
+            LoadSky("  textureShape: 2\n  generateCubemap: " + std::to_string(mapping) + "\n");
+        ASSERT_NE(cube, nullptr);
+        EXPECT_EQ(cube->width(), k_Width / 4);
+        for (const glm::vec3 direction :
+             {glm::vec3(0.1f, 0.2f, 1.0f), glm::vec3(1.0f, -0.3f, 0.2f),
+              glm::vec3(-1.0f, 0.5f, 0.4f), glm::vec3(0.02f, 0.1f, -1.0f),
+              glm::vec3(-0.02f, 0.1f, -1.0f), glm::vec3(0.5f, 1.0f, 0.4f),
+              glm::vec3(0.4f, -1.0f, -0.3f)})
+        {
+            const std::array<int, 3> seen = ColorTowards(*cube, direction);
+            const std::array<int, 3> wanted =
+                color(std::atan2(direction.x, direction.z), std::asin(glm::normalize(direction).y));
+            for (std::size_t i = 0; i < 3; ++i)
+            {
+                // A texel of the face is up to 1/32 wide, 100/32 of a colour and its rounding.
+                EXPECT_NEAR(seen[i], wanted[i], 4) << direction.x << " " << direction.y;
+            }
+        }
+    }
+    // Black and white columns in turn. Weights are of light, not of the bytes for it.
+    WriteSky(8, 4, [](int x, int) { return std::array{x % 2 * 255, 0, 0}; });
+    const double white = (std::atan2(0.5, 1.0) / (2 * k_Pi) + 0.5) * 8 - 0.5 - 4; // of column 5
+    EXPECT_NEAR(ColorTowards(*LoadSky(), {0.5f, 0.5f, 1.0f})[0],
+                255 * (1.055 * std::pow(white, 1 / 2.4) - 0.055), 1);
+}
+
+TEST_F(CubeImporter, LimitsTheSizeOfAFace)
+{
+    WriteSky(64, 48, [](int, int) { return std::array{1, 2, 3}; });
+    EXPECT_EQ(LoadSky("  textureShape: 2\n  maxTextureSize: 8\n")->width(), 8);
+    WriteSky(64, 32, [](int, int) { return std::array{1, 2, 3}; });
+    EXPECT_EQ(LoadSky("  textureShape: 2\n  maxTextureSize: 8\n")->width(), 8);
+}
+
+TEST_F(CubeImporter, SaysWhatItDoesNotReadAndIsNothingWhereNobodyAskedForACube)
+{
+    WriteSky(8, 8, [](int, int) { return std::array{1, 2, 3}; });
+    EXPECT_THAT(Problems([&] { LoadSky(); }),
+                ElementsAre(Mentions("8x8", "mirroring ball", "twice as wide", "4:3")));
+    WriteSky(12, 2, [](int, int) { return std::array{1, 2, 3}; });
+    EXPECT_THAT(Problems([&] { LoadSky("  textureShape: 2\n  generateCubemap: 1\n"); }),
+                ElementsAre(HasSubstr("mirroring ball")));
+    EXPECT_EQ(LoadSky("  textureShape: 1\n"), nullptr);
+    EXPECT_EQ(m_Scene.assets.LoadCubemap(m_Scene / "wood.png"), nullptr) << "no .meta file";
 }
 
 } // namespace

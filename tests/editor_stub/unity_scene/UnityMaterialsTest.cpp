@@ -195,6 +195,33 @@ TEST_F(MaterialOfAProject, IsAsSimpleAsTheBuiltInPipelinesOlderShaders)
     EXPECT_THAT(Load(BuiltIn(10751), saved).shaderKeywords(), ElementsAre("_ALPHATEST_ON"));
 }
 
+TEST_F(MaterialOfAProject, HasACubeWhereThePictureIsOne)
+{
+    m_Folder.Write("Assets/Sky.shader",
+                   "Shader \"Sky\" { Properties { _Tex (\"\", Cube) = \"\" {} }\n"
+                   "SubShader { Pass { } } }");
+    WriteMeta("Sky.shader", "dddddddddddddddddddddddddddddddd");
+    const std::string shader = "{fileID: 4800000, guid: dddddddddddddddddddddddddddddddd, type: 3}";
+    const std::string saved = "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_Tex", k_Wood);
+    const auto cubeOf = [](const Material& material)
+    {
+        return std::dynamic_pointer_cast<const Cubemap>(
+            material.GetTexture(ShaderPropertyId("_Tex")));
+    };
+    EXPECT_EQ(TextureOf(Load(shader, saved), "_Tex"), "");
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("_Tex: wood.png", "no cube")));
+
+    WritePng(m_Folder.path() / "Assets/wood.png",
+             {6, 1, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(6 * 4)});
+    m_Folder.Write("Assets/wood.png.meta", "guid: bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb\n"
+                                           "TextureImporter:\n  textureShape: 2\n");
+    m_Assets.Forget(m_Folder.path() / "Assets/wood.png.meta");
+    const auto cube = cubeOf(Load(shader, saved));
+    ASSERT_NE(cube, nullptr);
+    EXPECT_EQ(cube->name(), "wood.png");
+    EXPECT_THAT(Notes(), IsEmpty());
+}
+
 TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
 {
     const std::string shader =

@@ -132,9 +132,31 @@ TEST_F(UnityRenderSettings, SayWhatIsMirroredThatLimnCannotRead)
              "  m_CustomReflection: {fileID: 8900000, guid: cccccccccccccccccccccccccccccccc}\n");
     EXPECT_EQ(DefaultReflectionMode::Custom, scene.defaultReflectionMode);
     EXPECT_EQ(0.5f, scene.reflectionIntensity);
-    EXPECT_THAT(Notes(), ElementsAre(HasSubstr("m_CustomReflection: the cube is left out")));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_CustomReflection:", "the cube's guid", "cccc",
+                                              "nothing is mirrored")));
     Load("  m_DefaultReflectionMode: 1\n  m_CustomReflection: {fileID: 0}\n");
     EXPECT_THAT(Notes(), IsEmpty());
+}
+
+TEST_F(UnityRenderSettings, MirrorTheCubeThatAPictureIs)
+{
+    const std::string custom =
+        "  m_DefaultReflectionMode: 1\n"
+        "  m_CustomReflection: {fileID: 8900000, guid: cccccccccccccccccccccccccccccccc}\n";
+    std::filesystem::create_directories(m_Folder.path() / "Assets");
+    WritePng(m_Folder.path() / "Assets/room.png",
+             {8, 6, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(8 * 6 * 4)});
+    const std::string meta = "guid: cccccccccccccccccccccccccccccccc\nTextureImporter:\n";
+    m_Folder.Write("Assets/room.png.meta", meta + "  textureShape: 2\n");
+    const Scene& scene = Load(custom);
+    EXPECT_THAT(Notes(), IsEmpty());
+    ASSERT_NE(scene.customReflectionTexture, nullptr);
+    EXPECT_EQ(scene.customReflectionTexture->DescribeSize(), "2x2 Cube");
+
+    m_Folder.Write("Assets/room.png.meta", meta + "  textureShape: 1\n");
+    m_Assets.Forget(m_Folder.path() / "Assets/room.png.meta");
+    EXPECT_EQ(Load(custom).customReflectionTexture, nullptr);
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_CustomReflection:", "room.png", "no cube")));
 }
 
 TEST_F(UnityRenderSettings, KeepWhatIsOutOfRangeAsItIs)

@@ -89,6 +89,11 @@ public:
     /// @throws AssetError if the file is none of these, if the .meta file has wrong values, or if a
     ///     link leads to a .meta file outside of the roots in which the texture lies
     std::shared_ptr<const Texture2D> LoadTexture(const std::filesystem::path& path);
+    /// Loads a picture that its .meta file makes a cube: of six faces in a cross or a strip, or of
+    /// longitude and latitude.
+    /// @return null if the .meta file makes it none
+    /// @throws AssetError as LoadTexture
+    std::shared_ptr<const Cubemap> LoadCubemap(const std::filesystem::path& path);
     /// Loads a .material.yaml file, which holds what a scene writes for one of its materials.
     /// @throws AssetError with every problem of the file
     std::shared_ptr<const Material> LoadMaterial(const std::filesystem::path& path);
@@ -166,7 +171,13 @@ private:
     std::shared_ptr<const Shader> ReadShader(const std::filesystem::path& path);
     const ShaderDatabase& DatabaseAround(const std::filesystem::path& shaderFile);
     Profile ReadProfile(const std::filesystem::path& path, const LayerNames& layers);
-    std::shared_ptr<const Texture2D> ReadTexture(const std::filesystem::path& path);
+    /// Makes a picture and its .meta file files that the scene needs.
+    /// @return the path as the maps below have it
+    std::filesystem::path ReachPicture(const std::filesystem::path& path);
+    template <typename Imported>
+    std::shared_ptr<const Imported> ReadTexture(
+        const std::filesystem::path& path,
+        std::shared_ptr<const Imported> (*import)(const std::filesystem::path&, const Importer&));
 
     FileRoots m_Roots;
     ShaderCompilerOptions m_CompilerOptions;
@@ -184,6 +195,7 @@ private:
     std::map<std::filesystem::path, std::shared_ptr<const Mesh>> m_Meshes;
     std::map<std::filesystem::path, std::set<std::filesystem::path>> m_MeshesOfBuffers;
     std::map<std::filesystem::path, std::shared_ptr<const Texture2D>> m_Textures;
+    std::map<std::filesystem::path, std::shared_ptr<const Cubemap>> m_Cubemaps;
     /// The bytes of textures, by the headers of their files.
     std::map<std::filesystem::path, std::uintmax_t> m_TexelBytes;
     std::map<std::filesystem::path, std::shared_ptr<const Material>> m_Materials;
