@@ -28,6 +28,12 @@
 #define DYNAMICLIGHTMAP_OFF 1
 #endif
 
+#define UNITY_CAN_COMPILE_TESSELLATION 1
+#define UNITY_domain domain
+#define UNITY_partitioning partitioning
+#define UNITY_outputtopology outputtopology
+#define UNITY_patchconstantfunc patchconstantfunc
+#define UNITY_outputcontrolpoints outputcontrolpoints
 #define UNITY_SEPARATE_TEXTURE_SAMPLER 1
 #define UNITY_ATTEN_CHANNEL r
 #define UNITY_POSITION(pos) float4 pos : SV_POSITION

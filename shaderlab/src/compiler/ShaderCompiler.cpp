@@ -22,7 +22,7 @@ namespace
 {
 
 /// Raised whenever the same text compiles to something else than before.
-constexpr int k_CompilerVersion = 24;
+constexpr int k_CompilerVersion = 25;
 
 std::string HashName(const std::string& text)
 {

@@ -61,6 +61,11 @@ void CopyBaseMembers(TokenEdits& code);
 /// methods by no other name.
 void TakeStaticMembers(TokenEdits& code);
 
+/// Makes one vertex function of those behind `#pragma vertex`, `hull` and `domain`, under the name
+/// of the first: for a patch all of whose points are the vertex, which is what the domain function
+/// makes of a corner. So the mesh's own vertices are moved, and none are added.
+void TakeTessellation(TokenEdits& code, const PassProgram& program);
+
 /// Turns the `uniform` parameters of entry functions into uniforms of the program, which is their
 /// meaning; in other functions they are ordinary parameters.
 void TakeUniformParameters(TokenEdits& code, const std::set<std::string_view>& entries);

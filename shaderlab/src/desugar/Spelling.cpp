@@ -298,6 +298,7 @@ std::string RespellForGlslang(std::string text, const PassProgram& program, Colu
     rewrite(CopyBaseMembers);
     rewrite(TakeStaticMembers);
     rewrite([&](TokenEdits& whole) { HideLibraryNames(whole, lines); });
+    rewrite([&](TokenEdits& whole) { TakeTessellation(whole, program); });
     rewrite(
         [&](TokenEdits& whole)
         {

@@ -97,6 +97,12 @@ bool Contains(const std::vector<std::string>& list, std::string_view word)
     return std::ranges::find(list, word) != list.end();
 }
 
+bool Contains(const PassProgram& program, std::string_view pragma)
+{
+    return std::ranges::find(program.pragmas, pragma, &ProgramPragma::name) !=
+           program.pragmas.end();
+}
+
 /// The sentence for a pragma that asks for something limn never does.
 std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPragma& pragma)
 {
@@ -117,8 +123,12 @@ std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPra
     }
     if (pragma.name == "hull" || pragma.name == "domain")
     {
-        return "#pragma " + pragma.name +
-               ": tessellation is not supported; leave the hull and domain functions out";
+        const std::string other = pragma.name == "hull" ? "domain" : "hull";
+        if (!Contains(program, other))
+        {
+            return "#pragma " + pragma.name + ": there is no #pragma " + other +
+                   "; tessellation needs both";
+        }
     }
     const bool isOnly = pragma.name == "only_renderers";
     if (isOnly || pragma.name == "exclude_renderers")
@@ -226,6 +236,12 @@ std::vector<Diagnostic> CheckPragmas(const PassProgram& program)
         else if (pragma.name == "only_renderers" || pragma.name == "exclude_renderers")
         {
             CheckWords(program, pragma, k_Renderers, "renderer", warnings);
+        }
+        else if (pragma.name == "hull")
+        {
+            warnings.push_back({Severity::Warning, program.file, pragma.location,
+                                "#pragma hull: limn adds no vertices; it moves those of the mesh "
+                                "as the domain function does"});
         }
         else if (pragma.name == "target")
         {

@@ -152,7 +152,7 @@ TEST(ProgramPragma, RefusesWhatLimnDoesNotDoInOneSentence)
     EXPECT_THAT(Reason("\n#pragma kernel main\n"),
                 Mentions("t.shader:2:1: error: #pragma kernel", ".compute file"));
     EXPECT_THAT(Reason("\n#pragma domain d\n"),
-                Mentions("t.shader:2:1: error: #pragma domain", "tessellation", "not supported"));
+                Mentions("t.shader:2:1: error: #pragma domain", "no #pragma hull", "needs both"));
     EXPECT_THAT(Reason("\n#pragma geometry g\n", {"geometry"}),
                 Mentions("t.shader:1:33: error: program", "'geometry'", "device"));
     EXPECT_THAT(Reason("\n#pragma require framebufferfetch\n"),

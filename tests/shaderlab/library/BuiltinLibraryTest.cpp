@@ -39,15 +39,6 @@ TEST(BuiltinLibrary, HasHeadersThatEachStandAlone)
     EXPECT_GE(count, 20);
 }
 
-TEST(BuiltinLibrary, SaysThatThereIsNoTessellation)
-{
-    EXPECT_THAT(
-        test::CompileMessages(test::Program(
-            "#include \"Tessellation.cginc\"\n" + std::string(k_Entry), ProgramLanguage::Cg)),
-        ElementsAre(
-            Mentions("CGIncludes/Tessellation.cginc:2: error: '#error'", "no tessellation")));
-}
-
 constexpr const char* k_Unlit = R"(
     #include "UnityCG.cginc"
     struct appdata { float4 vertex : POSITION; float2 uv : TEXCOORD0; UNITY_VERTEX_INPUT_INSTANCE_ID };
