@@ -7,6 +7,7 @@
 #include "explain/Explanation.h"
 #include "explain/pixel/PixelHistory.h"
 #include "selection/SceneSelection.h"
+#include "shaders/UsedShaders.h"
 #include "view/RenderOptions.h"
 
 #include <algorithm>
@@ -188,6 +189,7 @@ ExitCode ExplainPixel(const ExplainOptions& options, Console& console)
     AssetContext assets(compilerOptions);
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);
+    console.Print(CompileUsedShaders(asset));
     console.Verbose(device.ChoiceSentence());
     const ClickText pixel = ParseClick(options.pixel).value();
     const std::string problem = PixelProblem(pixel, asset.width, asset.height);
@@ -224,6 +226,7 @@ ExitCode RunExplain(const ExplainOptions& options, Console& console)
     AssetContext assets(ChooseCompilerOptions(rendering, console));
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);
+    console.Print(CompileUsedShaders(asset));
     Explanation explanation = Explain(std::move(asset), assets);
     if (!options.graph.empty())
     {

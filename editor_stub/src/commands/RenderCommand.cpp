@@ -107,7 +107,7 @@ ExitCode RunRender(const RenderOptions& options, Console& console)
     SceneAsset asset = timeline.Measure("load", [&] { return LoadForRendering(options, assets); });
     VulkanDevice& device = *making.get();
     console.Print(asset.notes);
-    timeline.Measure("compile shaders", [&] { CompileUsedShaders(asset); });
+    console.Print(timeline.Measure("compile shaders", [&] { return CompileUsedShaders(asset); }));
     const std::string outputs[] = {options.output, options.statsFile, options.traceFile};
     RequireOwnFiles(outputs, assets.reachedFiles());
 

@@ -27,7 +27,7 @@ void DrawPicture(const std::filesystem::path& scene, const std::filesystem::path
     AssetContext assets(compilerOptions);
     SceneAsset asset = LoadSceneFile(scene, assets, InactiveObjects::Check);
     console.Print(asset.notes);
-    CompileUsedShaders(asset);
+    console.Print(CompileUsedShaders(asset));
     SceneView view(std::move(asset), assets);
     UniversalRenderPipeline pipeline(device);
     const RenderResult frame = view.Render(pipeline, 0.0, true);

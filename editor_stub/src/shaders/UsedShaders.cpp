@@ -148,16 +148,23 @@ std::vector<Diagnostic> AllOf(const ShaderProblems& problems)
     return all;
 }
 
-ShaderPasses FeatureShaders(const SceneAsset& asset)
+ShaderPasses ShadersOf(ScriptableRendererFeature& feature)
 {
     ShaderPasses passes;
     ShaderFinder finder(passes);
+    if (feature.isActive())
+    {
+        DescribeFeature(feature, finder);
+    }
+    return passes;
+}
+
+ShaderPasses FeatureShaders(const SceneAsset& asset)
+{
+    ShaderPasses passes;
     for (const auto& feature : asset.renderer.features)
     {
-        if (feature->isActive())
-        {
-            DescribeFeature(*feature, finder);
-        }
+        passes.merge(ShadersOf(*feature));
     }
     return passes;
 }
@@ -196,6 +203,46 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
     }
 }
 
+/// Makes objects magenta and features inactive whose shaders do not compile.
+std::vector<Diagnostic> LeaveBrokenOut(SceneAsset& asset, const ShaderProblems& broken)
+{
+    std::vector<Diagnostic> notes;
+    for (Diagnostic& problem : AllOf(broken)) // of several passes, which may have the same ones
+    {
+        problem.severity = Severity::Note;
+        if (std::ranges::find(notes, problem) == notes.end())
+        {
+            notes.push_back(std::move(problem));
+        }
+    }
+    for (const auto& [shader, problems] : broken)
+    {
+        notes.push_back({Severity::Note,
+                         shader->document().file,
+                         {},
+                         "shader '" + shader->name() +
+                             "' does not compile, as the notes before explain, so the objects that "
+                             "have it are magenta"});
+    }
+    for (const auto& feature : asset.renderer.features)
+    {
+        for (const auto& [shader, passes] : ShadersOf(*feature))
+        {
+            if (broken.count(shader) > 0)
+            {
+                feature->SetActive(false);
+                notes.push_back({Severity::Note,
+                                 shader->document().file,
+                                 {},
+                                 feature->name + ": it is left out; its shader '" +
+                                     shader->name() + "' does not compile"});
+            }
+        }
+    }
+    ReplaceShaders(asset.scene, broken, broken.begin()->first->compiler());
+    return notes;
+}
+
 } // namespace
 
 std::string BuiltInPassOf(const Shader& shader)
@@ -229,15 +276,20 @@ std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompil
     return Shader::FromText(k_Text, "FallbackError.shader", compiler);
 }
 
-void CompileUsedShaders(const SceneAsset& asset)
+std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset)
 {
     ShaderPasses passes = FeatureShaders(asset);
     AddSceneShaders(asset.scene, passes);
     const ShaderProblems problems = CompileAll(passes);
-    if (!problems.empty())
+    if (problems.empty())
+    {
+        return {};
+    }
+    if (!asset.isUnityScene)
     {
         throw AssetError(AllOf(problems));
     }
+    return LeaveBrokenOut(asset, problems);
 }
 
 std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,

@@ -16,8 +16,11 @@ std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompil
 
 /// Compiles what rendering a scene needs: the passes of objects' shaders that the renderer draws,
 /// and every pass of the shaders of active features. Different shaders compile at the same time.
-/// @throws AssetError with the errors of all shaders
-void CompileUsedShaders(const SceneAsset& asset);
+/// In a scene of Unity's, objects whose shader does not compile become magenta, as in Unity, and
+/// features with such a shader become inactive.
+/// @return notes about what became magenta or inactive
+/// @throws AssetError with the errors of all shaders, in any other scene
+std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset);
 
 /// Compiles the same as CompileUsedShaders. Objects whose shader does not compile get the magenta
 /// error shader, in their material's queue.

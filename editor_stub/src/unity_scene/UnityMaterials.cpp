@@ -459,6 +459,12 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
 
 std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::path& path)
 {
+    if (ToLower(path.extension().string()) == ".shadergraph")
+    {
+        // Unity imports a graph as a shader and a material of it.
+        const UnityShader graph = ReadGraph(path, UnityNode(), path.generic_string());
+        return std::make_shared<const Material>(graph.shader);
+    }
     const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
     const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
     if (header == nullptr)

@@ -154,6 +154,7 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     notes.Add(expansion.notes());
     const UnityHierarchy hierarchy(expansion, notes);
     SceneAsset asset;
+    asset.isUnityScene = true;
     asset.path = path;
     UnitySceneLoader loader{path, assets, notes, database, materials, hierarchy, asset};
     ReadLayers(loader);

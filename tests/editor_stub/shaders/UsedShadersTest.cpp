@@ -1,4 +1,5 @@
 #include "shaders/UsedShaders.h"
+#include "Mentions.h"
 #include "SceneFolder.h"
 #include "commands/WatchedAssets.h"
 
@@ -42,6 +43,41 @@ TEST(UsedShaders, GivesObjectsOfABrokenShaderTheErrorShaderInTheirQueue)
     EXPECT_EQ(materialOf(0), materialOf(2)) << "one material, so that both are instances";
     EXPECT_EQ(1, materialOf(0)->passCount());
     EXPECT_NO_THROW(materialOf(0)->shader()->Compile(0));
+}
+
+TEST(UsedShaders, AreMagentaOrInactiveInASceneOfUnitysWhereTheyAreBroken)
+{
+    SceneFolder folder;
+    folder.Write("Tint.hlsl", TintText("1, 1, 1"));
+    folder.Write("own.shader", ShaderText("undeclared"));
+    folder.Write("sound.shader", ShaderText("1"));
+    SceneAsset asset = folder.Load(
+        std::string(k_Materials) +
+        "renderer:\n  features:\n"
+        "  - {type: RenderObjects, name: Over, overrideMode: Shader, overrideShader: own.shader}\n"
+        "  - {type: RenderObjects, name: Sound, overrideMode: Shader, "
+        "overrideShader: sound.shader}\n");
+    EXPECT_THROW(CompileUsedShaders(asset), AssetError) << "limn's own scenes";
+    asset.isUnityScene = true;
+    const std::vector<Diagnostic> notes = CompileUsedShaders(asset);
+    std::vector<std::string> texts;
+    for (const Diagnostic& note : notes)
+    {
+        EXPECT_EQ(note.severity, Severity::Note);
+        texts.push_back(ToString(note));
+    }
+    EXPECT_THAT(texts, testing::ElementsAre(Mentions("own.shader", "undeclared"),
+                                            Mentions("own.shader", "magenta"),
+                                            Mentions("own.shader", "Over: it is left out")));
+    const auto shaderOf = [&asset](std::size_t index)
+    {
+        return asset.scene.objects()[index]->renderer->sharedMaterials.front()->shader()->name();
+    };
+    EXPECT_EQ("Hidden/Core/FallbackError", shaderOf(0));
+    EXPECT_EQ("Limn/Half Lambert", shaderOf(1));
+    EXPECT_FALSE(asset.renderer.features[0]->isActive());
+    EXPECT_TRUE(asset.renderer.features[1]->isActive());
+    EXPECT_THAT(CompileUsedShaders(asset), testing::IsEmpty()) << "nothing is broken any more";
 }
 
 TEST(UsedShaders, RefusesAFeaturesBrokenShader)

@@ -32,6 +32,8 @@ std::string BuiltIn(int id)
     return "{fileID: " + std::to_string(id) + ", guid: 0000000000000000f000000000000000, type: 0}";
 }
 
+constexpr const char* k_Head = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
+
 /// A project with a cube of one material, and the pictures "wood.png" and "rust.png".
 class MaterialOfAProject : public testing::Test
 {
@@ -55,26 +57,31 @@ protected:
     /// @param fields  of the material, behind its shader
     const Material& Load(const std::string& shader, const std::string& fields)
     {
-        const std::string head = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
-        m_Folder.Write("Assets/A.mat", head +
+        m_Folder.Write("Assets/A.mat", std::string(k_Head) +
                                            "--- !u!21 &2100000\nMaterial:\n"
                                            "  m_Shader: " +
                                            shader + "\n" + fields);
         WriteMeta("A.mat", k_MaterialGuid);
+        return LoadBox();
+    }
+    /// The material of the box, whichever file has its guid.
+    const Material& LoadBox()
+    {
         m_Folder.Write(
             "Assets/Main.unity",
-            head + "--- !u!1 &1\nGameObject:\n  m_Name: Eye\n  m_IsActive: 1\n"
-                   "--- !u!4 &14\nTransform:\n  m_GameObject: {fileID: 1}\n"
-                   "  m_Father: {fileID: 0}\n"
-                   "--- !u!20 &12\nCamera:\n  m_GameObject: {fileID: 1}\n"
-                   "--- !u!1 &2\nGameObject:\n  m_Name: Box\n  m_IsActive: 1\n"
-                   "--- !u!4 &24\nTransform:\n  m_GameObject: {fileID: 2}\n"
-                   "  m_Father: {fileID: 0}\n"
-                   "--- !u!33 &23\nMeshFilter:\n  m_GameObject: {fileID: 2}\n"
-                   "  m_Mesh: {fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}\n"
-                   "--- !u!23 &22\nMeshRenderer:\n  m_GameObject: {fileID: 2}\n  m_Enabled: 1\n"
-                   "  m_Materials:\n  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, "
-                   "type: 2}\n");
+            std::string(k_Head) +
+                "--- !u!1 &1\nGameObject:\n  m_Name: Eye\n  m_IsActive: 1\n"
+                "--- !u!4 &14\nTransform:\n  m_GameObject: {fileID: 1}\n"
+                "  m_Father: {fileID: 0}\n"
+                "--- !u!20 &12\nCamera:\n  m_GameObject: {fileID: 1}\n"
+                "--- !u!1 &2\nGameObject:\n  m_Name: Box\n  m_IsActive: 1\n"
+                "--- !u!4 &24\nTransform:\n  m_GameObject: {fileID: 2}\n"
+                "  m_Father: {fileID: 0}\n"
+                "--- !u!33 &23\nMeshFilter:\n  m_GameObject: {fileID: 2}\n"
+                "  m_Mesh: {fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}\n"
+                "--- !u!23 &22\nMeshRenderer:\n  m_GameObject: {fileID: 2}\n  m_Enabled: 1\n"
+                "  m_Materials:\n  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, "
+                "type: 2}\n");
         m_Asset.emplace(LoadScene(m_Folder.path(), m_Assets));
         for (const auto& object : m_Asset->scene.objects())
         {
@@ -255,6 +262,17 @@ TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
     EXPECT_EQ(usual.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0, 1, 1}));
     const Material& none = Load(shader, "  m_SavedProperties: {}\n");
     EXPECT_EQ(none.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
+}
+
+TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
+{
+    m_Folder.Write("Assets/Paint.shadergraph", "{\"m_SGVersion\": 3}\n");
+    WriteMeta("Paint.shadergraph", k_MaterialGuid);
+    const Material& own = LoadBox();
+    EXPECT_EQ(own.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_EQ(own.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
+    EXPECT_THAT(Notes("Paint.shadergraph"),
+                ElementsAre(Mentions("graph Paint.shadergraph", "not read", "Lit is used")));
 }
 
 TEST_F(MaterialOfAProject, OfAShaderThatCannotBeUsedIsMagentaAndSaysSo)

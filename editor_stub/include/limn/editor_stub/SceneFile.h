@@ -57,6 +57,7 @@ struct SceneAsset
     std::vector<Volume> volumes;
     std::vector<Turn> turns;
     std::vector<Selected> selected; ///< selected by whoever loaded the scene, in that order
+    bool isUnityScene = false;      ///< true if it was read from a .unity file
     std::vector<Diagnostic> notes; ///< the parts of Unity's assets that were left out, and the like
 };
 
