@@ -167,12 +167,13 @@ private:
         const std::size_t close = m_Code.AfterBracket(*m_Domain + 1);
         const std::string semantic =
             Text(close) == ":" ? " : " + std::string(Text(close + 1)) : std::string();
-        const std::string joined = " [limn_Lacks(\"tessellation\", \"it moves the mesh's own "
-                                   "vertices as the domain function does, and adds none\")] " +
-                                   std::string(Text(*m_Domain - 1)) + " " +
+        const std::string joined = " " + std::string(Text(*m_Domain - 1)) + " " +
                                    std::string(Text(*m_Vertex)) +
                                    m_Code.Spelled(open, m_Code.AfterBracket(open)) + semantic +
                                    " { " + body + "return " + domain + "; }";
+        m_Code.Spelling(*m_Domain - 1)
+            .insert(0, "[limn_Lacks(\"tessellation\", \"it moves the mesh's own vertices as the "
+                       "domain function does, and adds none\")] ");
         for (std::size_t i = 0; i < m_Code.size(); ++i)
         {
             if (Text(i) == Text(*m_Vertex) && Text(i + 1) == "(")

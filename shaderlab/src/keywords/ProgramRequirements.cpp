@@ -237,12 +237,6 @@ std::vector<Diagnostic> CheckPragmas(const PassProgram& program)
         {
             CheckWords(program, pragma, k_Renderers, "renderer", warnings);
         }
-        else if (pragma.name == "hull")
-        {
-            warnings.push_back({Severity::Warning, program.file, pragma.location,
-                                "#pragma hull: limn adds no vertices; it moves those of the mesh "
-                                "as the domain function does"});
-        }
         else if (pragma.name == "target")
         {
             warnings.push_back({Severity::Warning, program.file, pragma.location,

@@ -194,6 +194,35 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
         run.err);
 }
 
+TEST_F(Render, NotesThatTessellationAddsNoVertices)
+{
+    folder.Write(
+        "fine.shader",
+        "Shader \"My/Fine\" { SubShader { Pass { HLSLPROGRAM\n#pragma target 5.0\n"
+        "#pragma vertex V\n#pragma hull H\n#pragma domain D\n#pragma fragment F\n"
+        "struct Point { float4 at : INTERNALTESSPOS; };\n"
+        "struct Cuts { float edge[3] : SV_TessFactor; float inside : SV_InsideTessFactor; "
+        "};\n"
+        "Point V(float4 p : POSITION) { Point a; a.at = p; return a; }\n"
+        "Cuts C(InputPatch<Point, 3> p) { return (Cuts)1; }\n"
+        "[domain(\"tri\")] [partitioning(\"integer\")] [outputcontrolpoints(3)]\n"
+        "[outputtopology(\"triangle_cw\")] [patchconstantfunc(\"C\")]\n"
+        "Point H(InputPatch<Point, 3> p, uint i : SV_OutputControlPointID) { return p[i]; }\n"
+        "[domain(\"tri\")] float4 D(Cuts c, OutputPatch<Point, 3> p, float3 b : "
+        "SV_DomainLocation) : SV_POSITION { return p[0].at * b.x + p[1].at * b.y + "
+        "p[2].at * b.z; }\n"
+        "half4 F() : SV_Target { return 1; }\nENDHLSL } } }");
+    folder.Write("s.scene.yaml", "size: [8, 8]\ncamera: {}\nmaterials: {m: {shader: fine.shader}}\n"
+                                 "objects: [{name: a, mesh: cube, material: m, "
+                                 "position: [0, 0, 3]}]\n");
+    const CommandRun run = Draw({});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_EQ(
+        "note: shader 'My/Fine': it uses tessellation, which limn does not have: it moves the "
+        "mesh's own vertices as the domain function does, and adds none\n",
+        run.err);
+}
+
 TEST_F(Render, AShaderThatBindsMoreThanTheDeviceIsAnErrorOrIsDrawn)
 {
     const auto shaderOf = [](const std::string& declarations, const std::string& sum)
