@@ -33,6 +33,8 @@ constexpr BuiltIn k_BuiltIns[] = {
     {k_DefaultResources, 0, {UnityPackageAsset::Other, "a resource of Unity's"}},
     {k_BuiltinExtra, 10303, {UnityPackageAsset::Material, k_Lit}},
     {k_BuiltinExtra, 10304, {UnityPackageAsset::Material, "Skybox/Procedural"}},
+    {k_BuiltinExtra, 10754, {UnityPackageAsset::Material, "Sprites/Default"}},
+    {k_BuiltinExtra, 10753, {UnityPackageAsset::Shader, "Sprites/Default"}},
     {k_BuiltinExtra, 46, {UnityPackageAsset::Shader, "Standard"}},
     {k_BuiltinExtra, 45, {UnityPackageAsset::Shader, "Standard (Specular setup)"}},
     {k_BuiltinExtra, 7, {UnityPackageAsset::Shader, "Legacy Shaders/Diffuse"}},
@@ -74,6 +76,9 @@ constexpr BuiltIn k_BuiltIns[] = {
     {"e823cd5b5d27c0f4b8256e7c12ee3e6d",
      0,
      {UnityPackageAsset::Material, "Universal Render Pipeline/Particles/Unlit"}},
+    // Sprite-Lit-Default and Sprite-Unlit-Default; without the 2D renderer neither is lit.
+    {"a97c105638bdf8b4a8650670310a4cd3", 0, {UnityPackageAsset::Material, "Sprites/Default"}},
+    {"9dfc825aed78fcd4ba02077103263b40", 0, {UnityPackageAsset::Material, "Sprites/Default"}},
 };
 
 } // namespace

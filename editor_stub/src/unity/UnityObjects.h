@@ -34,6 +34,7 @@ enum class UnityClass : int
     CapsuleCollider = 136,
     SkinnedMeshRenderer = 137,
     LODGroup = 205,
+    SpriteRenderer = 212,
     RectTransform = 224,
     PrefabInstance = 1001
 };

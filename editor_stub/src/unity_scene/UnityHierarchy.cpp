@@ -21,6 +21,7 @@ constexpr std::pair<UnityClass, const char*> k_ClassNames[] = {
     {UnityClass::Light, "Light"},
     {UnityClass::MonoBehaviour, "MonoBehaviour"},
     {UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer"},
+    {UnityClass::SpriteRenderer, "SpriteRenderer"},
     {UnityClass::LODGroup, "LODGroup"},
     {UnityClass::BoxCollider, "BoxCollider"},
     {UnityClass::SphereCollider, "SphereCollider"},

@@ -171,6 +171,11 @@ void AddRenderer(UnitySceneLoader& loader, const UnityGameObject& object,
                  const std::set<const UnityInstance*>& hidden)
 {
     const UnityInstance* filter = object.Find(UnityClass::MeshFilter);
+    if (const UnityInstance* sprite = object.Find(UnityClass::SpriteRenderer))
+    {
+        AddUnitySprite(loader, object, *sprite);
+        return;
+    }
     const UnityInstance* renderer = object.Find(UnityClass::MeshRenderer);
     const UnityInstance* skinned = object.Find(UnityClass::SkinnedMeshRenderer);
     if (skinned != nullptr)

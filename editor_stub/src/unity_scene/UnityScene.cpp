@@ -18,7 +18,6 @@ namespace
 constexpr std::pair<int, const char*> k_NotDrawn[] = {{96, "trails"},
                                                       {120, "lines"},
                                                       {198, "particle systems"},
-                                                      {212, "sprites"},
                                                       {215, "reflection probes"},
                                                       {218, "terrains"},
                                                       {220, "light probe groups"},

@@ -39,6 +39,10 @@ void AddUnityObjects(UnitySceneLoader& loader);
 /// @param lodBias  the LOD bias of the quality level
 void AddUnityRenderers(UnitySceneLoader& loader, float lodBias);
 
+/// Makes the renderer of an object's sprite: a quad in the sprite's size, with its picture.
+void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
+                    const UnityInstance& renderer);
+
 /// Reads the camera that draws the picture, with its stack.
 /// @return the index of the renderer that the camera asks for; -1 for the pipeline's first one
 /// @throws AssetError  if no camera draws onto the screen

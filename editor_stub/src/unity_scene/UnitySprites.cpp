@@ -1,0 +1,211 @@
+#include "assets/PictureFile.h"
+#include "unity/TextureImporter.h"
+#include "unity/UnityTree.h"
+#include "unity_scene/UnitySceneLoader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <glm/common.hpp>
+#include <limn/base/ReadFile.h>
+#include <limn/core/Image.h>
+#include <limn/core/MaterialPropertyBlock.h>
+
+namespace limn
+{
+
+namespace
+{
+
+template <typename Value>
+Value NumberOf(const UnityNode& node, Value value)
+{
+    const std::string_view text = node.text();
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    return value;
+}
+
+/// A part of a picture, as the TextureImporter of its .meta file cuts it out.
+struct Sprite
+{
+    glm::vec2 low{0.0f};   ///< its bottom left corner, texels from the picture's
+    glm::vec2 size{0.0f};  ///< texels
+    glm::vec2 pivot{0.5f}; ///< the place of the object, as parts of the size
+    float pixelsPerUnit = 100.0f;
+};
+
+/// @param own  what has "alignment": SpriteAlignment (2022.3), of which 9 is a place of its own
+glm::vec2 PivotOf(const UnityNode& own, const UnityNode& custom)
+{
+    constexpr glm::vec2 k_Pivots[] = {{0.5f, 0.5f}, {0.0f, 1.0f}, {0.5f, 1.0f},
+                                      {1.0f, 1.0f}, {0.0f, 0.5f}, {1.0f, 0.5f},
+                                      {0.0f, 0.0f}, {0.5f, 0.0f}, {1.0f, 0.0f}};
+    const auto alignment = NumberOf<std::size_t>(own["alignment"], 0);
+    return alignment < std::size(k_Pivots)
+               ? k_Pivots[alignment]
+               : glm::vec2(NumberOf(custom["x"], 0.5f), NumberOf(custom["y"], 0.5f));
+}
+
+/// @param fileID   which of the file's sprites
+/// @param picture  the size of the picture in its file
+/// @return nothing if the file has no such sprite
+std::optional<Sprite> FindSprite(const UnityNode& importer, std::int64_t fileID,
+                                 const glm::vec2& picture)
+{
+    constexpr int k_Multiple = 2;              // a SpriteImportMode
+    constexpr std::int64_t k_First = 21300000; // of ids, two apart, before Unity 2019
+    Sprite sprite;
+    sprite.size = picture;
+    sprite.pivot = PivotOf(importer, importer["spritePivot"]);
+    sprite.pixelsPerUnit = NumberOf(importer["spritePixelsToUnits"], 100.0f);
+    if (NumberOf(importer["spriteMode"], 1) != k_Multiple)
+    {
+        return sprite;
+    }
+    std::int64_t index = 0;
+    for (const UnityNode part : importer["spriteSheet"]["sprites"])
+    {
+        const auto id = NumberOf<std::int64_t>(part["internalID"], 0);
+        if (fileID == (id != 0 ? id : k_First + 2 * index))
+        {
+            const UnityNode rect = part["rect"];
+            sprite.low = {NumberOf(rect["x"], 0.0f), NumberOf(rect["y"], 0.0f)};
+            sprite.size = {NumberOf(rect["width"], 0.0f), NumberOf(rect["height"], 0.0f)};
+            sprite.pivot = PivotOf(part, part["pivot"]);
+            return sprite;
+        }
+        ++index;
+    }
+    return std::nullopt;
+}
+
+/// @param size  metres
+std::shared_ptr<const Mesh> QuadOf(const std::string& name, const Sprite& sprite,
+                                   const glm::vec2& picture, const glm::vec2& size,
+                                   const Color& color)
+{
+    MeshData data;
+    for (const glm::vec2 corner :
+         {glm::vec2(0, 0), glm::vec2(0, 1), glm::vec2(1, 1), glm::vec2(1, 0)})
+    {
+        data.vertices.emplace_back((corner - sprite.pivot) * size, 0.0f);
+        data.normals.emplace_back(0.0f, 0.0f, -1.0f);
+        data.uv.push_back((sprite.low + corner * sprite.size) / picture);
+        data.colors.push_back(color.linear().vector());
+    }
+    data.triangles = {0, 1, 2, 0, 2, 3};
+    return std::make_shared<const Mesh>(name, std::move(data));
+}
+
+/// Those of a lower layer or order are drawn before. limn sorts by queue first, and so by these.
+std::shared_ptr<const Material> InOrder(std::shared_ptr<const Material> material, int order)
+{
+    if (order == 0)
+    {
+        return material;
+    }
+    constexpr int k_FirstTransparent = 2501;
+    constexpr int k_Last = 5000;
+    auto copy = std::make_shared<Material>(*material, material->shader());
+    copy->SetRenderQueue(std::clamp(material->renderQueue() + order, k_FirstTransparent, k_Last));
+    return copy;
+}
+
+/// Returns the size of the file's picture, to which the sprites' places refer. The texture may be a
+/// smaller one; of a PNG the header tells.
+glm::vec2 SizeOfPicture(const std::filesystem::path& path, const Texture2D& texture)
+{
+    const glm::vec2 size(texture.width(), texture.height());
+    const auto texels = static_cast<float>(PngTexelBytes(path) / 4);
+    return texels > 0.0f ? glm::round(size * std::sqrt(texels / (size.x * size.y))) : size;
+}
+
+/// @throws AssetError  if the picture or its .meta file cannot be read
+/// @throws ContractError  if the .meta file's numbers make no quad
+void MakeSprite(UnitySceneLoader& loader, const UnityReader& reader,
+                const std::filesystem::path& path, std::int64_t fileID, MeshRenderer& renderer)
+{
+    const std::shared_ptr<const Texture2D> texture = loader.assets.LoadTexture(path);
+    const std::string text = ReadFile(MetaFileOf(path));
+    const UnityTree meta(text, MetaFileOf(path).generic_string(), 1);
+    const glm::vec2 picture = SizeOfPicture(path, *texture);
+    const std::optional<Sprite> sprite =
+        FindSprite(meta.root()["TextureImporter"], fileID, picture);
+    if (!sprite)
+    {
+        reader.Note("m_Sprite", path.filename().string() + " has no sprite with the id " +
+                                    std::to_string(fileID) + ", so nothing is drawn");
+        return;
+    }
+    Color color = Color::white;
+    reader.Read("m_Color", color);
+    bool flipX = false;
+    bool flipY = false;
+    reader.Read("m_FlipX", flipX);
+    reader.Read("m_FlipY", flipY);
+    glm::vec2 size = sprite->size / sprite->pixelsPerUnit;
+    int drawMode = 0;
+    reader.Read("m_DrawMode", drawMode);
+    if (drawMode != 0)
+    {
+        reader.Read("m_Size.x", size.x);
+        reader.Read("m_Size.y", size.y);
+        reader.Note("m_DrawMode", "limn stretches the sprite; it neither slices nor tiles it");
+    }
+    renderer.mesh = QuadOf(path.filename().string(), *sprite, picture,
+                           size * glm::vec2(flipX ? -1 : 1, flipY ? -1 : 1), color);
+    MaterialPropertyBlock block;
+    block.SetTexture(ShaderPropertyId("_MainTex"), texture);
+    renderer.SetPropertyBlock(block);
+}
+
+} // namespace
+
+void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
+                    const UnityInstance& renderer)
+{
+    const UnityReader reader = loader.ReaderOf(object, renderer);
+    const UnityTarget target = reader.Reference("m_Sprite");
+    MeshRenderer made;
+    reader.Read("m_Enabled", made.enabled);
+    if (target.isNull() || !object.isActive || !made.enabled)
+    {
+        return;
+    }
+    const std::filesystem::path* path = loader.database.Find(target.asset.guid);
+    if (path == nullptr || !IsPictureFile(*path))
+    {
+        reader.Note("m_Sprite", (path == nullptr ? loader.database.WhyNotFound(target.asset.guid)
+                                                 : path->filename().string() + " is no picture") +
+                                    ", so nothing is drawn");
+        return;
+    }
+    try
+    {
+        MakeSprite(loader, reader, *path, target.asset.fileID, made);
+    }
+    catch (const AssetError& error)
+    {
+        loader.notes.Add(error.diagnostics());
+    }
+    catch (const ContractError&)
+    {
+        reader.Note("m_Sprite", "a number in " + MetaFileOf(*path).filename().string() +
+                                    " is no size or place, so nothing is drawn");
+    }
+    if (!made.mesh)
+    {
+        return;
+    }
+    int layer = 0;
+    int order = 0;
+    reader.Read("m_SortingLayer", layer);
+    reader.Read("m_SortingOrder", order);
+    const std::string first = "m_Materials.Array.data[0]";
+    made.sharedMaterials = {InOrder(
+        loader.materials.Load(reader.Reference(first).asset, reader, first), 100 * layer + order)};
+    reader.Read("m_RenderingLayerMask", made.renderingLayerMask);
+    object.drawn->renderer = std::move(made);
+}
+
+} // namespace limn
