@@ -114,7 +114,7 @@ TEST_F(ShaderReference, AnUnknownFallbackIsAWarningAtItsPlace)
 TEST_F(ShaderReference, UnitysOwnShadersAreANote)
 {
     for (const std::string name :
-         {"Diffuse", "VertexLit", "Sprites/Default", "Legacy Shaders/Transparent/VertexLit"})
+         {"Diffuse", "VertexLit", "Sprites/Diffuse", "Legacy Shaders/Transparent/VertexLit"})
     {
         const std::string user =
             Write("user.shader", "Shader \"User\" { SubShader {\n  UsePass \"" + name +
