@@ -234,8 +234,8 @@ std::vector<Diagnostic> LeaveBrokenOut(SceneAsset& asset, const ShaderProblems& 
                 notes.push_back({Severity::Note,
                                  shader->document().file,
                                  {},
-                                 feature->name + ": it is left out; its shader '" +
-                                     shader->name() + "' does not compile"});
+                                 feature->name + ": it is left out; its shader '" + shader->name() +
+                                     "' does not compile"});
             }
         }
     }
