@@ -229,10 +229,10 @@ Image FacesOf(Image picture, CubeMapping mapping, const std::filesystem::path& p
     if (!faces)
     {
         throw AssetError(path.generic_string(), {},
-                         "a picture of " + size +
-                             " texels that is to be a cube is a mirroring ball, which limn does "
-                             "not read; it reads twice as wide as high (longitude and latitude), "
-                             "4:3 or 3:4 (a cross), and 6:1 or 1:6 (a strip)");
+                         "it is to be a cube, and its " + size +
+                             " texels are a mirroring ball or too few for six faces; limn reads "
+                             "pictures twice as wide as high (longitude and latitude), 4:3 or 3:4 "
+                             "(a cross), and 6:1 or 1:6 (a strip)");
     }
     return *std::move(faces);
 }
