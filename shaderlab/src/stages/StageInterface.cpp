@@ -1,5 +1,6 @@
 #include "stages/StageInterface.h"
 
+#include "hlsl/Tree.h"
 #include "hlsl/Types.h"
 #include <limn/base/Text.h>
 #include <limn/base/WordList.h>
@@ -189,7 +190,11 @@ public:
             --m_Depth;
             return;
         }
-        const auto type = ReadBuiltInType(typeName);
+        const bool isTemplate = typeName == "vector" || typeName == "matrix";
+        const HlslType number =
+            isTemplate ? TypeOf(m_Declarations, variable.type, variable.templateArgument)
+                       : HlslType();
+        const auto type = ReadBuiltInType(isTemplate ? number.Spelling() : std::string(typeName));
         if (!type)
         {
             Fail(variable,

@@ -12,6 +12,18 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using namespace test;
 
+TEST(HlslDialect, TakesVectorsByTheirLongNameAcrossTheBordersOfStages)
+{
+    const auto pass = CompileValid(R"(
+        struct Input { vector<float, 4> p : POSITION; vector<float, 3> n : NORMAL; };
+        struct Between { vector<float, 4> p : SV_POSITION; vector<float, 3> n : NORMAL;
+                         vector<half, 2> t : TEXCOORD1; };
+        Between vert(Input i) { Between b; b.p = i.p; b.n = i.n; b.t = i.n.xy; return b; }
+        vector<float, 4> frag(Between b) : SV_Target { return float4(b.n, b.t.x); })");
+    ASSERT_EQ(pass->layout.vertexInputs.size(), 2u);
+    EXPECT_EQ(pass->layout.vertexInputs[1].components, 3);
+}
+
 TEST(HlslDialect, SamplesOldSamplersInEveryWay)
 {
     const auto pass = CompileFragment(R"(
