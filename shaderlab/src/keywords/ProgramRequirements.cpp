@@ -183,10 +183,6 @@ std::vector<std::string> RequiredFeatures(const PassProgram& program)
             const auto words = Words(pragma.arguments);
             features.insert(words.begin(), words.end());
         }
-        else if (pragma.name == "hull" || pragma.name == "domain")
-        {
-            AddModel(46, features);
-        }
     }
     return {features.begin(), features.end()};
 }

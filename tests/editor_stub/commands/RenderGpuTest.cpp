@@ -198,7 +198,7 @@ TEST_F(Render, NotesThatTessellationAddsNoVertices)
 {
     folder.Write(
         "fine.shader",
-        "Shader \"My/Fine\" { SubShader { Pass { HLSLPROGRAM\n#pragma target 5.0\n"
+        "Shader \"My/Fine\" { SubShader { Pass { HLSLPROGRAM\n"
         "#pragma vertex V\n#pragma hull H\n#pragma domain D\n#pragma fragment F\n"
         "struct Point { float4 at : INTERNALTESSPOS; };\n"
         "struct Cuts { float edge[3] : SV_TessFactor; float inside : SV_InsideTessFactor; "
