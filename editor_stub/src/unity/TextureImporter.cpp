@@ -301,6 +301,7 @@ std::shared_ptr<const Cubemap> ImportCubemap(const std::filesystem::path& path,
     const TextureImport import = LoadTextureImport(MetaFileOf(path));
     if (import.cube == CubeMapping::None)
     {
+        ReadForImport(k_Picture, path); // a file that is not there is no other kind of picture
         return nullptr;
     }
     const Image image = Import(path, import, importer);

@@ -24,7 +24,9 @@ std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path
 /// Imports a picture as a cube, if its .meta file says that it is one: a cross or a strip of six
 /// faces, or a picture of longitude and latitude. All else is as in ImportTexture.
 /// @return null if the .meta file does not say so, or is missing
-/// @throws AssetError as ImportTexture, and for the picture of a mirroring ball
+/// @throws AssetError as ImportTexture, also if there is no file, and for the picture of a
+/// mirroring
+///     ball
 std::shared_ptr<const Cubemap> ImportCubemap(const std::filesystem::path& path,
                                              const Importer& importer = Importer());
 

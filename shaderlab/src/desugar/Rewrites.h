@@ -64,6 +64,8 @@ void TakeStaticMembers(TokenEdits& code);
 /// Makes one vertex function of those behind `#pragma vertex`, `hull` and `domain`, under the name
 /// of the first: for a patch all of whose points are the vertex, which is what the domain function
 /// makes of a corner. So the mesh's own vertices are moved, and none are added.
+///
+/// @throws AssetError  if there is no function of a name behind `hull` or `domain`
 void TakeTessellation(TokenEdits& code, const PassProgram& program);
 
 /// Turns the `uniform` parameters of entry functions into uniforms of the program, which is their

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace limn
@@ -19,10 +20,10 @@ namespace
 const WordList k_Attributes(
     "domain partitioning outputtopology patchconstantfunc outputcontrolpoints maxtessfactor");
 
-std::string_view FunctionOf(const PassProgram& program, std::string_view pragma)
+const ProgramPragma* FindPragma(const PassProgram& program, std::string_view name)
 {
-    const auto found = std::ranges::find(program.pragmas, pragma, &ProgramPragma::name);
-    return found == program.pragmas.end() ? std::string_view() : Trim(found->arguments);
+    const auto found = std::ranges::find(program.pragmas, name, &ProgramPragma::name);
+    return found == program.pragmas.end() ? nullptr : &*found;
 }
 
 /// Writes a vertex function that calls the author's three functions for a patch all of whose points
@@ -31,11 +32,25 @@ class TessellationTaker
 {
 public:
     TessellationTaker(TokenEdits& code, const PassProgram& program)
-        : m_Code(code),
-          m_Vertex(FindDefinition(program.vertex.name)),
-          m_Hull(FindDefinition(FunctionOf(program, "hull"))),
-          m_Domain(FindDefinition(FunctionOf(program, "domain")))
+        : m_Code(code), m_Vertex(FindDefinition(program.vertex.name))
     {
+        std::vector<Diagnostic> missing;
+        for (const auto& [pragma, found] :
+             {std::pair("hull", &m_Hull), std::pair("domain", &m_Domain)})
+        {
+            const ProgramPragma* const named = FindPragma(program, pragma);
+            *found = named ? FindDefinition(Trim(named->arguments)) : std::nullopt;
+            if (named && !*found && m_Vertex)
+            {
+                missing.push_back({Severity::Error, program.file, named->location,
+                                   std::string("#pragma ") + pragma + ": there is no function '" +
+                                       std::string(Trim(named->arguments)) + "'"});
+            }
+        }
+        if (!missing.empty())
+        {
+            throw AssetError(std::move(missing));
+        }
     }
 
     void Take()
@@ -195,7 +210,7 @@ private:
 
 void TakeTessellation(TokenEdits& code, const PassProgram& program)
 {
-    if (!FunctionOf(program, "hull").empty())
+    if (FindPragma(program, "hull") != nullptr)
     {
         TessellationTaker(code, program).Take();
     }

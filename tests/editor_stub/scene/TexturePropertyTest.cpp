@@ -13,6 +13,7 @@ namespace limn::test
 namespace
 {
 
+using testing::Contains;
 using testing::ElementsAre;
 using Lines = std::vector<std::string>;
 
@@ -115,6 +116,8 @@ TEST_F(TextureProperty, MakesACubeOfOnePictureThatItsMetaFileMakesOne)
     folder.Write("strip.png.meta", "TextureImporter:\n  textureShape: 2\n");
     folder.assets.Forget(folder / "strip.png.meta");
     EXPECT_EQ((std::vector{0, 1, 2, 3, 4, 5}), Reds("_Sky", "strip.png"));
+    EXPECT_THAT(ProblemsOf("_Sky: nosuch.hdr"),
+                Contains(Mentions("5:11: material 'm'._Sky:", "'nosuch.hdr'", "cannot be used")));
 }
 
 TEST_F(TextureProperty, MakesAnArrayOfCubes)

@@ -185,6 +185,18 @@ TEST(ProgramPragma, LetsVulkanDecideOverRenderers)
                 Mentions("t.shader:2:1: error: #pragma only_renderers", "Vulkan", "add 'vulkan'"));
 }
 
+TEST(ProgramPragma, OfTessellationNamesFunctionsThatAreThere)
+{
+    PassProgram program =
+        test::Program("float4 vert(float4 p : POSITION) : SV_POSITION { return p; }"
+                      " float4 frag() : SV_Target { return 1; }");
+    program.pragmas = {{{3, 1}, "hull", "Hull"}, {{4, 1}, "domain", "Domain"}};
+    EXPECT_THAT(
+        test::CompileMessages(program),
+        ElementsAre(Mentions("t.shader:3:1: error: #pragma hull", "no function 'Hull'"),
+                    Mentions("t.shader:4:1: error: #pragma domain", "no function 'Domain'")));
+}
+
 TEST(ProgramPragma, IsRefusedByTheCompilerAsUnsupported)
 {
     PassProgram program = test::Program("");
