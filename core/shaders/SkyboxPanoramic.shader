@@ -118,11 +118,14 @@ Shader "Skybox/Panoramic"
                     return 0.0;
                 }
                 uv.x = frac(width * uv.x);
-                float2 part = _Layout < 0.5 ? float2(1, 1) : _Layout < 1.5 ? float2(0.5, 1) : float2(1, 0.5);
+                float2 part = _Layout < 0.5   ? float2(1, 1)
+                              : _Layout < 1.5 ? float2(0.5, 1)
+                                              : float2(1, 0.5);
                 float2 first = float2(0, _Layout > 1.5 ? 0.5 : 0); // the left eye's
                 float2 dx = float2(change.x * width, ddx(uv.y)) * part;
                 float2 dy = float2(change.y * width, ddy(uv.y)) * part;
-                return SAMPLE_TEXTURE2D_GRAD(_MainTex, sampler_MainTex, first + uv * part, dx, dy).rgb;
+                uv = first + uv * part;
+                return SAMPLE_TEXTURE2D_GRAD(_MainTex, sampler_MainTex, uv, dx, dy).rgb;
             }
 
             half4 SkyFragment(Varyings input) : SV_Target

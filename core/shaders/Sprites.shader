@@ -8,7 +8,11 @@ Shader "Sprites/Default"
     }
     SubShader
     {
-        Tags { "Queue" = "Transparent" "IgnoreProjector" = "True" "RenderType" = "Transparent" "PreviewType" = "Plane" "CanUseSpriteAtlas" = "True" }
+        Tags
+        {
+            "Queue" = "Transparent" "IgnoreProjector" = "True" "RenderType" = "Transparent"
+            "PreviewType" = "Plane" "CanUseSpriteAtlas" = "True"
+        }
         Cull Off
         ZWrite Off
         Blend One OneMinusSrcAlpha

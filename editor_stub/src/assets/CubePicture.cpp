@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <span>
 
 namespace limn
@@ -57,25 +58,36 @@ const Layout& LayoutOf(const Image& picture, CubeMapping mapping)
     return *std::ranges::min_element(k_Layouts, {}, distance);
 }
 
+/// Turns texels of a square by half a turn.
+void TurnOver(std::span<std::byte> texels, std::size_t bytesPerTexel)
+{
+    for (std::size_t low = 0, high = texels.size() - bytesPerTexel; low < high;
+         low += bytesPerTexel, high -= bytesPerTexel)
+    {
+        std::ranges::swap_ranges(texels.subspan(low, bytesPerTexel),
+                                 texels.subspan(high, bytesPerTexel));
+    }
+}
+
 Image CutSquares(const Image& picture, const Layout& layout, int width)
 {
     const auto texel = static_cast<std::size_t>(BytesPerTexel(picture.format));
-    const std::size_t line = texel * static_cast<std::size_t>(width);
+    const auto side = static_cast<std::size_t>(width);
+    const std::size_t rowBytes = texel * static_cast<std::size_t>(picture.width);
     Image faces{width, k_Faces * width, picture.format, {}};
+    faces.texels.reserve(texel * TexelCount(faces));
     for (const Square& square : layout.squares)
     {
-        for (int y = 0; y < width; ++y)
+        const std::byte* row = picture.texels.data() +
+                               rowBytes * side * static_cast<std::size_t>(square.row) +
+                               texel * side * static_cast<std::size_t>(square.column);
+        for (int y = 0; y < width; ++y, row += rowBytes)
         {
-            const int row = square.row * width + (square.isUpsideDown ? width - 1 - y : y);
-            const std::size_t first =
-                static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
-                static_cast<std::size_t>(square.column * width);
-            const std::span<const std::byte> texels(picture.texels.data() + texel * first, line);
-            for (std::size_t x = 0; x < line; x += texel)
-            {
-                const auto one = texels.subspan(square.isUpsideDown ? line - texel - x : x, texel);
-                faces.texels.insert(faces.texels.end(), one.begin(), one.end());
-            }
+            faces.texels.insert(faces.texels.end(), row, row + texel * side);
+        }
+        if (square.isUpsideDown)
+        {
+            TurnOver(std::span(faces.texels).last(texel * side * side), texel);
         }
     }
     return faces;
