@@ -15,15 +15,21 @@ using PassPtr = std::shared_ptr<const ShaderProgram>;
 using MeshPtr = std::shared_ptr<const Mesh>;
 
 /// Compiles HLSL with the functions `vert` and `frag`.
-inline PassPtr CompilePass(const std::string& hlsl)
+inline PassPtr CompilePass(const std::string& hlsl, ShaderCompiler& compiler)
 {
-    static ShaderCompiler compiler;
     PassProgram program;
     program.file = "test.shader";
     program.chunks = {{hlsl, 1}};
     program.vertex.name = "vert";
     program.fragment.name = "frag";
     return compiler.Compile(program);
+}
+/// The same with a compiler that ends with the call, so that nothing but the caller keeps the
+/// result.
+inline PassPtr CompilePass(const std::string& hlsl)
+{
+    ShaderCompiler compiler;
+    return CompilePass(hlsl, compiler);
 }
 
 inline TargetPtr MakeTarget(int width, int height,

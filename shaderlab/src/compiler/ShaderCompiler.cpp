@@ -5,6 +5,7 @@
 
 #include "compiler/CompileInWorker.h"
 #include "compiler/ProgramCompiler.h"
+#include "compiler/RecentPrograms.h"
 #include "compiler/ShaderCache.h"
 #include "keywords/PassMacro.h"
 #include "keywords/PragmaScanner.h"
@@ -164,6 +165,7 @@ struct ShaderCompiler::State
 
     const ShaderCompilerOptions options;
     const ShaderCache cache;
+    RecentPrograms recent;
     std::atomic<int> compiled{0};
     std::atomic<int> loadedFromCache{0};
 
@@ -239,21 +241,20 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
         ++m_State->loadedFromCache;
         m_State->Remember(cachedDependencies);
         RefuseScalarLayout(program, *cached, m_State->options.missingFeatures);
-        return std::make_shared<const ShaderProgram>(std::move(*cached));
+        return m_State->recent.Share(key, std::move(*cached));
     }
     IncludeResolver resolver(m_State->options, program.file);
     try
     {
-        auto pass = std::make_shared<const ShaderProgram>(
-            m_State->options.process
-                ? CompileInWorker(program, keywords, m_State->options, resolver)
-                : CompileProgram(program, keywords, resolver));
+        ShaderProgram pass = m_State->options.process
+                                 ? CompileInWorker(program, keywords, m_State->options, resolver)
+                                 : CompileProgram(program, keywords, resolver);
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
-        m_State->cache.Store(pass->diagnostics.empty() ? key : placedKey, *pass,
+        m_State->cache.Store(pass.diagnostics.empty() ? key : placedKey, pass,
                              resolver.dependencies());
-        RefuseScalarLayout(program, *pass, m_State->options.missingFeatures);
-        return pass;
+        RefuseScalarLayout(program, pass, m_State->options.missingFeatures);
+        return m_State->recent.Share(key, std::move(pass));
     }
     catch (...)
     {

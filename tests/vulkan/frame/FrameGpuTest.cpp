@@ -163,6 +163,27 @@ TEST_F(Frames, KeepTheirUniformsWhileInFlight)
     }
 }
 
+TEST_F(Frames, KeepThePipelinesOfAPassThatIsCompiledAnew)
+{
+    ShaderCompiler compiler;
+    const TargetPtr output = MakeTarget(1, 1);
+    const auto draw = [&]
+    {
+        const PassPtr pass = CompilePass(R"(
+            float4 vert(float3 position : POSITION) : SV_POSITION { return float4(position, 1); }
+            float4 frag() : SV_Target { return 0.25; })",
+                                         compiler);
+        CompiledFrame frame = FrameOf({ClearPass(output)}, output);
+        frame.passes[0].commands.emplace_back(MakeDraw(frame, pass, MakeQuad()));
+        SharedDevice().Execute(frame);
+        return pass.get();
+    };
+    const ShaderProgram* first = draw();
+    const VulkanDeviceStatistics before = SharedDevice().statistics();
+    EXPECT_EQ(draw(), first);
+    EXPECT_EQ(SharedDevice().statistics().pipelines, before.pipelines);
+}
+
 TEST_F(Frames, FreeWhatNobodyOwns)
 {
     constexpr int k_Idle = 12; // an empty block of memory is kept for a few frames
