@@ -206,7 +206,7 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& pass,
 {
     m_HasResolved = true;
     const Material& material = *sources.material;
-    ProgramIds& ids = IdsOf(pass, material.shader()->name());
+    ProgramIds& ids = IdsOf(pass, material.shader()->name(), material.shader()->id());
     Shared& shared = m_Shared[{pass.get(), material.id()}];
     shared.isUsed = true;
     const UniformLayers layers{&shared.uniforms, globalsVersion};
@@ -230,7 +230,8 @@ DrawResolver::Resolve(const std::shared_ptr<const ShaderProgram>& kernel,
                       const PropertySources& sources, std::vector<std::byte>& uniformData)
 {
     m_HasResolved = true;
-    return Build(IdsOf(kernel, sources.compute->name()), sources, {}, uniformData);
+    return Build(IdsOf(kernel, sources.compute->name(), sources.compute->id()), sources, {},
+                 uniformData);
 }
 
 /// Adds a note. A message about several shaders becomes one note: "shader 'A' (and 'B', 'C'):
@@ -322,9 +323,9 @@ void DrawResolver::FollowUndeclared(const ProgramIds& ids, const Material& mater
 }
 
 DrawResolver::ProgramIds& DrawResolver::IdsOf(const std::shared_ptr<const ShaderProgram>& pass,
-                                              const std::string& shader)
+                                              const std::string& shader, std::uint64_t shaderId)
 {
-    const auto [known, isNew] = m_Ids.try_emplace(pass.get());
+    const auto [known, isNew] = m_Ids.try_emplace({pass.get(), shaderId});
     ProgramIds& ids = known->second;
     if (isNew)
     {

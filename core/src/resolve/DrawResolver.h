@@ -107,7 +107,7 @@ private:
         bool isPerDraw = false;
         bool isDevices = false; ///< the device fills it
     };
-    /// The names of a layout as ids, computed once per pass, which belongs to one shader only.
+    /// The names of a layout as ids, computed once for each shader that has the pass.
     struct ProgramIds
     {
         std::shared_ptr<const ShaderProgram> pass; ///< keeps the address of the key in use
@@ -126,7 +126,9 @@ private:
     void FollowUndeclared(const ProgramIds& ids, const Material& material);
     ProgramIds MakeIds(const std::shared_ptr<const ShaderProgram>& pass);
     void Note(const std::string& message, const std::string& shader);
-    ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader);
+    /// @param shader  the name and the id of the shader whose pass it is
+    ProgramIds& IdsOf(const std::shared_ptr<const ShaderProgram>& pass, const std::string& shader,
+                      std::uint64_t shaderId);
     /// The uniform values of a draw, which are kept in layers; a dispatch has none.
     struct UniformLayers
     {
@@ -146,19 +148,20 @@ private:
                                              const PropertySources& sources,
                                              std::shared_ptr<const Texture>& known);
 
+    /// A pass, and the id of the material or the shader that has it.
     template <typename Pass>
-    struct MaterialKey
+    struct PassKey
     {
         Pass pass;
-        std::uint64_t materialId;
-        bool operator==(const MaterialKey&) const = default;
+        std::uint64_t owner;
+        bool operator==(const PassKey&) const = default;
     };
     struct HashKey
     {
         template <typename Pass>
-        std::size_t operator()(const MaterialKey<Pass>& key) const
+        std::size_t operator()(const PassKey<Pass>& key) const
         {
-            return std::hash<Pass>()(key.pass) * 31 + key.materialId;
+            return std::hash<Pass>()(key.pass) * 31 + key.owner;
         }
     };
     struct KnownState
@@ -168,7 +171,7 @@ private:
         bool isUsed = false;  ///< in this frame
         PipelineState state;
     };
-    std::unordered_map<MaterialKey<int>, KnownState, HashKey> m_States;
+    std::unordered_map<PassKey<int>, KnownState, HashKey> m_States;
     /// The bindings that a material last had without values of a draw's own, and its uniform
     /// values.
     struct Shared
@@ -180,8 +183,8 @@ private:
         bool isUsed = false; ///< in this frame
     };
     FrameGlobals& m_Globals;
-    std::unordered_map<const ShaderProgram*, ProgramIds> m_Ids;
-    std::unordered_map<MaterialKey<const ShaderProgram*>, Shared, HashKey> m_Shared;
+    std::unordered_map<PassKey<const ShaderProgram*>, ProgramIds, HashKey> m_Ids;
+    std::unordered_map<PassKey<const ShaderProgram*>, Shared, HashKey> m_Shared;
     /// The bindings in the order in which they were needed; behind m_BuiltCount those of the frame
     /// before.
     std::vector<std::shared_ptr<const DrawBindings>> m_Built;

@@ -19,10 +19,6 @@ public:
     /// Returns an equal program of the same key, or `program` itself.
     std::shared_ptr<const ShaderProgram> Share(const std::string& key, ShaderProgram program)
     {
-        if (!program.diagnostics.empty()) // about one shader, whose name a note of a frame says
-        {
-            return std::make_shared<const ShaderProgram>(std::move(program));
-        }
         const std::lock_guard lock(m_Mutex);
         auto found = std::ranges::find(m_Programs, key, &Entry::key);
         if (found == m_Programs.end())

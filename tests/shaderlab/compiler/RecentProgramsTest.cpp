@@ -25,17 +25,6 @@ TEST(RecentPrograms, AreTheSameObjectWhileTheyAreEqual)
     EXPECT_NE(recent.Share("b", WithCode(2)), changed) << "of another pass";
 }
 
-TEST(RecentPrograms, WithDiagnosticsBelongToOneShader)
-{
-    RecentPrograms recent;
-    ShaderProgram program = WithCode(1);
-    program.diagnostics.push_back({Severity::Note, "a.shader", {}, "a note"});
-    const auto first = recent.Share("a", program);
-    const auto second = recent.Share("a", program);
-    EXPECT_NE(first, second);
-    EXPECT_EQ(*first, *second);
-}
-
 TEST(RecentPrograms, AreThe128UsedLast)
 {
     RecentPrograms recent;
