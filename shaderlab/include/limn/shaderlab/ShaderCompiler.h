@@ -73,7 +73,7 @@ public:
     ShaderCompiler& operator=(const ShaderCompiler&) = delete;
 
     /// Compiles a pass for one set of keywords, or takes the result of an equal earlier call from
-    /// the cache folder. Where it gave an equal result not long ago, it gives that object again.
+    /// the cache folder. If one of the last 128 results is equal, Compile returns that object.
     ///
     /// @param keywords  the keywords that are on, in any order; each becomes a macro with value 1
     /// @throws UnsupportedProgramError if limn does not support what the program asks for
