@@ -11,8 +11,8 @@
 namespace limn
 {
 
-/// The programs compiled last. A shader that is made anew, such as a feature's for its next picture,
-/// gets the same object, for which the device has its pipelines already.
+/// The programs compiled last. A shader that is made anew, such as a feature's for its next
+/// picture, gets the same object, for which the device has its pipelines already.
 class RecentPrograms
 {
 public:
