@@ -1,13 +1,11 @@
 #include "unity/RenderPipelineAsset.h"
 
-#include "console/Json.h"
 #include "settings/Keys.h"
 #include "settings/ReadValues.h"
 #include "settings/ShadowKeys.h"
 #include "unity/UnityProject.h"
 
-#include <charconv>
-#include <limn/base/ReadFile.h>
+#include <limn/shaderlab/FindPackages.h>
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/YamlRead.h>
 
@@ -32,14 +30,6 @@ void ReadLightMode(const YamlNode& node, UnityRenderPipeline& pipeline,
     {
         pipeline.maxAdditionalLightsCount = 0;
     }
-}
-
-constexpr const char* k_Package = "com.unity.render-pipelines.universal";
-
-/// Returns the member, or null if `json` is no object with such a member.
-Json Member(const Json& json, const char* name)
-{
-    return json.is_object() && json.contains(name) ? json[name] : Json();
 }
 
 } // namespace
@@ -106,20 +96,10 @@ std::optional<int> ProjectPipelineVersion(const std::filesystem::path& file, Ass
     }
     const std::filesystem::path manifest = root / "Packages" / "manifest.json";
     assets.Reach(manifest);
-    const Json json = Json::parse(TryReadFile(manifest).bytes, nullptr, false);
-    const Json package = Member(Member(json, "dependencies"), k_Package);
-    if (!package.is_string())
-    {
-        return std::nullopt;
-    }
-    // "14.0.11"; a folder or a repository in place of a version tells nothing.
-    const std::string text = package.get<std::string>();
-    int version = 0;
-    const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), version);
-    const bool isVersion = error == std::errc{} && rest != text.data() + text.size() &&
-                           *rest == '.' && version >= scene_keys::k_PipelineVersions.min &&
-                           version <= scene_keys::k_PipelineVersions.max;
-    return isVersion ? std::optional(version) : std::nullopt;
+    const auto version = MajorVersionAskedFor(manifest, "com.unity.render-pipelines.universal");
+    const bool isKnown = version && *version >= scene_keys::k_PipelineVersions.min &&
+                         *version <= scene_keys::k_PipelineVersions.max;
+    return isKnown ? version : std::nullopt;
 }
 
 std::optional<int> PipelineVersionOf(const YamlNode& pipelineFields)

@@ -19,6 +19,9 @@ std::span<const EmbeddedFile> ShaderLibrary();
 namespace
 {
 
+constexpr const char* k_VersionFile = "limn/ProjectVersion.hlsl";
+constexpr int k_OwnUniversalVersion = 14; // of the built-in library, as its Version.hlsl has it
+
 const EmbeddedFile* FindEmbedded(std::string_view path)
 {
     static const auto s_Files = []
@@ -191,6 +194,10 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
         m_Refusal = "an absolute path; write the path from this file or from the project's folder";
         return std::nullopt;
     }
+    if (path == k_VersionFile)
+    {
+        return MakeVersionFile();
+    }
     if (const FileBeside* file = FindBeside(path, includer))
     {
         return IncludedFile{file->name, file->text};
@@ -272,6 +279,14 @@ std::optional<IncludedFile> IncludeResolver::FindInPackage(std::string_view incl
     return ReadFromDisk((*folder / include.substr(end + 1)).lexically_normal());
 }
 
+IncludedFile IncludeResolver::MakeVersionFile()
+{
+    const int version = m_Packages.universalVersion().value_or(k_OwnUniversalVersion);
+    TakeManifests();
+    const std::string text = "#define limn_UNIVERSAL_VERSION " + std::to_string(version) + "\n";
+    return {k_VersionFile, text, true};
+}
+
 bool IncludeResolver::isInOwnPackage(const std::filesystem::path& path)
 {
     const std::filesystem::path& package = m_Packages.around();
@@ -304,6 +319,10 @@ void IncludeResolver::AddDependency(const IncludeDependency& dependency)
 
 std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
 {
+    if (name == k_VersionFile)
+    {
+        return MakeVersionFile();
+    }
     if (const FileBeside* file = FindFileBeside(m_FilesBeside, name))
     {
         return IncludedFile{file->name, file->text};

@@ -48,7 +48,9 @@ std::string ReasonNotIncluded(std::string_view name, std::string_view refusal);
 /// Finds included files like Unity: among the files that a program holds beside a shader of its
 /// own, beside the including file, beside the .shader file, from the project root and its packages,
 /// from the Unity project around the shader and the packages in it, and in the built-in library.
-/// Names may differ in case. One resolver serves one compilation.
+/// "limn/ProjectVersion.hlsl" is made for each shader: it defines limn_UNIVERSAL_VERSION as the
+/// major version of URP that the shader's project or package asks for, or as the built-in library's
+/// own. Names may differ in case. One resolver serves one compilation.
 class IncludeResolver
 {
 public:
@@ -83,6 +85,7 @@ private:
                                                   const std::string& includer) const;
     std::optional<IncludedFile> ReadFromDisk(const std::filesystem::path& path);
     std::optional<IncludedFile> FindInPackage(std::string_view include);
+    IncludedFile MakeVersionFile();
     /// Returns whether the file lies in the package that the shader is part of.
     bool isInOwnPackage(const std::filesystem::path& path);
     void TakeManifests();

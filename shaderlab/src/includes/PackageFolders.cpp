@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <charconv>
 #include <string_view>
 #include <utility>
 
@@ -16,6 +17,7 @@ namespace
 {
 
 constexpr std::string_view k_PipelinePackages = "com.unity.render-pipelines.";
+constexpr std::string_view k_Universal = "com.unity.render-pipelines.universal";
 
 /// Returns the folders in the order of their names.
 std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& parent)
@@ -38,14 +40,19 @@ std::filesystem::path ManifestOf(const std::filesystem::path& folder)
     return std::filesystem::is_regular_file(manifest, error) ? manifest : std::filesystem::path();
 }
 
+/// Returns the text of that key, or "" if `json` is no object or has no such text.
+std::string TextIn(const nlohmann::json& json, std::string_view key)
+{
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    const bool isText = json.is_object() && found != json.end() && found->is_string();
+    return isText ? found->get<std::string>() : std::string();
+}
+
 /// The name in a package.json; "" where it has none.
 std::string NameIn(const std::filesystem::path& manifest)
 {
-    const FileContent content = TryReadFile(manifest);
-    const auto json = nlohmann::json::parse(content.bytes, nullptr, false);
-    const bool hasName =
-        content.isRead() && json.is_object() && json.contains("name") && json["name"].is_string();
-    return hasName ? json["name"].get<std::string>() : std::string();
+    const auto json = nlohmann::json::parse(TryReadFile(manifest).bytes, nullptr, false);
+    return TextIn(json, "name");
 }
 
 } // namespace
@@ -68,6 +75,19 @@ std::map<std::string, std::filesystem::path> FindPackages(const std::filesystem:
         std::ranges::for_each(FoldersBelow(folder), add);
     }
     return packages;
+}
+
+std::optional<int> MajorVersionAskedFor(const std::filesystem::path& manifest,
+                                        std::string_view package)
+{
+    const auto json = nlohmann::json::parse(TryReadFile(manifest).bytes, nullptr, false);
+    const bool hasAny = json.is_object() && json.contains("dependencies");
+    const std::string text = hasAny ? TextIn(json["dependencies"], package) : std::string();
+    const char* const end = text.data() + text.size();
+    int version = 0;
+    const auto [rest, error] = std::from_chars(text.data(), end, version);
+    const bool isVersion = error == std::errc{} && rest != end && *rest == '.';
+    return isVersion ? std::optional(version) : std::nullopt;
 }
 
 std::string OwnPackageNames(const std::filesystem::path& project)
@@ -118,8 +138,22 @@ const std::filesystem::path* PackageFolders::Find(const std::string& name)
 
 bool PackageFolders::hasOwnPipeline()
 {
-    return FindOwn(std::string(k_PipelinePackages) + "core") ||
-           FindOwn(std::string(k_PipelinePackages) + "universal");
+    return FindOwn(std::string(k_PipelinePackages) + "core") || FindOwn(std::string(k_Universal));
+}
+
+std::optional<int> PackageFolders::universalVersion()
+{
+    if (m_Project)
+    {
+        m_Manifests.push_back(*m_Project / "Packages/manifest.json");
+        if (const auto version = MajorVersionAskedFor(m_Manifests.back(), k_Universal))
+        {
+            return version;
+        }
+    }
+    const bool isInPackage = !around().empty();
+    return isInPackage ? MajorVersionAskedFor(m_Around / "package.json", k_Universal)
+                       : std::nullopt;
 }
 
 void PackageFolders::ListOwn()

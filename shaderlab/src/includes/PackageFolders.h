@@ -31,8 +31,11 @@ public:
     /// Returns whether one of the render pipelines' packages is the project's own, so that all of
     /// them must be those of the project.
     bool hasOwnPipeline();
+    /// Returns the major version of URP that the project asks for, or else the package that the
+    /// shader is part of; nothing if neither does.
+    std::optional<int> universalVersion();
 
-    /// Returns the package.json files that were read.
+    /// Returns the manifests that were read or looked for.
     const std::vector<std::filesystem::path>& manifests() const { return m_Manifests; }
 
 private:

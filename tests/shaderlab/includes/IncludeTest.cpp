@@ -73,6 +73,53 @@ TEST_F(IncludedFile, FindsPackagesByTheNameInTheirManifest)
                 ElementsAre(HasSubstr("there is no file")));
 }
 
+// URP 7 to 13 have `positionOS` and `uv` there, later ones the structs of Blit.hlsl.
+TEST_F(IncludedFile, IsThatOfTheUrpThatTheProjectAsksFor)
+{
+    const std::string universal = "com.unity.render-pipelines.universal";
+    const std::string common =
+        "#include \"Packages/" + universal + "/Shaders/PostProcessing/Common.hlsl\"\n";
+    const std::string older = common + "#define VALUE (((Attributes)0).positionOS)\n";
+    const std::string later = common + "#define VALUE (((Varyings)0).texcoord.xyxy)\n";
+    const auto writeManifest = [&](const std::string& file, const std::string& version)
+    {
+        folder.Write(file, R"({"dependencies": {")" + universal + "\": \"" + version + "\"}}");
+    };
+    ShaderCompilerOptions options;
+    options.cacheFolder = folder.path() / "cache";
+    const auto expect = [&](const std::string& compiles, const std::string& fails)
+    {
+        EXPECT_THAT(Compile(compiles, options), ElementsAre());
+        EXPECT_THAT(Compile(fails, options), testing::Not(testing::IsEmpty()));
+    };
+
+    expect(later, older); // nothing is asked for
+    for (const char* version : {"7.3.1", "10.3.2", "13.1.9"})
+    {
+        SCOPED_TRACE(version);
+        writeManifest("project/Packages/manifest.json", version);
+        expect(older, later);
+    }
+    for (const char* version : {"14.0.8", "17.3.0", "file:../urp", "x"})
+    {
+        SCOPED_TRACE(version);
+        writeManifest("project/Packages/manifest.json", version);
+        expect(later, older);
+    }
+    // A package says what it was written for. The project that it lies in decides.
+    const std::string inPackage = "repository/Shaders/t.shader";
+    writeManifest("repository/package.json", "12.1.7");
+    folder.Write("repository/Shaders/a.hlsl", "");
+    EXPECT_THAT(Compile(later, options, inPackage), ElementsAre()) << "it has no name";
+    folder.Write("repository/package.json",
+                 R"({"name": "com.me.rays", "dependencies": {")" + universal + R"(": "12.1.7"}})");
+    EXPECT_THAT(Compile(older, options, inPackage), ElementsAre());
+    folder.Write("project/Packages/rays/package.json",
+                 R"({"name": "com.me.rays", "dependencies": {")" + universal + R"(": "12.1.7"}})");
+    writeManifest("project/Packages/manifest.json", "14.0.8");
+    EXPECT_THAT(Compile(later, options, "project/Packages/rays/t.shader"), ElementsAre());
+}
+
 TEST_F(IncludedFile, FindsThePackageThatTheShaderItselfIsPartOf)
 {
     folder.Write("MyRepository/package.json", "{\"name\": \"com.me.repository\"}");

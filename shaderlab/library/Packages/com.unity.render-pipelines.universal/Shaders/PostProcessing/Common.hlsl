@@ -5,7 +5,9 @@
 #define UNIVERSAL_POSTPROCESSING_COMMON_INCLUDED
 
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
-#ifdef limn_Vertex_FullscreenVert // a pass of URP 7 to 13
+#include "limn/ProjectVersion.hlsl"
+// URP 7 to 13. Where no project tells its version, the name of the vertex function does.
+#if limn_UNIVERSAL_VERSION < 14 || defined(limn_Vertex_FullscreenVert)
 #include "Packages/com.unity.render-pipelines.universal/Shaders/Utils/Fullscreen.hlsl"
 #else
 #include "Packages/com.unity.render-pipelines.core/Runtime/Utilities/Blit.hlsl"
