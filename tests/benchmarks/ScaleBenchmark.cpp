@@ -175,12 +175,14 @@ public:
         m_Camera.transform.localPosition.y = static_cast<float>(m_Steps % 7) * 0.1f;
     }
 
-    /// Moves all of them a little.
+    /// Moves all of them a little to and fro, so that none leaves the place where it began.
     void MoveAll()
     {
+        ++m_MovesOfAll;
+        std::size_t i = 0;
         for (const auto& object : m_Scene.objects())
         {
-            object->transform.localPosition.y += ++m_Steps % 2 == 0 ? 0.01f : -0.01f;
+            object->transform.localPosition.y += (++i + m_MovesOfAll) % 2 == 0 ? 0.01f : -0.01f;
         }
     }
 
@@ -208,6 +210,7 @@ private:
     RenderResult m_Result; ///< of the last frame
     std::minstd_rand m_Random{1};
     unsigned m_Steps = 0;
+    std::size_t m_MovesOfAll = 0;
 };
 
 /// Judging against summing what is judged: as FilterItem for each, and as the table holds it.

@@ -214,6 +214,7 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.renderer = &renderer;
     data.cameraData.cameraType = request.camera->cameraType;
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
+    data.cameraData.antialiasing = request.camera->antialiasing;
     data.cameraData.defaultOpaqueSortFlags = OpaqueSortFlags(*request.camera);
     data.cameraData.backgroundColor = camera.backgroundColor.linear();
     data.cameraData.volumeLayerMask = request.camera->volumeLayerMask;

@@ -128,6 +128,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     ReadView(map, camera, loader);
     map.Read("clearFlags", k_ClearFlags, camera.clearFlags);
     map.Read("backgroundColor", camera.backgroundColor);
+    map.Read("antialiasing", k_AntialiasingModes, camera.antialiasing);
     map.Read("allowHDR", camera.allowHDR);
     map.Read("allowMSAA", camera.allowMSAA);
     if (const YamlNode* stack = map.Find("cameraStack"))

@@ -8,6 +8,7 @@
 #include <bit>
 #include <cmath>
 #include <limn/editor_stub/UnityRendererData.h>
+#include <limn/features/PostProcessRendererFeature.h>
 
 namespace limn
 {
@@ -171,6 +172,35 @@ void CheckSky(const YamlNode& settings, bool hasSky, SceneLoader& loader)
     }
 }
 
+/// Says so where a camera asks for antialiasing that nothing draws.
+void CheckAntialiasing(const YamlNode& node, SceneLoader& loader)
+{
+    const Camera& camera = loader.asset.camera;
+    const YamlNode* key = node.Find("antialiasing");
+    if (key == nullptr || camera.antialiasing == AntialiasingMode::None)
+    {
+        return;
+    }
+    const bool isAllowed = camera.renderPostProcessing ||
+                           std::ranges::any_of(camera.cameraStack, [](const auto& overlay)
+                                               { return overlay->renderPostProcessing; });
+    const bool hasFeature = std::ranges::any_of(
+        loader.asset.renderer.features, [](const auto& feature)
+        { return dynamic_cast<const PostProcessRendererFeature*>(feature.get()) != nullptr; });
+    if (!isAllowed)
+    {
+        loader.diagnostics.Note(key->location(), "camera.antialiasing: nothing smooths the "
+                                                 "picture; renderPostProcessing is off");
+    }
+    else if (!hasFeature)
+    {
+        loader.diagnostics.Note(key->location(),
+                                "camera.antialiasing: nothing smooths the picture, unless a "
+                                "feature of yours does; add {type: PostProcessRendererFeature} to "
+                                "renderer.features");
+    }
+}
+
 void ReadScene(const YamlNode& root, SceneLoader& loader)
 {
     SceneMapReader map(root, "scene", scene_keys::k_Scene, loader.diagnostics);
@@ -201,6 +231,7 @@ void ReadScene(const YamlNode& root, SceneLoader& loader)
              [&](const YamlNode& node, SceneLoader&)
              { CheckSky(node, skybox != nullptr, loader); });
     ReadPart(map, "renderer", loader, ReadRenderer);
+    ReadPart(map, "camera", loader, CheckAntialiasing);
     if (!map.Find("renderPipelineAsset"))
     {
         asset.pipelineVersion = asset.renderer.pipelineVersion.value_or(asset.pipelineVersion);

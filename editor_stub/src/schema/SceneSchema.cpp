@@ -112,6 +112,8 @@ private:
             return LayerNamesSchema();
         case SceneValue::ClearFlags:
             return EnumSchema(k_ClearFlags);
+        case SceneValue::AntialiasingMode:
+            return EnumSchema(k_AntialiasingModes);
         case SceneValue::TransparencySortMode:
             return EnumSchema(k_TransparencySortModes);
         case SceneValue::MsaaQuality:

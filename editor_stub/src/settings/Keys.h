@@ -16,6 +16,10 @@ inline constexpr ValueRange k_LayerBits{0.0, 4294967295.0};
 inline constexpr EnumEntry k_ClearFlags[] = {
     {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
 
+/// Unity: UnityEngine.Rendering.Universal.AntialiasingMode.
+inline constexpr EnumEntry k_AntialiasingModes[] = {{"None", 0},
+                                                    {"FastApproximateAntialiasing", 1}};
+
 inline constexpr EnumEntry k_TransparencySortModes[] = {
     {"Default", 0}, {"Perspective", 1}, {"Orthographic", 2}, {"CustomAxis", 3}};
 
@@ -69,6 +73,7 @@ enum class SceneValue
     Layers, ///< a set of layers
     LayerNames,
     ClearFlags,
+    AntialiasingMode,
     TransparencySortMode,
     MsaaQuality,
     HdrPrecision,
@@ -260,6 +265,9 @@ inline constexpr SceneKey k_Camera[] = {
      "SolidColor unless it is set"},
     {"backgroundColor", Color, "The colour behind all objects"},
     {"renderPostProcessing", Bool, "Lets features add effects to the picture; on unless it is set"},
+    {"antialiasing", AntialiasingMode,
+     "Smooths edges behind all effects; needs renderPostProcessing and a "
+     "PostProcessRendererFeature"},
     {"allowHDR", Bool, "Draws into an HDR colour if the scene supportsHDR; on unless it is set"},
     {"allowMSAA", Bool, "Draws with the scene's msaaSampleCount; on unless it is set"},
     k_CullingMask,

@@ -87,9 +87,13 @@ void ReadView(UnitySceneLoader& loader, const UnityGameObject& object, Camera& c
         own.Read("m_RendererIndex", renderer);
         int antialiasing = 0;
         own.Read("m_Antialiasing", antialiasing);
-        if (antialiasing != 0)
+        if (antialiasing == static_cast<int>(AntialiasingMode::FastApproximateAntialiasing))
         {
-            loader.notes.Count("antialiasing of cameras in post-processing (FXAA, SMAA or TAA)");
+            camera.antialiasing = AntialiasingMode::FastApproximateAntialiasing;
+        }
+        else if (antialiasing != 0)
+        {
+            loader.notes.Count("antialiasing of cameras in post-processing (SMAA or TAA)");
         }
     }
 }

@@ -18,6 +18,8 @@ struct UnitySceneLoader
     UnityMaterials& materials;
     const UnityHierarchy& hierarchy;
     SceneAsset& asset; ///< the scene that is being made
+    /// The pictures of Unity's own shapes that the scene's sprites have so far, by guid.
+    std::map<std::string, std::shared_ptr<const Texture2D>> defaultSprites = {};
 
     UnityReader ReaderOf(const UnityGameObject& object, const UnityInstance& component) const
     {

@@ -1,6 +1,7 @@
 #include "assets/PictureFile.h"
 #include "unity/TextureImporter.h"
 #include "unity/UnityTree.h"
+#include "unity_scene/DefaultSprites.h"
 #include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
@@ -28,9 +29,11 @@ Value NumberOf(const UnityNode& node, Value value)
 /// A part of a picture, as the TextureImporter of its .meta file cuts it out.
 struct Sprite
 {
-    glm::vec2 low{0.0f};   ///< its bottom left corner, texels from the picture's
-    glm::vec2 size{0.0f};  ///< texels
-    glm::vec2 pivot{0.5f}; ///< the place of the object, as parts of the size
+    std::shared_ptr<const Texture2D> texture;
+    glm::vec2 picture{0.0f}; ///< the size of the picture in its file, texels
+    glm::vec2 low{0.0f};     ///< its bottom left corner, texels from the picture's
+    glm::vec2 size{0.0f};    ///< texels
+    glm::vec2 pivot{0.5f};   ///< the place of the object, as parts of the size
     float pixelsPerUnit = 100.0f;
 };
 
@@ -46,21 +49,18 @@ glm::vec2 PivotOf(const UnityNode& own, const UnityNode& custom)
                : glm::vec2(NumberOf(custom["x"], 0.5f), NumberOf(custom["y"], 0.5f));
 }
 
-/// @param fileID   which of the file's sprites
-/// @param picture  the size of the picture in its file
-/// @return nothing if the file has no such sprite
-std::optional<Sprite> FindSprite(const UnityNode& importer, std::int64_t fileID,
-                                 const glm::vec2& picture)
+/// Cuts a sprite out of the whole picture.
+/// @param fileID  which of the file's sprites
+/// @return false if the file has no such sprite
+bool CutOut(const UnityNode& importer, std::int64_t fileID, Sprite& sprite)
 {
     constexpr int k_Multiple = 2;              // a SpriteImportMode
     constexpr std::int64_t k_First = 21300000; // of ids, two apart, before Unity 2019
-    Sprite sprite;
-    sprite.size = picture;
     sprite.pivot = PivotOf(importer, importer["spritePivot"]);
     sprite.pixelsPerUnit = NumberOf(importer["spritePixelsToUnits"], 100.0f);
     if (NumberOf(importer["spriteMode"], 1) != k_Multiple)
     {
-        return sprite;
+        return true;
     }
     std::int64_t index = 0;
     for (const UnityNode part : importer["spriteSheet"]["sprites"])
@@ -72,17 +72,15 @@ std::optional<Sprite> FindSprite(const UnityNode& importer, std::int64_t fileID,
             sprite.low = {NumberOf(rect["x"], 0.0f), NumberOf(rect["y"], 0.0f)};
             sprite.size = {NumberOf(rect["width"], 0.0f), NumberOf(rect["height"], 0.0f)};
             sprite.pivot = PivotOf(part, part["pivot"]);
-            return sprite;
+            return true;
         }
         ++index;
     }
-    return std::nullopt;
+    return false;
 }
 
 /// @param size  metres
-std::shared_ptr<const Mesh> QuadOf(const std::string& name, const Sprite& sprite,
-                                   const glm::vec2& picture, const glm::vec2& size,
-                                   const Color& color)
+std::shared_ptr<const Mesh> QuadOf(const Sprite& sprite, const glm::vec2& size, const Color& color)
 {
     MeshData data;
     for (const glm::vec2 corner :
@@ -90,11 +88,11 @@ std::shared_ptr<const Mesh> QuadOf(const std::string& name, const Sprite& sprite
     {
         data.vertices.emplace_back((corner - sprite.pivot) * size, 0.0f);
         data.normals.emplace_back(0.0f, 0.0f, -1.0f);
-        data.uv.push_back((sprite.low + corner * sprite.size) / picture);
+        data.uv.push_back((sprite.low + corner * sprite.size) / sprite.picture);
         data.colors.push_back(color.linear().vector());
     }
     data.triangles = {0, 1, 2, 0, 2, 3};
-    return std::make_shared<const Mesh>(name, std::move(data));
+    return std::make_shared<const Mesh>(sprite.texture->name(), std::move(data));
 }
 
 /// Those of a lower layer or order are drawn before. limn sorts by queue first, and so by these.
@@ -120,30 +118,60 @@ glm::vec2 SizeOfPicture(const std::filesystem::path& path, const Texture2D& text
     return texels > 0.0f ? glm::round(size * std::sqrt(texels / (size.x * size.y))) : size;
 }
 
+/// @return nothing, with a note, if the file has no such sprite
 /// @throws AssetError  if the picture or its .meta file cannot be read
-/// @throws ContractError  if the .meta file's numbers make no quad
-void MakeSprite(UnitySceneLoader& loader, const UnityReader& reader,
-                const std::filesystem::path& path, std::int64_t fileID, MeshRenderer& renderer)
+std::optional<Sprite> LoadSprite(UnitySceneLoader& loader, const UnityReader& reader,
+                                 const std::filesystem::path& path, std::int64_t fileID)
 {
-    const std::shared_ptr<const Texture2D> texture = loader.assets.LoadTexture(path);
+    Sprite sprite;
+    sprite.texture = loader.assets.LoadTexture(path);
+    sprite.picture = SizeOfPicture(path, *sprite.texture);
+    sprite.size = sprite.picture;
     const std::string text = ReadFile(MetaFileOf(path));
     const UnityTree meta(text, MetaFileOf(path).generic_string(), 1);
-    const glm::vec2 picture = SizeOfPicture(path, *texture);
-    const std::optional<Sprite> sprite =
-        FindSprite(meta.root()["TextureImporter"], fileID, picture);
-    if (!sprite)
+    if (!CutOut(meta.root()["TextureImporter"], fileID, sprite))
     {
         reader.Note("m_Sprite", path.filename().string() + " has no sprite with the id " +
                                     std::to_string(fileID) + ", so nothing is drawn");
-        return;
+        return std::nullopt;
     }
+    return sprite;
+}
+
+/// @return nothing, with a note, if there is no such picture
+/// @throws AssetError  if the picture or its .meta file cannot be read
+std::optional<Sprite> FindSprite(UnitySceneLoader& loader, const UnityReader& reader,
+                                 const UnityReference& asset)
+{
+    const std::filesystem::path* path = loader.database.Find(asset.guid);
+    if (path != nullptr && IsPictureFile(*path))
+    {
+        return LoadSprite(loader, reader, *path, asset.fileID);
+    }
+    std::shared_ptr<const Texture2D>& known = loader.defaultSprites[asset.guid];
+    known = known || path != nullptr ? known : MakeDefaultSprite(asset.guid);
+    if (known)
+    {
+        const glm::vec2 size(known->width(), known->height());
+        return Sprite{
+            .texture = known, .picture = size, .size = size, .pixelsPerUnit = k_DefaultSpriteUnit};
+    }
+    reader.Note("m_Sprite", (path == nullptr ? loader.database.WhyNotFound(asset.guid)
+                                             : path->filename().string() + " is no picture") +
+                                ", so nothing is drawn");
+    return std::nullopt;
+}
+
+/// @throws ContractError  if the sprite's numbers make no quad
+void SetQuad(const UnityReader& reader, const Sprite& sprite, MeshRenderer& renderer)
+{
     Color color = Color::white;
     reader.Read("m_Color", color);
     bool flipX = false;
     bool flipY = false;
     reader.Read("m_FlipX", flipX);
     reader.Read("m_FlipY", flipY);
-    glm::vec2 size = sprite->size / sprite->pixelsPerUnit;
+    glm::vec2 size = sprite.size / sprite.pixelsPerUnit;
     int drawMode = 0;
     reader.Read("m_DrawMode", drawMode);
     if (drawMode != 0)
@@ -152,10 +180,9 @@ void MakeSprite(UnitySceneLoader& loader, const UnityReader& reader,
         reader.Read("m_Size.y", size.y);
         reader.Note("m_DrawMode", "limn stretches the sprite; it neither slices nor tiles it");
     }
-    renderer.mesh = QuadOf(path.filename().string(), *sprite, picture,
-                           size * glm::vec2(flipX ? -1 : 1, flipY ? -1 : 1), color);
+    renderer.mesh = QuadOf(sprite, size * glm::vec2(flipX ? -1 : 1, flipY ? -1 : 1), color);
     MaterialPropertyBlock block;
-    block.SetTexture(ShaderPropertyId("_MainTex"), texture);
+    block.SetTexture(ShaderPropertyId("_MainTex"), sprite.texture);
     renderer.SetPropertyBlock(block);
 }
 
@@ -172,17 +199,12 @@ void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
     {
         return;
     }
-    const std::filesystem::path* path = loader.database.Find(target.asset.guid);
-    if (path == nullptr || !IsPictureFile(*path))
-    {
-        reader.Note("m_Sprite", (path == nullptr ? loader.database.WhyNotFound(target.asset.guid)
-                                                 : path->filename().string() + " is no picture") +
-                                    ", so nothing is drawn");
-        return;
-    }
     try
     {
-        MakeSprite(loader, reader, *path, target.asset.fileID, made);
+        if (const auto sprite = FindSprite(loader, reader, target.asset))
+        {
+            SetQuad(reader, *sprite, made);
+        }
     }
     catch (const AssetError& error)
     {
@@ -190,8 +212,8 @@ void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
     }
     catch (const ContractError&)
     {
-        reader.Note("m_Sprite", "a number in " + MetaFileOf(*path).filename().string() +
-                                    " is no size or place, so nothing is drawn");
+        reader.Note("m_Sprite", "a number in the picture's .meta file is no size or place, so "
+                                "nothing is drawn");
     }
     if (!made.mesh)
     {

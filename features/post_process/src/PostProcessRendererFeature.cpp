@@ -1,3 +1,4 @@
+#include "FinalPostProcessPass.h"
 #include "PostProcessPass.h"
 
 #include <limn/core/Inspector.h>
@@ -9,6 +10,14 @@ namespace limn
 
 namespace
 {
+
+/// The last camera of a stack smooths what all of them have drawn.
+bool isSmoothed(const RenderingData& renderingData)
+{
+    const CameraData& camera = renderingData.cameraData;
+    return camera.antialiasing == AntialiasingMode::FastApproximateAntialiasing &&
+           camera.resolveFinalTarget && renderingData.postProcessingEnabled;
+}
 
 constexpr EnumEntry k_ColorGradingModes[] = {{"LowDynamicRange", 0}, {"HighDynamicRange", 1}};
 
@@ -24,16 +33,32 @@ PostProcessRendererFeature::~PostProcessRendererFeature() = default;
 void PostProcessRendererFeature::Create()
 {
     m_Pass.reset();
+    m_FinalPass.reset();
 }
 
 void PostProcessRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
                                                  RenderingData& renderingData)
 {
+    AddEffects(renderer, renderingData);
+    if (isSmoothed(renderingData))
+    {
+        if (!m_FinalPass)
+        {
+            m_FinalPass = std::make_unique<FinalPostProcessPass>(
+                name, FindTechniqueShader(renderer, "Hidden/Universal Render Pipeline/FinalPost"));
+        }
+        renderer.EnqueuePass(*m_FinalPass);
+    }
+}
+
+void PostProcessRendererFeature::AddEffects(ScriptableRenderer& renderer,
+                                            RenderingData& renderingData)
+{
     const ActiveEffects effects(renderingData.volumeStack);
     const bool isEnabled = renderingData.cameraData.postProcessEnabled;
-    if (!effects.any() && !isEnabled)
+    if (!effects.any() && (!isEnabled || isSmoothed(renderingData)))
     {
-        return; // nobody asks for it
+        return; // nobody asks for more
     }
     if (!effects.any() || !isEnabled)
     {

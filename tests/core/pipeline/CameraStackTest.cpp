@@ -117,7 +117,8 @@ TEST_F(CameraStack, TellsFeaturesOfEachCameraWhatItIs)
     Camera& first = AddOverlay();
     first.clearDepth = false;
     first.fieldOfView = 20.0f;
-    AddOverlay();
+    AddOverlay().antialiasing = AntialiasingMode::None;
+    m_Camera.antialiasing = AntialiasingMode::FastApproximateAntialiasing;
     Render();
     ASSERT_EQ(seen.size(), 3u);
     const auto members = [&](auto member)
@@ -133,6 +134,7 @@ TEST_F(CameraStack, TellsFeaturesOfEachCameraWhatItIs)
     EXPECT_THAT(members(&CameraData::clearDepth), ElementsAre(1, 0, 1));
     EXPECT_THAT(members(&CameraData::resolveFinalTarget), ElementsAre(0, 0, 1));
     EXPECT_THAT(members(&CameraData::postProcessEnabled), ElementsAre(0, 1, 1));
+    EXPECT_THAT(members(&CameraData::antialiasing), ElementsAre(1, 1, 1));
     EXPECT_THAT(members(&CameraData::isHdrEnabled), ElementsAre(0, 0, 0));
     EXPECT_THAT(members(&CameraData::cameraType), ElementsAre(2, 2, 2));
     EXPECT_EQ(seen[1].camera, &first);

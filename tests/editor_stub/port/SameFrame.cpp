@@ -6,6 +6,10 @@ namespace limn::test
 // Never called: that they compile is the test.
 void SameLines::Frame()
 {
+    SAME("AntialiasingMode", sizeof(AntialiasingMode));
+    SAME("AntialiasingMode.FastApproximateAntialiasing",
+         AntialiasingMode::FastApproximateAntialiasing);
+    SAME("AntialiasingMode.None", AntialiasingMode::None);
     SAME("AsyncGPUReadbackRequest", sizeof(AsyncGPUReadbackRequest));
     SAME("AsyncGPUReadbackRequest.Update", request.Update());
     SAME("AsyncGPUReadbackRequest.WaitForCompletion", request.WaitForCompletion());
@@ -65,6 +69,8 @@ void SameLines::Frame()
     SAME("CameraData.maxShadowDistance", cameraData.maxShadowDistance);
     SAME("CameraData.pixelHeight", cameraData.pixelHeight);
     SAME("CameraData.pixelWidth", cameraData.pixelWidth);
+    SAME("CameraData.antialiasing",
+         cameraData.antialiasing == AntialiasingMode::FastApproximateAntialiasing);
     SAME("CameraData.postProcessEnabled", cameraData.postProcessEnabled);
     SAME("CameraData.renderScale", cameraData.renderScale);
     SAME("CameraData.renderType", cameraData.renderType);
@@ -384,6 +390,8 @@ void SameLines::Frame()
     SAME("UniversalCameraData.maxShadowDistance", universalCameraData.maxShadowDistance);
     SAME("UniversalCameraData.pixelHeight", universalCameraData.pixelHeight);
     SAME("UniversalCameraData.pixelWidth", universalCameraData.pixelWidth);
+    SAME("UniversalCameraData.antialiasing",
+         universalCameraData.antialiasing == AntialiasingMode::None);
     SAME("UniversalCameraData.postProcessEnabled", universalCameraData.postProcessEnabled);
     SAME("UniversalCameraData.renderScale", universalCameraData.renderScale);
     SAME("UniversalCameraData.renderType", universalCameraData.renderType);

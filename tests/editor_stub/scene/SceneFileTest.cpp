@@ -58,6 +58,7 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
                                          "  cullingMask: [Default, Furniture, 9]\n"
                                          "  allowHDR: false\n"
                                          "  allowMSAA: false\n"
+                                         "  antialiasing: FastApproximateAntialiasing\n"
                                          "  renderPostProcessing: false\n"
                                          "  volumeLayerMask: Everything\n"
                                          "  volumeTrigger: [4, 5, 6]\n"
@@ -78,11 +79,33 @@ TEST(SceneFile, SetsEveryFieldOfTheCamera)
     EXPECT_EQ(LayerMask(1u + 64u + 512u), camera.cullingMask);
     EXPECT_FALSE(camera.allowHDR);
     EXPECT_FALSE(camera.allowMSAA);
+    EXPECT_EQ(camera.antialiasing, AntialiasingMode::FastApproximateAntialiasing);
     EXPECT_FALSE(camera.renderPostProcessing);
     EXPECT_EQ(LayerMask::Everything(), camera.volumeLayerMask);
     EXPECT_EQ(glm::vec3(4, 5, 6), camera.volumeTrigger);
     EXPECT_EQ(TransparencySortMode::CustomAxis, camera.transparencySortMode);
     EXPECT_EQ(glm::vec3(0, 1, 0), camera.transparencySortAxis);
+}
+
+TEST(SceneFile, SaysWhereNothingDrawsTheAntialiasingOfItsCamera)
+{
+    SceneFolder folder;
+    const auto notes = [&](const std::string& camera, const std::string& feature)
+    {
+        return Texts(folder
+                         .Load("camera: {antialiasing: FastApproximateAntialiasing" + camera +
+                               "}\nrenderer: {features: [" + feature + "]}\n")
+                         .notes);
+    };
+    const std::string feature = "{type: PostProcessRendererFeature}";
+    EXPECT_THAT(notes("", feature), testing::IsEmpty());
+    EXPECT_THAT(notes("", ""),
+                testing::ElementsAre(Mentions("1:24: camera.antialiasing", feature)));
+    const std::string off = ", renderPostProcessing: false";
+    EXPECT_THAT(notes(off, feature), testing::ElementsAre(Mentions("camera.antialiasing",
+                                                                   "renderPostProcessing is off")));
+    EXPECT_THAT(notes(off + ", cameraStack: [{renderPostProcessing: true}]", feature),
+                testing::IsEmpty());
 }
 
 TEST(SceneFile, SaysHowManySamplesAPixelHas)

@@ -30,7 +30,15 @@ protected:
         const std::filesystem::path project =
             std::filesystem::path(folder) / "URP-Screen-Space-Outline";
         EXPECT_EQ(FindFirstUnityScene(project), project / "Assets/Scenes/SampleScene.unity");
-        asset = LoadScene(project, assets);
+        asset = &Load(project);
+    }
+
+    /// Loads the scene once for all tests, none of which changes it.
+    static SceneAsset& Load(const std::filesystem::path& project)
+    {
+        static AssetContext s_Assets;
+        static SceneAsset s_Asset = LoadScene(project, s_Assets);
+        return s_Asset;
     }
 
     const GameObject& Find(std::string_view name)
@@ -60,8 +68,7 @@ protected:
         return bounds;
     }
 
-    AssetContext assets;
-    std::optional<SceneAsset> asset;
+    SceneAsset* asset = nullptr;
 };
 
 void ExpectNear(const glm::vec3& value, const glm::vec3& expected, float most)

@@ -250,6 +250,30 @@ TEST_F(ProjectOfAFewFiles, HasTheCamerasThatAreStackedOnItsOwn)
     EXPECT_EQ(hands.transform.localPosition.x, 7.0f);
 }
 
+TEST_F(ProjectOfAFewFiles, HasTheFxaaOfItsCameraAndSaysThatOthersAreLeftOut)
+{
+    const auto loadWith = [&](const char* antialiasing)
+    {
+        return Load(
+            std::string(k_Camera) +
+            "--- !u!114 &13\nMonoBehaviour:\n  m_GameObject: {fileID: 1}\n"
+            "  m_Script: {fileID: 11500000, guid: a79441f348de89743a2939f4d699eac1, type: 3}\n"
+            "  m_Antialiasing: " +
+            antialiasing + "\n");
+    };
+    const auto note = HasSubstr("antialiasing");
+    EXPECT_EQ(loadWith("0").camera.antialiasing, AntialiasingMode::None);
+    const SceneAsset smoothed = loadWith("1");
+    EXPECT_EQ(smoothed.camera.antialiasing, AntialiasingMode::FastApproximateAntialiasing);
+    EXPECT_THAT(NotesOf(smoothed), testing::Not(Contains(note)));
+    for (const char* other : {"2", "3"}) // SMAA, TAA
+    {
+        const SceneAsset asset = loadWith(other);
+        EXPECT_EQ(asset.camera.antialiasing, AntialiasingMode::None);
+        EXPECT_THAT(NotesOf(asset), Contains(testing::AllOf(note, HasSubstr("SMAA or TAA"))));
+    }
+}
+
 TEST_F(ProjectOfAFewFiles, TakesNoNumberOfAMaterialThatIsNotFinite)
 {
     Write("Assets/Red.mat",

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <limn/core/Image.h>
 #include <limn/core/MaterialPropertyBlock.h>
+#include <numbers>
 #include <optional>
 
 namespace limn::test
@@ -31,7 +32,8 @@ protected:
     /// @param importer  lines of TextureImporter
     /// @param renderer  lines of SpriteRenderer, behind its sprite
     const GameObject& Load(const std::string& importer, const std::string& renderer = "",
-                           const std::string& fileID = "21300000")
+                           const std::string& fileID = "21300000",
+                           const std::string& guid = k_SpriteGuid)
     {
         m_Folder.Write("Assets/sheet.png.meta", std::string("fileFormatVersion: 2\nguid: ") +
                                                     k_SpriteGuid + "\nTextureImporter:\n" +
@@ -48,7 +50,7 @@ protected:
             "  m_Materials:\n"
             "  - {fileID: 10754, guid: 0000000000000000f000000000000000, type: 0}\n"
             "  m_Sprite: {fileID: " +
-                fileID + ", guid: " + k_SpriteGuid + ", type: 3}\n" + renderer);
+                fileID + ", guid: " + guid + ", type: 3}\n" + renderer);
         m_Assets.Forget(m_Folder.path() / "Assets/sheet.png.meta");
         m_Asset.emplace(LoadScene(m_Folder.path(), m_Assets));
         return *m_Asset->scene.Find("Flower");
@@ -142,6 +144,49 @@ TEST_F(UnitySprites, ArePartsOfASheet)
                                               "no sprite with the id 78", "nothing is drawn")));
 }
 
+// Areas in square metres, by the shapes' formulas.
+TEST_F(UnitySprites, MayBeTheShapesOfUnitysMenu)
+{
+    struct Case
+    {
+        const char* guid;
+        glm::vec2 size;
+        double area;
+    };
+    constexpr double k_HexagonHeight = 222.0 / 256.0; // Unity rounds 0.866 to a texel
+    const Case cases[] = {
+        {"311925a002f4447b3a28927169b83ea6", {1, 1}, 1.0},
+        {"a86470a33a6bf42c4b3595704624658b", {1, 1}, 0.25 * std::numbers::pi},
+        {"207ee8102dd4143d288186ef0be518ee", {1, 2}, 1.0 + 0.25 * std::numbers::pi},
+        {"19fb86013d8c24d6cb8410c0aadf30fa", {1, 0.5}, 0.25},
+        {"b670ab75dde984907b8570040daa08c5", {1, 226.0 / 256.0}, 0.75 * k_HexagonHeight},
+        {"5aa8b770bc43046bc8d993d0d5b7f4a5", {226.0 / 256.0, 1}, 0.75 * k_HexagonHeight},
+        {"8884154dfe85442a3a3578be807dbcdf", {1, 1}, 0.75 + 0.0625 * std::numbers::pi}};
+    for (const Case& each : cases)
+    {
+        SCOPED_TRACE(each.guid);
+        const GameObject& object = Load("", "", "1", each.guid);
+        EXPECT_THAT(Notes(), IsEmpty());
+        ASSERT_TRUE(object.renderer);
+        EXPECT_EQ(Corners(object),
+                  std::pair(glm::vec3(-0.5f * each.size, 0), glm::vec3(0.5f * each.size, 0)));
+        const auto texture = std::dynamic_pointer_cast<const Texture2D>(
+            object.renderer->PropertiesOf(0)->GetTexture(ShaderPropertyId("_MainTex")));
+        double area = 0.0;
+        for (std::size_t i = 3; i < texture->texels().size(); i += 4)
+        {
+            area += std::to_integer<int>(texture->texels()[i]) / 255.0 / (256.0 * 256.0);
+        }
+        EXPECT_NEAR(area, each.area, 2e-4);
+        const std::size_t middle =
+            4 * static_cast<std::size_t>(texture->width() * (texture->height() + 1) / 2);
+        EXPECT_EQ(std::to_integer<int>(texture->texels()[middle + 3]), 255);
+        EXPECT_EQ(std::to_integer<int>(texture->texels()[0]), 255) << "white everywhere";
+    }
+    EXPECT_FALSE(Load("", "", "1", "311925a002f4447b3a28927169b83ea7").renderer);
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("no file of the project", "nothing is drawn")));
+}
+
 TEST_F(UnitySprites, SayWhatLimnDoesNotDrawOfThem)
 {
     const GameObject& wide =
@@ -149,7 +194,7 @@ TEST_F(UnitySprites, SayWhatLimnDoesNotDrawOfThem)
     EXPECT_EQ(Corners(wide), std::pair(glm::vec3(-4, -3, 0), glm::vec3(4, 3, 0)));
     EXPECT_THAT(Notes(), ElementsAre(Mentions("m_DrawMode", "stretches", "neither slices")));
     EXPECT_FALSE(Load("  spritePixelsToUnits: nan\n").renderer);
-    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_Sprite", "sheet.png.meta", "no size or place")));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_Sprite", ".meta file", "no size or place")));
     EXPECT_FALSE(Load("", "  m_Enabled: 0\n").renderer);
     EXPECT_THAT(Notes(), IsEmpty());
 }

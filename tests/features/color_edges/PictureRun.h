@@ -69,7 +69,11 @@ public:
     Field ColorRows(const VolumeStack* stack)
     {
         Render(stack);
-        Image image = Read("_CameraColorAttachmentA");
+        return Rows("_CameraColorAttachmentA");
+    }
+    Field Rows(const std::string& name)
+    {
+        Image image = Read(name);
         image.texels = FlipRows(image.texels, image.height);
         return ToField(image);
     }

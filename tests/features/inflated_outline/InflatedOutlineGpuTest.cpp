@@ -84,9 +84,13 @@ Field InflatedReference(const BodiesScene& content, int width, int height, const
                       { return (camera.view * body->transform.worldMatrix()[3]).z; });
     for (const GameObject* body : bodies)
     {
+        std::vector<glm::dvec4> hull; // worked out once: several triangles share a vertex
+        for (std::uint32_t i = 0; i < body->renderer->mesh->data().vertices.size(); ++i)
+        {
+            hull.push_back(HullVertex(camera, *body, look, i));
+        }
         ForEachPixel(
-            camera, *body,
-            [&](std::uint32_t vertex) { return HullVertex(camera, *body, look, vertex); }, true,
+            camera, *body, [&](std::uint32_t vertex) { return hull[vertex]; }, true,
             [&](const SoftPixel& pixel, const std::uint32_t(&)[3])
             {
                 if (pixel.depth >= seen.At(pixel.x, pixel.y).depth)

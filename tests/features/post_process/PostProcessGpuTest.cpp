@@ -307,5 +307,110 @@ TEST_F(PostProcessGpu, IsLeftToTheCamera)
     EXPECT_THAT(run.result().report.notes, testing::IsEmpty());
 }
 
+class FxaaGpu : public PostProcessGpu
+{
+protected:
+    /// Slanted bars, a dark patch, single texels and colours beyond white.
+    static FlatScene Edges()
+    {
+        FlatScene flat(67, 45);
+        flat.Add({0, 0}, {67, 45}, 9, Plain({0.05f, 0.1f, 0.2f}));
+        for (int i = 0; i < 24; ++i)
+        {
+            const glm::vec2 corner(2 + 2 * i, 8 + i / 3);
+            flat.Add(corner, corner + glm::vec2(2, 9), 7, Plain({0.9f, 0.8f, 0.2f}));
+            const glm::vec2 steep(40 + i / 4, 19 + i);
+            flat.Add(steep, steep + glm::vec2(12, 1), 6, Plain({4.0f, 0.3f, 0.1f}));
+        }
+        // A faint edge with bright texels on it, which only the wide blur meets.
+        flat.Add({0, 39}, {40, 45}, 8, Plain({0.07f, 0.13f, 0.25f}));
+        for (int i = 0; i < 9; ++i)
+        {
+            const glm::vec2 dot(3 + 4 * i, 38);
+            flat.Add(dot, dot + 1.0f, 5, Plain({1.0f, 1.0f, 1.0f}));
+        }
+        flat.Add({20, 28}, {28, 36}, 5, Plain({0.01f, 0.02f, 0.01f}));
+        flat.camera.antialiasing = AntialiasingMode::FastApproximateAntialiasing;
+        return flat;
+    }
+};
+
+TEST_F(FxaaGpu, IsWhatTheFormulasSayInDouble)
+{
+    FlatScene flat = Edges();
+    Run run(flat);
+    run.Render(&Nothing());
+    const Field picture = run.Rows("_CameraColorAttachmentB");
+    const Field base = run.Rows("_CameraColorAttachmentA");
+    // Samplers have eight bits for the place between two texels, colours eleven.
+    constexpr double k_Allowed = 1.0 / 256.0 + 1e-3;
+    int changed = 0;
+    int narrow = 0;
+    for (int y = 0; y < base.height; ++y)
+    {
+        for (int x = 0; x < base.width; ++x)
+        {
+            const SmoothedPixel wanted = SmoothReference(base, x, y);
+            const auto distance = [&](const glm::dvec3& color)
+            {
+                double largest = 0.0;
+                for (int channel = 0; channel < 3; ++channel)
+                {
+                    largest =
+                        std::max(largest, std::abs(picture.At(x, y, channel) - color[channel]));
+                }
+                return largest;
+            };
+            const bool mayBeWide = wanted.margin > -k_Allowed;
+            const bool mayBeNarrow = wanted.margin < k_Allowed;
+            const double nearest = std::min(mayBeWide ? distance(wanted.wide) : 1.0,
+                                            mayBeNarrow ? distance(wanted.narrow) : 1.0);
+            ASSERT_LE(nearest, k_Allowed) << x << ", " << y;
+            changed += distance({base.At(x, y, 0), base.At(x, y, 1), base.At(x, y, 2)}) > 0.02;
+            narrow += !mayBeWide;
+        }
+    }
+    EXPECT_GT(changed, 200);
+    EXPECT_GT(narrow, 5);
+}
+
+TEST_F(FxaaGpu, IsDrawnBehindAllPassesAndOnlyWhereACameraAsksForIt)
+{
+    FlatScene flat = Edges();
+    Run run(flat);
+    const VolumeStack& toned =
+        m_Volumes.With([](VolumeProfile& profile)
+                       { profile.Add<Tonemapping>().mode.Override(TonemappingMode::Neutral); });
+    const auto passes = [&](const VolumeStack& stack)
+    {
+        run.Render(&stack, true);
+        return PassNames(run.result());
+    };
+    EXPECT_THAT(passes(toned).back(), testing::HasSubstr("FXAA"));
+    EXPECT_THAT(passes(Nothing()).back(), testing::HasSubstr("FXAA"));
+    EXPECT_THAT(run.result().report.notes, testing::IsEmpty());
+    flat.camera.renderPostProcessing = false;
+    EXPECT_THAT(passes(Nothing()), testing::Not(testing::Contains(testing::HasSubstr("FXAA"))));
+    flat.camera.renderPostProcessing = true;
+    flat.camera.antialiasing = AntialiasingMode::None;
+    EXPECT_THAT(passes(Nothing()), testing::Not(testing::Contains(testing::HasSubstr("FXAA"))));
+}
+
+TEST_F(FxaaGpu, SmoothsAStackOfCamerasOnceAsTheBaseCameraSays)
+{
+    FlatScene flat = Edges();
+    const auto overlay = std::make_shared<Camera>(flat.camera);
+    overlay->renderType = CameraRenderType::Overlay;
+    overlay->antialiasing = AntialiasingMode::None;
+    overlay->renderPostProcessing = false;
+    flat.camera.cameraStack = {overlay};
+    Run run(flat);
+    run.Render(&Nothing(), true);
+    EXPECT_EQ(std::ranges::count_if(PassNames(run.result()), [](const std::string& pass)
+                                    { return pass.find("FXAA") != pass.npos; }),
+              1);
+    EXPECT_THAT(PassNames(run.result()).back(), testing::HasSubstr("FXAA"));
+}
+
 } // namespace
 } // namespace limn::test

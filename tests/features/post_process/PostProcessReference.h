@@ -72,6 +72,56 @@ inline glm::dvec3 At(const Field& field, double u, double v)
     return {field.Sample(u, v, 0), field.Sample(u, v, 1), field.Sample(u, v, 2)};
 }
 
+/// The two blurs that fast approximate antialiasing (T. Lottes, NVIDIA 2011) chooses from, and how
+/// far the luminance of the wide one is from leaving the range of the five pixels: below 0,
+/// outside.
+struct SmoothedPixel
+{
+    glm::dvec3 narrow{0.0};
+    glm::dvec3 wide{0.0};
+    double margin = 0.0;
+};
+
+/// @param rows  in the order in which the texture stores them, as positions on the device go
+inline SmoothedPixel SmoothReference(const Field& rows, int x, int y)
+{
+    const auto luminance = [](const glm::dvec3& color)
+    {
+        return glm::dot(color, glm::dvec3(0.2126729, 0.7151522, 0.0721750));
+    };
+    const auto texel = [&](int column, int row)
+    {
+        column = std::clamp(column, 0, rows.width - 1);
+        row = std::clamp(row, 0, rows.height - 1);
+        return glm::clamp(
+            glm::dvec3(rows.At(column, row, 0), rows.At(column, row, 1), rows.At(column, row, 2)),
+            0.0, 1.0);
+    };
+    const double northWest = luminance(texel(x - 1, y - 1));
+    const double northEast = luminance(texel(x + 1, y - 1));
+    const double southWest = luminance(texel(x - 1, y + 1));
+    const double southEast = luminance(texel(x + 1, y + 1));
+    const double center = luminance(texel(x, y));
+    glm::dvec2 direction(-((northWest + northEast) - (southWest + southEast)),
+                         (northWest + southWest) - (northEast + southEast));
+    const double reduce =
+        std::max((northWest + northEast + southWest + southEast) * 0.25 / 8.0, 1.0 / 128.0);
+    direction /= std::min(std::abs(direction.x), std::abs(direction.y)) + reduce;
+    direction = glm::clamp(direction, -8.0, 8.0);
+    const auto tap = [&](double part)
+    {
+        const double u = (x + 0.5 + part * direction.x) / rows.width;
+        const double v = (y + 0.5 + part * direction.y) / rows.height;
+        return glm::clamp(At(rows, u, v), 0.0, 1.0);
+    };
+    SmoothedPixel result;
+    result.narrow = (tap(1.0 / 3.0 - 0.5) + tap(2.0 / 3.0 - 0.5)) / 2.0;
+    result.wide = result.narrow / 2.0 + (tap(-0.5) + tap(0.5)) / 4.0;
+    const auto [least, most] = std::minmax({northWest, northEast, southWest, southEast, center});
+    result.margin = std::min(luminance(result.wide) - least, most - luminance(result.wide));
+    return result;
+}
+
 /// `slope` about 18 % grey in a logarithm: of ARRI for linear colours, or the Academy's.
 inline double LogarithmicContrast(double x, double slope, bool isAcademy)
 {

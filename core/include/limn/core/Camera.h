@@ -60,6 +60,15 @@ enum class CameraRenderType
     Overlay = 1
 };
 
+/// Selects what smooths the edges of the finished picture, beside several samples per texel.
+/// Unity: UnityEngine.Rendering.Universal.AntialiasingMode (URP 14), of which limn has these
+/// values.
+enum class AntialiasingMode
+{
+    None = 0,
+    FastApproximateAntialiasing = 1 ///< FXAA
+};
+
 /// Selects whether opaque objects are sorted by distance.
 /// Unity: UnityEngine.Rendering.OpaqueSortMode.
 enum class OpaqueSortMode
@@ -117,6 +126,10 @@ struct Camera
     /// In a stack each camera that has it on gets the effects, over all that is drawn so far.
     /// Unity: UniversalAdditionalCameraData.
     bool renderPostProcessing = true;
+    /// Smooths the picture of a base camera and its overlays, behind all their effects. It has no
+    /// effect unless one of them has renderPostProcessing on and the renderer has a feature that
+    /// does it, PostProcessRendererFeature. Unity: UniversalAdditionalCameraData.antialiasing.
+    AntialiasingMode antialiasing = AntialiasingMode::None;
     /// If true and the pipeline supportsHDR, the camera's colour is HDR, in the pipeline's
     /// hdrColorBufferPrecision; otherwise it is R8G8B8A8_SRGB.
     bool allowHDR = true;

@@ -116,6 +116,8 @@ struct CameraData
     bool usesReversedZBuffer = true;
     CameraType cameraType = CameraType::Game;
     bool postProcessEnabled = true; ///< Camera::renderPostProcessing
+    /// Camera::antialiasing, of the stack's base camera.
+    AntialiasingMode antialiasing = AntialiasingMode::None;
     bool isHdrEnabled = true;       ///< the camera's allowHDR, and the pipeline's supportsHDR
     Color backgroundColor;          ///< Camera::backgroundColor, linear
     float maxShadowDistance = 0.0f; ///< metres from the camera; 0 = none reach into its view

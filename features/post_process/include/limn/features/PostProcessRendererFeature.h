@@ -6,6 +6,7 @@
 namespace limn
 {
 
+class FinalPostProcessPass;
 class PostProcessPass;
 
 /// The place at which colours are graded. Unity: ColorGradingMode (URP 14).
@@ -16,9 +17,10 @@ enum class ColorGradingMode
 };
 
 /// Applies Bloom, Vignette, ColorAdjustments and Tonemapping, where volumes switch them on, to
-/// cameras with renderPostProcessing. Effects that are off cost nothing; if all are off, there is
-/// no pass. Unity's renderers have this built in; in limn it must be added as the last feature.
-/// Unity: PostProcessPass, PostProcessData and the pipeline asset's ColorGradingMode (URP 14).
+/// cameras with renderPostProcessing, and smooths the picture of cameras with antialiasing. Effects
+/// that are off cost nothing; if all are off, there is no pass. Unity's renderers have this built
+/// in; in limn it must be added as the last feature. Unity: PostProcessPass, PostProcessData and
+/// the pipeline asset's ColorGradingMode (URP 14).
 class PostProcessRendererFeature final : public ScriptableRendererFeature
 {
 public:
@@ -32,7 +34,11 @@ public:
     void Describe(Inspector& inspector) override;
 
 private:
-    std::unique_ptr<PostProcessPass> m_Pass; ///< made by the first frame that needs it
+    void AddEffects(ScriptableRenderer& renderer, RenderingData& renderingData);
+
+    // Each is made by the first frame that needs it.
+    std::unique_ptr<PostProcessPass> m_Pass;
+    std::unique_ptr<FinalPostProcessPass> m_FinalPass;
 };
 
 } // namespace limn

@@ -89,6 +89,44 @@ float3 ApplyGrain(float3 input, float2 uv, TEXTURE2D_PARAM(GrainTexture, GrainSa
     return input * (1.0 + grain * intensity * strength);
 }
 
+float limn_LuminanceOfNeighbour(int2 pixel, int2 offset, float4 sourceSize, TEXTURE2D_X(source))
+{
+    int2 neighbour = clamp(pixel + offset, int2(0, 0), int2(sourceSize.xy) - 1);
+    return Luminance(saturate(LOAD_TEXTURE2D_X(source, neighbour).rgb));
+}
+
+float3 limn_MeanOfTwo(float2 uv, float2 away, TEXTURE2D_X(source))
+{
+    float3 before = SAMPLE_TEXTURE2D_X_LOD(source, sampler_LinearClamp, uv - away, 0).rgb;
+    float3 behind = SAMPLE_TEXTURE2D_X_LOD(source, sampler_LinearClamp, uv + away, 0).rgb;
+    return 0.5 * (saturate(before) + saturate(behind));
+}
+
+// Fast approximate antialiasing (T. Lottes, NVIDIA 2011: the variant for consoles). Blurs along the
+// edge that the luminances of the four diagonal neighbours show, over up to 8 pixels. Where the wide
+// blur leaves their range, it has met something else, and the narrow one is taken. Colours are cut
+// off at 1. positionNDC: the uv of the pixel positionSS; sourceSize: width, height, 1 / each.
+half3 ApplyFXAA(half3 color, float2 positionNDC, int2 positionSS, float4 sourceSize,
+                TEXTURE2D_X(inputTexture))
+{
+    float4 corners = float4( // upper left and right, lower left and right
+        limn_LuminanceOfNeighbour(positionSS, int2(-1, -1), sourceSize, inputTexture),
+        limn_LuminanceOfNeighbour(positionSS, int2(1, -1), sourceSize, inputTexture),
+        limn_LuminanceOfNeighbour(positionSS, int2(-1, 1), sourceSize, inputTexture),
+        limn_LuminanceOfNeighbour(positionSS, int2(1, 1), sourceSize, inputTexture));
+    float2 along = float2(dot(corners, float4(-1, -1, 1, 1)), dot(corners, float4(1, -1, 1, -1)));
+    float least = max(dot(corners, 0.25 / 8.0), 1.0 / 128.0); // keeps noise in the dark small
+    along = clamp(along / (min(abs(along.x), abs(along.y)) + least), -8.0, 8.0) * sourceSize.zw;
+
+    float3 narrow = limn_MeanOfTwo(positionNDC, along / 6.0, inputTexture);
+    float3 wide = 0.5 * narrow + 0.5 * limn_MeanOfTwo(positionNDC, along / 2.0, inputTexture);
+    float middle = Luminance(saturate(color));
+    float darkest = min(middle, min(min(corners.x, corners.y), min(corners.z, corners.w)));
+    float brightest = max(middle, max(max(corners.x, corners.y), max(corners.z, corners.w)));
+    float blurred = Luminance(wide);
+    return blurred < darkest || blurred > brightest ? narrow : wide;
+}
+
 // Noise of up to one step of 8 bits in sRGB. The texture's alpha is even noise; what is added falls
 // off evenly from 0 to both sides.
 float3 ApplyDithering(float3 input, float2 uv, TEXTURE2D_PARAM(BlueNoiseTexture, BlueNoiseSampler),
