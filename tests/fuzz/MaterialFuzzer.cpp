@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static const bool isRoot = (assets.AddRootsAround(folder / "Assets/a.mat"), true);
     test::RequireInFuzzer(isRoot, "no root");
     UnityNotes notes;
-    UnityDatabase database(folder.path(), assets, notes);
+    UnityDatabase database(folder.path() / "Assets", assets, notes);
     UnityMaterials materials(database, assets, notes);
     const UnityInstance user{};
     test::RequireInFuzzer(materials.Load({2100000, k_FuzzGuid}, UnityReader(user, "object", notes),

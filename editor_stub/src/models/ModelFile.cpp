@@ -167,6 +167,8 @@ std::string ImportModel(const ImportedFile& file)
     return writer.bytes();
 }
 
+constexpr std::string_view k_MeshPart = "_MeshPart"; ///< before a part's number in its name
+
 constexpr ImportKind k_Model{"model", "model 2", ImportInWorker<ImportModel>};
 
 /// The materials of an .obj lie in files beside it, which it names.
@@ -225,9 +227,21 @@ std::int64_t HashedFileID(std::string_view text)
     return static_cast<std::int64_t>(XXH64(text.data(), text.size(), 0));
 }
 
-std::shared_ptr<const Mesh> Model::FindMesh(std::int64_t fileID) const
+bool Model::isLaterPart(std::int64_t fileID) const
 {
     const std::string name = NameOf(import.names, fileID);
+    const std::size_t part = name.rfind(k_MeshPart);
+    return part != name.npos && name.substr(part + k_MeshPart.size()) != "0";
+}
+
+std::shared_ptr<const Mesh> Model::FindMesh(std::int64_t fileID) const
+{
+    if (isLaterPart(fileID))
+    {
+        return nullptr;
+    }
+    std::string name = NameOf(import.names, fileID);
+    name.erase(std::min(name.rfind(k_MeshPart), name.size()));
     std::map<std::string, int> counts;
     for (const auto& mesh : meshes)
     {

@@ -72,8 +72,11 @@ struct Model
     std::vector<ModelMaterial> materials;
     ModelImport import;
 
-    /// Returns the mesh that Unity has under an id, or null if there is none.
+    /// Returns the mesh that Unity has under an id, or null if there is none. Where Unity has split
+    /// a mesh, because it has more vertices than 16 bits count, the first part is all of it.
     std::shared_ptr<const Mesh> FindMesh(std::int64_t fileID) const;
+    /// Returns whether an id is that of another part of a mesh than the first.
+    bool isLaterPart(std::int64_t fileID) const;
     /// Returns the material that Unity has under an id, or null if there is none.
     const ModelMaterial* FindMaterial(std::int64_t fileID) const;
 };

@@ -103,9 +103,9 @@ const UnityHeader* FindClass(const UnityFile& file, UnityClass classID)
     return found == file.headers().end() ? nullptr : &*found;
 }
 
-UnityDatabase::UnityDatabase(const std::filesystem::path& root, AssetContext& assets,
+UnityDatabase::UnityDatabase(const std::filesystem::path& file, AssetContext& assets,
                              UnityNotes& notes)
-    : m_Assets(assets), m_Notes(notes), m_Project(root / "Assets", assets.importer().cacheFolder())
+    : m_Assets(assets), m_Notes(notes), m_Project(file, assets.importer().cacheFolder())
 {
 }
 

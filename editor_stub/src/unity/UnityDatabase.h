@@ -36,9 +36,9 @@ UnityKnownAsset FindKnownAsset(const UnityReference& reference);
 class UnityDatabase
 {
 public:
-    /// @param root  the project's folder; files that are read are added to the reached files of
+    /// @param file  a file of the project; files that are read are added to the reached files of
     ///     `assets`
-    UnityDatabase(const std::filesystem::path& root, AssetContext& assets, UnityNotes& notes);
+    UnityDatabase(const std::filesystem::path& file, AssetContext& assets, UnityNotes& notes);
 
     const std::filesystem::path& root() const { return m_Project.root(); }
     const UnityProject& project() const { return m_Project; }

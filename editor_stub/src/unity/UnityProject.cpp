@@ -22,13 +22,31 @@ bool IsPassedOver(const std::string& name)
     return name.starts_with('.') || name.ends_with('~') || name.ends_with(".tmp") || name == "cvs";
 }
 
+bool HasMetaFile(const std::filesystem::path& path)
+{
+    std::error_code ignored;
+    return std::filesystem::is_regular_file(path.native() + ".meta", ignored);
+}
+
+/// Returns the folder from which Unity has imported the file, or "" if it has not.
+std::filesystem::path ImportedFrom(std::filesystem::path path)
+{
+    const bool isImported = HasMetaFile(path);
+    while (HasMetaFile(path))
+    {
+        path = path.parent_path();
+    }
+    return isImported ? path : std::filesystem::path();
+}
+
 } // namespace
 
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
 {
     std::error_code ignored;
     std::filesystem::path nearest;
-    std::filesystem::path above = std::filesystem::absolute(file, ignored);
+    const std::filesystem::path whole = std::filesystem::absolute(file, ignored);
+    std::filesystem::path above = whole;
     while (above != above.parent_path())
     {
         above = above.parent_path();
@@ -39,7 +57,7 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
         }
         nearest = hasAssets && nearest.empty() ? above : nearest;
     }
-    return nearest;
+    return nearest.empty() ? ImportedFrom(whole) : nearest;
 }
 
 UnityProject::UnityProject(const std::filesystem::path& asset,
@@ -51,6 +69,11 @@ UnityProject::UnityProject(const std::filesystem::path& asset,
         return;
     }
     GuidIndex guids(m_Root, cacheFolder);
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(m_Root / "Assets", ignored))
+    {
+        ScanFolder(m_Root, guids);
+    }
     // The rest of Library is Unity's own, and may be larger than all assets.
     for (const char* folder : {"Assets", "Packages", "Library/PackageCache"})
     {

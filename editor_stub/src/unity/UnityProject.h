@@ -10,7 +10,9 @@ namespace limn
 
 /// Returns the nearest folder above a file that has the folders Assets and ProjectSettings, since
 /// Assets may have a folder Assets within. If there is none, it returns the nearest with Assets
-/// alone, or "".
+/// alone. Repositories often hold only what lies in Assets, or a package: above a file with a .meta
+/// file it then returns the first folder without one, if all that lie between have theirs. Returns
+/// "" for other files.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
 class GuidIndex;
@@ -28,7 +30,7 @@ public:
     /// or null if no .meta file that was read has the guid.
     const std::filesystem::path* Find(std::string_view guid) const;
 
-    /// Returns the project's folder, or "" if there is none.
+    /// Returns the project's folder, or "" if there is none. See UnityProjectAround.
     const std::filesystem::path& root() const { return m_Root; }
 
 private:

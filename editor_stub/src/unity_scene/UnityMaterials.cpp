@@ -297,7 +297,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
         return nullptr;
     }
     std::shared_ptr<const Mesh> found = model->FindMesh(mesh.fileID);
-    if (!found)
+    if (!found && !model->isLaterPart(mesh.fileID))
     {
         user.Note("m_Mesh", path->filename().string() + " has no mesh with the id " +
                                 std::to_string(mesh.fileID) + ", so nothing is drawn");

@@ -139,7 +139,7 @@ void NoteGamma(UnitySceneLoader& loader)
 SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
 {
     UnityNotes notes;
-    UnityDatabase database(UnityProjectAround(path), assets, notes);
+    UnityDatabase database(path, assets, notes);
     UnityMaterials materials(database, assets, notes);
     const std::shared_ptr<const UnityFile> file = database.LoadFile(path);
     if (!file)
@@ -253,8 +253,8 @@ SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& asset
     if (UnityProjectAround(path).empty())
     {
         throw AssetError(path.generic_string(), {},
-                         "a .unity file is read within its project; no folder above it has an "
-                         "Assets folder");
+                         "a .unity file is read within its project; it has no .meta file, and no "
+                         "folder above it has an Assets folder");
     }
     assets.Reach(path);
     assets.AddRootsAround(path);

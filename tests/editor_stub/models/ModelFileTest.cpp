@@ -10,6 +10,7 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>
+#include <limn/core/PrimitiveMesh.h>
 #include <limn/base/ReadFile.h>
 #include <limn/base/WorkerProcess.h>
 
@@ -100,6 +101,23 @@ TEST_F(ModelOfAFile, IsFoundByItsHashOrItsTable)
     import.names[4300000] = name;
     const Model old = Load(import);
     EXPECT_EQ(old.FindMesh(4300000), old.meshes.front());
+}
+
+TEST_F(ModelOfAFile, IsAllOfItsFirstPartWhereUnityHasSplitIt)
+{
+    ModelImport import;
+    const std::string name = Load(import).meshes.front()->name();
+    import.names[4300000] = name + "_MeshPart0";
+    import.names[4300002] = name + "_MeshPart1";
+    import.names[4300004] = "Other_MeshPart0";
+    Model model = Load(import);
+    model.meshes.push_back(CreatePrimitive(PrimitiveType::Quad));
+    EXPECT_EQ(model.FindMesh(4300000), model.meshes.front());
+    EXPECT_FALSE(model.isLaterPart(4300000));
+    EXPECT_EQ(model.FindMesh(4300002), nullptr);
+    EXPECT_TRUE(model.isLaterPart(4300002));
+    EXPECT_EQ(model.FindMesh(4300004), nullptr);
+    EXPECT_FALSE(model.isLaterPart(4300004));
 }
 
 TEST_F(ModelOfAFile, IsAPrefabWithItsMaterials)

@@ -311,6 +311,30 @@ TEST_F(ProjectOfAFewFiles, KeepsAShadersCubeWhereAMaterialHasAPicture)
     EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("_Tex: Wood.png is no cube")));
 }
 
+// Repositories may hold what lies in Assets alone.
+TEST_F(ProjectOfAFewFiles, MayBeOnlyWhatLiesInItsAssets)
+{
+    const std::string material =
+        "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!21 &2100000\nMaterial:\n"
+        "  m_Shader: {fileID: 4800000, guid: 933532a4fcc9baf4fa0491de14d08ed7, type: 3}\n"
+        "  m_SavedProperties:\n    m_Colors:\n    - _BaseColor: {r: 0, g: 0.25, b: 0, a: 1}\n";
+    const TemporaryFolder folder;
+    const std::string scene = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n" +
+                              std::string(k_Camera) + CubeText(2, "Box", 0, k_Red);
+    folder.Write("part/Red.mat", material);
+    folder.Write("part/Red.mat.meta", "guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa\n");
+    const std::filesystem::path file = folder.Write("part/Demo/Scenes/Main.unity", scene);
+    EXPECT_THAT(Problems([&] { LoadScene(file, m_Assets); }),
+                ElementsAre(AllOf(HasSubstr("no .meta file"), HasSubstr("Assets folder"))));
+    for (const char* imported : {"part/Demo/Scenes/Main.unity", "part/Demo/Scenes", "part/Demo"})
+    {
+        folder.Write(imported + std::string(".meta"), "guid: 0\n");
+    }
+    const SceneAsset asset = LoadScene(file, m_Assets);
+    const Material& red = *asset.scene.objects()[1]->renderer->sharedMaterials.front();
+    EXPECT_EQ(red.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.25f, 0, 1}));
+}
+
 TEST_F(ProjectOfAFewFiles, NeedsACamera)
 {
     Write("Assets/Main.unity", CubeText(2, "Box", 0, k_Red));
