@@ -10,9 +10,9 @@
 #include <fstream>
 #include <gmock/gmock.h>
 #include <limn/base/Diagnostic.h>
-#include <limn/core/PrimitiveMesh.h>
 #include <limn/base/ReadFile.h>
 #include <limn/base/WorkerProcess.h>
+#include <limn/core/PrimitiveMesh.h>
 
 namespace limn::test
 {
