@@ -5,6 +5,7 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "compiler/CompilerMessages.h"
+#include "keywords/PragmaScanner.h"
 #include "lowering/GlslangGuards.h"
 #include "lowering/StageLowering.h"
 #include "preprocess/Preprocessor.h"
@@ -56,6 +57,24 @@ std::vector<Diagnostic> MissingPragmaFiles(const PassProgram& program, IncludeRe
     return missing;
 }
 
+/// Returns the program as if it included all files with their pragmas.
+PassProgram WithAllPragmas(PassProgram program, IncludeResolver& resolver)
+{
+    constexpr std::string_view k_Include = "#include";
+    for (SourceChunk& chunk : program.chunks)
+    {
+        for (std::size_t at = chunk.text.find(k_Include); at != chunk.text.npos;
+             at = chunk.text.find(k_Include, at + 1))
+        {
+            const std::size_t end = at + k_Include.size();
+            chunk.text.insert(end, chunk.text.compare(end, 1, "_") == 0 ? "" : "_with_pragmas");
+        }
+    }
+    ScanPragmas(program, [&](std::string_view include, std::string_view includer)
+                { return resolver.Find(include, includer); });
+    return program;
+}
+
 bool isKernel(const PassProgram& program)
 {
     return !program.kernel.name.empty();
@@ -73,9 +92,13 @@ void RequireEntryPoints(const PassProgram& program, IncludeResolver& resolver)
         if (EntryOf(program, stage).name.empty())
         {
             const std::string name(StageName(stage));
+            const bool isIncluded = !EntryOf(WithAllPragmas(program, resolver), stage).name.empty();
             missing.push_back(
                 {Severity::Error, program.file, program.location,
-                 "program: '#pragma " + name + "' is missing; it names the " + name + " function"});
+                 "program: '#pragma " + name + "' is missing; " +
+                     (isIncluded ? "an included file has it, but only #include_with_pragmas takes "
+                                   "pragmas from a file"
+                                 : "it names the " + name + " function")});
         }
     }
     if (missing.empty())

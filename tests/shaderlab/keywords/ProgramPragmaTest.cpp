@@ -286,5 +286,29 @@ TEST(ProgramPragma, IsReadFromFilesIncludedWithPragmasAndFromNoOthers)
     EXPECT_THAT(complete.keywordSets[0].keywords, ElementsAre("A", "B"));
 }
 
+TEST(ProgramPragma, ThatIsMissingIsSaidToBeInAFileThatIsIncludedPlainly)
+{
+    test::TemporaryFolder folder;
+    folder.Write("a.hlsl", "#pragma vertex vert\n"
+                           "float4 vert(float4 p : POSITION) : SV_POSITION { return p; }\n");
+    PassProgram program =
+        test::ProgramOf("\n#include \"a.hlsl\"\nfloat4 frag() : SV_Target { return 1; }\n");
+    program.file = (folder.path() / "t.shader").string();
+    ShaderCompiler compiler;
+    try
+    {
+        compiler.Compile(program);
+        FAIL() << "it compiles";
+    }
+    catch (const AssetError& error)
+    {
+        EXPECT_THAT(test::Messages(error.diagnostics()),
+                    ElementsAre(Mentions("'#pragma vertex' is missing", "an included file has it",
+                                         "only #include_with_pragmas takes pragmas"),
+                                Mentions("'#pragma fragment' is missing",
+                                         "it names the fragment function")));
+    }
+}
+
 } // namespace
 } // namespace limn
