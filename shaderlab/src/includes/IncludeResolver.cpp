@@ -98,10 +98,20 @@ std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path&
     return std::nullopt;
 }
 
+/// Returns where the shader lies, or "" if it lies nowhere: limn's own have a name only, which is
+/// in no project, whatever the working directory is.
+std::filesystem::path PlaceOf(const std::string& shaderFile)
+{
+    std::error_code error;
+    const bool isOnDisk = std::filesystem::path(shaderFile).has_parent_path() ||
+                          std::filesystem::exists(shaderFile, error);
+    return isOnDisk ? std::filesystem::absolute(shaderFile) : std::filesystem::path();
+}
+
 std::optional<std::filesystem::path> ProjectOf(const ShaderCompilerOptions& options,
                                                const std::string& shaderFile)
 {
-    const auto project = UnityProjectOf(std::filesystem::absolute(shaderFile));
+    const auto project = UnityProjectOf(PlaceOf(shaderFile));
     return project || options.projectRoot.empty() ? project : options.projectRoot;
 }
 
@@ -151,8 +161,8 @@ std::string ReasonNotIncluded(std::string_view name, std::string_view refusal)
 IncludeResolver::IncludeResolver(const ShaderCompilerOptions& options,
                                  const std::string& shaderFile)
     : m_Options(options),
-      m_UnityProject(UnityProjectOf(std::filesystem::absolute(shaderFile))),
-      m_Packages(std::filesystem::absolute(shaderFile), ProjectOf(options, shaderFile))
+      m_UnityProject(UnityProjectOf(PlaceOf(shaderFile))),
+      m_Packages(PlaceOf(shaderFile), ProjectOf(options, shaderFile))
 {
     m_ShaderFolder = std::filesystem::path(shaderFile).parent_path();
     m_FilesBeside = FilesBesideShader(shaderFile);

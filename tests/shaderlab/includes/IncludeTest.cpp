@@ -120,6 +120,25 @@ TEST_F(IncludedFile, IsThatOfTheUrpThatTheProjectAsksFor)
     EXPECT_THAT(Compile(later, options, "project/Packages/rays/t.shader"), ElementsAre());
 }
 
+TEST_F(IncludedFile, IsOfNoProjectWhereTheShaderHasANameOnly)
+{
+    const std::string universal = "com.unity.render-pipelines.universal";
+    folder.Write("project/Packages/manifest.json",
+                 R"({"dependencies": {")" + universal + R"(": "10.3.2"}})");
+    folder.Write("project/Assets/On.shader", "");
+    PassProgram program = test::Program("#include \"Packages/" + universal +
+                                        "/Shaders/PostProcessing/Common.hlsl\"\n"
+                                        "#define VALUE (((Varyings)0).texcoord.xyxy)\n" +
+                                        k_Functions);
+    const std::filesystem::path before = std::filesystem::current_path();
+    std::filesystem::current_path(folder / "project/Assets");
+    program.file = "Own.shader";
+    EXPECT_NO_THROW(ShaderCompiler().Compile(program));
+    program.file = "On.shader";
+    EXPECT_THROW(ShaderCompiler().Compile(program), AssetError) << "it lies in the project";
+    std::filesystem::current_path(before);
+}
+
 TEST_F(IncludedFile, FindsThePackageThatTheShaderItselfIsPartOf)
 {
     folder.Write("MyRepository/package.json", "{\"name\": \"com.me.repository\"}");
