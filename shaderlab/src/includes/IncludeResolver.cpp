@@ -98,12 +98,12 @@ std::optional<std::filesystem::path> UnityProjectOf(const std::filesystem::path&
     return std::nullopt;
 }
 
-/// Returns where the shader lies, or "" if it lies nowhere: limn's own have a name only, which is
-/// in no project, whatever the working directory is.
+/// Returns where the shader lies, or "" if it lies nowhere: built-in ones have a name only, which
+/// is in no project, whatever the working directory is.
 std::filesystem::path PlaceOf(const std::string& shaderFile)
 {
     std::error_code error;
-    const bool isOnDisk = std::filesystem::path(shaderFile).has_parent_path() ||
+    const bool isOnDisk = std::filesystem::path(shaderFile).is_absolute() ||
                           std::filesystem::exists(shaderFile, error);
     return isOnDisk ? std::filesystem::absolute(shaderFile) : std::filesystem::path();
 }

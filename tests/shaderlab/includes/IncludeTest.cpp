@@ -132,8 +132,11 @@ TEST_F(IncludedFile, IsOfNoProjectWhereTheShaderHasANameOnly)
                                         k_Functions);
     const std::filesystem::path before = std::filesystem::current_path();
     std::filesystem::current_path(folder / "project/Assets");
-    program.file = "Own.shader";
-    EXPECT_NO_THROW(ShaderCompiler().Compile(program));
+    for (const char* builtIn : {"Own.shader", "Glow/Own.shader"})
+    {
+        program.file = builtIn;
+        EXPECT_NO_THROW(ShaderCompiler().Compile(program));
+    }
     program.file = "On.shader";
     EXPECT_THROW(ShaderCompiler().Compile(program), AssetError) << "it lies in the project";
     std::filesystem::current_path(before);
