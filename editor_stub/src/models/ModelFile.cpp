@@ -231,17 +231,13 @@ bool Model::isLaterPart(std::int64_t fileID) const
 {
     const std::string name = NameOf(import.names, fileID);
     const std::size_t part = name.rfind(k_MeshPart);
-    return part != name.npos && name.substr(part + k_MeshPart.size()) != "0";
+    return part != name.npos && name.substr(part + k_MeshPart.size()) != "0" &&
+           std::ranges::find(meshes, name, &Mesh::name) == meshes.end();
 }
 
 std::shared_ptr<const Mesh> Model::FindMesh(std::int64_t fileID) const
 {
-    if (isLaterPart(fileID))
-    {
-        return nullptr;
-    }
-    std::string name = NameOf(import.names, fileID);
-    name.erase(std::min(name.rfind(k_MeshPart), name.size()));
+    const std::string name = NameOf(import.names, fileID);
     std::map<std::string, int> counts;
     for (const auto& mesh : meshes)
     {
@@ -252,8 +248,15 @@ std::shared_ptr<const Mesh> Model::FindMesh(std::int64_t fileID) const
             return mesh;
         }
     }
+    if (name.empty() || isLaterPart(fileID))
+    {
+        return nullptr;
+    }
+    const std::string whole = name.substr(0, name.rfind(k_MeshPart));
+    const auto found = std::ranges::find(meshes, whole, &Mesh::name);
     // A folded node gave its mesh its own name, and the root has the file's.
-    return !name.empty() && meshes.size() == 1 ? meshes.front() : nullptr;
+    const bool isOnly = meshes.size() == 1;
+    return isOnly ? meshes.front() : found == meshes.end() ? nullptr : *found;
 }
 
 const ModelMaterial* Model::FindMaterial(std::int64_t fileID) const

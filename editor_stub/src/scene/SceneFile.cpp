@@ -172,7 +172,7 @@ void CheckSky(const YamlNode& settings, bool hasSky, SceneLoader& loader)
     }
 }
 
-/// Says so where a camera asks for antialiasing that nothing draws.
+/// Adds a note where the camera asks for antialiasing that nothing draws.
 void CheckAntialiasing(const YamlNode& node, SceneLoader& loader)
 {
     const Camera& camera = loader.asset.camera;

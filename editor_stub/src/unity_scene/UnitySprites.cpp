@@ -212,8 +212,9 @@ void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
     }
     catch (const ContractError&)
     {
-        reader.Note("m_Sprite", "a number in the picture's .meta file is no size or place, so "
-                                "nothing is drawn");
+        const std::filesystem::path& path = *loader.database.Find(target.asset.guid);
+        reader.Note("m_Sprite", "a number in " + MetaFileOf(path).filename().string() +
+                                    " is no size or place, so nothing is drawn");
     }
     if (!made.mesh)
     {

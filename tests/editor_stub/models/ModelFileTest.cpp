@@ -118,6 +118,11 @@ TEST_F(ModelOfAFile, IsAllOfItsFirstPartWhereUnityHasSplitIt)
     EXPECT_TRUE(model.isLaterPart(4300002));
     EXPECT_EQ(model.FindMesh(4300004), nullptr);
     EXPECT_FALSE(model.isLaterPart(4300004));
+    // The file's own mesh may have such a name.
+    const MeshData& quad = model.meshes.back()->data();
+    model.meshes.push_back(std::make_shared<const Mesh>(name + "_MeshPart1", quad));
+    EXPECT_EQ(model.FindMesh(4300002), model.meshes.back());
+    EXPECT_FALSE(model.isLaterPart(4300002));
 }
 
 TEST_F(ModelOfAFile, IsAPrefabWithItsMaterials)

@@ -194,7 +194,7 @@ TEST_F(UnitySprites, SayWhatLimnDoesNotDrawOfThem)
     EXPECT_EQ(Corners(wide), std::pair(glm::vec3(-4, -3, 0), glm::vec3(4, 3, 0)));
     EXPECT_THAT(Notes(), ElementsAre(Mentions("m_DrawMode", "stretches", "neither slices")));
     EXPECT_FALSE(Load("  spritePixelsToUnits: nan\n").renderer);
-    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_Sprite", ".meta file", "no size or place")));
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("m_Sprite", "sheet.png.meta", "no size or place")));
     EXPECT_FALSE(Load("", "  m_Enabled: 0\n").renderer);
     EXPECT_THAT(Notes(), IsEmpty());
 }
