@@ -14,8 +14,8 @@ namespace limn
 namespace
 {
 
-/// What lies within `radius` of a convex polygon, a line or a point. Places are in texels from the
-/// middle of the picture, y upwards.
+/// A shape holds all that lies within `radius` of a convex polygon, a line or a point. Its places
+/// are in texels from the middle of the picture, y upwards.
 struct Shape
 {
     std::string_view guid;
