@@ -88,7 +88,7 @@ void ComputeShader::GetKernelThreadGroupSizes(int kernelIndex, std::uint32_t& x,
 bool ComputeShader::IsSupported(int kernelIndex) const
 {
     KernelAt(kernelIndex);
-    return std::ranges::count(m_Compiler->missingFeatures(), "compute") == 0;
+    return std::ranges::count(m_Compiler->options().missingFeatures, "compute") == 0;
 }
 
 void ComputeShader::SetConstantBuffer(ShaderPropertyId id,

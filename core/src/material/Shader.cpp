@@ -88,7 +88,7 @@ Shader::Shader(ShaderLabDocument document, std::shared_ptr<ShaderCompiler> compi
     ShaderCriteria criteria;
     if (m_Compiler)
     {
-        criteria.missingFeatures = m_Compiler->missingFeatures();
+        criteria.missingFeatures = m_Compiler->options().missingFeatures;
     }
     ResolvedShader resolved = ResolveShader(m_Document, database, criteria);
     if (!resolved.errors.empty())

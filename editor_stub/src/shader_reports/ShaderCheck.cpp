@@ -75,7 +75,7 @@ public:
           m_Compiles(options.compile),
           m_Keywords(options.keywords ? *options.keywords : InitialKeywords(*check.document))
     {
-        m_Criteria.missingFeatures = compiler.missingFeatures();
+        m_Criteria.missingFeatures = compiler.options().missingFeatures;
     }
 
     void CheckSubShaders()

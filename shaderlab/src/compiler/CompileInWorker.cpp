@@ -1,11 +1,10 @@
-#include "compiler/CompileInWorker.h"
+#include "compiler/ProgramCompiler.h"
 
 #include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "compiler/ProgramCompiler.h"
-#include "compiler/WorkerMessages.h"
+#include "compiler/ProgramBytes.h"
 #include "preprocess/GlslangSession.h"
 
 #include <cstdlib>
@@ -16,6 +15,52 @@ namespace limn
 
 namespace
 {
+
+/// The program that a worker must compile, and what its includes are found by.
+struct CompilerRequest
+{
+    PassProgram program;
+    std::vector<std::string> keywords;
+    std::vector<std::pair<std::string, std::string>> packages; ///< name and folder
+    std::string projectRoot;
+    std::vector<std::string> includeFolders;
+    FilesBeside filesBeside;
+};
+
+template <typename Stream, typename Request>
+void TransferRequest(Stream& stream, Request& request)
+{
+    TransferSource(stream, request.program);
+    stream.List(request.keywords, [&](auto& keyword) { stream.Value(keyword); });
+    stream.List(request.packages,
+                [&](auto& package) { stream.Values(package.first, package.second); });
+    stream.Value(request.projectRoot);
+    stream.List(request.includeFolders, [&](auto& folder) { stream.Value(folder); });
+    stream.List(request.filesBeside, [&](auto& file) { stream.Values(file.name, file.text); });
+}
+
+enum class CompilerOutcome : char
+{
+    Compiled,
+    Unsupported,
+    MissingInclude,
+    Failed
+};
+
+struct CompilerAnswer
+{
+    CompilerOutcome outcome = CompilerOutcome::Failed;
+    std::vector<IncludeDependency> dependencies;
+    ShaderProgram program; ///< only its diagnostics unless it is compiled
+};
+
+template <typename Stream, typename Answer>
+void TransferAnswer(Stream& stream, Answer& answer)
+{
+    stream.Value(answer.outcome);
+    TransferDependencies(stream, answer.dependencies);
+    TransferProgram(stream, answer.program);
+}
 
 Diagnostic ProgramError(const PassProgram& program, const std::string& reason)
 {
@@ -30,7 +75,11 @@ CompilerAnswer Compile(const CompilerRequest& request)
         answer.outcome = outcome;
         answer.program.diagnostics = std::move(diagnostics);
     };
-    IncludeResolver resolver(request.options, request.program.file);
+    ShaderCompilerOptions options;
+    options.packages.insert(request.packages.begin(), request.packages.end());
+    options.projectRoot = request.projectRoot;
+    options.includeFolders.assign(request.includeFolders.begin(), request.includeFolders.end());
+    IncludeResolver resolver(options, request.program.file);
     resolver.SetFilesBeside(request.filesBeside);
     try
     {
@@ -78,10 +127,11 @@ std::string Work(std::string_view bytes)
 {
     CompilerRequest request;
     ByteReader reader(bytes);
-    Transfer(reader, request);
+    TransferRequest(reader, request);
     AbortForTest(request.program.file);
+    const CompilerAnswer answer = Compile(request);
     ByteWriter writer;
-    Transfer(writer, Compile(request));
+    TransferAnswer(writer, answer);
     return writer.bytes();
 }
 
@@ -106,10 +156,19 @@ std::string ReasonOfEnd(const WorkerAnswer& answer, std::chrono::milliseconds li
 ShaderProgram CompileInWorker(const PassProgram& program, std::span<const std::string> keywords,
                               const ShaderCompilerOptions& options, IncludeResolver& resolver)
 {
+    CompilerRequest request{program, {keywords.begin(), keywords.end()},
+                            {},      options.projectRoot.string(),
+                            {},      resolver.filesBeside()};
+    for (const auto& [name, folder] : options.packages)
+    {
+        request.packages.emplace_back(name, folder.string());
+    }
+    for (const std::filesystem::path& folder : options.includeFolders)
+    {
+        request.includeFolders.push_back(folder.string());
+    }
     ByteWriter writer;
-    Transfer(writer,
-             CompilerRequest{
-                 program, {keywords.begin(), keywords.end()}, options, resolver.filesBeside()});
+    TransferRequest(writer, request);
     const WorkerAnswer bytes =
         options.process->Run({Work, StartGlslang, options.timeLimit}, writer.bytes());
     if (bytes.ending != WorkerAnswer::Ending::Answered)
@@ -118,7 +177,7 @@ ShaderProgram CompileInWorker(const PassProgram& program, std::span<const std::s
     }
     CompilerAnswer answer;
     ByteReader reader(bytes.bytes);
-    Transfer(reader, answer);
+    TransferAnswer(reader, answer);
     resolver.SetDependencies(std::move(answer.dependencies));
     std::vector<Diagnostic>& diagnostics = answer.program.diagnostics;
     switch (answer.outcome)

@@ -31,11 +31,10 @@ public:
         for (Diagnostic message : messages)
         {
             const std::optional<std::size_t> token = TokenOf(message);
-            if (token && !PlaceAt(*token, message))
+            if (!token || PlaceAt(*token, message))
             {
-                continue;
+                placed.push_back(std::move(message));
             }
-            placed.push_back(std::move(message));
         }
         return placed;
     }
@@ -99,13 +98,13 @@ private:
     /// in the line.
     bool isConsequence(const HlslNode* node, const HlslPlace& place) const
     {
-        return std::any_of(m_Errors.begin(), m_Errors.end(),
-                           [&](const PlacedError& error)
-                           {
-                               return node ? error.token >= node->first && error.token < node->end
-                                           : error.place.file == place.file &&
-                                                 error.place.location.line == place.location.line;
-                           });
+        const auto isWithin = [&](const PlacedError& error)
+        {
+            return node ? error.token >= node->first && error.token < node->end
+                        : error.place.file == place.file &&
+                              error.place.location.line == place.location.line;
+        };
+        return std::ranges::any_of(m_Errors, isWithin);
     }
 
     /// The innermost one around the token, or before it: such are told of where they end.
@@ -125,9 +124,8 @@ private:
     /// Returns the node at the token if it has operands, or null.
     const HlslNode* NodeOf(std::size_t token) const
     {
-        const auto node = std::find_if(m_Hlsl.nodes.begin(), m_Hlsl.nodes.end(),
-                                       [&](const HlslNode& known)
-                                       { return known.token == token && known.child; });
+        const auto node = std::ranges::find_if(m_Hlsl.nodes, [&](const HlslNode& known)
+                                               { return known.token == token && known.child; });
         return node == m_Hlsl.nodes.end() ? nullptr : &*node;
     }
 

@@ -14,6 +14,7 @@
 #include "tokens/ColumnFinder.h"
 
 #include <algorithm>
+#include <functional>
 #include <future>
 #include <memory>
 #include <utility>
@@ -147,9 +148,16 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
     throw AssetError(place.file, place.location, std::string(function.name) + ": " + error.message);
 }
 
+/// Returns the inputs and outputs of a function; a kernel has none.
 StageInterface InterfaceOf(const HlslSource& source, const HlslFunction& function,
                            ShaderStage stage)
 {
+    if (stage == ShaderStage::Compute)
+    {
+        StageInterface interface;
+        interface.function = &function;
+        return interface;
+    }
     try
     {
         return ReadStageInterface(source.declarations, function, stage);
@@ -167,8 +175,6 @@ struct Sources
     std::span<const std::string> keywords;
     IncludeResolver& resolver;
     ColumnFinder& lines;
-
-    bool halfIs16Bit() const { return std::ranges::count(keywords, k_RealHalfMacro) > 0; }
 };
 
 /// One stage on its way to SPIR-V.
@@ -179,7 +185,7 @@ struct Stage
     StageInterface interface;                 ///< into source
 };
 
-/// Vertex first, fragment last.
+/// Vertex first, fragment last; or a kernel alone.
 using Stages = std::vector<Stage>;
 
 Stages ReadStages(const Sources& sources, std::vector<Diagnostic>& warnings)
@@ -188,11 +194,12 @@ Stages ReadStages(const Sources& sources, std::vector<Diagnostic>& warnings)
     Stages stages;
     std::shared_ptr<const HlslSource> shared;
     for (const ShaderStage stage :
-         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment})
+         {ShaderStage::Vertex, ShaderStage::Geometry, ShaderStage::Fragment, ShaderStage::Compute})
     {
-        if (EntryOf(program, stage).name.empty())
+        const bool isOther = isKernel(program) && stage != ShaderStage::Compute;
+        if (isOther || EntryOf(program, stage).name.empty())
         {
-            continue; // RequireEntryPoints has asked for the two that must be there
+            continue; // RequireEntryPoints has asked for those that must be there
         }
         auto source = shared;
         if (!source)
@@ -245,8 +252,8 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
     }
 }
 
-/// Adds what is not there yet. Mistakes that show in the generated entry function only are in the
-/// signature of the author's.
+/// Adds what was found of a stage. Mistakes that show in the generated entry function only are in
+/// the signature of the author's.
 void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& found,
                     const PassProgram& program, const EntryPoint& entry)
 {
@@ -269,11 +276,22 @@ void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diag
         {
             diagnostic.location = program.location;
         }
-        if (std::find(diagnostics.begin(), diagnostics.end(), diagnostic) == diagnostics.end())
+        diagnostics.push_back(std::move(diagnostic));
+    }
+}
+
+/// Removes messages that several stages repeat.
+void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
+{
+    std::vector<Diagnostic> once;
+    for (Diagnostic& diagnostic : diagnostics)
+    {
+        if (std::ranges::find(once, diagnostic) == once.end())
         {
-            diagnostics.push_back(std::move(diagnostic));
+            once.push_back(std::move(diagnostic));
         }
     }
+    diagnostics = std::move(once);
 }
 
 /// The HLSL compiler's result for a rewritten stage, with places in the rewritten text.
@@ -312,49 +330,35 @@ void PlaceDiagnostics(const BuiltStage& built, const PassProgram& program, const
         found.insert(found.end(), undeclared.begin(), undeclared.end());
         AddDiagnostics(errors, found, program, EntryOf(program, stage));
     }
-    for (Diagnostic& warning : PlaceMessages(built.warnings, source, hlsl))
-    {
-        warnings.push_back(std::move(warning));
-    }
-}
-
-void AddStandIns(ShaderProgram& pass, const PassProgram& program, const RewrittenHlsl& hlsl)
-{
-    for (const std::string& standIn : hlsl.standIns)
-    {
-        pass.diagnostics.push_back({Severity::Note, program.file, {}, standIn});
-    }
+    const std::vector<Diagnostic> placed = PlaceMessages(built.warnings, source, hlsl);
+    warnings.insert(warnings.end(), placed.begin(), placed.end());
 }
 
 std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
 {
     return stage == ShaderStage::Vertex     ? pass.vertexSpirv
            : stage == ShaderStage::Geometry ? pass.geometrySpirv
+           : stage == ShaderStage::Compute  ? pass.computeSpirv
                                             : pass.fragmentSpirv;
 }
 
 /// Builds the stages at the same time, the last of them on this thread: most of an import is spent
 /// here, and a machine with two cores imports a pass in little more than half of the time.
-std::vector<BuiltStage> BuildAtOnce(const Sources& sources, const Stages& stages,
-                                    const std::vector<RewrittenHlsl>& rewritten)
+std::vector<std::future<BuiltStage>> BuildAtOnce(const Sources& sources, const Stages& stages,
+                                                 const std::vector<RewrittenHlsl>& rewritten)
 {
-    const auto build = [&](std::size_t i)
+    const bool halfIs16Bit = std::ranges::count(sources.keywords, k_RealHalfMacro) > 0;
+    std::vector<std::future<BuiltStage>> built;
+    for (std::size_t i = 0; i < stages.size(); ++i)
     {
-        return BuildStage(rewritten[i].text, stages[i].stage, sources.program.file,
-                          sources.halfIs16Bit());
-    };
-    std::vector<std::future<BuiltStage>> others;
-    for (std::size_t i = 0; i + 1 < stages.size(); ++i)
-    {
-        others.push_back(std::async(build, i)); // on this thread where there can be no other
+        // Others are built on this thread too where there can be no other.
+        const std::launch others = std::launch::async | std::launch::deferred;
+        const bool isLast = i + 1 == stages.size();
+        built.push_back(std::async(isLast ? std::launch::deferred : others, BuildStage,
+                                   std::cref(rewritten[i].text), stages[i].stage,
+                                   std::cref(sources.program.file), halfIs16Bit));
     }
-    BuiltStage last = build(stages.size() - 1);
-    std::vector<BuiltStage> built;
-    for (std::future<BuiltStage>& other : others)
-    {
-        built.push_back(other.get());
-    }
-    built.push_back(std::move(last));
+    built.back().wait();
     return built;
 }
 
@@ -365,48 +369,40 @@ void BuildStages(ShaderProgram& pass, const Sources& sources, const Stages& stag
     std::vector<RewrittenHlsl> rewritten;
     for (const Stage& stage : stages)
     {
-        rewritten.push_back(RewriteStage(*stage.source, stage.stage, stage.interface, linkage));
-        AddStandIns(pass, sources.program, rewritten.back());
+        rewritten.push_back(
+            stage.stage == ShaderStage::Compute
+                ? RewriteKernel(*stage.source, *stage.interface.function)
+                : RewriteStage(*stage.source, stage.stage, stage.interface, linkage));
+        for (const std::string& standIn : rewritten.back().standIns)
+        {
+            pass.diagnostics.push_back({Severity::Note, sources.program.file, {}, standIn});
+        }
     }
-    std::vector<BuiltStage> built = BuildAtOnce(sources, stages, rewritten);
+    auto building = BuildAtOnce(sources, stages, rewritten);
     std::vector<Diagnostic> errors;
     for (std::size_t i = 0; i < stages.size(); ++i)
     {
-        PlaceDiagnostics(built[i], sources.program, *stages[i].source, rewritten[i],
-                         stages[i].stage, pass.diagnostics, errors);
-        SpirvOf(pass, stages[i].stage) = std::move(built[i].spirv);
+        BuiltStage built = building[i].get();
+        PlaceDiagnostics(built, sources.program, *stages[i].source, rewritten[i], stages[i].stage,
+                         pass.diagnostics, errors);
+        SpirvOf(pass, stages[i].stage) = std::move(built.spirv);
     }
     if (!errors.empty())
     {
+        RemoveRepeated(errors);
         throw AssetError(std::move(errors));
-    }
-}
-
-void ThrowMessages(const std::vector<std::string>& messages, const PassProgram& program)
-{
-    std::vector<Diagnostic> diagnostics;
-    for (const std::string& message : messages)
-    {
-        diagnostics.push_back({Severity::Error, program.file, program.location, message});
-    }
-    if (!diagnostics.empty())
-    {
-        throw AssetError(std::move(diagnostics));
     }
 }
 
 GeometryInput GeometryInputOf(const StageInterface& interface)
 {
-    static constexpr std::pair<std::string_view, GeometryInput> k_Inputs[] = {
-        {"point", GeometryInput::Point},
-        {"line", GeometryInput::Line},
-        {"lineadj", GeometryInput::LineAdjacency},
-        {"triangle", GeometryInput::Triangle},
-        {"triangleadj", GeometryInput::TriangleAdjacency}};
-    return std::find_if(std::begin(k_Inputs), std::end(k_Inputs),
-                        [&](const auto& item)
-                        { return item.first == interface.geometry->primitive; })
-        ->second;
+    using Input = std::pair<std::string_view, GeometryInput>;
+    static constexpr Input k_Inputs[] = {{"point", GeometryInput::Point},
+                                         {"line", GeometryInput::Line},
+                                         {"lineadj", GeometryInput::LineAdjacency},
+                                         {"triangle", GeometryInput::Triangle},
+                                         {"triangleadj", GeometryInput::TriangleAdjacency}};
+    return std::ranges::find(k_Inputs, interface.geometry->primitive, &Input::first)->second;
 }
 
 ShaderProgram Build(const Sources& sources)
@@ -429,50 +425,23 @@ ShaderProgram Build(const Sources& sources)
     {
         pass.layout.geometryInput = GeometryInputOf(stages[1].interface);
     }
-    ThrowMessages(messages, program);
+    if (!messages.empty())
+    {
+        std::vector<Diagnostic> errors;
+        for (const std::string& message : messages)
+        {
+            errors.push_back({Severity::Error, program.file, program.location, message});
+        }
+        throw AssetError(std::move(errors));
+    }
     return pass;
 }
 
-ShaderProgram BuildKernel(const Sources& sources)
+std::vector<Diagnostic> WithColumns(const AssetError& error, ColumnFinder& lines)
 {
-    ShaderProgram kernel;
-    const PassProgram& program = sources.program;
-    const HlslSource source(PreprocessHlsl(program, ShaderStage::Compute, sources.keywords,
-                                           sources.resolver, sources.lines, kernel.diagnostics)
-                                .text,
-                            &sources.lines);
-    RequireSound(source);
-    const RewrittenHlsl hlsl =
-        RewriteKernel(source, FindEntry(program, source, ShaderStage::Compute));
-    AddStandIns(kernel, program, hlsl);
-    std::vector<Diagnostic> errors;
-    BuiltStage built =
-        BuildStage(hlsl.text, ShaderStage::Compute, program.file, sources.halfIs16Bit());
-    PlaceDiagnostics(built, program, source, hlsl, ShaderStage::Compute, kernel.diagnostics,
-                     errors);
-    kernel.computeSpirv = std::move(built.spirv);
-    if (!errors.empty())
-    {
-        throw AssetError(std::move(errors));
-    }
-    std::vector<std::string> messages;
-    ReflectKernel(kernel, source.declarations.objects, messages);
-    ThrowMessages(messages, program);
-    return kernel;
-}
-
-/// Removes messages that several stages repeat.
-void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
-{
-    std::vector<Diagnostic> once;
-    for (Diagnostic& diagnostic : diagnostics)
-    {
-        if (std::find(once.begin(), once.end(), diagnostic) == once.end())
-        {
-            once.push_back(std::move(diagnostic));
-        }
-    }
-    diagnostics = std::move(once);
+    std::vector<Diagnostic> diagnostics = error.diagnostics();
+    lines.AddColumns(diagnostics);
+    return diagnostics;
 }
 
 } // namespace
@@ -485,7 +454,7 @@ ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::st
     const Sources sources{program, keywords, resolver, lines};
     try
     {
-        ShaderProgram pass = isKernel(program) ? BuildKernel(sources) : Build(sources);
+        ShaderProgram pass = Build(sources);
         const std::vector<Diagnostic> warnings = CheckPragmas(program);
         pass.diagnostics.insert(pass.diagnostics.begin(), warnings.begin(), warnings.end());
         RemoveRepeated(pass.diagnostics);
@@ -494,21 +463,15 @@ ShaderProgram CompileProgram(const PassProgram& program, std::span<const std::st
     }
     catch (const UnsupportedProgramError& error)
     {
-        std::vector<Diagnostic> diagnostics = error.diagnostics();
-        lines.AddColumns(diagnostics);
-        throw UnsupportedProgramError(diagnostics.front());
+        throw UnsupportedProgramError(WithColumns(error, lines).front());
     }
     catch (const MissingIncludeError& error)
     {
-        std::vector<Diagnostic> diagnostics = error.diagnostics();
-        lines.AddColumns(diagnostics);
-        throw MissingIncludeError(std::move(diagnostics));
+        throw MissingIncludeError(WithColumns(error, lines));
     }
     catch (const AssetError& error)
     {
-        std::vector<Diagnostic> diagnostics = error.diagnostics();
-        lines.AddColumns(diagnostics);
-        throw AssetError(std::move(diagnostics));
+        throw AssetError(WithColumns(error, lines));
     }
 }
 

@@ -1,19 +1,18 @@
 #include <limn/shaderlab/ShaderCompiler.h>
 
+#include <limn/base/FileCache.h>
 #include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
-#include "compiler/CompileInWorker.h"
+#include "compiler/ProgramBytes.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/RecentPrograms.h"
-#include "compiler/ShaderCache.h"
 #include "keywords/PassMacro.h"
 #include "keywords/PragmaScanner.h"
 #include "spirv/ScalarLayout.h"
 
 #include <algorithm>
 #include <atomic>
-#include <cstdio>
 #include <mutex>
 
 namespace limn
@@ -24,14 +23,6 @@ namespace
 
 /// Raised whenever the same text compiles to something else than before.
 constexpr int k_CompilerVersion = 25;
-
-std::string HashName(const std::string& text)
-{
-    char name[20];
-    std::snprintf(name, sizeof(name), "%016llx",
-                  static_cast<unsigned long long>(HashContent(text)));
-    return name;
-}
 
 std::string CacheKey(const PassProgram& program, std::span<const std::string> keywords,
                      const ShaderCompilerOptions& options)
@@ -69,7 +60,7 @@ std::string CacheKey(const PassProgram& program, std::span<const std::string> ke
     {
         all += std::to_string(part.size()) + ":" + part;
     }
-    return HashName(all);
+    return std::to_string(HashContent(all));
 }
 
 /// A pass with warnings holds lines of the .shader file: it is another one once it moves.
@@ -80,7 +71,7 @@ std::string PlacedKey(const std::string& key, const PassProgram& program)
     {
         placed += "-" + std::to_string(chunk.firstLine);
     }
-    return HashName(placed);
+    return std::to_string(HashContent(placed));
 }
 
 /// Returns the macros that tell the library the platform and the pass.
@@ -130,7 +121,7 @@ void RefuseScalarLayout(const PassProgram& program, const ShaderProgram& compile
     }
 }
 
-void ExpectOwnLibrary(const ShaderCompilerOptions& options)
+void RequireConsistent(const ShaderCompilerOptions& options)
 {
     const std::string core = "com.unity.render-pipelines.core";
     if (!options.usesReversedZBuffer && options.packages.contains(core))
@@ -140,10 +131,6 @@ void ExpectOwnLibrary(const ShaderCompilerOptions& options)
             " is read from " + options.packages.at(core).string() +
             ", where it is always true on Vulkan; leave one of them out");
     }
-}
-
-void ExpectSmallFloats(const ShaderCompilerOptions& options)
-{
     if (options.halfIs16Bit && std::ranges::count(options.missingFeatures, "native16bit") > 0)
     {
         throw ContractError("ShaderCompilerOptions: halfIs16Bit is true, but the device lacks "
@@ -152,19 +139,63 @@ void ExpectSmallFloats(const ShaderCompilerOptions& options)
     }
 }
 
+/// Returns the program stored under `key`, if every file from which it was compiled is still the
+/// same.
+/// @param dependencies  is set to these files
+std::optional<ShaderProgram> LoadProgram(const FileCache& cache, const std::string& key,
+                                         std::vector<IncludeDependency>& dependencies)
+{
+    dependencies.clear();
+    const std::optional<FileCache::Entry> entry = cache.Load(key);
+    if (!entry)
+    {
+        return std::nullopt;
+    }
+    try
+    {
+        ByteReader reader(entry->payload());
+        TransferDependencies(reader, dependencies);
+        if (!std::ranges::all_of(dependencies, [](const IncludeDependency& file)
+                                 { return HashFile(file.path) == file.contentHash; }))
+        {
+            return std::nullopt;
+        }
+        ShaderProgram program;
+        TransferProgram(reader, program);
+        cache.Touch(key);
+        return program;
+    }
+    catch (const std::out_of_range&)
+    {
+        return std::nullopt; // an entry of another format with a good hash: rebuilt like a torn one
+    }
+}
+
+void StoreProgram(const FileCache& cache, const std::string& key, const ShaderProgram& program,
+                  const std::vector<IncludeDependency>& dependencies)
+{
+    if (cache.isEnabled())
+    {
+        ByteWriter payload;
+        TransferDependencies(payload, dependencies);
+        TransferProgram(payload, program);
+        cache.Store(key, payload.bytes());
+    }
+}
+
 } // namespace
 
 struct ShaderCompiler::State
 {
     explicit State(ShaderCompilerOptions value)
-        : options(std::move(value)), cache(options.cacheFolder, options.cacheLimit)
+        : options(std::move(value)),
+          cache(options.cacheFolder, ".limnpass", "limn pass 6\n", options.cacheLimit)
     {
-        ExpectOwnLibrary(options);
-        ExpectSmallFloats(options);
+        RequireConsistent(options);
     }
 
     const ShaderCompilerOptions options;
-    const ShaderCache cache;
+    const FileCache cache;
     RecentPrograms recent;
     std::atomic<int> compiled{0};
     std::atomic<int> loadedFromCache{0};
@@ -189,11 +220,6 @@ ShaderCompiler::ShaderCompiler(ShaderCompilerOptions options)
 
 ShaderCompiler::~ShaderCompiler() = default;
 
-const std::vector<std::string>& ShaderCompiler::missingFeatures() const
-{
-    return m_State->options.missingFeatures;
-}
-
 const ShaderCompilerOptions& ShaderCompiler::options() const
 {
     return m_State->options;
@@ -206,11 +232,8 @@ bool ShaderCompiler::usesReversedZBuffer() const
 
 PassProgram ShaderCompiler::ReadPragmas(const PassProgram& program) const
 {
-    const bool isComplete = std::none_of(program.pragmas.begin(), program.pragmas.end(),
-                                         [](const ProgramPragma& pragma)
-                                         { return pragma.name == "include_with_pragmas"; });
     PassProgram complete = program;
-    if (!isComplete)
+    if (std::ranges::count(program.pragmas, "include_with_pragmas", &ProgramPragma::name) > 0)
     {
         IncludeResolver resolver(m_State->options, program.file);
         ScanPragmas(complete, [&](std::string_view include, std::string_view includer)
@@ -229,39 +252,40 @@ std::shared_ptr<const ShaderProgram> ShaderCompiler::Compile(const PassProgram& 
         throw UnsupportedProgramError(std::move(*reason));
     }
     const std::string key = CacheKey(program, keywords, m_State->options);
-    std::vector<IncludeDependency> cachedDependencies;
     const std::string placedKey = PlacedKey(key, program);
-    auto cached = m_State->cache.Load(key, cachedDependencies);
-    if (!cached)
+    std::vector<IncludeDependency> dependencies;
+    auto compiled = LoadProgram(m_State->cache, key, dependencies);
+    if (!compiled)
     {
-        cached = m_State->cache.Load(placedKey, cachedDependencies);
+        compiled = LoadProgram(m_State->cache, placedKey, dependencies);
     }
-    if (cached)
+    if (compiled)
     {
         ++m_State->loadedFromCache;
-        m_State->Remember(cachedDependencies);
-        RefuseScalarLayout(program, *cached, m_State->options.missingFeatures);
-        return m_State->recent.Share(key, std::move(*cached));
+        m_State->Remember(dependencies);
     }
-    IncludeResolver resolver(m_State->options, program.file);
-    try
+    else
     {
-        ShaderProgram pass = m_State->options.process
-                                 ? CompileInWorker(program, keywords, m_State->options, resolver)
-                                 : CompileProgram(program, keywords, resolver);
+        IncludeResolver resolver(m_State->options, program.file);
+        try
+        {
+            compiled = m_State->options.process
+                           ? CompileInWorker(program, keywords, m_State->options, resolver)
+                           : CompileProgram(program, keywords, resolver);
+        }
+        catch (...)
+        {
+            // A missing or wrong include is what a person mends next.
+            m_State->Remember(resolver.dependencies());
+            throw;
+        }
         ++m_State->compiled;
         m_State->Remember(resolver.dependencies());
-        m_State->cache.Store(pass.diagnostics.empty() ? key : placedKey, pass,
-                             resolver.dependencies());
-        RefuseScalarLayout(program, pass, m_State->options.missingFeatures);
-        return m_State->recent.Share(key, std::move(pass));
+        StoreProgram(m_State->cache, compiled->diagnostics.empty() ? key : placedKey, *compiled,
+                     resolver.dependencies());
     }
-    catch (...)
-    {
-        // A missing or wrong include is what a person mends next.
-        m_State->Remember(resolver.dependencies());
-        throw;
-    }
+    RefuseScalarLayout(program, *compiled, m_State->options.missingFeatures);
+    return m_State->recent.Share(key, std::move(*compiled));
 }
 
 std::set<std::filesystem::path> ShaderCompiler::includeFiles() const

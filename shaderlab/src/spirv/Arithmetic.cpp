@@ -10,7 +10,6 @@
 #include <map>
 #include <span>
 #include <unordered_map>
-#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -28,23 +27,12 @@ constexpr float k_LargestInt = 2147483520.0f;
 constexpr float k_UintEnd = 4294967296.0f;
 constexpr float k_LargestUint = 4294967040.0f;
 
-/// The function of GLSL that does what HLSL says, for one that glslang takes; 0 = it does already.
-std::uint32_t RightFunction(std::uint32_t function)
-{
-    switch (function)
-    {
-    case GLSLstd450Round:
-        return GLSLstd450RoundEven;
-    case GLSLstd450FMin:
-        return GLSLstd450NMin;
-    case GLSLstd450FMax:
-        return GLSLstd450NMax;
-    case GLSLstd450FClamp:
-        return GLSLstd450NClamp;
-    default:
-        return 0;
-    }
-}
+/// The functions of GLSL that glslang takes, and those that do what HLSL says.
+const std::map<std::uint32_t, std::uint32_t> k_RightFunctions = {
+    {GLSLstd450Round, GLSLstd450RoundEven},
+    {GLSLstd450FMin, GLSLstd450NMin},
+    {GLSLstd450FMax, GLSLstd450NMax},
+    {GLSLstd450FClamp, GLSLstd450NClamp}};
 
 class ArithmeticRewriter
 {
@@ -90,17 +78,11 @@ private:
             m_Bools[1] = i.result;
             break;
         case spv::OpTypeInt:
-            m_Width[i.result] = w[2];
-            if (w[3] == 0)
-            {
-                m_Unsigned.insert(i.result);
-            }
-            break;
         case spv::OpTypeFloat:
-            m_Width[i.result] = w[2];
+            m_Types[i.result] = i;
             break;
         case spv::OpTypeVector:
-            m_Vectors[i.result] = {w[2], w[3]};
+            m_Types[i.result] = i;
             if (w[2] == m_Bools[1])
             {
                 m_Bools[w[3]] = i.result;
@@ -166,9 +148,10 @@ private:
                 PutStep(i);
                 return;
             }
-            if (const std::uint32_t right = RightFunction(i.words[k_ExtendedNumber]))
+            if (const auto right = k_RightFunctions.find(i.words[k_ExtendedNumber]);
+                right != k_RightFunctions.end())
             {
-                i.words[k_ExtendedNumber] = right;
+                i.words[k_ExtendedNumber] = right->second;
             }
             break;
         case spv::OpShiftLeftLogical:
@@ -177,7 +160,7 @@ private:
             MaskCount(i.words[4]);
             break;
         case spv::OpSNegate:
-            if (m_Unsigned.contains(ComponentType(i.type)))
+            if (m_Types.at(ComponentType(i.type)).words[3] == 0) // uint
             {
                 PutNegation(i);
                 return;
@@ -213,10 +196,10 @@ private:
         const Id x = i.words[3];
         const Id zero = Null(type);
         const Id truth = Truth(type);
-        const Id size = PutFunction(type, GLSLstd450FAbs, {x});
-        const Id divisor = PutFunction(type, GLSLstd450FAbs, {i.words[4]});
+        const Id size = Put(spv::OpExtInst, type, {m_Functions, GLSLstd450FAbs, x});
+        const Id divisor = Put(spv::OpExtInst, type, {m_Functions, GLSLstd450FAbs, i.words[4]});
         const Id quotient = Put(spv::OpFDiv, type, {size, divisor});
-        const Id whole = PutFunction(type, GLSLstd450Trunc, {quotient});
+        const Id whole = Put(spv::OpExtInst, type, {m_Functions, GLSLstd450Trunc, quotient});
         const Id product = Put(spv::OpFMul, type, {divisor, whole});
         const Id rest = Put(spv::OpFSub, type, {size, product});
         const Id above = Put(spv::OpFAdd, type, {rest, divisor});
@@ -348,9 +331,10 @@ private:
         {
             return Constant(from, std::bit_cast<std::uint32_t>(value));
         };
-        const Id inside = PutFunction(from, GLSLstd450NClamp,
-                                      {x, isSigned ? number(-k_IntEnd) : Null(from),
-                                       number(isSigned ? k_LargestInt : k_LargestUint)});
+        const Id inside =
+            Put(spv::OpExtInst, from,
+                {m_Functions, GLSLstd450NClamp, x, isSigned ? number(-k_IntEnd) : Null(from),
+                 number(isSigned ? k_LargestInt : k_LargestUint)});
         const Id cut = Put(static_cast<spv::Op>(i.op), i.type, {inside});
         const Id isAbove =
             Put(spv::OpFOrdGreaterThanEqual, truth, {x, number(isSigned ? k_IntEnd : k_UintEnd)});
@@ -371,15 +355,15 @@ private:
 
     std::uint32_t Components(Id type) const
     {
-        const auto vector = m_Vectors.find(type);
-        return vector == m_Vectors.end() ? 1 : vector->second.second;
+        return ComponentType(type) == type ? 1 : m_Types.at(type).words[3];
     }
     Id ComponentType(Id type) const
     {
-        const auto vector = m_Vectors.find(type);
-        return vector == m_Vectors.end() ? type : vector->second.first;
+        const auto known = m_Types.find(type);
+        const bool isVector = known != m_Types.end() && known->second.op == spv::OpTypeVector;
+        return isVector ? known->second.words[2] : type;
     }
-    std::uint32_t WidthOf(Id type) const { return m_Width.at(ComponentType(type)); }
+    std::uint32_t WidthOf(Id type) const { return m_Types.at(ComponentType(type)).words[2]; }
 
     /// bool, or the vector of them that is as long.
     Id Truth(Id type)
@@ -443,15 +427,6 @@ private:
         m_TypeOf[m_Bound] = type;
         return m_Bound++;
     }
-    Id PutFunction(Id type, std::uint32_t function, std::initializer_list<Id> operands)
-    {
-        const auto size = static_cast<std::uint32_t>(operands.size() + 5);
-        m_Body.insert(m_Body.end(),
-                      {size << 16 | spv::OpExtInst, type, m_Bound, m_Functions, function});
-        m_Body.insert(m_Body.end(), operands);
-        m_TypeOf[m_Bound] = type;
-        return m_Bound++;
-    }
 
     std::vector<SpirvInstruction> m_Instructions;
     SpirvWords m_Result; ///< header and declarations as they were
@@ -460,11 +435,9 @@ private:
     Id m_Bound;
     Id m_Functions = 0; ///< the set of GLSL.std.450
     std::unordered_map<Id, Id> m_TypeOf;
-    std::unordered_set<Id> m_Unsigned;                              ///< integer types
-    std::unordered_map<Id, std::uint32_t> m_Width;                  ///< bits, of scalar types
-    std::unordered_map<Id, std::pair<Id, std::uint32_t>> m_Vectors; ///< type → component, count
-    std::unordered_map<Id, SpirvWords> m_Constants;                 ///< each component's first word
-    std::unordered_map<Id, Id> m_Nulls;                             ///< by type
+    std::unordered_map<Id, SpirvInstruction> m_Types; ///< numbers, and vectors of all kinds
+    std::unordered_map<Id, SpirvWords> m_Constants;   ///< each component's first word
+    std::unordered_map<Id, Id> m_Nulls;               ///< by type
     std::map<std::pair<Id, std::uint32_t>, Id> m_Made;
     Id m_Bools[5] = {}; ///< types by components
 };

@@ -1,10 +1,7 @@
 #include "spirv/HalfPrecision.h"
 
-#include "spirv/SpirvInstructions.h"
-
 #include <glslang/SPIRV/GLSL.std.450.h>
 #include <glslang/SPIRV/spirv.hpp>
-#include <limn/base/Diagnostic.h>
 
 #include <algorithm>
 #include <array>
@@ -43,27 +40,21 @@ bool IsMove(std::uint32_t op)
            op == spv::OpSelect || op == spv::OpCopyObject;
 }
 
-bool IsComparison(std::uint32_t op)
-{
-    return op >= spv::OpFOrdEqual && op <= spv::OpFUnordGreaterThanEqual;
-}
-
 class HalfRewriter
 {
 public:
     explicit HalfRewriter(const SpirvWords& spirv)
-        : m_Instructions(ParseSpirv(spirv)), m_Bound(spirv[3])
+        : m_Instructions(ParseSpirv(spirv)),
+          m_Bound(spirv[k_SpirvBoundWord]),
+          m_Result(spirv.begin(), spirv.begin() + k_SpirvHeaderSize)
     {
-        m_Result.assign(spirv.begin(), spirv.begin() + k_SpirvHeaderSize);
         std::ranges::for_each(m_Instructions, [this](const auto& i) { Learn(i); });
     }
 
+    bool isNeeded() const { return !m_Relaxed.empty() || !m_RelaxedMembers.empty(); }
+
     SpirvWords Rewrite()
     {
-        if (m_Relaxed.empty() && m_RelaxedMembers.empty())
-        {
-            return {};
-        }
         const auto body = std::ranges::find(m_Instructions, std::uint32_t{spv::OpFunction},
                                             &SpirvInstruction::op);
         for (auto& type : m_HalfTypes)
@@ -85,16 +76,13 @@ private:
     {
         const SpirvWords& w = i.words;
         m_TypeOf[i.result] = i.type;
-        const bool isFloat = i.op == spv::OpTypeFloat && w[2] == 32;
-        if (isFloat)
+        if (i.op == spv::OpTypeFloat && w[2] == 32)
         {
             m_Components[i.result] = 1;
-            m_FloatTypes[0] = i.result;
         }
         else if (i.op == spv::OpTypeVector && m_Components.contains(w[2]))
         {
             m_Components[i.result] = w[3];
-            m_FloatTypes[w[3] - 1] = i.result;
         }
         else if (i.op == spv::OpTypePointer)
         {
@@ -115,32 +103,24 @@ private:
         else if (i.op == spv::OpFunction)
         {
             m_Parameters[i.result];
-            m_LastFunction = i.result;
+            m_Function = i.result;
         }
         else if (i.op == spv::OpFunctionParameter)
         {
-            m_Parameters[m_LastFunction].push_back(i.result);
+            m_Parameters[m_Function].push_back(i.result);
+        }
+        else if (IsRelaxation(i) && i.op == spv::OpDecorate)
+        {
+            m_Relaxed.insert(w[1]);
         }
         else if (IsRelaxation(i))
         {
-            if (i.op == spv::OpDecorate)
-            {
-                m_Relaxed.insert(w[1]);
-            }
-            else
-            {
-                m_RelaxedMembers.insert({w[1], w[2]});
-            }
+            m_RelaxedMembers.insert({w[1], w[2]});
         }
-        if (i.op >= spv::OpUndef && (i.op == spv::OpUndef || IsConstant(i.op)))
+        if (i.op == spv::OpUndef || (i.op >= spv::OpConstantTrue && i.op <= spv::OpSpecConstantOp))
         {
             m_Constants.insert(i.result);
         }
-    }
-
-    static bool IsConstant(std::uint32_t op)
-    {
-        return op >= spv::OpConstantTrue && op <= spv::OpSpecConstantOp;
     }
 
     static bool IsRelaxation(const SpirvInstruction& i)
@@ -209,7 +189,7 @@ private:
             RoundArguments(i);
             break;
         default:
-            if (IsComparison(i.op))
+            if (i.op >= spv::OpFOrdEqual && i.op <= spv::OpFUnordGreaterThanEqual) // compares
             {
                 RoundConstants(i);
             }
@@ -276,14 +256,10 @@ private:
 
     void MarkPlace(const SpirvInstruction& i, bool isRelaxed)
     {
-        const auto pointee = m_Pointee.find(i.type);
-        if (isRelaxed && pointee == m_Pointee.end())
+        if (isRelaxed)
         {
-            m_Halves.insert(i.result); // a parameter by value
-        }
-        else if (isRelaxed)
-        {
-            m_HalfPlaces.insert(i.result);
+            const bool isPlace = m_Pointee.contains(i.type); // no parameter by value
+            (isPlace ? m_HalfPlaces : m_Halves).insert(i.result);
         }
     }
 
@@ -349,13 +325,12 @@ private:
     /// The value as 32-bit floats that 16 bits can hold; what is none of floats stays as it is.
     Id Rounded(Id value)
     {
-        const std::uint32_t components = ComponentsOf(value);
-        if (components == 0 || m_Halves.contains(value))
+        if (ComponentsOf(value) == 0 || m_Halves.contains(value))
         {
             return value;
         }
         const Id rounded = m_Bound++;
-        PutRounding(m_FloatTypes[components - 1], rounded, value);
+        PutRounding(m_TypeOf.at(value), rounded, value);
         return rounded;
     }
 
@@ -419,8 +394,7 @@ private:
     Id m_Bound;
     std::map<Id, Id> m_TypeOf;                  ///< of values
     std::map<Id, std::uint32_t> m_Components;   ///< of types of 32-bit floats
-    std::array<Id, 4> m_FloatTypes{};           ///< by components
-    std::array<Id, 4> m_HalfTypes{};            ///< likewise
+    std::array<Id, 4> m_HalfTypes{};            ///< by components
     std::map<Id, Id> m_Pointee;                 ///< of pointer types
     std::map<Id, std::vector<Id>> m_Members;    ///< of struct types
     std::map<Id, Id> m_Element;                 ///< of array types
@@ -433,7 +407,6 @@ private:
     std::set<Id> m_Halves;     ///< values of 32 bits that 16 can hold
     std::map<Id, Id> m_HalfOf; ///< such a value → the 16-bit one it was made of
     std::vector<Id> m_Exact;   ///< operations on halves
-    Id m_LastFunction = 0;
     Id m_Function = 0;
     SpirvWords m_Body;
     SpirvWords m_Result;
@@ -441,10 +414,12 @@ private:
 
 } // namespace
 
-std::vector<std::uint32_t> UseHalfPrecision(const std::vector<std::uint32_t>& spirv)
+void UseHalfPrecision(SpirvWords& spirv)
 {
-    std::vector<std::uint32_t> result = HalfRewriter(spirv).Rewrite();
-    return result.empty() ? spirv : result;
+    if (HalfRewriter rewriter(spirv); rewriter.isNeeded())
+    {
+        spirv = rewriter.Rewrite();
+    }
 }
 
 } // namespace limn

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
+#include "spirv/SpirvInstructions.h"
 
 namespace limn
 {
@@ -14,6 +13,6 @@ namespace limn
 /// operation on only relaxed values and constants uses 16-bit floats. An operation with a 32-bit
 /// operand uses 32 bits, as HLSL promotes. Matrices, derivatives and texture functions stay in 32
 /// bits until they are assigned.
-std::vector<std::uint32_t> UseHalfPrecision(const std::vector<std::uint32_t>& spirv);
+void UseHalfPrecision(SpirvWords& spirv);
 
 } // namespace limn

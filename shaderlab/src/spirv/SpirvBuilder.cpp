@@ -57,104 +57,61 @@ constexpr std::string_view k_PassBehindKnownIndices = "--convert-local-access-ch
 /// The passes that make textures in structs and parameters legal for Vulkan.
 constexpr std::string_view k_AllPasses = "--legalize-hlsl -O";
 
-/// Calls a function with each instruction's number, opcode and operands until it returns false.
-template <typename F>
-void ForEachInstruction(const std::vector<std::uint32_t>& spirv, F&& each)
-{
-    constexpr std::size_t k_Header = 5; // words
-    std::size_t number = 0;
-    for (std::size_t word = k_Header; word < spirv.size();)
-    {
-        const std::size_t size = std::clamp<std::size_t>(spirv[word] >> 16, 1, spirv.size() - word);
-        const auto operands = std::span(spirv).subspan(word + 1, size - 1);
-        if (!each(++number, spirv[word] & 0xffff, operands))
-        {
-            return;
-        }
-        word += size;
-    }
-}
-
-/// Returns whether any id of the module is decorated with RelaxedPrecision: only those of min16
-/// types.
-bool hasRelaxedPrecision(const std::vector<std::uint32_t>& spirv)
-{
-    bool found = false;
-    ForEachInstruction(
-        spirv,
-        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
-        {
-            found = found || (operation == spv::OpDecorate &&
-                              operands[1] == spv::DecorationRelaxedPrecision);
-            return !found && operation != spv::OpFunction;
-        });
-    return found;
-}
-
 /// Returns whether the module has variables of its own that are arrays or hold some.
-bool hasArrayVariables(const std::vector<std::uint32_t>& spirv)
+bool hasArrayVariables(const SpirvWords& spirv)
 {
-    std::set<std::uint32_t> arrays; // types
+    std::set<Id> arrays; // types
     bool found = false;
-    ForEachInstruction(
+    ForEachDeclaration(
         spirv,
-        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
+        [&](std::uint32_t op, std::span<const std::uint32_t> words)
         {
-            const auto isArray = [&](std::uint32_t type)
+            const auto isArray = [&](Id type)
             {
                 return arrays.contains(type);
             };
-            if (operation == spv::OpTypeArray ||
-                (operation == spv::OpTypeStruct && std::ranges::any_of(operands, isArray)))
+            if (op == spv::OpTypeArray ||
+                (op == spv::OpTypeStruct && std::ranges::any_of(words.subspan(2), isArray)))
             {
-                arrays.insert(operands[0]);
+                arrays.insert(words[1]);
             }
-            found = found || (operation == spv::OpTypePointer && isArray(operands[2]) &&
-                              (operands[1] == spv::StorageClassFunction ||
-                               operands[1] == spv::StorageClassPrivate));
-            return !found && operation != spv::OpFunction;
+            found =
+                found ||
+                (op == spv::OpTypePointer && isArray(words[3]) &&
+                 (words[2] == spv::StorageClassFunction || words[2] == spv::StorageClassPrivate));
         });
     return found;
 }
 
-/// Gives the module without RelaxedPrecision at variables. spirv-opt does not split those that have
-/// it, and crashes (2023.1) on an array that is put together in parts of different depth. What is
-/// computed keeps its own RelaxedPrecision.
-std::vector<std::uint32_t> WithoutRelaxedVariables(const std::vector<std::uint32_t>& spirv)
+/// Gives the module without RelaxedPrecision at variables: those of min16 types have it. spirv-opt
+/// does not split such variables, and crashes (2023.1) on an array that is put together in parts of
+/// different depth. What is computed keeps its own RelaxedPrecision.
+SpirvWords WithoutRelaxedVariables(const SpirvWords& spirv)
 {
-    std::set<std::uint32_t> variables;
-    ForEachInstruction(
-        spirv,
-        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
-        {
-            if (operation == spv::OpVariable)
-            {
-                variables.insert(operands[1]);
-            }
-            return true;
-        });
-    constexpr std::ptrdiff_t k_Header = 5; // words
-    std::vector<std::uint32_t> result(spirv.begin(), spirv.begin() + k_Header);
-    ForEachInstruction(
-        spirv,
-        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
-        {
-            const bool isLeftOut = operation == spv::OpDecorate &&
-                                   operands[1] == spv::DecorationRelaxedPrecision &&
-                                   variables.contains(operands[0]);
-            if (!isLeftOut)
-            {
-                const auto size = static_cast<std::uint32_t>(operands.size() + 1);
-                result.push_back(size << 16 | operation);
-                result.insert(result.end(), operands.begin(), operands.end());
-            }
-            return true;
-        });
+    std::set<Id> variables;
+    ForEachInstruction(spirv,
+                       [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                       {
+                           if (op == spv::OpVariable)
+                           {
+                               variables.insert(words[2]);
+                           }
+                       });
+    SpirvWords result(spirv.begin(), spirv.begin() + k_SpirvHeaderSize);
+    ForEachInstruction(spirv,
+                       [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                       {
+                           if (op != spv::OpDecorate ||
+                               words[2] != spv::DecorationRelaxedPrecision ||
+                               !variables.contains(words[1]))
+                           {
+                               result.insert(result.end(), words.begin(), words.end());
+                           }
+                       });
     return result;
 }
 
-std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
-                                    std::string_view passes, const std::string& file)
+SpirvWords Optimize(const SpirvWords& spirv, std::string_view passes, const std::string& file)
 {
     spvtools::Optimizer optimizer(SPV_ENV_VULKAN_1_1);
     std::string messages;
@@ -173,7 +130,7 @@ std::vector<std::uint32_t> Optimize(const std::vector<std::uint32_t>& spirv,
     optimizer.RegisterPass(spvtools::CreateRemoveUnusedInterfaceVariablesPass());
     spvtools::OptimizerOptions options;
     options.set_run_validator(false);
-    std::vector<std::uint32_t> optimized;
+    SpirvWords optimized;
     if (!optimizer.Run(spirv.data(), spirv.size(), &optimized, options))
     {
         ThrowLog(messages, file, "optimising");
@@ -191,8 +148,8 @@ struct SpirvProblem
 ///
 /// @param isOptimised  before that, textures may travel through variables and parameters
 /// @param withNames    for what is wrong; looking all of them up takes a quarter of the time
-std::optional<SpirvProblem> Validate(const std::vector<std::uint32_t>& spirv, bool isOptimised,
-                                     bool withNames)
+std::optional<SpirvProblem> FindProblem(const SpirvWords& spirv, bool isOptimised,
+                                        bool withNames = false)
 {
     spvtools::SpirvTools tools(SPV_ENV_VULKAN_1_1);
     SpirvProblem problem;
@@ -210,66 +167,65 @@ std::optional<SpirvProblem> Validate(const std::vector<std::uint32_t>& spirv, bo
     {
         return std::nullopt;
     }
+    if (!withNames)
+    {
+        return FindProblem(spirv, isOptimised, true);
+    }
     problem.message.resize(std::min(problem.message.find('\n'), problem.message.size()));
     return problem;
 }
 
-std::optional<SpirvProblem> FindProblem(const std::vector<std::uint32_t>& spirv, bool isOptimised)
-{
-    const bool isValid = !Validate(spirv, isOptimised, false);
-    return isValid ? std::nullopt : Validate(spirv, isOptimised, true);
-}
-
 /// Returns the place of an instruction in the HLSL, by the OpLine before it.
-HlslPlace PlaceOfInstruction(const std::vector<std::uint32_t>& spirv, std::size_t instruction)
+HlslPlace PlaceOfInstruction(const SpirvWords& spirv, std::size_t instruction)
 {
-    std::map<std::uint32_t, std::string> strings;
+    std::map<Id, std::string> strings;
     HlslPlace place;
-    ForEachInstruction(
-        spirv,
-        [&](std::size_t number, std::uint32_t operation, std::span<const std::uint32_t> operands)
-        {
-            if (operation == spv::OpString && operands.size() > 1)
-            {
-                const auto* text = reinterpret_cast<const char*>(&operands[1]);
-                strings[operands[0]] = std::string(text, strnlen(text, (operands.size() - 1) * 4));
-            }
-            else if (operation == spv::OpLine && operands.size() == 3)
-            {
-                place = {strings[operands[0]], {static_cast<int>(operands[1]), 0}};
-            }
-            return number < instruction;
-        });
+    std::size_t number = 0;
+    ForEachInstruction(spirv,
+                       [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                       {
+                           if (number++ >= instruction)
+                           {
+                               return;
+                           }
+                           if (op == spv::OpString && words.size() > 2)
+                           {
+                               const auto* text = reinterpret_cast<const char*>(&words[2]);
+                               strings[words[1]] =
+                                   std::string(text, strnlen(text, (words.size() - 2) * 4));
+                           }
+                           else if (op == spv::OpLine && words.size() == 4)
+                           {
+                               place = {strings[words[1]], {static_cast<int>(words[2]), 0}};
+                           }
+                       });
     return place;
 }
 
 /// SPIR-V has no matrices of integers, and glslang makes them all the same.
-bool hasIntegerMatrices(const std::vector<std::uint32_t>& spirv)
+bool hasIntegerMatrices(const SpirvWords& spirv)
 {
-    std::set<std::uint32_t> floats; // types: scalars and vectors
+    std::set<Id> floats; // types: scalars and vectors
     bool found = false;
-    ForEachInstruction(
-        spirv,
-        [&](std::size_t, std::uint32_t operation, std::span<const std::uint32_t> operands)
-        {
-            const bool isVector = operation == spv::OpTypeVector;
-            if (operation == spv::OpTypeFloat || (isVector && floats.count(operands[1]) > 0))
-            {
-                floats.insert(operands[0]);
-            }
-            found = found || (operation == spv::OpTypeMatrix && floats.count(operands[1]) == 0);
-            return !found && operation != spv::OpFunction;
-        });
+    ForEachDeclaration(spirv,
+                       [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                       {
+                           if (op == spv::OpTypeFloat ||
+                               (op == spv::OpTypeVector && floats.contains(words[2])))
+                           {
+                               floats.insert(words[1]);
+                           }
+                           found = found || (op == spv::OpTypeMatrix && !floats.contains(words[2]));
+                       });
     return found;
 }
 
-std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStage stage,
-                                    bool withLines)
+SpirvWords Generate(const glslang::TProgram& program, ShaderStage stage, bool withLines)
 {
     glslang::SpvOptions options;
     options.disableOptimizer = true;
     options.generateDebugInfo = withLines;
-    std::vector<std::uint32_t> spirv;
+    SpirvWords spirv;
     glslang::GlslangToSpv(*program.getIntermediate(GlslangStage(stage)), spirv, &options);
     PackStructuredBuffers(spirv);
     UseDirect3DArithmetic(spirv);
@@ -282,8 +238,7 @@ std::vector<std::uint32_t> Generate(const glslang::TProgram& program, ShaderStag
 }
 
 /// @param spirv  is optimised where that is how far it gets
-std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
-                                            const std::string& file)
+std::optional<SpirvProblem> OptimizeChecked(SpirvWords& spirv, const std::string& file)
 {
     // The code is checked before it is optimised, because the optimiser may remove a fault together
     // with the effect that the code was to have. Constant matrices of integers are valid once they
@@ -297,11 +252,8 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
     {
         return problem;
     }
-    if (hasRelaxedPrecision(spirv))
-    {
-        spirv = WithoutRelaxedVariables(spirv);
-    }
-    std::vector<std::uint32_t> optimized = Optimize(spirv, k_FewPasses, file);
+    spirv = WithoutRelaxedVariables(spirv);
+    SpirvWords optimized = Optimize(spirv, k_FewPasses, file);
     problem = FindProblem(optimized, true);
     if (problem)
     {
@@ -315,7 +267,7 @@ std::optional<SpirvProblem> OptimizeChecked(std::vector<std::uint32_t>& spirv,
 [[noreturn]] void ThrowInvalid(const glslang::TProgram& program, ShaderStage stage,
                                const std::string& file, const SpirvProblem& problem)
 {
-    std::vector<std::uint32_t> spirv = Generate(program, stage, true);
+    SpirvWords spirv = Generate(program, stage, true);
     const auto placed = OptimizeChecked(spirv, file);
     const HlslPlace place = placed ? PlaceOfInstruction(spirv, placed->instruction) : HlslPlace();
     const bool hasPlace = !place.file.empty() && place.location.line > 0;
@@ -345,20 +297,18 @@ std::vector<std::uint32_t> BuildSpirv(const std::string& hlsl, ShaderStage stage
     {
         ThrowLog(shader.getInfoLog(), file, "compiling");
     }
-    for (Diagnostic& warning : ReadGlslangLog(shader.getInfoLog(), file))
-    {
-        warnings.push_back(std::move(warning));
-    }
+    const std::vector<Diagnostic> found = ReadGlslangLog(shader.getInfoLog(), file);
+    warnings.insert(warnings.end(), found.begin(), found.end());
     glslang::TProgram program;
     program.addShader(&shader);
     if (!program.link(k_GlslangMessages) || !program.mapIO())
     {
         ThrowLog(program.getInfoLog(), file, "linking");
     }
-    std::vector<std::uint32_t> spirv = Generate(program, stage, false);
+    SpirvWords spirv = Generate(program, stage, false);
     if (halfIs16Bit)
     {
-        spirv = UseHalfPrecision(spirv);
+        UseHalfPrecision(spirv);
     }
     if (const auto problem = OptimizeChecked(spirv, file))
     {

@@ -35,48 +35,34 @@ class StageReflector
 {
 public:
     StageReflector(std::vector<std::uint32_t>& spirv, ShaderStage stage, PropertyLayout& layout,
-                   const std::vector<HlslVariable>& objects, std::vector<std::string>& messages)
+                   std::uint32_t& nextBinding, const std::vector<HlslVariable>& objects,
+                   std::vector<std::string>& messages)
         : m_Spirv(spirv),
           m_Compiler(spirv),
           m_Stage(stage),
           m_Layout(layout),
+          m_NextBinding(nextBinding),
           m_Objects(objects),
           m_Messages(messages)
     {
     }
 
-    void ReadResources(std::uint32_t& nextBinding)
+    void ReadResources()
     {
         const auto resources =
             m_Compiler.get_shader_resources(m_Compiler.get_active_interface_variables());
-        for (const auto& resource : resources.uniform_buffers)
-        {
-            Bind(resource.id, m_Layout.buffers, ReadBuffer(resource), nextBinding);
-        }
-        for (const auto& resource : resources.separate_images)
-        {
-            Bind(resource.id, m_Layout.textures, ReadTexture(resource, false), nextBinding);
-        }
-        for (const auto& resource : resources.sampled_images)
-        {
-            Bind(resource.id, m_Layout.textures, ReadTexture(resource, true), nextBinding);
-        }
-        for (const auto& resource : resources.separate_samplers)
-        {
-            Bind(resource.id, m_Layout.samplers, ReadSampler(resource), nextBinding);
-        }
-        for (const auto& resource : resources.storage_buffers)
-        {
-            Bind(resource.id, m_Layout.storageBuffers, ReadStorageBuffer(resource), nextBinding);
-        }
         if (!resources.storage_images.empty())
         {
             m_ReadImages = FindReadImages(m_Spirv);
         }
-        for (const auto& resource : resources.storage_images)
-        {
-            Bind(resource.id, m_Layout.storageTextures, ReadStorageTexture(resource), nextBinding);
-        }
+        Bind(resources.uniform_buffers, m_Layout.buffers, &StageReflector::ReadBuffer);
+        Bind(resources.separate_images, m_Layout.textures, &StageReflector::ReadTexture);
+        Bind(resources.sampled_images, m_Layout.textures, &StageReflector::ReadTexture);
+        Bind(resources.separate_samplers, m_Layout.samplers, &StageReflector::ReadSampler);
+        Bind(resources.storage_buffers, m_Layout.storageBuffers,
+             &StageReflector::ReadStorageBuffer);
+        Bind(resources.storage_images, m_Layout.storageTextures,
+             &StageReflector::ReadStorageTexture);
         if (!resources.push_constant_buffers.empty())
         {
             m_Layout.pushStages = m_Layout.pushStages | m_Stage;
@@ -105,14 +91,10 @@ public:
         {
             const std::uint32_t location =
                 m_Compiler.get_decoration(resource.id, spv::DecorationLocation);
-            const auto input = std::find_if(declared.begin(), declared.end(),
-                                            [&](const VertexInput& candidate)
-                                            { return candidate.location == location; });
-            m_Layout.vertexInputs.push_back(*input);
+            m_Layout.vertexInputs.push_back(
+                *std::ranges::find(declared, location, &VertexInput::location));
         }
-        std::sort(m_Layout.vertexInputs.begin(), m_Layout.vertexInputs.end(),
-                  [](const VertexInput& a, const VertexInput& b)
-                  { return a.location < b.location; });
+        std::ranges::sort(m_Layout.vertexInputs, {}, &VertexInput::location);
     }
 
     /// Reads the types of the fragment function's outputs.
@@ -133,23 +115,28 @@ public:
 private:
     /// Takes the entry of another stage where it is the same resource, else adds one.
     template <typename T>
-    void Bind(std::uint32_t id, std::vector<T>& list, T item, std::uint32_t& nextBinding)
+    void Bind(const spirv_cross::SmallVector<spirv_cross::Resource>& resources,
+              std::vector<T>& list, T (StageReflector::*read)(const spirv_cross::Resource&))
     {
-        for (T& known : list)
+        for (const spirv_cross::Resource& resource : resources)
         {
-            item.binding = known.binding;
-            item.stages = known.stages;
-            if (item == known)
+            T item = (this->*read)(resource);
+            const auto isSame = [&](const T& other)
             {
-                known.stages = known.stages | m_Stage;
-                m_Bindings[id] = known.binding;
-                return;
+                item.binding = other.binding;
+                item.stages = other.stages;
+                return item == other;
+            };
+            auto known = std::find_if(list.begin(), list.end(), isSame);
+            if (known == list.end())
+            {
+                item.binding = m_NextBinding++;
+                item.stages = ShaderStage::None;
+                known = list.insert(known, std::move(item));
             }
+            known->stages = known->stages | m_Stage;
+            m_Bindings[resource.id] = known->binding;
         }
-        item.binding = nextBinding++;
-        item.stages = m_Stage;
-        m_Bindings[id] = item.binding;
-        list.push_back(std::move(item));
     }
 
     UniformBuffer ReadBuffer(const spirv_cross::Resource& resource)
@@ -267,15 +254,15 @@ private:
         member.arrayStride = 16;
     }
 
-    TextureBinding ReadTexture(const spirv_cross::Resource& resource, bool combined)
+    TextureBinding ReadTexture(const spirv_cross::Resource& resource)
     {
         TextureBinding texture;
         texture.name = m_Compiler.get_name(resource.id);
-        texture.combinedSampler = combined;
-        const SPIRType::ImageType& image = m_Compiler.get_type(resource.base_type_id).image;
-        texture.multisampled = image.ms;
-        texture.dimension = DimensionOf(image, texture.name);
-        texture.type = ScalarOf(m_Compiler.get_type(image.type));
+        const SPIRType& type = m_Compiler.get_type(resource.base_type_id);
+        texture.combinedSampler = type.basetype == SPIRType::SampledImage;
+        texture.multisampled = type.image.ms;
+        texture.dimension = DimensionOf(type.image, texture.name);
+        texture.type = ScalarOf(m_Compiler.get_type(type.image.type));
         return texture;
     }
 
@@ -313,11 +300,9 @@ private:
         SamplerBinding sampler;
         sampler.name = m_Compiler.get_name(resource.id);
         // SPIR-V has one sampler type for both kinds; only the declaration tells.
-        sampler.comparison = std::any_of(m_Objects.begin(), m_Objects.end(),
-                                         [&](const HlslVariable& object) {
-                                             return object.name == sampler.name &&
-                                                    object.type == "SamplerComparisonState";
-                                         });
+        sampler.comparison = std::ranges::any_of(
+            m_Objects, [&](const HlslVariable& object)
+            { return object.name == sampler.name && object.type == "SamplerComparisonState"; });
         return sampler;
     }
 
@@ -345,33 +330,32 @@ private:
     /// glslang has given every resource a binding; this puts ours in its place.
     void WriteBindings()
     {
-        constexpr std::size_t k_HeaderWords = 5;
-        for (std::size_t i = k_HeaderWords; i < m_Spirv.size(); i += m_Spirv[i] >> 16)
-        {
-            if ((m_Spirv[i] & 0xffffu) != spv::OpDecorate)
-            {
-                continue;
-            }
-            const auto binding = m_Bindings.find(m_Spirv[i + 1]);
-            if (binding == m_Bindings.end())
-            {
-                continue;
-            }
-            if (m_Spirv[i + 2] == spv::DecorationBinding)
-            {
-                m_Spirv[i + 3] = binding->second;
-            }
-            else if (m_Spirv[i + 2] == spv::DecorationDescriptorSet)
-            {
-                m_Spirv[i + 3] = 0;
-            }
-        }
+        ForEachDeclaration(m_Spirv,
+                           [this](std::uint32_t op, std::span<std::uint32_t> words)
+                           {
+                               const auto binding = op == spv::OpDecorate
+                                                        ? m_Bindings.find(words[1])
+                                                        : m_Bindings.end();
+                               if (binding == m_Bindings.end())
+                               {
+                                   return;
+                               }
+                               if (words[2] == spv::DecorationBinding)
+                               {
+                                   words[3] = binding->second;
+                               }
+                               else if (words[2] == spv::DecorationDescriptorSet)
+                               {
+                                   words[3] = 0;
+                               }
+                           });
     }
 
     std::vector<std::uint32_t>& m_Spirv;
     spirv_cross::Compiler m_Compiler;
     ShaderStage m_Stage;
     PropertyLayout& m_Layout;
+    std::uint32_t& m_NextBinding;
     const std::vector<HlslVariable>& m_Objects;
     std::vector<std::string>& m_Messages;
     std::map<std::uint32_t, std::uint32_t> m_Bindings;
@@ -386,30 +370,32 @@ void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
     std::uint32_t nextBinding = 0;
     pass.layout = {};
     pass.layout.colorOutputs = linkage.colorOutputs;
-    StageReflector vertex(pass.vertexSpirv, ShaderStage::Vertex, pass.layout, objects, messages);
-    vertex.ReadResources(nextBinding);
-    vertex.ReadVertexInputs(linkage.vertexInputs);
-    if (!pass.geometrySpirv.empty())
+    const std::pair<ShaderStage, SpirvWords&> stages[] = {
+        {ShaderStage::Vertex, pass.vertexSpirv},
+        {ShaderStage::Geometry, pass.geometrySpirv},
+        {ShaderStage::Fragment, pass.fragmentSpirv},
+        {ShaderStage::Compute, pass.computeSpirv}};
+    for (const auto& [stage, spirv] : stages)
     {
-        StageReflector geometry(pass.geometrySpirv, ShaderStage::Geometry, pass.layout, objects,
-                                messages);
-        geometry.ReadResources(nextBinding);
+        if (spirv.empty())
+        {
+            continue;
+        }
+        StageReflector reflector(spirv, stage, pass.layout, nextBinding, objects, messages);
+        reflector.ReadResources();
+        if (stage == ShaderStage::Vertex)
+        {
+            reflector.ReadVertexInputs(linkage.vertexInputs);
+        }
+        else if (stage == ShaderStage::Fragment)
+        {
+            reflector.ReadOutputTypes(linkage.colorOutputs);
+        }
+        else if (stage == ShaderStage::Compute)
+        {
+            pass.threadGroupSize = reflector.ThreadGroupSize();
+        }
     }
-    StageReflector fragment(pass.fragmentSpirv, ShaderStage::Fragment, pass.layout, objects,
-                            messages);
-    fragment.ReadResources(nextBinding);
-    fragment.ReadOutputTypes(linkage.colorOutputs);
-}
-
-void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,
-                   std::vector<std::string>& messages)
-{
-    std::uint32_t nextBinding = 0;
-    kernel.layout = {};
-    StageReflector reflector(kernel.computeSpirv, ShaderStage::Compute, kernel.layout, objects,
-                             messages);
-    kernel.threadGroupSize = reflector.ThreadGroupSize();
-    reflector.ReadResources(nextBinding);
 }
 
 } // namespace limn

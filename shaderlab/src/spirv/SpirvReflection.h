@@ -11,17 +11,13 @@
 namespace limn
 {
 
-/// Reads the layout of a pass from the SPIR-V of its stages and writes descriptor set 0 and final
-/// binding numbers into that SPIR-V.
+/// Reads the layout of a pass or kernel from the SPIR-V of its stages, and the size of a kernel's
+/// groups. Writes descriptor set 0 and final binding numbers into that SPIR-V.
 ///
 /// @param pass      must have its SPIR-V; receives its layout
 /// @param objects   the textures, samplers and buffers that HLSL declares
 /// @param messages  receives what limn cannot bind, without a place
 void ReflectLayout(ShaderProgram& pass, const StageLinkage& linkage,
                    const std::vector<HlslVariable>& objects, std::vector<std::string>& messages);
-
-/// Reads the layout of a kernel like ReflectLayout, and the size of its groups.
-void ReflectKernel(ShaderProgram& kernel, const std::vector<HlslVariable>& objects,
-                   std::vector<std::string>& messages);
 
 } // namespace limn

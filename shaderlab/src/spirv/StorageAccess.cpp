@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -16,23 +15,6 @@ namespace limn
 
 namespace
 {
-
-/// Calls `each` with opcode and words of the instructions before the first function.
-template <typename Words, typename Each>
-void ForEachDeclaration(Words& spirv, const Each& each)
-{
-    for (std::size_t i = k_SpirvHeaderSize; i < spirv.size();)
-    {
-        const std::uint32_t op = spirv[i] & 0xffffu;
-        const std::size_t size = std::clamp<std::size_t>(spirv[i] >> 16, 1, spirv.size() - i);
-        if (op == spv::OpFunction)
-        {
-            return;
-        }
-        each(op, std::span(spirv).subspan(i, size));
-        i += size;
-    }
-}
 
 /// Works out where Direct3D has the members of structured buffers' elements.
 class BufferPacker
@@ -70,8 +52,7 @@ private:
 
     void Learn(std::uint32_t op, std::span<const std::uint32_t> words)
     {
-        const bool isDecorated = op == spv::OpDecorate && words.size() > 2;
-        if (isDecorated && words[2] == spv::DecorationBufferBlock)
+        if (op == spv::OpDecorate && words[2] == spv::DecorationBufferBlock)
         {
             m_Blocks.push_back(words[1]);
         }
@@ -99,7 +80,6 @@ private:
         case spv::OpTypeInt:
             return {type.operands[0] / 8, type.operands[0] / 8};
         case spv::OpTypeVector:
-            return Times(Measure(type.operands[0]), type.operands[1]);
         case spv::OpTypeMatrix:
             return Times(Measure(type.operands[0]), type.operands[1]);
         case spv::OpTypeArray:
@@ -209,18 +189,6 @@ void RemoveDuplicates(SpirvWords& spirv)
     spirv = std::move(result);
 }
 
-/// Returns whether it reads a writable texture.
-bool Reads(const SpirvWords& spirv)
-{
-    return std::ranges::any_of(ParseSpirv(spirv), [](const SpirvInstruction& instruction)
-                               { return instruction.op == spv::OpImageRead; });
-}
-
-bool hasOneInteger(std::uint32_t format)
-{
-    return format == spv::ImageFormatR32i || format == spv::ImageFormatR32ui;
-}
-
 } // namespace
 
 void PackStructuredBuffers(SpirvWords& spirv)
@@ -264,7 +232,8 @@ void LeaveImageFormatsOpen(SpirvWords& spirv)
                        [&](std::uint32_t op, std::span<std::uint32_t> words)
                        {
                            const bool isWritable = op == spv::OpTypeImage && words[k_Sampled] == 2;
-                           if (isWritable && !hasOneInteger(words[k_Format]))
+                           if (isWritable && words[k_Format] != spv::ImageFormatR32i &&
+                               words[k_Format] != spv::ImageFormatR32ui)
                            {
                                words[k_Format] = spv::ImageFormatUnknown;
                                isAny = true;
@@ -281,7 +250,7 @@ void LeaveImageFormatsOpen(SpirvWords& spirv)
     }
     const std::uint32_t head = (2u << 16) | spv::OpCapability;
     SpirvWords added = {head, spv::CapabilityStorageImageWriteWithoutFormat};
-    if (Reads(spirv))
+    if (!FindReadImages(spirv).empty())
     {
         added.insert(added.end(), {head, spv::CapabilityStorageImageReadWithoutFormat});
     }

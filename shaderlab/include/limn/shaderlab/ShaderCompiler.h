@@ -87,8 +87,6 @@ public:
     /// complete only then. Missing files are skipped; Compile reports them.
     PassProgram ReadPragmas(const PassProgram& program) const;
 
-    /// Returns the options' missingFeatures.
-    const std::vector<std::string>& missingFeatures() const;
     bool usesReversedZBuffer() const;
     /// Returns the options with which it was made.
     const ShaderCompilerOptions& options() const;
