@@ -1,8 +1,6 @@
 #include "hlsl/Declarations.h"
 
-#include "hlsl/Types.h"
-
-#include <algorithm>
+#include <limn/base/Text.h>
 
 namespace limn
 {
@@ -96,8 +94,7 @@ private:
         }
         else if (Accept("typedef"))
         {
-            const HlslVariable alias = ReadHead();
-            m_Result.aliases.push_back({alias.name, alias.type, alias.templateArgument});
+            m_Result.aliases.push_back(ReadHead());
             SkipStatement();
         }
         else if (Text() == "struct" && Text(2) == ";")
@@ -208,13 +205,17 @@ private:
         {
             ++m_Index;
         }
+        ReadName(variable);
+        return variable;
+    }
+
+    void ReadName(HlslVariable& variable)
+    {
         if (isWord())
         {
             variable.name = Text();
-            variable.token = m_Index;
-            ++m_Index;
+            variable.token = m_Index++;
         }
-        return variable;
     }
 
     /// Dimensions, semantic or register, and default value of one name.
@@ -258,10 +259,9 @@ private:
         const std::size_t known = result.size();
         do
         {
-            if (result.size() > 0 && variable.name.empty() && isWord())
+            if (result.size() > 0 && variable.name.empty())
             {
-                variable.name = Text();
-                variable.token = m_Index++;
+                ReadName(variable);
             }
             ReadTail(variable);
             variable.declaratorEnd = m_Index;
@@ -382,11 +382,6 @@ private:
 
 } // namespace
 
-bool HlslVariable::Has(std::string_view modifier) const
-{
-    return std::ranges::find(modifiers, modifier) != modifiers.end();
-}
-
 std::string_view HlslDeclarations::ResolveAlias(std::string_view type,
                                                 std::string_view* argument) const
 {
@@ -398,7 +393,7 @@ std::string_view HlslDeclarations::ResolveAlias(std::string_view type,
             type = alias->type;
             if (argument)
             {
-                *argument = alias->argument;
+                *argument = alias->templateArgument;
             }
         }
     }
@@ -421,6 +416,70 @@ const HlslFunction* HlslDeclarations::FindDefinition(std::string_view name) cons
 HlslDeclarations ReadDeclarations(const HlslTokens& tokens)
 {
     return DeclarationReader(tokens).Read();
+}
+
+HlslType TypeOf(const HlslDeclarations& declarations, std::string_view type,
+                std::string_view argument)
+{
+    type = declarations.ResolveAlias(type, &argument);
+    if (type == "void")
+    {
+        HlslType result;
+        result.kind = HlslType::Kind::Void;
+        return result;
+    }
+    if ((type == "vector" || type == "matrix") && !argument.empty())
+    {
+        const auto scalar = NumberType(Trim(argument.substr(0, argument.find(','))));
+        const auto size = [&](std::size_t comma)
+        {
+            const std::string_view text =
+                comma == argument.npos ? "" : Trim(argument.substr(comma + 1));
+            return text.empty() || !isDigit(text[0]) ? 0 : text[0] - '0';
+        };
+        const int first = size(argument.find(','));
+        const int second = size(argument.rfind(','));
+        const bool isKnown = scalar && first > 0 && second > 0;
+        return !isKnown           ? HlslType()
+               : type == "vector" ? scalar->As(first)
+                                  : scalar->As(second, first);
+    }
+    if (const auto number = NumberType(type))
+    {
+        return *number;
+    }
+    HlslType result;
+    const HlslStruct* structure = declarations.FindStruct(type);
+    if (structure || isObjectType(type))
+    {
+        result.kind = structure ? HlslType::Kind::Struct : HlslType::Kind::Object;
+        result.name = type;
+        result.element = argument;
+    }
+    return result;
+}
+
+HlslType TypeOf(const HlslDeclarations& declarations, const HlslVariable& variable)
+{
+    HlslType type = TypeOf(declarations, variable.type, variable.templateArgument);
+    type.dimensions = static_cast<std::uint8_t>(variable.dimensions.size());
+    return type;
+}
+
+std::string TypeText(std::string_view type, std::string_view argument)
+{
+    return std::string(type) + (argument.empty() ? "" : "<" + std::string(argument) + ">");
+}
+
+std::string DeclarationOf(std::string_view name, const HlslVariable& variable)
+{
+    std::string text = TypeText(variable.type, variable.templateArgument) + " ";
+    text += name;
+    for (const std::string_view size : variable.dimensions)
+    {
+        text.append("[").append(size).append("]");
+    }
+    return text;
 }
 
 } // namespace limn

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "hlsl/Types.h"
 #include "tokens/IntegerExpression.h"
 #include "tokens/Tokens.h"
 
+#include <algorithm>
 #include <string_view>
 #include <vector>
 
@@ -30,7 +32,7 @@ struct HlslVariable
     bool isInBuffer = false;       ///< a member of a cbuffer; endToken is the buffer's end
     std::string_view buffer;       ///< its name
 
-    bool Has(std::string_view modifier) const;
+    bool Has(std::string_view word) const { return std::ranges::count(modifiers, word) > 0; }
     bool isOutput() const { return Has("out") || Has("inout"); } ///< of a function
 };
 
@@ -58,14 +60,6 @@ struct HlslStruct
 
 inline constexpr std::string_view k_MissingSemicolon = "a ';' is missing before it";
 
-/// `typedef type name;`
-struct HlslAlias
-{
-    std::string_view name;
-    std::string_view type;
-    std::string_view argument; ///< the template argument of the type
-};
-
 /// The declarations of preprocessed HLSL at file scope. All views point into the source.
 struct HlslDeclarations
 {
@@ -73,7 +67,7 @@ struct HlslDeclarations
     std::vector<HlslFunction> functions;
     std::vector<HlslVariable> uniforms; ///< loose ones and members of cbuffers, no textures
     std::vector<HlslVariable> objects;  ///< textures, samplers, buffers
-    std::vector<HlslAlias> aliases;
+    std::vector<HlslVariable> aliases;  ///< `typedef type name;`
     /// The text that is no declaration, or none that limn can read.
     std::vector<HlslProblem> problems;
     std::vector<std::size_t> emptyMembers; ///< tokens: each `;` that ends no member of a struct
@@ -90,5 +84,16 @@ struct HlslDeclarations
 };
 
 HlslDeclarations ReadDeclarations(const HlslTokens& tokens);
+
+/// Returns the type of a declared variable: a member, parameter or global.
+HlslType TypeOf(const HlslDeclarations& declarations, const HlslVariable& variable);
+/// Returns the type that a word and the template argument behind it name.
+HlslType TypeOf(const HlslDeclarations& declarations, std::string_view type,
+                std::string_view argument);
+
+/// Returns a type with its template argument, as HLSL writes it.
+std::string TypeText(std::string_view type, std::string_view argument);
+/// Returns the declaration of a variable of the same type.
+std::string DeclarationOf(std::string_view name, const HlslVariable& variable);
 
 } // namespace limn

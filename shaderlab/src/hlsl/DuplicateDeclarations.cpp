@@ -13,12 +13,6 @@ namespace limn
 namespace
 {
 
-bool isSameDeclaration(const HlslVariable& a, const HlslVariable& b)
-{
-    return isSameType(a.type, b.type) && a.templateArgument == b.templateArgument &&
-           a.dimensions == b.dimensions;
-}
-
 /// Returns whether the first of two equal variables stays. A member of a buffer stays, and one of
 /// limn's before an author's, because others depend on its layout; otherwise the first stays.
 bool isStayingBefore(const HlslVariable& first, const HlslVariable& second)
@@ -40,12 +34,6 @@ std::pair<std::size_t, std::size_t> SpanOfBuffer(const TokenEdits& code, std::si
         --first;
     }
     return {first, close + (code.Text(close + 1) == ";" ? 2 : 1)};
-}
-
-/// Returns the first token of what declares a uniform, which may be a buffer.
-std::size_t BeginOfDeclaration(const TokenEdits& code, const HlslVariable& uniform)
-{
-    return uniform.isInBuffer ? SpanOfBuffer(code, uniform.endToken).first : uniform.firstToken;
 }
 
 bool IsUsedBetween(const TokenEdits& code, const HlslVariable& first, const HlslVariable& second,
@@ -104,7 +92,9 @@ DuplicateDeclarations FindDuplicates(const HlslDeclarations& declarations)
         {
             return;
         }
-        const bool isSame = isSameDeclaration(*other, variable);
+        const bool isSame = isSameType(other->type, variable.type) &&
+                            other->templateArgument == variable.templateArgument &&
+                            other->dimensions == variable.dimensions;
         const bool isStaying = isStayingBefore(*other, variable);
         if (isSame && isStaying && variable.semicolon > 0)
         {
@@ -141,10 +131,6 @@ DuplicateDeclarations RemoveDuplicates(TokenEdits& code, const HlslDeclarations&
     DuplicateDeclarations found = FindDuplicates(declarations);
     const std::vector<const HlslVariable*>& superfluous = found.superfluous;
     const std::set<const HlslVariable*> goes(superfluous.begin(), superfluous.end());
-    if (goes.empty())
-    {
-        return found;
-    }
     std::map<std::size_t, std::size_t> left; // members, by the end of their buffer
     std::map<std::size_t, std::vector<const HlslVariable*>> lists; // by their semicolon
     for (const auto* list : {&declarations.uniforms, &declarations.objects})
@@ -177,7 +163,8 @@ void MoveBuffersUp(TokenEdits& code, const DuplicateDeclarations& removed,
     std::map<std::size_t, std::size_t> places; // the new ones, by the buffer's end
     for (const auto& [first, second] : removed.early)
     {
-        const std::size_t place = BeginOfDeclaration(code, *first);
+        const std::size_t place =
+            first->isInBuffer ? SpanOfBuffer(code, first->endToken).first : first->firstToken;
         if (place > 0 && !isLeftOut[second->token] &&
             IsUsedBetween(code, *first, *second, isLeftOut))
         {

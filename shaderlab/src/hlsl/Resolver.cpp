@@ -7,11 +7,6 @@
 namespace limn
 {
 
-HlslResolver::HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals)
-    : m_Tokens(tokens), m_Globals(globals)
-{
-}
-
 void HlslResolver::ResolveBody(HlslNode& body, const HlslFunction& function,
                                const HlslStruct* owner)
 {
@@ -83,19 +78,11 @@ void HlslResolver::DeclareLocal(HlslNode& declarator)
         // Its own value names another one: glslang takes it for the new.
         if (m_Tokens.Text(i) == name && m_Tokens.Text(i - 1) != ".")
         {
-            Rename(declarator);
+            m_Renamed.push_back(&declarator);
             break;
         }
     }
     Declare(name, {&declarator, nullptr, declarator.type});
-}
-
-void HlslResolver::Rename(HlslNode& declarator)
-{
-    if (std::ranges::find(m_Renamed, &declarator) == m_Renamed.end())
-    {
-        m_Renamed.push_back(&declarator);
-    }
 }
 
 void HlslResolver::ResolveType(HlslNode& node)
@@ -167,7 +154,7 @@ void HlslResolver::ResolveName(HlslNode& node)
     const Entry& meant = Meant(found->second, next == "." || next == "[");
     if (meant.hasEnded && meant.local)
     {
-        Rename(*meant.local);
+        m_Renamed.push_back(meant.local);
     }
     node.local = meant.local;
     node.variable = meant.variable;

@@ -18,7 +18,10 @@ class HlslResolver
 public:
     /// @param tokens   must outlive this
     /// @param globals  the names outside of functions; must outlive this
-    HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals);
+    HlslResolver(const HlslTokens& tokens, const HlslGlobals& globals)
+        : m_Tokens(tokens), m_Globals(globals)
+    {
+    }
 
     /// @param owner  the struct of a method; otherwise null
     void ResolveBody(HlslNode& body, const HlslFunction& function, const HlslStruct* owner);
@@ -27,7 +30,7 @@ public:
 
     /// Returns the declarators whose names glslang takes for something else, so that they and their
     /// uses need another name: variables of loops that are used behind their loop, and variables
-    /// whose value uses another one of the same name.
+    /// whose value uses another one of the same name. One may be there several times.
     const std::vector<HlslNode*>& renamed() const { return m_Renamed; }
 
     /// Returns the variables, functions and members that are not declared, in the words of glslang,
@@ -50,7 +53,6 @@ private:
     void EndLoop(const HlslNode& loop);
     void DeclareLocal(HlslNode& declarator);
     void ResolveName(HlslNode& node);
-    void Rename(HlslNode& declarator);
     static const Entry& Meant(const std::vector<Entry>& entries, bool hasMembers);
     HlslType CallType(HlslNode& node);
     HlslType MemberType(const HlslNode& node);

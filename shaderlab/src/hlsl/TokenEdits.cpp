@@ -28,13 +28,6 @@ std::string TokenEdits::Spelled(std::size_t first, std::size_t end) const
     return result;
 }
 
-void TokenEdits::Wrap(std::size_t first, std::size_t end, std::string_view before,
-                      std::string_view after)
-{
-    Spelling(first).insert(0, before);
-    Spelling(end - 1).append(after);
-}
-
 void TokenEdits::Erase(std::size_t first, std::size_t end)
 {
     for (; first < end; ++first)

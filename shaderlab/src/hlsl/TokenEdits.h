@@ -45,8 +45,6 @@ public:
     /// Returns the texts in place of the tokens from one to the one before `end`, with blanks
     /// between them.
     std::string Spelled(std::size_t first, std::size_t end) const;
-    /// Puts text around the texts in place of the tokens from one to the one before `end`.
-    void Wrap(std::size_t first, std::size_t end, std::string_view before, std::string_view after);
     void Erase(std::size_t first, std::size_t end);
     /// Adds text behind the token, which stays even if the token is left out.
     void Insert(std::size_t index, std::string_view text) { m_Inserted[index] += text; }

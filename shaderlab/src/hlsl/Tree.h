@@ -1,12 +1,10 @@
 #pragma once
 
 #include "hlsl/Declarations.h"
-#include "hlsl/Types.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <string_view>
 
 namespace limn
 {
@@ -66,9 +64,30 @@ struct HlslNode
     /// A Call of the language's function, although the author has others of its name.
     bool isIntrinsic = false;
 
-    HlslNode* Child(std::size_t index) const;
-    void Add(HlslNode* added);
-    std::size_t CountChildren() const;
+    HlslNode* Child(std::size_t index) const
+    {
+        HlslNode* node = child;
+        for (; node && index > 0; --index)
+        {
+            node = node->next;
+        }
+        return node;
+    }
+    void Add(HlslNode* added)
+    {
+        added->parent = this;
+        (last ? last->next : child) = added;
+        last = added;
+    }
+    std::size_t CountChildren() const
+    {
+        std::size_t count = 0;
+        for (const HlslNode* node = child; node; node = node->next)
+        {
+            ++count;
+        }
+        return count;
+    }
     /// Returns the first argument of a Call or Method, or null if it has none.
     HlslNode* FirstArgument() const { return kind == HlslNodeKind::Method ? child->next : child; }
 };
@@ -97,11 +116,5 @@ const HlslNode* FindNode(const HlslNode& root, F&& holds)
     }
     return found;
 }
-
-/// Returns the type of a declared variable: a member, parameter or global.
-HlslType TypeOf(const HlslDeclarations& declarations, const HlslVariable& variable);
-/// Returns the type that a word and the template argument behind it name.
-HlslType TypeOf(const HlslDeclarations& declarations, std::string_view type,
-                std::string_view argument);
 
 } // namespace limn

@@ -57,7 +57,6 @@ private:
     HlslNode* ReadDeclaration(std::size_t first);
     HlslNode* ReadDeclarator(HlslType type);
     HlslNode* ReadCondition();
-    void SkipAttributes();
     bool isDeclaration() const;
     std::size_t EndOfStatement() const;
 
@@ -66,7 +65,6 @@ private:
     HlslNode* ReadAssignment();
     HlslNode* ReadBinary(int precedence);
     HlslNode* ReadPrefix();
-    HlslNode* ReadCast();
     HlslNode* ReadPostfix();
     HlslNode* ReadPrimary();
     HlslNode* ReadArguments(HlslNode* node, std::string_view close);

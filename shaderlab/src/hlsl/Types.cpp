@@ -3,7 +3,7 @@
 #include <limn/base/WordList.h>
 
 #include <algorithm>
-#include <span>
+#include <map>
 #include <utility>
 
 namespace limn
@@ -40,8 +40,15 @@ const WordList
     k_IntegerLikeArguments("abs clamp countbits mad max min reversebits firstbithigh firstbitlow");
 
 const WordList k_FloatScalars("length distance dot determinant");
-const WordList k_Truths("isnan isinf isfinite");
 const WordList k_Truth("any all");
+
+// Functions that give numbers of a kind for as many of any kind.
+const std::map<std::string_view, HlslScalar> k_Converting = {
+    {"asfloat", HlslScalar::Float},  {"asint", HlslScalar::Int},
+    {"asuint", HlslScalar::Uint},    {"sign", HlslScalar::Int},
+    {"f16tof32", HlslScalar::Float}, {"f32tof16", HlslScalar::Uint},
+    {"isnan", HlslScalar::Bool},     {"isinf", HlslScalar::Bool},
+    {"isfinite", HlslScalar::Bool}};
 
 HlslType PromoteAll(std::span<const HlslType> arguments)
 {
@@ -58,25 +65,19 @@ HlslScalar FloatOf(HlslScalar scalar)
     return scalar >= HlslScalar::Literal ? scalar : HlslScalar::Float;
 }
 
-/// Rows and columns multiplied away.
+/// Returns the type of `mul(left, right)`: the rows of the left matrix and the columns of the right
+/// one; a vector has none.
 HlslType ProductType(const HlslType& left, const HlslType& right)
 {
     const HlslScalar scalar = FloatOf(std::max(left.scalar, right.scalar));
     if (left.isScalar() || right.isScalar())
     {
-        const HlslType& other = left.isScalar() ? right : left;
-        return other.Of(scalar);
+        return (left.isScalar() ? right : left).Of(scalar);
     }
-    if (left.isVector() && right.isVector())
-    {
-        return HlslType::Number(scalar);
-    }
-    if (left.isVector())
-    {
-        return HlslType::Number(scalar, right.columns);
-    }
-    return right.isVector() ? HlslType::Number(scalar, left.rows)
-                            : HlslType::Number(scalar, right.columns, left.rows);
+    const int rows = left.rows;
+    const int columns = right.isVector() ? 0 : right.columns;
+    return rows > 0 && columns > 0 ? HlslType::Number(scalar, columns, rows)
+                                   : HlslType::Number(scalar, std::max({rows, columns, 1}));
 }
 
 /// "_m03_m13" or "_14_24": how many elements; 0 of another word.
@@ -106,21 +107,11 @@ HlslType HlslType::Number(HlslScalar scalar, int columns, int rows)
     return type;
 }
 
-HlslType HlslType::As(int newColumns, int newRows) const
-{
-    return Number(scalar, newColumns, newRows);
-}
-
 HlslType HlslType::Innermost() const
 {
     HlslType type = *this;
     type.dimensions = 0;
     return type;
-}
-
-HlslType HlslType::Of(HlslScalar newScalar) const
-{
-    return Number(newScalar, columns, rows);
 }
 
 std::string HlslType::Spelling() const
@@ -235,23 +226,13 @@ HlslType IntrinsicType(std::string_view name, std::span<const HlslType> argument
     {
         return HlslType::Number(HlslScalar::Bool);
     }
-    if (k_Truths.Has(name))
-    {
-        return first.Of(HlslScalar::Bool);
-    }
     if (name == "sign" && first.isMatrix())
     {
         return first.Of(FloatOf(first.scalar)); // SPIR-V has no matrices of integers
     }
-    if (name == "asint" || name == "asuint" || name == "asfloat" || name == "sign")
+    if (const auto converted = k_Converting.find(name); converted != k_Converting.end())
     {
-        return first.Of(name == "asuint"    ? HlslScalar::Uint
-                        : name == "asfloat" ? HlslScalar::Float
-                                            : HlslScalar::Int);
-    }
-    if (name == "f16tof32" || name == "f32tof16")
-    {
-        return first.Of(name == "f16tof32" ? HlslScalar::Float : HlslScalar::Uint);
+        return first.Of(converted->second);
     }
     if (name == "transpose")
     {

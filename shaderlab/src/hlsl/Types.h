@@ -11,8 +11,6 @@
 namespace limn
 {
 
-struct HlslStruct;
-
 enum class HlslScalar : std::uint8_t
 {
     None,
@@ -56,8 +54,11 @@ struct HlslType
     bool isFloating() const { return isNumber() && scalar >= HlslScalar::Literal; }
     int components() const { return columns * (rows > 0 ? rows : 1); }
     /// Returns the type with other numbers of components, for example that of a matrix's row.
-    HlslType As(int newColumns, int newRows = 0) const;
-    HlslType Of(HlslScalar newScalar) const;
+    HlslType As(int newColumns, int newRows = 0) const
+    {
+        return Number(scalar, newColumns, newRows);
+    }
+    HlslType Of(HlslScalar newScalar) const { return Number(newScalar, columns, rows); }
     HlslType Innermost() const; ///< the type of an array's innermost elements
     /// Returns "float3x3"; `half` is written as float. The type must be a number.
     std::string Spelling() const;

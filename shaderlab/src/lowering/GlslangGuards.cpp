@@ -18,15 +18,6 @@ char ClosingOf(std::string_view open)
     return open == "(" ? ')' : open == "[" ? ']' : '}';
 }
 
-/// Returns whether `) . method (` stands at the index.
-bool isMethodOfResult(const HlslSource& source, std::size_t index)
-{
-    const HlslTokens& tokens = source.tokens;
-    return tokens.Text(index) == ")" && tokens.Text(index + 1) == "." &&
-           tokens.Text(index + 3) == "(" &&
-           !source.globals.FindMethods(tokens.Text(index + 2)).empty();
-}
-
 /// Returns whether the node's value is known only when the program runs.
 bool isVariable(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals)
 {
@@ -448,9 +439,11 @@ void RequireSound(const HlslSource& source)
         problems.push_back(
             {variable->token, "this is a redefinition; something else has this name already"});
     }
-    for (std::size_t i = 0; i + 3 < source.tokens.size(); ++i)
+    const HlslTokens& tokens = source.tokens;
+    for (std::size_t i = 0; i + 3 < tokens.size(); ++i)
     {
-        if (isMethodOfResult(source, i))
+        if (tokens.Text(i) == ")" && tokens.Text(i + 1) == "." && tokens.Text(i + 3) == "(" &&
+            !source.globals.FindMethods(tokens.Text(i + 2)).empty())
         {
             problems.push_back({i + 2, "a method of what a function returns cannot be called; keep "
                                        "the result in a variable first"});

@@ -19,7 +19,7 @@ class HlslLowering
 public:
     /// @param code     receives the edits
     /// @param globals  must outlive this
-    HlslLowering(TokenEdits& code, const HlslGlobals& globals);
+    HlslLowering(TokenEdits& code, const HlslGlobals& globals) : m_Code(code), m_Globals(globals) {}
 
     /// Rewrites a function's body, or a global variable's value.
     ///
@@ -55,18 +55,14 @@ private:
     void Need(const std::string& text);
 
     void LowerNode(HlslNode& node);
-    // Targets.cpp
-    bool HasEffects(const HlslNode& node) const;
     bool isTarget(const HlslNode& node) const;
     bool IsHandedWrong(const HlslNode& argument, const HlslVariable& parameter) const;
-    void LowerTruthAssignment(const HlslNode& node);
-    void LowerIntegerAssignment(const HlslNode& node);
+    void LowerAssignment(const HlslNode& node);
     void LowerSwizzleAssignment(const HlslNode& node);
     void LowerSwizzleStep(const HlslNode& node);
     void LowerOutputs(HlslNode& node);
-    // Loops.cpp
     void Hoist(const HlslNode& loop);
-    // Matrices.cpp
+    // Calls.cpp
     void LowerCast(HlslNode& node);
     void LowerConstruct(HlslNode& node);
     void LowerSwizzle(HlslNode& node);
@@ -75,7 +71,6 @@ private:
     void LowerMatrixFunction(HlslNode& node);
     std::string MultiplyFunction(const HlslType& type, bool isAssignment);
     std::string CastFunction(const HlslType& type);
-    // Calls.cpp
     void LowerCall(HlslNode& node);
     void LowerGather(const HlslNode& node);
     void LowerHidden(const HlslNode& node);
@@ -88,13 +83,12 @@ private:
     void LowerSign(const HlslNode& node);
     void LowerLit(HlslNode& node);
     void LowerArgument(HlslNode& argument, const HlslVariable& parameter);
-    // Constants.cpp
+    // Values.cpp
     void Hide(const HlslNode& node);
     bool FoldsWrong(const HlslNode& node) const;
     void SpellDot(const HlslNode& node);
     void LowerFolding(HlslNode& node);
     void LowerConstantCast(const HlslNode& node);
-    // Initializers.cpp
     void LowerDeclarator(HlslNode& node);
     void LowerArrayCast(HlslNode& node);
 
@@ -105,9 +99,15 @@ private:
     std::string m_Functions;
 };
 
-/// Adds the uniform that a resolved node writes: by assigning to it, in whole or in part, or by
-/// passing it to an output parameter of a function.
-void FindWrittenUniforms(const HlslNode& node, const HlslTokens& tokens, const HlslGlobals& globals,
-                         std::set<const HlslVariable*>& written);
+/// Returns the uniforms that resolved nodes write: by assigning to them, in whole or in part, or by
+/// passing them to an output parameter of a function.
+std::set<const HlslVariable*> FindWrittenUniforms(const HlslNodes& nodes, const HlslTokens& tokens,
+                                                  const HlslGlobals& globals);
+
+/// Returns whether computing the expression may change something, so that it must be computed once.
+bool HasEffects(const HlslNode& node, const TokenEdits& code);
+
+/// Returns the vector of the elements of a matrix that a word names: `float2(m._m00, m._m11)`.
+std::string ReadElements(const HlslType& type, const std::string& matrix, std::string_view word);
 
 } // namespace limn

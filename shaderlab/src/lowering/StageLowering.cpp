@@ -3,7 +3,6 @@
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 #include "hlsl/DuplicateDeclarations.h"
-#include "hlsl/ReachableFunctions.h"
 #include "hlsl/TokenEdits.h"
 #include "hlsl/TreeParser.h"
 #include "lowering/GlslangGuards.h"
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <map>
 #include <set>
 #include <span>
 
@@ -89,7 +87,10 @@ public:
     {
         TakeStandIns();
         RefuseMatrices();
-        RemoveEmptyMembers();
+        for (const std::size_t token : m_Source.declarations.emptyMembers)
+        {
+            m_Code.Spelling(token).clear(); // macros leave them
+        }
         const DuplicateDeclarations removed = RemoveDuplicates(m_Code, m_Source.declarations);
         MoveObjectsOutOfBuffers();
         ReplaceStaticObjects();
@@ -189,12 +190,7 @@ public:
     /// Gives each uniform that the code assigns to a writable copy.
     void CopyAssignedUniforms()
     {
-        std::set<const HlslVariable*> written;
-        for (const HlslNode& node : m_Nodes)
-        {
-            FindWrittenUniforms(node, m_Tokens, m_Source.globals, written);
-        }
-        for (const HlslVariable* uniform : written)
+        for (const HlslVariable* uniform : FindWrittenUniforms(m_Nodes, m_Tokens, m_Source.globals))
         {
             Copy(*uniform);
         }
@@ -208,7 +204,9 @@ public:
         for (const Tree& tree : m_Trees)
         {
             const bool isList = tree.root->kind == HlslNodeKind::List;
-            if (tree.variable && !(isList && HasOpenSize(*tree.variable)) &&
+            const bool hasOpenSize =
+                isList && tree.variable && std::ranges::count(tree.variable->dimensions, "") > 0;
+            if (tree.variable && !hasOpenSize &&
                 (CallsOrNames(*tree.root, m_Delayed) || m_Lowering.NeedsFunction(*tree.root)))
             {
                 m_Delayed.insert(tree.variable);
@@ -257,15 +255,6 @@ public:
                     " = (" + (isStruct ? std::string(type.name) : type.Spelling()) + ")" +
                     (type.isMatrix() ? "0.0" : "0");
             }
-        }
-    }
-
-    /// Removes the empty members that macros leave if they end in a `;` or are empty.
-    void RemoveEmptyMembers()
-    {
-        for (const std::size_t token : m_Source.declarations.emptyMembers)
-        {
-            m_Code.Spelling(token).clear();
         }
     }
 
@@ -467,24 +456,6 @@ private:
         m_Tokens.Refuse(parser.unended());
         RequireSoundNodes(m_Nodes, m_Tokens, m_Source.globals);
         m_UnknownTypes = parser.unknownTypes();
-    }
-
-    static bool HasOpenSize(const HlslVariable& variable)
-    {
-        return std::ranges::count(variable.dimensions, "") > 0;
-    }
-
-    /// The declaration of a variable of the same type.
-    static std::string DeclarationOf(std::string_view name, const HlslVariable& variable)
-    {
-        const std::string argument(variable.templateArgument);
-        std::string text = std::string(variable.type) +
-                           (argument.empty() ? " " : "<" + argument + "> ") + std::string(name);
-        for (const std::string_view size : variable.dimensions)
-        {
-            text.append("[").append(size).append("]");
-        }
-        return text;
     }
 
     /// Returns whether the value calls a function of the author or names one of the variables.

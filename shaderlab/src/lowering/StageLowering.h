@@ -1,7 +1,6 @@
 #pragma once
 
-#include "hlsl/Declarations.h"
-#include "hlsl/Resolver.h"
+#include "hlsl/Globals.h"
 #include "stages/EntryPointWriter.h"
 
 #include <map>

@@ -1,11 +1,13 @@
 #include "lowering/Lowering.h"
+
 #include "tokens/IntegerExpression.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdint>
-#include <functional>
 #include <map>
-#include <span>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -14,6 +16,96 @@ namespace limn
 
 namespace
 {
+
+// glslang computes some operations in its own way while it compiles; those that it leaves to the
+// device are corrected in its SPIR-V (see spirv/Arithmetic.h).
+
+/// Returns whether the compiler may know the value: it names nothing that changes and calls no
+/// function of the author.
+bool MayBeConstant(const HlslNode& node, const TokenEdits& code)
+{
+    switch (node.kind)
+    {
+    case HlslNodeKind::Name:
+        return node.variable
+                   ? node.variable->Has("const")
+                   : node.local && node.local->parent->kind == HlslNodeKind::Declaration &&
+                         code.Span(node.local->parent->first, node.local->token).find("const") !=
+                             std::string_view::npos;
+    case HlslNodeKind::Unknown:
+    case HlslNodeKind::Method:
+    case HlslNodeKind::Assign:
+    case HlslNodeKind::Postfix:
+        return false;
+    default:
+        break;
+    }
+    bool isConstant = !node.function;
+    for (const HlslNode* child = node.child; child && isConstant; child = child->next)
+    {
+        isConstant = MayBeConstant(*child, code);
+    }
+    return isConstant;
+}
+
+std::optional<double> NumberOf(std::string_view literal)
+{
+    double value = 0.0;
+    const char* const end = literal.data() + literal.size();
+    const auto [rest, error] = std::from_chars(literal.data(), end, value);
+    const bool isWhole = error == std::errc() && end - rest <= 1; // 1.5f
+    return isWhole ? std::optional(value) : std::nullopt;
+}
+
+/// The value of a number that is written with operators only; nothing of others.
+///
+/// @param names  how many variables may stand for one another
+std::optional<double> ValueOf(const HlslNode& node, const TokenEdits& code, int names = 4)
+{
+    const std::string_view text = code.Text(node.token);
+    const auto first = [&]
+    {
+        return ValueOf(*node.child, code, names);
+    };
+    switch (node.kind)
+    {
+    case HlslNodeKind::Literal:
+        return NumberOf(text);
+    case HlslNodeKind::Paren:
+        return first();
+    case HlslNodeKind::Name:
+        return names > 0 && node.local && node.local->child
+                   ? ValueOf(*node.local->child, code, names - 1)
+                   : std::nullopt;
+    case HlslNodeKind::Prefix:
+        if (const auto value = first(); value && text == "-")
+        {
+            return -*value;
+        }
+        return std::nullopt;
+    case HlslNodeKind::Binary:
+    {
+        const auto left = first();
+        const auto right = ValueOf(*node.last, code, names);
+        const bool isKnown = left && right && node.type.isFloating();
+        return !isKnown      ? std::nullopt
+               : text == "+" ? std::optional(*left + *right)
+               : text == "-" ? std::optional(*left - *right)
+               : text == "*" ? std::optional(*left * *right)
+               : text == "/" ? std::optional(*left / *right)
+                             : std::nullopt;
+    }
+    default:
+        return std::nullopt;
+    }
+}
+
+bool HoldsValue(const HlslType& integer, double value)
+{
+    const bool isSigned = integer.scalar == HlslScalar::Int;
+    const double whole = std::trunc(value);
+    return whole >= (isSigned ? -0x1p31 : 0.0) && whole < (isSigned ? 0x1p31 : 0x1p32);
+}
 
 /// The values of a list and of the lists in it, in order.
 void Flatten(const HlslNode& list, std::vector<const HlslNode*>& items)
@@ -36,8 +128,6 @@ struct Slot
 {
     HlslType type; ///< of an array's elements
     std::span<const std::string_view> dimensions;
-
-    Slot Element() const { return {type, dimensions.subspan(1)}; }
 };
 
 constexpr std::int64_t k_MostElements = 4096;
@@ -50,10 +140,8 @@ constexpr char k_Whole = '\1';
 class ListDealer
 {
 public:
-    /// @param hasEffects  asks of a value whether it must be worked out once
-    ListDealer(const HlslDeclarations& declarations, TokenEdits& code, const HlslNode& list,
-               std::function<bool(const HlslNode&)> hasEffects)
-        : m_Declarations(declarations), m_Code(code), m_HasEffects(std::move(hasEffects))
+    ListDealer(const HlslDeclarations& declarations, TokenEdits& code, const HlslNode& list)
+        : m_Declarations(declarations), m_Code(code)
     {
         Flatten(list, m_Items);
     }
@@ -91,7 +179,7 @@ private:
         std::string text;
         for (const HlslNode* item : m_Items)
         {
-            if (item->type.isNumber() && m_HasEffects(*item))
+            if (item->type.isNumber() && HasEffects(*item, m_Code))
             {
                 const std::string& name = m_Names[item] = "limn_v" + std::to_string(item->first);
                 text += item->type.Spelling() + " " + name + " = " +
@@ -129,7 +217,7 @@ private:
         std::string text;
         for (std::int64_t i = 0; m_Fits && (known > 0 ? i < known : m_Next < m_Items.size()); ++i)
         {
-            text += (i == 0 ? "{" : ", ") + DealSlot(slot.Element());
+            text += (i == 0 ? "{" : ", ") + DealSlot({slot.type, slot.dimensions.subspan(1)});
         }
         return text + "}";
     }
@@ -172,7 +260,7 @@ private:
         std::string text = isNamed ? named->second : std::string(1, k_Whole);
         if (isPart)
         {
-            m_IsDoubled = m_IsDoubled || m_HasEffects(item);
+            m_IsDoubled = m_IsDoubled || HasEffects(item, m_Code);
             text = isNamed ? text + "." : "(" + m_Code.Spelled(item.first, item.end) + ").";
             text += std::string_view("xyzw").substr(static_cast<std::size_t>(m_Taken) % 4,
                                                     static_cast<std::size_t>(taken));
@@ -208,8 +296,7 @@ private:
     const HlslDeclarations& m_Declarations;
     TokenEdits& m_Code;
     std::vector<const HlslNode*> m_Items;
-    std::vector<const HlslNode*> m_Whole; ///< of them
-    std::function<bool(const HlslNode&)> m_HasEffects;
+    std::vector<const HlslNode*> m_Whole;           ///< of them
     std::map<const HlslNode*, std::string> m_Names; ///< of variables that values are in
     bool m_IsDoubled = false; ///< whether a value that must be worked out once is written twice
     std::size_t m_Next = 0;
@@ -219,6 +306,145 @@ private:
 };
 
 } // namespace
+
+/// Keeps a value from being computed with while the program is compiled.
+void HlslLowering::Hide(const HlslNode& node)
+{
+    const std::string type = node.type.Spelling();
+    Need(type + " limn_runtime(" + type + " v) { return v; } ");
+    Wrap(node, "limn_runtime(", ")");
+}
+
+/// Returns whether glslang gets the operation wrong if all its operands are constant.
+bool HlslLowering::FoldsWrong(const HlslNode& node) const
+{
+    const std::string_view name = Text(node.token);
+    const std::size_t count = node.CountChildren();
+    const auto isNumber = [&](const HlslNode& operand)
+    {
+        return !std::isnan(ValueOf(operand, m_Code).value_or(NAN));
+    };
+    if (name == "round")
+    {
+        return count == 1 && node.type.isFloating();
+    }
+    if (count != 2 || !node.child->type.isNumber() || !node.last->type.isNumber())
+    {
+        return false;
+    }
+    const HlslType type = Promote(node.child->type, node.last->type);
+    if (name == "fmod" || name == "%")
+    {
+        const double divisor = ValueOf(*node.last, m_Code).value_or(type.isVector() ? 0.0 : 1.0);
+        return node.type.isFloating() || (type.scalar == HlslScalar::Uint && divisor == 0.0);
+    }
+    const bool isOfNumbers = isNumber(*node.child) && isNumber(*node.last);
+    if (name == "min" || name == "max" || name == "step")
+    {
+        return node.type.isFloating() && !isOfNumbers;
+    }
+    if (name == "dot")
+    {
+        return !node.type.isFloating();
+    }
+    const bool isOrder = name == "<" || name == "<=" || name == ">" || name == ">=";
+    return isOrder && (type.isVector() || (type.isFloating() && !isOfNumbers));
+}
+
+/// `dot` of integers as a sum.
+void HlslLowering::SpellDot(const HlslNode& node)
+{
+    const std::string x = "(" + m_Code.Spelled(node.child->first, node.child->end) + ")";
+    const std::string y = "(" + m_Code.Spelled(node.last->first, node.last->end) + ")";
+    const auto part = [](const HlslNode& operand, int index)
+    {
+        return operand.type.isScalar() ? "" : std::string(".") + "xyzw"[index];
+    };
+    std::string sum;
+    const int count = Promote(node.child->type, node.last->type).columns;
+    for (int i = 0; i < count; ++i)
+    {
+        sum += (i > 0 ? " + " : "") + x + part(*node.child, i) + " * " + y + part(*node.last, i);
+    }
+    m_Code.Erase(node.first, node.end);
+    m_Code.Spelling(node.first) = "(" + sum + ")";
+}
+
+/// Returns whether a static variable gets the right value only if a function computes it: elements
+/// of matrices, and comparisons of vectors.
+bool HlslLowering::NeedsFunction(const HlslNode& value) const
+{
+    const auto isOne = [&](const HlslNode& part)
+    {
+        const std::string_view text = Text(part.token);
+        const bool isOfMatrices = part.kind == HlslNodeKind::Binary &&
+                                  part.child->type.isMatrix() &&
+                                  (text == "%" || (text == "*" && part.last->type.isMatrix()));
+        const bool isOrder = part.kind == HlslNodeKind::Binary && part.type.isVector() &&
+                             part.type.scalar == HlslScalar::Bool && text != "&&" && text != "||";
+        return isOfMatrices || isOrder ||
+               (part.kind == HlslNodeKind::Call && part.type.isMatrix() && isComponentwise(text));
+    };
+    return FindNode(value, isOne) != nullptr;
+}
+
+/// Keeps glslang from computing operations that it gets wrong while it compiles: remainders,
+/// `round`, comparisons of vectors, and tests of NaN.
+void HlslLowering::LowerFolding(HlslNode& node)
+{
+    if ((node.type.isMatrix() && m_IsInitial) || !FoldsWrong(node) || !MayBeConstant(node, m_Code))
+    {
+        return;
+    }
+    if (!m_IsInitial)
+    {
+        Hide(*node.child);
+        return;
+    }
+    const std::string_view name = Text(node.token);
+    if (name == "dot")
+    {
+        SpellDot(node);
+        return;
+    }
+    const bool isRemainder = name == "fmod" || name == "%";
+    if (!node.type.isFloating() || (!isRemainder && name != "round"))
+    {
+        return;
+    }
+    const std::string x = "(1.0 * (" + m_Code.Spelled(node.child->first, node.child->end) + "))";
+    const std::string y = "(" + m_Code.Spelled(node.last->first, node.last->end) + ")";
+    m_Code.Erase(node.first, node.end);
+    // If two whole numbers are equally near, the upper one is taken if it is even.
+    m_Code.Spelling(node.first) = isRemainder
+                                      ? "(" + x + " - " + y + " * trunc(" + x + " / " + y + "))"
+                                      : "(floor(" + x + " + 0.5) - (1.0 - ceil(frac(" + x +
+                                            " + 0.5))) * 2.0 * frac(floor(" + x + " + 0.5) * 0.5))";
+}
+
+/// A constant that becomes an integer which cannot hold it: cast, declared with it or assigned.
+void HlslLowering::LowerConstantCast(const HlslNode& node)
+{
+    const bool isInteger =
+        node.type.scalar == HlslScalar::Int || node.type.scalar == HlslScalar::Uint;
+    if (m_IsInitial || !isInteger || node.type.isMatrix() || node.type.dimensions > 0)
+    {
+        return;
+    }
+    for (const HlslNode* part = node.child; part; part = part->next)
+    {
+        const bool isVaried = !part->type.isFloating() || part->type.isMatrix();
+        if (isVaried || !MayBeConstant(*part, m_Code))
+        {
+            continue;
+        }
+        const auto value = ValueOf(*part, m_Code);
+        if (!value || !HoldsValue(node.type, *value))
+        {
+            Hide(*part);
+        }
+    }
+}
 
 void HlslLowering::LowerDeclarator(HlslNode& node)
 {
@@ -257,9 +483,7 @@ void HlslLowering::LowerInitializer(HlslNode& value, const HlslType& type,
                          (slot.type.isNumber() || declarations.FindStruct(slot.type.name));
     if (value.kind == HlslNodeKind::List && value.child && isKnown)
     {
-        ListDealer dealer(declarations, m_Code, value,
-                          [this](const HlslNode& item) { return HasEffects(item); });
-        dealer.Deal(value, slot, statement);
+        ListDealer(declarations, m_Code, value).Deal(value, slot, statement);
     }
 }
 
