@@ -1,10 +1,9 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/TokenEdits.h"
 #include "hlsl/Types.h"
 
+#include <algorithm>
 #include <map>
-#include <string_view>
 
 namespace limn
 {
@@ -32,7 +31,8 @@ public:
             m_Depth += m_Code.Step(i);
             if (m_Depth == 0)
             {
-                m_isInConstants = Text(i) != "}" && (m_isInConstants || isConstants(Text(i)));
+                m_isInConstants = Text(i) != "}" &&
+                                  (m_isInConstants || Text(i) == "cbuffer" || Text(i) == "tbuffer");
             }
             if (m_Code.isWord(i))
             {
@@ -47,11 +47,6 @@ public:
 
 private:
     std::string_view Text(std::size_t index) const { return m_Code.Text(index); }
-
-    static bool isConstants(std::string_view word)
-    {
-        return word == "cbuffer" || word == "tbuffer";
-    }
 
     void TakeWord(std::size_t index)
     {
@@ -81,13 +76,11 @@ private:
                 m_Code.Spelling(index + 1) = "uint";
             }
         }
-        else if (word == "uniform" && m_Depth > 0)
+        else if ((word == "uniform" && m_Depth > 0) ||
+                 (word == "row_major" && (m_Depth == 0 || (m_isInConstants && m_Depth == 1))))
         {
-            m_Code.Spelling(index).clear(); // of a parameter: glslang's values then have no type
-        }
-        else if (word == "row_major" && (m_Depth == 0 || (m_isInConstants && m_Depth == 1)))
-        {
-            m_Code.Spelling(index).clear();
+            m_Code.Spelling(index)
+                .clear(); // of a `uniform` parameter glslang's values have no type
         }
         else if (m_Code.isWord(index + 1))
         {
@@ -208,11 +201,59 @@ private:
     bool m_isInConstants = false;
 };
 
+/// Takes the uniform ones out of `( … )` and gives those declarations of theirs that are not
+/// `known` yet: several entry functions may have the same one.
+std::string TakeParameters(TokenEdits& code, std::size_t open, std::set<std::string>& known)
+{
+    std::string declarations;
+    const std::size_t close = code.AfterBracket(open) - 1;
+    bool hasFirst = false;
+    for (std::size_t begin = open + 1; begin < close;)
+    {
+        const std::size_t end = std::min(code.FindOutside(begin, ","), close);
+        if (code.Text(begin) == "uniform")
+        {
+            const std::string declaration = code.Spelled(begin, end);
+            declarations += known.insert(declaration).second ? declaration + "; " : "";
+            code.Erase(begin, end);
+        }
+        const bool isTaken = code.Text(begin) == "uniform";
+        if (begin > open + 1 && (isTaken || !hasFirst))
+        {
+            code.Spelling(begin - 1).clear(); // the comma before it
+        }
+        hasFirst = hasFirst || !isTaken;
+        begin = end + 1;
+    }
+    return declarations;
+}
+
 } // namespace
 
 void TakeOldForms(TokenEdits& code, std::vector<Diagnostic>& warnings)
 {
     OldFormTaker(code, warnings).Take();
+}
+
+void TakeUniformParameters(TokenEdits& code, const std::set<std::string_view>& entries)
+{
+    std::set<std::string> known;
+    std::size_t declaration = 0;
+    for (std::size_t i = 0; i < code.size();)
+    {
+        if (i > 0 && entries.count(code.Text(i)) > 0 && code.isWord(i - 1) &&
+            code.Text(i + 1) == "(")
+        {
+            const std::string declarations = TakeParameters(code, i + 1, known);
+            if (!declarations.empty())
+            {
+                code.Spelling(declaration).insert(0, declarations);
+            }
+        }
+        const bool isEnd = code.Text(i) == "{" || code.Text(i) == ";";
+        i = code.Step(i) > 0 ? code.AfterBracket(i) : i + 1;
+        declaration = isEnd ? i : declaration;
+    }
 }
 
 } // namespace limn

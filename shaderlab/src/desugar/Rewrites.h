@@ -14,7 +14,7 @@
 namespace limn
 {
 
-// Each function is in a file of its own; RespellForGlslang, in Spelling.cpp, calls all of them.
+// RespellForGlslang, in Spelling.cpp, calls all of the others.
 
 /// Returns preprocessed HLSL in which code that Unity's compilers accept and glslang does not is
 /// spelt another way: variables called `line` or `triangle`, samplers without a texture that are

@@ -1,6 +1,5 @@
 #include "desugar/Rewrites.h"
 
-#include "hlsl/TokenEdits.h"
 #include "hlsl/Types.h"
 #include "lowering/GlslangGuards.h"
 #include <limn/base/WordList.h>
@@ -8,10 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <set>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 namespace limn
 {
@@ -61,8 +57,12 @@ private:
     void SpellWord(std::size_t index)
     {
         const std::string_view word = Text(index);
-        if (word == "shared" || (!isWord(index + 1) && k_StageModifiers.Has(word)))
+        const bool isMissing = word == "noise" || word == "msad4";
+        if (word == "shared" || (!isWord(index + 1) && k_StageModifiers.Has(word)) ||
+            (k_TypeNames.Has(word) && isNameHere(index)) || isTypeAsSemantic(index) ||
+            (isMissing && Text(index + 1) == "("))
         {
+            // The language has the missing ones and no device does; glslang crashes on them.
             m_Code.Spelling(index) = std::string(word) + "_";
         }
         else if (word == "struct" && isWord(index + 1) && Text(index + 2) != "{" &&
@@ -70,12 +70,7 @@ private:
         {
             m_Code.Spelling(index).clear(); // before the name of a type, as in C
         }
-        else if ((word == "noise" || word == "msad4") && Text(index + 1) == "(")
-        {
-            // The language has them and no device does; glslang crashes on them.
-            m_Code.Spelling(index) = std::string(word) + "_";
-        }
-        else if (word == "sampler" && isSampledBy(Text(index + 1)))
+        else if (word == "sampler" && m_SampledBy.contains(Text(index + 1)))
         {
             m_Code.Spelling(index) = "SamplerState";
         }
@@ -88,10 +83,6 @@ private:
             // A device reads both kinds alike; limn binds the structured one.
             m_Code.Spelling(index) =
                 isWord(index + 1) ? "StructuredBuffer<float4>" : "StructuredBuffer";
-        }
-        else if ((k_TypeNames.Has(word) && isNameHere(index)) || isTypeAsSemantic(index))
-        {
-            m_Code.Spelling(index) = std::string(word) + "_";
         }
         else if (Text(index + 1) == "::" && Text(index + 3) == "(" && isFirst(index))
         {
@@ -136,9 +127,9 @@ private:
     /// Returns whether the word stands among the modifiers of a function's parameter.
     bool isParameter(std::size_t index)
     {
-        m_Answers.resize(m_Code.size(), Answer::None);
+        m_Answers.resize(m_Code.size());
         std::size_t open = std::max<std::size_t>(index, 1) - 1;
-        for (; open > 2 && Text(open) != "(" && m_Answers[open] == Answer::None;
+        for (; open > 2 && Text(open) != "(" && !m_Answers[open].has_value();
              open -= open > 0 ? 1 : 0)
         {
             const std::size_t partner = m_Code.tokens().MatchingOpen(open);
@@ -152,8 +143,8 @@ private:
         const bool isList = open > 2 && Text(open) == "(" && isWord(open - 1) &&
                             !k_Statements.Has(Text(open - 1)) &&
                             (isWord(open - 2) || Text(open - 2) == ">");
-        const bool isOne = m_Answers[open] == Answer::Parameter || isList;
-        m_Answers[index] = isOne ? Answer::Parameter : Answer::Other;
+        const bool isOne = m_Answers[open].value_or(false) || isList;
+        m_Answers[index] = isOne;
         return isOne;
     }
 
@@ -209,8 +200,6 @@ private:
         }
     }
 
-    bool isSampledBy(std::string_view name) const { return m_SampledBy.contains(name); }
-
     void FindSampledBy()
     {
         for (std::size_t i = 3; i < m_Code.size(); ++i)
@@ -235,7 +224,7 @@ private:
             return "";
         }
         const auto found = m_LookedUp.find(Text(index + 1));
-        return found == m_LookedUp.end() || isSampledBy(found->first) ? "" : found->second;
+        return found == m_LookedUp.end() || m_SampledBy.contains(found->first) ? "" : found->second;
     }
 
     void FindLookedUp()
@@ -262,13 +251,7 @@ private:
     }
 
     TokenEdits& m_Code;
-    enum class Answer : char
-    {
-        None, ///< not asked yet
-        Parameter,
-        Other
-    };
-    std::vector<Answer> m_Answers;          ///< of each token, once one is asked about
+    std::vector<std::optional<bool>> m_Answers; ///< of isParameter, by token
     std::set<std::string_view> m_SampledBy; ///< by methods of textures: `_Tex.Sample(name, …)`
     std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };
