@@ -252,34 +252,6 @@ void WarnOfUnwritten(const PassProgram& program, const Stages& stages, const Sta
     }
 }
 
-/// Adds what was found of a stage. Mistakes that show in the generated entry function only are in
-/// the signature of the author's.
-void AddDiagnostics(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& found,
-                    const PassProgram& program, const EntryPoint& entry)
-{
-    const bool hasOther = std::ranges::any_of(
-        found, [](const Diagnostic& diagnostic)
-        { return diagnostic.severity == Severity::Error && diagnostic.file != k_EntryFile; });
-    for (Diagnostic diagnostic : found)
-    {
-        if (diagnostic.file == k_EntryFile && hasOther)
-        {
-            continue; // the entry function is wrong only because of it
-        }
-        if (diagnostic.file == k_EntryFile)
-        {
-            diagnostic.file = program.file;
-            diagnostic.location = entry.location;
-            diagnostic.message = entry.name + ": it cannot be called; " + diagnostic.message;
-        }
-        if (diagnostic.location.line == 0)
-        {
-            diagnostic.location = program.location;
-        }
-        diagnostics.push_back(std::move(diagnostic));
-    }
-}
-
 /// Removes messages that several stages repeat.
 void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
 {
@@ -318,20 +290,42 @@ BuiltStage BuildStage(const std::string& hlsl, ShaderStage stage, const std::str
     return built;
 }
 
-/// Adds what was said of a built stage, at the author's places.
+/// Adds what was said of a built stage, at the author's places. Mistakes that show in the generated
+/// entry function only are in the signature of the author's.
 void PlaceDiagnostics(const BuiltStage& built, const PassProgram& program, const HlslSource& source,
-                      const RewrittenHlsl& hlsl, ShaderStage stage,
+                      const RewrittenHlsl& hlsl, const EntryPoint& entry,
                       std::vector<Diagnostic>& warnings, std::vector<Diagnostic>& errors)
 {
-    if (!built.errors.empty())
-    {
-        std::vector<Diagnostic> found = PlaceMessages(built.errors, source, hlsl);
-        const auto undeclared = DescribeUndeclared(source, hlsl);
-        found.insert(found.end(), undeclared.begin(), undeclared.end());
-        AddDiagnostics(errors, found, program, EntryOf(program, stage));
-    }
     const std::vector<Diagnostic> placed = PlaceMessages(built.warnings, source, hlsl);
     warnings.insert(warnings.end(), placed.begin(), placed.end());
+    if (built.errors.empty())
+    {
+        return;
+    }
+    std::vector<Diagnostic> found = PlaceMessages(built.errors, source, hlsl);
+    const std::vector<Diagnostic> undeclared = DescribeUndeclared(source, hlsl);
+    found.insert(found.end(), undeclared.begin(), undeclared.end());
+    const bool hasOther = std::ranges::any_of(
+        found, [](const Diagnostic& diagnostic)
+        { return diagnostic.severity == Severity::Error && diagnostic.file != k_EntryFile; });
+    for (Diagnostic& diagnostic : found)
+    {
+        if (diagnostic.file == k_EntryFile && hasOther)
+        {
+            continue; // the entry function is wrong only because of it
+        }
+        if (diagnostic.file == k_EntryFile)
+        {
+            diagnostic.file = program.file;
+            diagnostic.location = entry.location;
+            diagnostic.message = entry.name + ": it cannot be called; " + diagnostic.message;
+        }
+        if (diagnostic.location.line == 0)
+        {
+            diagnostic.location = program.location;
+        }
+        errors.push_back(std::move(diagnostic));
+    }
 }
 
 std::vector<std::uint32_t>& SpirvOf(ShaderProgram& pass, ShaderStage stage)
@@ -383,8 +377,8 @@ void BuildStages(ShaderProgram& pass, const Sources& sources, const Stages& stag
     for (std::size_t i = 0; i < stages.size(); ++i)
     {
         BuiltStage built = building[i].get();
-        PlaceDiagnostics(built, sources.program, *stages[i].source, rewritten[i], stages[i].stage,
-                         pass.diagnostics, errors);
+        PlaceDiagnostics(built, sources.program, *stages[i].source, rewritten[i],
+                         EntryOf(sources.program, stages[i].stage), pass.diagnostics, errors);
         SpirvOf(pass, stages[i].stage) = std::move(built.spirv);
     }
     if (!errors.empty())

@@ -177,7 +177,10 @@ HlslType HlslResolver::CallType(HlslNode& node)
     const bool isMethod = node.kind == HlslNodeKind::Method;
     if (isMethod && node.child->type.kind == HlslType::Kind::Object)
     {
-        return ObjectMethodType(node.child->type, name);
+        const HlslType& object = node.child->type;
+        const bool isElement = name == "Load" && object.name.find("StructuredBuffer") != name.npos;
+        return isElement ? TypeOf(m_Globals.declarations(), object.element, {})
+                         : MethodType(object, name);
     }
     std::vector<HlslType> arguments;
     for (const HlslNode* child = node.FirstArgument(); child; child = child->next)
@@ -221,13 +224,6 @@ HlslType HlslResolver::MemberType(const HlslNode& node)
         return {};
     }
     return TypeOf(m_Globals.declarations(), *member);
-}
-
-HlslType HlslResolver::ObjectMethodType(const HlslType& object, std::string_view method) const
-{
-    const bool isElement = method == "Load" && object.name.find("StructuredBuffer") != method.npos;
-    return isElement ? TypeOf(m_Globals.declarations(), object.element, {})
-                     : MethodType(object, method);
 }
 
 HlslType HlslResolver::PrefixType(std::string_view mark, const HlslType& operand)

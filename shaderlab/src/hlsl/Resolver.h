@@ -58,7 +58,6 @@ private:
     HlslType MemberType(const HlslNode& node);
     static HlslType PrefixType(std::string_view mark, const HlslType& operand);
     HlslType BinaryType(const HlslNode& node) const;
-    HlslType ObjectMethodType(const HlslType& object, std::string_view method) const;
     HlslType ElementType(HlslType type) const;
 
     const HlslTokens& m_Tokens;

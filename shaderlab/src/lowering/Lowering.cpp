@@ -376,9 +376,9 @@ bool HlslLowering::isTarget(const HlslNode& node) const
     return parent->child == child && isChange(*parent, m_Code.tokens());
 }
 
-/// Spells `a &= b`, where they are true or false, as `a = a & b`: of the other glslang makes
-/// invalid SPIR-V. So for an integer that is changed by a number of a wider kind: the language
-/// computes with that kind; glslang makes an integer of the number first.
+/// Spells `a &= b`, where they are true or false, as `a = a & b`, because glslang makes invalid
+/// SPIR-V of the other. Does the same where an integer is changed by a number of a wider kind: the
+/// language computes with that kind; glslang makes an integer of the number first.
 void HlslLowering::LowerAssignment(const HlslNode& node)
 {
     static const WordList s_Bitwise("&= |= ^=");

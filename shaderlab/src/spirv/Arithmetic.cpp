@@ -162,7 +162,9 @@ private:
         case spv::OpSNegate:
             if (m_Types.at(ComponentType(i.type)).words[3] == 0) // uint
             {
-                PutNegation(i);
+                // spirv-opt takes -(x / c) for x / -c, but not ~(x / c) + 1.
+                const Id inverted = Put(spv::OpNot, i.type, {i.words[3]});
+                PutAs(i.result, spv::OpIAdd, i.type, {inverted, Constant(i.type, 1)});
                 return;
             }
             break;
@@ -220,13 +222,6 @@ private:
             const Id type = m_TypeOf.at(count);
             count = Put(spv::OpBitwiseAnd, type, {count, Constant(type, k_CountMask)});
         }
-    }
-
-    /// Puts the negation of uints as ~x + 1, because spirv-opt takes -(x / c) for x / -c.
-    void PutNegation(const SpirvInstruction& i)
-    {
-        const Id inverted = Put(spv::OpNot, i.type, {i.words[3]});
-        PutAs(i.result, spv::OpIAdd, i.type, {inverted, Constant(i.type, 1)});
     }
 
     /// Puts the division of uints. In SPIR-V a division by 0 is undefined.
