@@ -3,7 +3,7 @@
 #include "assets/FileKind.h"
 #include "view/ChangeBatch.h"
 #include "view/Redrawer.h"
-#include <limn/base/StopSignals.h>
+#include <limn/base/FileWatcher.h>
 
 namespace limn
 {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limn/base/Pager.h>
 #include <limn/base/ReadFile.h>
 #include <limn/base/TerminalText.h>
 #include <map>
@@ -37,12 +36,6 @@ const char* ColorCode(Severity severity)
 }
 
 } // namespace
-
-const char* SeverityName(Severity severity)
-{
-    constexpr std::array k_Names{"error", "warning", "note"};
-    return k_Names.at(static_cast<std::size_t>(severity));
-}
 
 Console::Console(std::ostream& out, std::ostream& err) : m_Out(out), m_Err(err)
 {

@@ -20,9 +20,6 @@ struct ConsoleOptions
     bool isVerbose = false;
 };
 
-/// Returns "error", "warning" or "note".
-const char* SeverityName(Severity severity);
-
 /// Prints for a verb: results to `out`, everything else to `err`. The members write no control
 /// codes of terminals but their own colours.
 class Console

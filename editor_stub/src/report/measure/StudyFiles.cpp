@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limn/base/AppendedFile.h>
 #include <limn/base/FileRoots.h>
 #include <limn/base/ReadFile.h>
 #include <limn/volume/AssetDiagnostics.h>
@@ -254,7 +253,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
 
 void StudyFolder::Add(CellResult cell)
 {
-    AppendedFile(CellsFile(m_Path)).Append(LineOf(cell));
+    AppendToFile(CellsFile(m_Path), LineOf(cell));
     m_Names.insert(cell.id.Name());
     m_Study.cells.push_back(std::move(cell));
 }

@@ -16,35 +16,32 @@ namespace
 constexpr std::size_t k_HashSize = sizeof(std::uint64_t);
 constexpr std::uintmax_t k_MaxEntryBytes = std::uintmax_t{2} << 30;
 
-/// The bytes between magic and trailing hash, or nothing if the file is torn.
-std::optional<std::string_view> Checked(std::string_view file, std::string_view magic)
-{
-    if (file.size() < magic.size() + k_HashSize || !file.starts_with(magic))
-    {
-        return std::nullopt;
-    }
-    const std::string_view checked =
-        file.substr(magic.size(), file.size() - magic.size() - k_HashSize);
-    std::uint64_t hash = 0;
-    ByteReader(file.substr(file.size() - k_HashSize)).Value(hash);
-    return hash == HashContent(checked) ? std::optional(checked) : std::nullopt;
-}
-
 } // namespace
+
+std::string FileCache::HeaderOf(const std::string& key) const
+{
+    ByteWriter own; // the name alone does not make a copied or renamed file this one
+    own.Value(key);
+    return m_Magic + own.bytes();
+}
 
 std::optional<FileCache::Entry> FileCache::Load(const std::string& key) const
 {
     FileContent file = isEnabled() ? TryReadFile(PathOf(key), k_MaxEntryBytes) : FileContent();
-    const std::optional<std::string_view> checked = Checked(file.bytes, m_Magic);
-    ByteWriter own;
-    own.Value(key);
-    if (!checked || !checked->starts_with(own.bytes()))
+    const std::string header = HeaderOf(key);
+    if (file.bytes.size() < header.size() + k_HashSize || !file.bytes.starts_with(header))
     {
-        return std::nullopt; // torn, or copied or renamed: the name alone does not make it this one
+        return std::nullopt;
     }
-    const std::size_t first = m_Magic.size() + own.bytes().size();
-    const std::size_t size = checked->size() - own.bytes().size();
-    return Entry{std::move(file.bytes), first, size};
+    const std::size_t end = file.bytes.size() - k_HashSize;
+    const std::string_view bytes = file.bytes;
+    std::uint64_t hash = 0;
+    ByteReader(bytes.substr(end)).Value(hash);
+    if (hash != HashContent(bytes.substr(m_Magic.size(), end - m_Magic.size())))
+    {
+        return std::nullopt; // torn
+    }
+    return Entry{std::move(file.bytes), header.size(), end - header.size()};
 }
 
 void FileCache::Touch(const std::string& key) const
@@ -61,11 +58,8 @@ void FileCache::Store(const std::string& key, std::string_view payload) const
     {
         return;
     }
-    ByteWriter own;
-    own.Value(key);
-    std::string bytes = m_Magic;
-    bytes.reserve(m_Magic.size() + own.bytes().size() + payload.size() + k_HashSize);
-    bytes += own.bytes();
+    std::string bytes = HeaderOf(key);
+    bytes.reserve(bytes.size() + payload.size() + k_HashSize);
     bytes += payload;
     ByteWriter hash;
     hash.Value(HashContent(std::string_view(bytes).substr(m_Magic.size())));
@@ -114,8 +108,7 @@ void FileCache::Trim() const
             total += size;
         }
     }
-    std::sort(files.begin(), files.end(),
-              [](const File& a, const File& b) { return a.lastUse < b.lastUse; });
+    std::ranges::sort(files, {}, &File::lastUse);
     for (std::size_t i = 0; i < files.size() && total > m_Limit; ++i)
     {
         std::filesystem::remove(files[i].path, error);

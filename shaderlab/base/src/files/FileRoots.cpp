@@ -12,8 +12,7 @@ void FileRoots::Add(const std::filesystem::path& folder)
     const std::filesystem::path real = std::filesystem::weakly_canonical(
         folder.is_absolute() ? folder : std::filesystem::current_path(error) / folder, error);
     // No folder is everything's root, which a path that cannot be resolved would be.
-    if (!error && !real.empty() &&
-        std::find(m_Folders.begin(), m_Folders.end(), real) == m_Folders.end())
+    if (!error && !real.empty() && std::ranges::find(m_Folders, real) == m_Folders.end())
     {
         m_Folders.push_back(real);
     }

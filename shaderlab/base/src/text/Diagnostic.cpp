@@ -3,7 +3,7 @@
 #include <limn/base/Text.h>
 
 #include <algorithm>
-#include <cstddef>
+#include <array>
 #include <limn/base/TerminalText.h>
 
 namespace limn
@@ -11,20 +11,6 @@ namespace limn
 
 namespace
 {
-
-std::string_view SeverityName(Severity severity)
-{
-    switch (severity)
-    {
-    case Severity::Error:
-        return "error";
-    case Severity::Warning:
-        return "warning";
-    case Severity::Note:
-        return "note";
-    }
-    throw ContractError("Severity: unknown value");
-}
 
 std::string Join(const std::vector<Diagnostic>& diagnostics)
 {
@@ -38,15 +24,6 @@ std::string Join(const std::vector<Diagnostic>& diagnostics)
 
 constexpr std::size_t k_MaxName = 64;  ///< longer names are no typo, and comparing them takes long
 constexpr std::size_t k_MaxLine = 160; ///< bytes of a line of the file to show
-
-std::string_view TrimEnd(std::string_view text)
-{
-    while (!text.empty() && isBlank(text.back()))
-    {
-        text.remove_suffix(1);
-    }
-    return text;
-}
 
 /// The first place from `position` on where a character of UTF-8 starts; in what is no UTF-8, near
 /// it.
@@ -83,7 +60,25 @@ PrintedLine PrintLine(std::string_view line, std::size_t column)
     return printed;
 }
 
+/// Returns the only known name that begins with one of at least four letters; "" if several do.
+std::string_view OnlyLonger(std::string_view name, const std::vector<std::string_view>& known)
+{
+    constexpr std::size_t k_Fewest = 4;
+    const auto isLonger = [&](std::string_view candidate)
+    {
+        return name.size() >= k_Fewest && candidate.starts_with(name);
+    };
+    return std::ranges::count_if(known, isLonger) == 1 ? *std::ranges::find_if(known, isLonger)
+                                                       : std::string_view();
+}
+
 } // namespace
+
+const char* SeverityName(Severity severity)
+{
+    constexpr std::array k_Names{"error", "warning", "note"};
+    return k_Names.at(static_cast<std::size_t>(severity));
+}
 
 std::size_t EditDistance(std::string_view a, std::string_view b)
 {
@@ -129,8 +124,7 @@ std::string ToString(const Diagnostic& diagnostic)
             text += ":" + std::to_string(diagnostic.location.column);
         }
     }
-    return text + ": " + std::string(SeverityName(diagnostic.severity)) + ": " +
-           Sentence(diagnostic.message);
+    return text + ": " + SeverityName(diagnostic.severity) + ": " + Sentence(diagnostic.message);
 }
 
 std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view text)
@@ -141,7 +135,8 @@ std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view te
         const std::size_t end = text.find('\n');
         text = end == text.npos ? std::string_view{} : text.substr(end + 1);
     }
-    const std::string_view line = TrimEnd(text.substr(0, text.find('\n')));
+    const std::string_view whole = text.substr(0, text.find('\n'));
+    const std::string_view line = whole.substr(0, whole.find_last_not_of(k_Blanks) + 1);
     if (diagnostic.location.line <= 0 || line.empty())
     {
         return shown;
@@ -174,26 +169,6 @@ AssetError::AssetError(std::string file, SourceLocation location, std::string me
 {
 }
 
-/// Returns the only known name that begins with one of at least four letters; "" if several do.
-static std::string_view OnlyLonger(std::string_view name,
-                                   const std::vector<std::string_view>& known)
-{
-    constexpr std::size_t k_Fewest = 4;
-    std::string_view longer;
-    for (const std::string_view candidate : known)
-    {
-        if (name.size() >= k_Fewest && candidate.starts_with(name))
-        {
-            if (!longer.empty())
-            {
-                return {};
-            }
-            longer = candidate;
-        }
-    }
-    return longer;
-}
-
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known)
 {
     std::string_view nearest;
@@ -219,13 +194,18 @@ std::string_view NearestName(std::string_view name, const std::vector<std::strin
     return nearest.empty() ? OnlyLonger(name, known) : nearest;
 }
 
+std::string DidYouMean(std::string_view name, const std::vector<std::string_view>& known)
+{
+    const std::string_view nearest = NearestName(name, known);
+    return nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?";
+}
+
 std::string UnknownName(std::string_view name, const std::vector<std::string_view>& known)
 {
     const std::string quoted = "'" + Shortened(name, k_MaxName) + "'";
-    const std::string_view nearest = NearestName(name, known);
-    if (!nearest.empty())
+    if (const std::string meant = DidYouMean(name, known); !meant.empty())
     {
-        return quoted + "; did you mean '" + std::string(nearest) + "'?";
+        return quoted + meant;
     }
     std::string names;
     for (const std::string_view each : known)

@@ -54,16 +54,10 @@ bool isPrintable(std::uint32_t code)
 
 std::string EscapeCharacter(char byte, const DecodedCharacter& character)
 {
-    switch (byte)
+    constexpr std::string_view k_Named = "\n\r\t";
+    if (const std::size_t named = k_Named.find(byte); named != k_Named.npos)
     {
-    case '\n':
-        return "\\n";
-    case '\r':
-        return "\\r";
-    case '\t':
-        return "\\t";
-    default:
-        break;
+        return {'\\', "nrt"[named]};
     }
     char text[8];
     const bool isByte = character.size == 0 || character.code < 0x20;

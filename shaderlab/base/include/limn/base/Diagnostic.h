@@ -25,6 +25,9 @@ enum class Severity
     Note
 };
 
+/// Returns "error", "warning" or "note".
+const char* SeverityName(Severity severity);
+
 /// A message about a file that a person wrote.
 struct Diagnostic
 {
@@ -87,6 +90,9 @@ std::size_t EditDistance(std::string_view a, std::string_view b);
 /// near enough, the only one that begins with `name`; otherwise "". A name is near enough if its
 /// distance is at most a third of the length, or 1. Names of more than 64 bytes are near to none.
 std::string_view NearestName(std::string_view name, const std::vector<std::string_view>& known);
+
+/// Returns "; did you mean 'outlineWidth'?" for a name that is not known, or "" if no name is near.
+std::string DidYouMean(std::string_view name, const std::vector<std::string_view>& known);
 
 /// Returns "'outlneWidth'; did you mean 'outlineWidth'?" for messages about unknown names, or
 /// "'foo' (known: a, b, c)" if no name is near. Long names are Shortened.

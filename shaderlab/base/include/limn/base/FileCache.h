@@ -52,6 +52,8 @@ public:
 
 private:
     void Trim() const;
+    /// Returns the bytes that the file of an entry begins with.
+    std::string HeaderOf(const std::string& key) const;
     std::filesystem::path PathOf(const std::string& key) const
     {
         return m_Folder / (key + m_Extension);

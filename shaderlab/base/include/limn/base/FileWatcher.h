@@ -9,7 +9,22 @@
 namespace limn
 {
 
-class StopSignals;
+/// Turns SIGINT and SIGTERM into events to wait for, as long as it lives. Must be made before other
+/// threads start, because they inherit that the signals are blocked.
+class StopSignals
+{
+public:
+    /// @throws std::system_error
+    StopSignals();
+    ~StopSignals();
+    StopSignals(const StopSignals&) = delete;
+    StopSignals& operator=(const StopSignals&) = delete;
+
+private:
+    friend class FileWatcher;
+
+    int m_Descriptor; ///< readable as soon as one of the signals came
+};
 
 /// Reports which of some files were written, replaced or removed. It watches their folders, so that
 /// it notices a file that does not exist yet, or that an editor saves under another name and then
@@ -46,7 +61,6 @@ private:
     using Paths = std::set<std::filesystem::path>;
 
     void Arm();
-    void ArmFolders(const Paths& folders);
     void TakeEvent(std::uint32_t mask, int watch, const char* name, Paths& changed);
     void TakeFolderChange(const std::filesystem::path& folder, bool isGone, Paths& changed);
 

@@ -2,14 +2,9 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 namespace limn
 {
-
-/// Returns what is wrong if the bytes are those of a module that ends too early, and "" otherwise.
-/// The system's loader would map the missing rest and crash; it reports all other problems itself.
-std::string ModuleProblem(std::string_view bytes);
 
 /// Returns whether the file exists and is not a module of which a part is missing.
 bool IsWholeModule(const std::filesystem::path& path);

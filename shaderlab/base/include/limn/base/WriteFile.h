@@ -33,8 +33,9 @@ namespace limn
 void WriteFile(const std::filesystem::path& path, std::string_view bytes,
                const std::function<void()>& beforeReplace = {});
 
-/// Throws the error of WriteFile for this reason.
-[[noreturn]] void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason);
+/// Appends bytes to a file, or makes it. Returns when they are on the disk.
+/// @throws AssetError like WriteFile
+void AppendToFile(const std::filesystem::path& path, std::string_view bytes);
 
 /// Returns the file that is written under this name: the target of a link, whether it exists or
 /// not.

@@ -1,5 +1,4 @@
 #include <limn/base/FileWatcher.h>
-#include <limn/base/StopSignals.h>
 
 #include <algorithm>
 #include <array>
@@ -7,7 +6,9 @@
 #include <cstring>
 #include <optional>
 #include <poll.h>
+#include <signal.h>
 #include <sys/inotify.h>
+#include <sys/signalfd.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -42,7 +43,40 @@ std::optional<std::chrono::system_clock::time_point> ChangeTime(const std::files
         std::chrono::duration_cast<std::chrono::system_clock::duration>(time));
 }
 
+sigset_t Signals()
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    sigaddset(&signals, SIGINT);
+    sigaddset(&signals, SIGTERM);
+    return signals;
+}
+
 } // namespace
+
+StopSignals::StopSignals()
+{
+    const sigset_t signals = Signals();
+    m_Descriptor = signalfd(-1, &signals, SFD_NONBLOCK | SFD_CLOEXEC);
+    if (m_Descriptor < 0)
+    {
+        throw std::system_error(errno, std::generic_category(), "signalfd");
+    }
+    pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+StopSignals::~StopSignals()
+{
+    // The signals that came are taken out; otherwise they would end the process once they are let
+    // through.
+    signalfd_siginfo info;
+    while (read(m_Descriptor, &info, sizeof(info)) > 0)
+    {
+    }
+    close(m_Descriptor);
+    const sigset_t signals = Signals();
+    pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+}
 
 FileWatcher::FileWatcher() : m_Descriptor(inotify_init1(IN_NONBLOCK | IN_CLOEXEC))
 {
@@ -73,7 +107,8 @@ void FileWatcher::Watch(const std::set<std::filesystem::path>& files,
     }
 }
 
-/// Finds out anew where the files are and watches the folders on the way there.
+/// Finds out anew where the files are and watches the folders on the way there, from the outermost
+/// in, so that a folder that comes meanwhile is either found or told of.
 void FileWatcher::Arm()
 {
     m_Places.clear();
@@ -92,14 +127,8 @@ void FileWatcher::Arm()
             }
         }
     }
-    ArmFolders(m_Folders);
-}
-
-/// From the outermost in, so that a folder that comes meanwhile is either found or told of.
-void FileWatcher::ArmFolders(const Paths& folders)
-{
     const std::map<int, Paths> before = std::exchange(m_Watches, {});
-    for (const std::filesystem::path& folder : folders)
+    for (const std::filesystem::path& folder : m_Folders)
     {
         // Asking again for a folder gives the watch it has, or a new one if it was made anew.
         const int watch = inotify_add_watch(m_Descriptor, folder.c_str(), k_Events | IN_ONLYDIR);

@@ -1,17 +1,17 @@
 #include <limn/base/ModuleFile.h>
 
+#include "platform/posix/FileDescriptor.h"
+
 #include <cstdlib>
 #include <cstring>
 #include <cxxabi.h>
 #include <dlfcn.h>
-#include <fstream>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ReadFile.h>
+#include <limn/base/WriteFile.h>
 #include <link.h>
 #include <memory>
 #include <optional>
-#include <system_error>
-#include <unistd.h>
 
 namespace limn
 {
@@ -84,16 +84,12 @@ public:
     ModuleCopy(const std::string& name, std::string_view bytes)
         : m_Path(std::filesystem::temp_directory_path() / "limn-XXXXXX.so")
     {
-        const int descriptor = mkstemps(m_Path.data(), 3);
-        if (descriptor < 0)
+        FileDescriptor file(mkstemps(m_Path.data(), 3));
+        if (!file.isOpen())
         {
-            Refuse(name, m_Path + " cannot be made: " + std::generic_category().message(errno));
+            Refuse(name, m_Path + " cannot be made: " + LastError().message());
         }
-        close(descriptor);
-        std::ofstream file(m_Path, std::ios::binary);
-        file.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-        file.close();
-        if (!file)
+        if (WriteToDescriptor(file.get(), bytes) || file.Close())
         {
             unlink(m_Path.c_str());
             Refuse(name, "its copy " + m_Path + " cannot be written: the disk may be full");
@@ -138,8 +134,8 @@ std::string LoaderText(const std::string& path)
            "defines it, or build it again with this limn";
 }
 
-} // namespace
-
+/// Returns what is wrong if the bytes are those of a module that ends too early, and "" otherwise.
+/// The system's loader would map the missing rest and crash; it reports all other problems itself.
 std::string ModuleProblem(std::string_view bytes)
 {
     ElfHeader header;
@@ -156,6 +152,8 @@ std::string ModuleProblem(std::string_view bytes)
                                     : "";
     return problem.empty() ? "" : problem + "; is it being written, or was the linker stopped?";
 }
+
+} // namespace
 
 bool IsWholeModule(const std::filesystem::path& path)
 {

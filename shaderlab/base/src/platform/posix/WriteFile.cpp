@@ -192,11 +192,16 @@ bool TakeOver(const FileDescriptor& file, const std::filesystem::path& path, con
            fchmod(file.get(), old.st_mode & 07777) == 0 && TakeOverAttributes(file, path);
 }
 
+int OpenFolderOf(const std::filesystem::path& file)
+{
+    return open((BehindLinks(file).parent_path() / ".").c_str(),
+                O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+}
+
 /// Puts a new name of a file onto the disk; nothing where the file system cannot.
 std::error_code SyncFolder(const std::filesystem::path& path)
 {
-    const FileDescriptor folder(
-        open((path.parent_path() / ".").c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    const FileDescriptor folder(OpenFolderOf(path));
     const bool isDone = !folder.isOpen() || fsync(folder.get()) == 0 || errno == EINVAL;
     return isDone ? std::error_code() : LastError();
 }
@@ -257,16 +262,15 @@ std::error_code Write(const std::filesystem::path& path, std::string_view bytes,
     return old.st_nlink > 1 ? Overwrite(writing, old) : Replace(writing, &old);
 }
 
-bool isOfMachine(const std::error_code& failure)
+[[noreturn]] void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason)
 {
     constexpr int k_OfMachine[] = {ENOSPC, EDQUOT, EFBIG, EIO, EMFILE, ENFILE, ENOMEM};
-    return std::ranges::find(k_OfMachine, failure.value()) != std::end(k_OfMachine);
-}
-
-int OpenFolderOf(const std::filesystem::path& file)
-{
-    return open((BehindLinks(file).parent_path() / ".").c_str(),
-                O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const std::string message = "the file cannot be written: " + reason.message();
+    if (std::ranges::find(k_OfMachine, reason.value()) != std::end(k_OfMachine))
+    {
+        throw MachineError(path.string(), {}, message);
+    }
+    throw AssetError(path.string(), {}, message);
 }
 
 } // namespace
@@ -302,14 +306,16 @@ void WriteFile(const std::filesystem::path& path, std::string_view bytes,
     }
 }
 
-void ThrowWriteError(const std::filesystem::path& path, const std::error_code& reason)
+void AppendToFile(const std::filesystem::path& path, std::string_view bytes)
 {
-    const std::string message = "the file cannot be written: " + reason.message();
-    if (isOfMachine(reason))
+    const FileDescriptor file(open(path.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
+    const std::error_code failure =
+        file.isOpen() ? WriteToDescriptor(file.get(), bytes) : LastError();
+    if (failure)
     {
-        throw MachineError(path.string(), {}, message);
+        ThrowWriteError(path, failure);
     }
-    throw AssetError(path.string(), {}, message);
+    fdatasync(file.get()); // where there is no disk behind it, nothing is lost either
 }
 
 std::error_code WriteToDescriptor(int descriptor, std::string_view bytes)
