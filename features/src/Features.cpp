@@ -44,12 +44,8 @@ Shipped& AllShaders()
 /// @throws AssetError if it does not parse
 std::shared_ptr<const ShaderLabDocument> Parsed(const EmbeddedFile& file, const std::string& name)
 {
-    ShaderLabParseResult result = ParseShaderLab(file.text, name);
-    if (result.hasErrors())
-    {
-        throw AssetError(std::move(result.diagnostics));
-    }
-    return std::make_shared<const ShaderLabDocument>(std::move(result.document));
+    return std::make_shared<const ShaderLabDocument>(
+        ParseShaderLab(file.text, name).TakeDocument());
 }
 
 /// Returns the shaders that a plug-in contains. No other plug-in may have them.

@@ -144,12 +144,8 @@ std::shared_ptr<const Shader> Shader::Find(std::string_view name, const ShaderDa
 std::shared_ptr<const Shader> Shader::FromText(std::string_view text, std::string file,
                                                std::shared_ptr<ShaderCompiler> compiler)
 {
-    ShaderLabParseResult result = ParseShaderLab(text, std::move(file));
-    if (result.hasErrors())
-    {
-        throw AssetError(std::move(result.diagnostics));
-    }
-    return std::make_shared<const Shader>(std::move(result.document), std::move(compiler));
+    return std::make_shared<const Shader>(ParseShaderLab(text, std::move(file)).TakeDocument(),
+                                          std::move(compiler));
 }
 
 int Shader::FindPassByLightMode(ShaderTagId lightMode) const

@@ -58,10 +58,7 @@ std::string ForeignPipeline(const ShaderLabSubShader& subShader)
     {
         return {};
     }
-    return "its RenderPipeline is '" + *pipeline + "'" +
-           (NearestName(*pipeline, {k_Universal}).empty()
-                ? ""
-                : "; did you mean '" + std::string(k_Universal) + "'?");
+    return "its RenderPipeline is '" + *pipeline + "'" + DidYouMean(*pipeline, {k_Universal});
 }
 
 Obstacle FindObstacle(const ShaderLabSubShader& subShader, const ShaderCriteria& criteria)
@@ -113,9 +110,73 @@ public:
     {
     }
 
-    ResolvedShader Resolve(const ShaderLabDocument& document);
+    ResolvedShader Resolve(const ShaderLabDocument& document)
+    {
+        const std::optional<Choice> choice = Choose(document);
+        if (!choice)
+        {
+            std::vector<Diagnostic> all = {
+                {Severity::Error, document.file, document.location,
+                 document.name + ": no SubShader that URP can draw with; add one whose "
+                                 "\"RenderPipeline\" tag is absent or \"UniversalPipeline\""}};
+            all.insert(all.end(), m_Notes.begin(), m_Notes.end());
+            throw AssetError(std::move(all));
+        }
+        ResolvedShader result;
+        result.fallback = choice->document == &document ? "" : choice->document->name;
+        result.subShaderIndex = static_cast<int>(choice->index);
+        result.subShader = Expand(*choice);
+        for (const std::string_view lightMode : k_FallbackLightModes)
+        {
+            AddFallbackPass(*choice, lightMode, result.subShader.passes);
+        }
+        result.notes = std::move(m_Notes);
+        result.errors = std::move(m_Errors);
+        return result;
+    }
+
+    /// The pass that a UsePass names; nothing after an error.
     std::optional<ShaderLabPass> FindUsedPass(const ShaderLabDocument& user,
-                                              const ShaderLabPass& use);
+                                              const ShaderLabPass& use)
+    {
+        const auto [shader, name] = SplitUsePass(use.usePass);
+        const ShaderLabDocument* source = FindUsedShader(user, use, std::string(shader));
+        if (source == nullptr)
+        {
+            return std::nullopt;
+        }
+        // Faults of the source's other SubShaders do not matter here.
+        const std::optional<Choice> choice = Resolver(m_Database, m_Criteria).Choose(*source);
+        std::vector<std::string_view> names;
+        const ShaderLabPass* found = nullptr;
+        if (choice)
+        {
+            source = choice->document;
+            for (const ShaderLabPass& pass : source->subShaders[choice->index].passes)
+            {
+                const bool isUse = pass.kind == ShaderLabPassKind::UsePass;
+                names.push_back(isUse ? SplitUsePass(pass.usePass).second : pass.name);
+                found = EqualsIgnoringCase(names.back(), name) ? &pass : found;
+            }
+        }
+        if (found == nullptr)
+        {
+            std::erase(names, std::string_view());
+            Error(user, use.location,
+                  "UsePass: shader '" + std::string(shader) + "' has no pass named " +
+                      UnknownName(name, names));
+            return std::nullopt;
+        }
+        if (found->kind != ShaderLabPassKind::UsePass)
+        {
+            return *found;
+        }
+        m_Users.push_back(use.usePass);
+        std::optional<ShaderLabPass> next = FindUsedPass(*source, *found);
+        m_Users.pop_back();
+        return next;
+    }
+
     std::vector<Diagnostic> TakeErrors() { return std::move(m_Errors); }
 
 private:
@@ -125,15 +186,150 @@ private:
         std::size_t index = 0;
     };
 
-    std::optional<Choice> Choose(const ShaderLabDocument& document);
-    const ShaderLabDocument* FindFallback(const ShaderLabDocument& document);
-    ShaderLabSubShader Expand(const Choice& choice);
+    /// Notes say why what comes before the choice was left out.
+    std::optional<Choice> Choose(const ShaderLabDocument& document)
+    {
+        std::optional<Choice> withoutPrograms;
+        std::vector<const ShaderLabDocument*> seen;
+        const ShaderLabDocument* current = &document;
+        while (current != nullptr)
+        {
+            if (std::ranges::find(seen, current) != seen.end())
+            {
+                Note(*seen.back(), seen.back()->location,
+                     "Fallback: '" + current->name + "' leads back to itself");
+                break;
+            }
+            seen.push_back(current);
+            for (std::size_t i = 0; i < current->subShaders.size(); ++i)
+            {
+                const Obstacle obstacle = FindObstacle(current->subShaders[i], m_Criteria);
+                if (obstacle.reason.empty())
+                {
+                    return Choice{current, i};
+                }
+                if (obstacle.isByProgram && current == &document && !withoutPrograms)
+                {
+                    withoutPrograms = Choice{current, i};
+                }
+                Note(*current, current->subShaders[i].location,
+                     "SubShader " + std::to_string(i) + " is passed over: " + obstacle.reason);
+            }
+            current = FindFallback(*current);
+        }
+        return withoutPrograms;
+    }
+
+    const ShaderLabDocument* FindFallback(const ShaderLabDocument& document)
+    {
+        if (document.fallback.empty())
+        {
+            return nullptr;
+        }
+        const ShaderLabDocument* fallback =
+            m_Database != nullptr ? m_Database->Find(document.fallback) : nullptr;
+        if (fallback == nullptr)
+        {
+            Note(document, document.fallbackLocation,
+                 "Fallback: unknown shader " + (m_Database != nullptr
+                                                    ? m_Database->UnknownShader(document.fallback)
+                                                    : "'" + document.fallback + "'"));
+        }
+        return fallback;
+    }
+
+    ShaderLabSubShader Expand(const Choice& choice)
+    {
+        const ShaderLabDocument& document = *choice.document;
+        ShaderLabSubShader result = document.subShaders[choice.index];
+        std::vector<ShaderLabPass> passes;
+        for (ShaderLabPass& pass : result.passes)
+        {
+            const std::string unmet = UnmetRequirement(pass.packageRequirements, m_Criteria);
+            if (!unmet.empty())
+            {
+                Note(document, pass.location, "the pass is left out: " + unmet);
+                continue;
+            }
+            if (pass.kind == ShaderLabPassKind::GrabPass)
+            {
+                Note(document, pass.location, "GrabPass: URP does not have it; it is not drawn");
+            }
+            std::optional<ShaderLabPass> used = pass.kind == ShaderLabPassKind::UsePass
+                                                    ? FindUsedPass(document, pass)
+                                                    : std::nullopt;
+            passes.push_back(used ? std::move(*used) : std::move(pass));
+        }
+        result.passes = std::move(passes);
+        return result;
+    }
+
+    /// Adds the first pass of this LightMode down the chain of fallbacks, unless one is there.
     void AddFallbackPass(const Choice& choice, std::string_view lightMode,
-                         std::vector<ShaderLabPass>& passes);
+                         std::vector<ShaderLabPass>& passes)
+    {
+        std::vector<const ShaderLabDocument*> seen;
+        const ShaderLabDocument* user = choice.document;
+        while (std::ranges::find(passes, lightMode, &ShaderLabPass::lightMode) == passes.end())
+        {
+            const ShaderLabDocument* fallback =
+                m_Database != nullptr ? m_Database->Find(user->fallback) : nullptr;
+            if (fallback == nullptr || std::ranges::find(seen, fallback) != seen.end())
+            {
+                return;
+            }
+            seen.push_back(fallback);
+            // Faults of the fallback itself do not matter here.
+            Resolver other(m_Database, m_Criteria);
+            const std::optional<Choice> next = other.Choose(*fallback);
+            if (!next)
+            {
+                return;
+            }
+            const std::vector<ShaderLabPass> candidates = other.Expand(*next).passes;
+            const auto found = std::ranges::find(candidates, lightMode, &ShaderLabPass::lightMode);
+            if (found != candidates.end())
+            {
+                passes.push_back(*found);
+            }
+            user = next->document;
+        }
+    }
+
+    /// The shader that a UsePass names; null after an error.
     const ShaderLabDocument* FindUsedShader(const ShaderLabDocument& user, const ShaderLabPass& use,
-                                            const std::string& shader);
-    void Note(const ShaderLabDocument& document, SourceLocation location, std::string message);
-    void Error(const ShaderLabDocument& document, SourceLocation location, std::string message);
+                                            const std::string& shader)
+    {
+        const ShaderLabDocument* source = user.name == shader     ? &user
+                                          : m_Database != nullptr ? m_Database->Find(shader)
+                                                                  : nullptr;
+        if (source == nullptr)
+        {
+            Error(user, use.location,
+                  "UsePass: unknown shader " + (m_Database != nullptr
+                                                    ? m_Database->UnknownShader(shader)
+                                                    : "'" + shader + "'; no folder was searched"));
+            return nullptr;
+        }
+        if (std::ranges::find(m_Users, use.usePass) != m_Users.end())
+        {
+            Error(user, use.location,
+                  "UsePass: '" + use.usePass +
+                      "' leads back to itself; name a pass with a program");
+            return nullptr;
+        }
+        return source;
+    }
+
+    void Note(const ShaderLabDocument& document, SourceLocation location, std::string message)
+    {
+        m_Notes.push_back({Severity::Note, document.file, location, std::move(message)});
+    }
+
+    void Error(const ShaderLabDocument& document, SourceLocation location, std::string message)
+    {
+        m_Errors.push_back({Severity::Error, document.file, location, std::move(message)});
+    }
 
     const ShaderDatabase* m_Database;
     const ShaderCriteria& m_Criteria;
@@ -141,222 +337,6 @@ private:
     std::vector<Diagnostic> m_Notes;
     std::vector<Diagnostic> m_Errors;
 };
-
-void Resolver::Note(const ShaderLabDocument& document, SourceLocation location, std::string message)
-{
-    m_Notes.push_back({Severity::Note, document.file, location, std::move(message)});
-}
-
-void Resolver::Error(const ShaderLabDocument& document, SourceLocation location,
-                     std::string message)
-{
-    m_Errors.push_back({Severity::Error, document.file, location, std::move(message)});
-}
-
-const ShaderLabDocument* Resolver::FindFallback(const ShaderLabDocument& document)
-{
-    if (document.fallback.empty())
-    {
-        return nullptr;
-    }
-    const ShaderLabDocument* fallback =
-        m_Database != nullptr ? m_Database->Find(document.fallback) : nullptr;
-    if (fallback == nullptr)
-    {
-        Note(document, document.fallbackLocation,
-             "Fallback: unknown shader " + (m_Database != nullptr
-                                                ? m_Database->UnknownShader(document.fallback)
-                                                : "'" + document.fallback + "'"));
-    }
-    return fallback;
-}
-
-/// Notes say why what comes before the choice was left out.
-std::optional<Resolver::Choice> Resolver::Choose(const ShaderLabDocument& document)
-{
-    std::optional<Choice> withoutPrograms;
-    std::vector<const ShaderLabDocument*> seen;
-    const ShaderLabDocument* current = &document;
-    while (current != nullptr)
-    {
-        if (std::find(seen.begin(), seen.end(), current) != seen.end())
-        {
-            Note(*seen.back(), seen.back()->location,
-                 "Fallback: '" + current->name + "' leads back to itself");
-            break;
-        }
-        seen.push_back(current);
-        for (std::size_t i = 0; i < current->subShaders.size(); ++i)
-        {
-            const Obstacle obstacle = FindObstacle(current->subShaders[i], m_Criteria);
-            if (obstacle.reason.empty())
-            {
-                return Choice{current, i};
-            }
-            if (obstacle.isByProgram && current == &document && !withoutPrograms)
-            {
-                withoutPrograms = Choice{current, i};
-            }
-            Note(*current, current->subShaders[i].location,
-                 "SubShader " + std::to_string(i) + " is passed over: " + obstacle.reason);
-        }
-        current = FindFallback(*current);
-    }
-    return withoutPrograms;
-}
-
-/// The shader that a UsePass names; null after an error.
-const ShaderLabDocument* Resolver::FindUsedShader(const ShaderLabDocument& user,
-                                                  const ShaderLabPass& use,
-                                                  const std::string& shader)
-{
-    const ShaderLabDocument* source = user.name == shader     ? &user
-                                      : m_Database != nullptr ? m_Database->Find(shader)
-                                                              : nullptr;
-    if (source == nullptr)
-    {
-        Error(user, use.location,
-              "UsePass: unknown shader " + (m_Database != nullptr
-                                                ? m_Database->UnknownShader(shader)
-                                                : "'" + shader + "'; no folder was searched"));
-        return nullptr;
-    }
-    if (std::find(m_Users.begin(), m_Users.end(), use.usePass) != m_Users.end())
-    {
-        Error(user, use.location,
-              "UsePass: '" + use.usePass + "' leads back to itself; name a pass with a program");
-        return nullptr;
-    }
-    return source;
-}
-
-/// The pass that a UsePass names; nothing after an error.
-std::optional<ShaderLabPass> Resolver::FindUsedPass(const ShaderLabDocument& user,
-                                                    const ShaderLabPass& use)
-{
-    const auto [shader, name] = SplitUsePass(use.usePass);
-    const ShaderLabDocument* source = FindUsedShader(user, use, std::string(shader));
-    if (source == nullptr)
-    {
-        return std::nullopt;
-    }
-    // Faults of the source's other SubShaders do not matter here.
-    const std::optional<Choice> choice = Resolver(m_Database, m_Criteria).Choose(*source);
-    std::vector<std::string_view> names;
-    const ShaderLabPass* found = nullptr;
-    if (choice)
-    {
-        source = choice->document;
-        for (const ShaderLabPass& pass : source->subShaders[choice->index].passes)
-        {
-            const bool isUse = pass.kind == ShaderLabPassKind::UsePass;
-            names.push_back(isUse ? SplitUsePass(pass.usePass).second : pass.name);
-            found = EqualsIgnoringCase(names.back(), name) ? &pass : found;
-        }
-    }
-    if (found == nullptr)
-    {
-        std::erase(names, std::string_view());
-        Error(user, use.location,
-              "UsePass: shader '" + std::string(shader) + "' has no pass named " +
-                  UnknownName(name, names));
-        return std::nullopt;
-    }
-    if (found->kind != ShaderLabPassKind::UsePass)
-    {
-        return *found;
-    }
-    m_Users.push_back(use.usePass);
-    std::optional<ShaderLabPass> next = FindUsedPass(*source, *found);
-    m_Users.pop_back();
-    return next;
-}
-
-ShaderLabSubShader Resolver::Expand(const Choice& choice)
-{
-    const ShaderLabDocument& document = *choice.document;
-    ShaderLabSubShader result = document.subShaders[choice.index];
-    std::vector<ShaderLabPass> passes;
-    for (ShaderLabPass& pass : result.passes)
-    {
-        const std::string unmet = UnmetRequirement(pass.packageRequirements, m_Criteria);
-        if (!unmet.empty())
-        {
-            Note(document, pass.location, "the pass is left out: " + unmet);
-            continue;
-        }
-        if (pass.kind == ShaderLabPassKind::GrabPass)
-        {
-            Note(document, pass.location, "GrabPass: URP does not have it; it is not drawn");
-        }
-        std::optional<ShaderLabPass> used =
-            pass.kind == ShaderLabPassKind::UsePass ? FindUsedPass(document, pass) : std::nullopt;
-        passes.push_back(used ? std::move(*used) : std::move(pass));
-    }
-    result.passes = std::move(passes);
-    return result;
-}
-
-/// Adds the first pass of this LightMode down the chain of fallbacks, unless one is there.
-void Resolver::AddFallbackPass(const Choice& choice, std::string_view lightMode,
-                               std::vector<ShaderLabPass>& passes)
-{
-    const auto isOfMode = [&](const ShaderLabPass& pass)
-    {
-        return pass.lightMode() == lightMode;
-    };
-    std::vector<const ShaderLabDocument*> seen;
-    const ShaderLabDocument* user = choice.document;
-    while (std::none_of(passes.begin(), passes.end(), isOfMode))
-    {
-        const ShaderLabDocument* fallback =
-            m_Database != nullptr ? m_Database->Find(user->fallback) : nullptr;
-        if (fallback == nullptr || std::find(seen.begin(), seen.end(), fallback) != seen.end())
-        {
-            return;
-        }
-        seen.push_back(fallback);
-        // Faults of the fallback itself do not matter here.
-        Resolver other(m_Database, m_Criteria);
-        const std::optional<Choice> next = other.Choose(*fallback);
-        if (!next)
-        {
-            return;
-        }
-        const std::vector<ShaderLabPass> candidates = other.Expand(*next).passes;
-        const auto found = std::find_if(candidates.begin(), candidates.end(), isOfMode);
-        if (found != candidates.end())
-        {
-            passes.push_back(*found);
-        }
-        user = next->document;
-    }
-}
-
-ResolvedShader Resolver::Resolve(const ShaderLabDocument& document)
-{
-    const std::optional<Choice> choice = Choose(document);
-    if (!choice)
-    {
-        std::vector<Diagnostic> all = {
-            {Severity::Error, document.file, document.location,
-             document.name + ": no SubShader that URP can draw with; add one whose "
-                             "\"RenderPipeline\" tag is absent or \"UniversalPipeline\""}};
-        all.insert(all.end(), m_Notes.begin(), m_Notes.end());
-        throw AssetError(std::move(all));
-    }
-    ResolvedShader result;
-    result.fallback = choice->document == &document ? "" : choice->document->name;
-    result.subShaderIndex = static_cast<int>(choice->index);
-    result.subShader = Expand(*choice);
-    for (const std::string_view lightMode : k_FallbackLightModes)
-    {
-        AddFallbackPass(*choice, lightMode, result.subShader.passes);
-    }
-    result.notes = std::move(m_Notes);
-    result.errors = std::move(m_Errors);
-    return result;
-}
 
 } // namespace
 

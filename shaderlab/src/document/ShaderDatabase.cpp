@@ -41,12 +41,8 @@ void ShaderDatabase::Add(std::span<const EmbeddedFile> files)
     for (const EmbeddedFile& file : files)
     {
         const std::filesystem::path path(file.path);
-        ShaderLabParseResult result = ParseShaderLab(file.text, path.filename().string());
-        if (result.hasErrors())
-        {
-            throw AssetError(std::move(result.diagnostics));
-        }
-        Add(std::make_shared<const ShaderLabDocument>(std::move(result.document)));
+        Add(std::make_shared<const ShaderLabDocument>(
+            ParseShaderLab(file.text, path.filename().string()).TakeDocument()));
     }
 }
 
@@ -58,10 +54,9 @@ const ShaderLabDocument* ShaderDatabase::Find(std::string_view name) const
 
 const ShaderLabDocument* ShaderDatabase::FindFile(std::string_view filename) const
 {
-    const auto found =
-        std::find_if(m_Documents.begin(), m_Documents.end(),
-                     [filename](const auto& entry)
-                     { return std::filesystem::path(entry.second->file).filename() == filename; });
+    const auto found = std::ranges::find_if(
+        m_Documents, [filename](const auto& entry)
+        { return std::filesystem::path(entry.second->file).filename() == filename; });
     return found == m_Documents.end() ? nullptr : found->second.get();
 }
 
@@ -77,11 +72,11 @@ std::vector<std::string_view> ShaderDatabase::names() const
 
 std::string ShaderDatabase::UnknownShader(std::string_view name) const
 {
-    const std::string_view nearest = NearestName(name, names());
-    return "'" + std::string(name) + "'; " +
-           (nearest.empty() ? "no shader of a name like it is among the " + std::to_string(size()) +
-                                  " known ones"
-                            : "did you mean '" + std::string(nearest) + "'?");
+    const std::string meant = DidYouMean(name, names());
+    return "'" + std::string(name) + "'" +
+           (meant.empty() ? "; no shader of a name like it is among the " + std::to_string(size()) +
+                                " known ones"
+                          : meant);
 }
 
 std::vector<std::filesystem::path> FindShaderFiles(const std::filesystem::path& folder)
@@ -104,7 +99,7 @@ std::vector<std::filesystem::path> FindShaderFiles(const std::filesystem::path& 
         throw AssetError(folder.string(), {},
                          "the folder cannot be searched for shaders: " + error.message());
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 

@@ -9,27 +9,24 @@ namespace limn
 
 bool ShaderProperty::HasAttribute(std::string_view attributeName) const
 {
-    return std::any_of(attributes.begin(), attributes.end(),
-                       [&](const ShaderAttribute& attribute)
-                       {
-                           const std::string_view text = attribute.text;
-                           return Trim(text.substr(0, text.find('('))) == attributeName;
-                       });
+    return std::ranges::any_of(
+        attributes,
+        [&](std::string_view text)
+        { return Trim(text.substr(0, text.find('('))) == attributeName; },
+        &ShaderAttribute::text);
 }
 
 const std::string* ShaderTags::Find(std::string_view key) const
 {
-    const auto found =
-        std::find_if(items.begin(), items.end(),
-                     [&](const ShaderTag& tag) { return EqualsIgnoringCase(tag.key, key); });
+    const auto found = std::ranges::find_if(items, [&](const ShaderTag& tag)
+                                            { return EqualsIgnoringCase(tag.key, key); });
     return found == items.end() ? nullptr : &found->value;
 }
 
 void ShaderTags::Set(ShaderTag tag)
 {
-    const auto found =
-        std::find_if(items.begin(), items.end(),
-                     [&](const ShaderTag& item) { return EqualsIgnoringCase(item.key, tag.key); });
+    const auto found = std::ranges::find_if(items, [&](const ShaderTag& item)
+                                            { return EqualsIgnoringCase(item.key, tag.key); });
     if (found == items.end())
     {
         items.push_back(std::move(tag));

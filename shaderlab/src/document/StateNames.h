@@ -1,9 +1,13 @@
 #pragma once
 
-#include <limn/shaderlab/RenderState.h>
+#include <limn/base/Diagnostic.h>
+#include <limn/shaderlab/ShaderLabDocument.h>
 
+#include <algorithm>
 #include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace limn
 {
@@ -16,6 +20,24 @@ struct EnumName
     std::string_view name;
     T value;
 };
+
+/// Returns a value as ShaderLab writes it, or "[_Property]".
+/// @throws ContractError if none of the names is its
+template <typename T>
+std::string NameOf(std::type_identity_t<std::span<const EnumName<T>>> names,
+                   const StateValue<T>& value)
+{
+    if (!value.property.empty())
+    {
+        return "[" + value.property + "]";
+    }
+    const auto found = std::ranges::find(names, value.value, &EnumName<T>::value);
+    if (found == names.end())
+    {
+        throw ContractError("PrintShaderLab: a state has a value that ShaderLab has no name for");
+    }
+    return std::string(found->name);
+}
 
 inline constexpr EnumName<CullMode> k_CullModes[] = {
     {"Back", CullMode::Back},
@@ -97,6 +119,29 @@ inline constexpr EnumName<BlendOp> k_BlendOps[] = {
     {"HSLSaturation", BlendOp::HSLSaturation},
     {"HSLColor", BlendOp::HSLColor},
     {"HSLLuminosity", BlendOp::HSLLuminosity},
+};
+
+struct PropertyTypeName
+{
+    std::string_view name;
+    ShaderPropertyType type;
+    TextureDimension dimension = TextureDimension::Tex2D;
+};
+
+inline constexpr PropertyTypeName k_PropertyTypes[] = {
+    {"Float", ShaderPropertyType::Float},
+    {"Range", ShaderPropertyType::Range},
+    {"Int", ShaderPropertyType::Int},
+    {"Integer", ShaderPropertyType::Integer},
+    {"Color", ShaderPropertyType::Color},
+    {"Vector", ShaderPropertyType::Vector},
+    {"2D", ShaderPropertyType::Texture, TextureDimension::Tex2D},
+    {"2DArray", ShaderPropertyType::Texture, TextureDimension::Tex2DArray},
+    {"3D", ShaderPropertyType::Texture, TextureDimension::Tex3D},
+    {"Cube", ShaderPropertyType::Texture, TextureDimension::Cube},
+    {"CubeArray", ShaderPropertyType::Texture, TextureDimension::CubeArray},
+    {"Rect", ShaderPropertyType::Texture, TextureDimension::Tex2D},
+    {"Any", ShaderPropertyType::Texture, TextureDimension::Tex2D},
 };
 
 inline constexpr EnumName<StencilOp> k_StencilOps[] = {

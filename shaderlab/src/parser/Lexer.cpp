@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstring>
 #include <limits>
+#include <span>
 
 namespace limn
 {
@@ -55,6 +56,45 @@ float Saturated(std::string_view text)
         text.substr(0, std::min(text.find('.'), text.size())).find_first_of("123456789") ==
             text.npos;
     return isSmall ? 0.0f : std::numeric_limits<float>::max();
+}
+
+constexpr std::string_view k_EndWords[] = {"ENDCG", "ENDHLSL", "ENDGLSL"};
+constexpr std::string_view k_Openers[] = {"CGPROGRAM", "HLSLPROGRAM", "GLSLPROGRAM",
+                                          "CGINCLUDE", "HLSLINCLUDE", "GLSLINCLUDE"};
+
+bool isAnyOf(std::string_view word, std::span<const std::string_view> words)
+{
+    return std::any_of(words.begin(), words.end(),
+                       [&](std::string_view candidate)
+                       { return EqualsIgnoringCase(word, candidate); });
+}
+
+/// The meaning of a word outside comments in the search for the end of a block.
+enum class BlockWord
+{
+    None,
+    RightEnd,
+    OtherEnd,
+    Opener
+};
+
+BlockWord Classify(std::string_view word, std::string_view endWord)
+{
+    const char first = ToLower(word[0]);
+    if (word.size() < 5 || word.size() > 11 ||
+        (first != 'e' && first != 'c' && first != 'h' && first != 'g'))
+    {
+        return BlockWord::None; // as nearly all words
+    }
+    if (EqualsIgnoringCase(word, endWord))
+    {
+        return BlockWord::RightEnd;
+    }
+    if (isAnyOf(word, k_EndWords))
+    {
+        return BlockWord::OtherEnd;
+    }
+    return isAnyOf(word, k_Openers) ? BlockWord::Opener : BlockWord::None;
 }
 
 } // namespace
@@ -264,20 +304,15 @@ Token Lexer::ReadNumber()
     return token;
 }
 
-std::size_t Lexer::WordEnd(std::size_t position) const
+std::string_view Lexer::WordAt(std::size_t position) const
 {
-    while (position < m_Text.size() && isWordCharacter(m_Text[position]))
-    {
-        ++position;
-    }
-    return position;
+    return Beginning(m_Text.substr(position), isWordCharacter);
 }
 
 Token Lexer::ReadWord()
 {
-    const std::size_t end = WordEnd(m_Position);
-    const Token token = TokenHere(TokenKind::Identifier, end - m_Position);
-    m_Position = end;
+    const Token token = TokenHere(TokenKind::Identifier, WordAt(m_Position).size());
+    m_Position += token.text.size();
     return token;
 }
 
@@ -296,6 +331,109 @@ std::string_view Lexer::ReadLine()
     const std::string_view text = m_Text.substr(m_Position, end - m_Position);
     m_Position = end;
     return text;
+}
+
+/// End of the C comment that starts at `position`; `position` itself where none does. An opening
+/// mark that nothing closes starts no comment.
+std::size_t Lexer::CommentEnd(std::size_t position)
+{
+    const char second = position + 1 < m_Text.size() ? m_Text[position + 1] : '\0';
+    if (second == '/')
+    {
+        return std::min(Find(m_LineEnd, "\n", position), m_Text.size());
+    }
+    if (second == '*')
+    {
+        const std::size_t end = Find(m_CommentClose, "*/", position + 2);
+        return end == std::string_view::npos ? position : end + 2;
+    }
+    return position;
+}
+
+/// Takes the first `endWord` in the comment for the end of the block if there is none yet.
+void Lexer::LookIntoComment(std::size_t from, std::size_t to, std::string_view endWord,
+                            RawBlock& block) const
+{
+    for (std::size_t i = from; i < to && block.endWord.empty();)
+    {
+        const std::string_view word = WordAt(i).substr(0, to - i);
+        if (EqualsIgnoringCase(word, endWord))
+        {
+            block.endWord = word;
+            block.inComment = true;
+        }
+        i += std::max<std::size_t>(word.size(), 1);
+    }
+}
+
+/// Finds the end of a block; its text is still to be cut.
+RawBlock Lexer::FindBlockEnd(std::string_view endWord)
+{
+    std::string_view opener;
+    RawBlock second;                          // taken where none of the right ones turns up
+    std::size_t searchedFrom = m_Text.size(); // first place outside comments behind it
+    std::size_t i = m_Position;
+    while (i < m_Text.size())
+    {
+        if (m_Text[i] == '/')
+        {
+            const std::size_t end = CommentEnd(i);
+            LookIntoComment(i, end, endWord, second);
+            i = std::max(end, i + 1);
+        }
+        else if (isWordCharacter(m_Text[i]))
+        {
+            const std::string_view word = WordAt(i);
+            const BlockWord meaning = Classify(word, endWord);
+            if (meaning == BlockWord::RightEnd)
+            {
+                return {{}, word, false, opener};
+            }
+            if (meaning == BlockWord::Opener && opener.empty())
+            {
+                opener = word;
+            }
+            if (meaning == BlockWord::Opener && !second.endWord.empty())
+            {
+                break;
+            }
+            if (meaning == BlockWord::OtherEnd && second.endWord.empty())
+            {
+                second.endWord = word;
+            }
+            i += word.size();
+        }
+        else
+        {
+            ++i;
+            continue;
+        }
+        if (!second.endWord.empty())
+        {
+            searchedFrom = std::min(searchedFrom, i);
+            if (i >= m_NoBlockEnd.from && i <= m_NoBlockEnd.to)
+            {
+                return second;
+            }
+        }
+    }
+    if (!second.endWord.empty())
+    {
+        m_NoBlockEnd = {searchedFrom, i};
+    }
+    return second;
+}
+
+RawBlock Lexer::ReadBlock(std::string_view endWord)
+{
+    RawBlock block = FindBlockEnd(endWord);
+    if (!block.endWord.empty())
+    {
+        const auto end = static_cast<std::size_t>(block.endWord.data() - m_Text.data());
+        block.text = m_Text.substr(m_Position, end - m_Position);
+        SkipTo(end + block.endWord.size());
+    }
+    return block;
 }
 
 } // namespace limn

@@ -80,13 +80,6 @@ private:
         std::size_t from = 1;
         std::size_t to = 0; ///< npos = nowhere
     };
-    struct BlockEnd
-    {
-        std::size_t begin = std::string_view::npos;
-        std::size_t size = 0;
-        bool inComment = false;
-        std::string_view opener = {};
-    };
 
     char Peek(std::size_t ahead = 0) const;
     void SkipTo(std::size_t position);
@@ -98,12 +91,12 @@ private:
     Token ReadNumber();
     Token ReadWord();
     std::size_t Find(Finding& finding, std::string_view text, std::size_t from) const;
-    std::size_t WordEnd(std::size_t position) const;
+    std::string_view WordAt(std::size_t position) const;
     std::size_t CommentEnd(std::size_t position);
     std::size_t BlockCommentEnd(std::size_t position);
     void LookIntoComment(std::size_t from, std::size_t to, std::string_view endWord,
-                         BlockEnd& end) const;
-    BlockEnd FindBlockEnd(std::string_view endWord);
+                         RawBlock& block) const;
+    RawBlock FindBlockEnd(std::string_view endWord);
 
     std::string_view m_Text;
     std::size_t m_Position = 0;

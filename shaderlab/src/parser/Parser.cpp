@@ -1,5 +1,6 @@
 #include "parser/Parser.h"
 
+#include <limn/base/ReadFile.h>
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -12,6 +13,33 @@ namespace
 
 constexpr std::size_t k_MaxFileSize = 64 << 20;
 constexpr std::size_t k_MaxReference = 128; ///< bytes of a property's name in a command
+
+constexpr std::size_t k_MaxShown = 100;     ///< diagnostics of a severity
+constexpr std::size_t k_MaxErrors = 10000;  ///< no more of the file is read then
+constexpr std::size_t k_MaxItems = 1 << 20; ///< that a document is made of
+constexpr std::size_t k_MaxRepeatedBytes = 256 << 20;
+constexpr std::size_t k_MaxFound = 40; ///< bytes of the file that a message quotes
+
+/// Text of the file that a message can show: short, and without what a terminal cannot.
+std::string Shown(std::string_view text)
+{
+    static constexpr char k_Digits[] = "0123456789ABCDEF";
+    std::string shown;
+    for (const char c : text.substr(0, k_MaxFound))
+    {
+        const auto byte = static_cast<unsigned char>(c);
+        shown += byte >= 0x20 && byte < 0x7F
+                     ? std::string{c}
+                     : std::string{'\\', 'x', k_Digits[byte / 16], k_Digits[byte % 16]};
+    }
+    return shown + (text.size() > k_MaxFound ? "..." : "");
+}
+
+/// Unity takes single zero bytes for blanks; a file that has many of them is none of text.
+bool isBinary(const std::string& text)
+{
+    return std::ranges::count(text, '\0') > std::ssize(text) / 16;
+}
 
 } // namespace
 
@@ -221,7 +249,7 @@ void Parser::ParseUnknown(std::string_view scope, const CommandTable& table)
     {
         Error(std::string(scope) + ": unexpected " + Found() + "; a command is expected");
     }
-    else if (const std::string_view place = PlaceOf(m_Token.text); !place.empty())
+    else if (const std::string_view place = PlaceOfCommand(); !place.empty())
     {
         Error(std::string(scope) + ": " + Found() + " does not belong here; it is a command of " +
               std::string(place));
@@ -267,8 +295,7 @@ std::optional<std::string> Parser::ParseReference(std::string_view subject)
     const SourceLocation start = m_Token.location;
     bool closed = false;
     const std::string_view text = Trim(m_Lexer.ReadBracket(closed));
-    const auto end = std::ranges::find_if_not(text, isWordCharacter);
-    const auto size = static_cast<std::size_t>(end - text.begin());
+    const std::size_t size = Beginning(text, isWordCharacter).size();
     Advance();
     if (!closed || size == 0 || size > k_MaxReference)
     {
@@ -290,9 +317,232 @@ bool ShaderLabParseResult::hasErrors() const
     return std::ranges::count(diagnostics, Severity::Error, &Diagnostic::severity) > 0;
 }
 
+ShaderLabDocument ShaderLabParseResult::TakeDocument()
+{
+    if (hasErrors())
+    {
+        throw AssetError(std::move(diagnostics));
+    }
+    return std::move(document);
+}
+
 ShaderLabParseResult ParseShaderLab(std::string_view text, std::string file)
 {
     return Parser(text, std::move(file)).Parse();
+}
+
+ShaderLabParseResult LoadShaderLabWithDiagnostics(const std::filesystem::path& path)
+{
+    const std::string file = path.string();
+    const std::string text = ReadFile(path);
+    if (text.empty())
+    {
+        throw AssetError(file, {}, "file: it is empty; a shader starts with Shader \"name\"");
+    }
+    if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
+    {
+        throw AssetError(file, {}, "file: it is in UTF-16; save it in UTF-8");
+    }
+    if (isBinary(text))
+    {
+        throw AssetError(file, {}, "file: it is binary; a shader is a text file in UTF-8");
+    }
+    return ParseShaderLab(text, file);
+}
+
+ShaderLabDocument LoadShaderLab(const std::filesystem::path& path)
+{
+    return LoadShaderLabWithDiagnostics(path).TakeDocument();
+}
+
+std::string Parser::Found() const
+{
+    const std::string quote = m_Token.kind == TokenKind::String ? "\"" : "'";
+    return m_Token.kind == TokenKind::End ? "the end of the file"
+                                          : quote + Shown(m_Token.text) + quote;
+}
+
+void Parser::Report(Severity severity, SourceLocation location, std::string message)
+{
+    std::size_t& count = m_Reported[static_cast<std::size_t>(severity)];
+    if (++count <= k_MaxShown)
+    {
+        m_Result.diagnostics.push_back(
+            {severity, m_Result.document.file, location, std::move(message)});
+    }
+    if (severity == Severity::Error && count == k_MaxErrors)
+    {
+        Stop();
+    }
+}
+
+void Parser::Error(std::string message)
+{
+    // A file that breaks off is one mistake, however many scopes were open.
+    if (m_Token.kind == TokenKind::End && m_ReportedEnd)
+    {
+        return;
+    }
+    // Only the first error at a place is reported, because it knows most about the author's
+    // intention.
+    const std::vector<Diagnostic>& said = m_Result.diagnostics;
+    if (!said.empty() && said.back().severity == Severity::Error &&
+        said.back().location == m_Token.location)
+    {
+        return;
+    }
+    m_ReportedEnd = m_Token.kind == TokenKind::End;
+    m_FailedLine = m_Token.location.line;
+    Report(Severity::Error, m_Token.location, std::move(message));
+}
+
+void Parser::ReportNotClosed(std::string_view scope, SourceLocation opening)
+{
+    Error(std::string(scope) + ": '{' of line " + std::to_string(opening.line) +
+          " is never closed; add '}'");
+}
+
+void Parser::ReportStillOpen(std::string_view scope, SourceLocation opening)
+{
+    Error(std::string(scope) + ": '}' is missing before " + Found() + "; the '{' of line " +
+          std::to_string(opening.line) + " is still open");
+}
+
+/// Reads no more of the file; the scopes that are open end without a word.
+void Parser::Stop()
+{
+    m_IsStopped = true;
+    m_ReportedEnd = true;
+    m_Lexer.SkipToEnd();
+    m_Token.kind = TokenKind::End;
+    m_Token.text = {};
+}
+
+/// Returns whether the document may have this many more parts. If not, the rest of the file is not
+/// read.
+bool Parser::Count(std::size_t items)
+{
+    m_Items += items;
+    if (m_Items > k_MaxItems && !m_IsStopped)
+    {
+        Report(Severity::Error, m_Token.location,
+               "file: it declares more than limn can hold (" + std::to_string(k_MaxItems) +
+                   " properties, attributes, tags and commands; a pass counts as 16)");
+        Stop();
+    }
+    return m_Items <= k_MaxItems;
+}
+
+/// Returns whether inner scopes may get this number of bytes from the scopes around them. These
+/// copies are the only way in which a document can become much larger than its file.
+bool Parser::CountRepeated(std::size_t bytes)
+{
+    m_RepeatedBytes += bytes;
+    if (m_RepeatedBytes > k_MaxRepeatedBytes && !m_IsStopped)
+    {
+        Report(Severity::Error, m_Command,
+               "file: its include blocks, tags and commands, copied into every pass that they hold "
+               "for, have more than " +
+                   std::to_string(k_MaxRepeatedBytes) + " bytes; move common code to a file");
+        Stop();
+    }
+    return m_RepeatedBytes <= k_MaxRepeatedBytes;
+}
+
+void Parser::FinishDiagnostics()
+{
+    std::vector<Diagnostic>& diagnostics = m_Result.diagnostics;
+    std::ranges::stable_sort(
+        diagnostics, {},
+        [](const Diagnostic& diagnostic)
+        { return std::pair(diagnostic.location.line, diagnostic.location.column); });
+    for (const Severity severity : {Severity::Error, Severity::Warning, Severity::Note})
+    {
+        const std::size_t count = m_Reported[static_cast<std::size_t>(severity)];
+        if (count > k_MaxShown)
+        {
+            const bool isOpen = severity == Severity::Error && count >= k_MaxErrors;
+            diagnostics.push_back({severity,
+                                   m_Result.document.file,
+                                   {},
+                                   "file: " + std::string(isOpen ? "at least " : "") +
+                                       std::to_string(count - k_MaxShown) + " more " +
+                                       SeverityName(severity) + "s are not shown"});
+        }
+    }
+}
+
+const Parser::CommandTable& Parser::ShaderCommands()
+{
+    static const CommandTable table = {
+        {"Properties", &Parser::ParseProperties},
+        {"SubShader", &Parser::ParseSubShader},
+        {"Category", &Parser::ParseCategory},
+        {"Fallback", &Parser::ParseFallback},
+        {"CustomEditor", &Parser::ParseCustomEditor},
+        {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
+        {"Dependency", &Parser::ParseDependency},
+        {"HLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"CGINCLUDE", &Parser::ParseIncludeBlock, true},
+        {"GLSLINCLUDE", &Parser::ParseIncludeBlock, true},
+    };
+    return table;
+}
+
+const Parser::CommandTable& Parser::CategoryCommands()
+{
+    static const CommandTable table = WithCommonCommands({
+        {"SubShader", &Parser::ParseSubShader},
+        {"Category", &Parser::ParseCategory},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"Fallback", &Parser::ParseFallback},
+        {"CustomEditor", &Parser::ParseCustomEditor},
+        {"CustomEditorForRenderPipeline", &Parser::ParsePipelineEditor},
+        {"Dependency", &Parser::ParseDependency},
+    });
+    return table;
+}
+
+const Parser::CommandTable& Parser::SubShaderCommands()
+{
+    static const CommandTable table = WithCommonCommands({
+        {"Pass", &Parser::ParsePass},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"Name", &Parser::ParseName},
+        {"UsePass", &Parser::ParseUsePass},
+        {"GrabPass", &Parser::ParseGrabPass},
+        {"PackageRequirements", &Parser::ParsePackageRequirements},
+        {"HLSLPROGRAM", &Parser::ParseSurface, true},
+        {"CGPROGRAM", &Parser::ParseSurface, true},
+        {"GLSLPROGRAM", &Parser::ParseSurface, true},
+    });
+    return table;
+}
+
+const Parser::CommandTable& Parser::PassCommands()
+{
+    static const CommandTable table = WithCommonCommands({
+        {"Name", &Parser::ParseName},
+        {"Tags", &Parser::ParseTags},
+        {"LOD", &Parser::ParseLod},
+        {"PackageRequirements", &Parser::ParsePackageRequirements},
+        {"HLSLPROGRAM", &Parser::ParseProgram, true},
+        {"CGPROGRAM", &Parser::ParseProgram, true},
+        {"GLSLPROGRAM", &Parser::ParseProgram, true},
+        {"SetTexture", &Parser::ParseSetTexture},
+    });
+    return table;
+}
+
+/// Returns the place of the command that the token is, "" if there is no such command.
+std::string_view Parser::PlaceOfCommand() const
+{
+    return FindCommand(PassCommands())        ? "a Pass"
+           : FindCommand(SubShaderCommands()) ? "a SubShader"
+           : FindCommand(StencilCommands())   ? "a Stencil block"
+                                              : "";
 }
 
 } // namespace limn

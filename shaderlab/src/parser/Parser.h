@@ -56,7 +56,12 @@ private:
         std::vector<LegacyCommand> legacyCommands;
     };
 
-    // Parser.cpp: tokens and blocks
+    // Parser.cpp: tokens, blocks, and which command stands where
+    static const CommandTable& ShaderCommands();
+    static const CommandTable& CategoryCommands();
+    static const CommandTable& SubShaderCommands();
+    static const CommandTable& PassCommands();
+    std::string_view PlaceOfCommand() const;
     Token Advance();
     void TakeDirective();
     bool isWord(std::string_view word) const;
@@ -76,7 +81,7 @@ private:
     std::optional<float> ParseNumber(std::string_view subject);
     std::optional<std::string> ParseReference(std::string_view subject);
 
-    // ParserReport.cpp: diagnostics and limits
+    // Diagnostics and limits
     std::string Found() const;
     void Report(Severity severity, SourceLocation location, std::string message);
     void Error(std::string message);
@@ -87,9 +92,8 @@ private:
     bool CountRepeated(std::size_t bytes);
     void FinishDiagnostics();
 
-    // ParserStructure.cpp: shader, category, sub-shader, pass
+    // Structure.cpp: shader, category, sub-shader, pass
     void ParseFile();
-    void ParseIncludesBeforeShader();
     void ParseCategory();
     void ParseSubShader();
     void ParsePass();
@@ -98,20 +102,19 @@ private:
     void ParseGrabPassBody(ShaderLabPass& pass);
     void AddPass(ShaderLabPass pass);
     void ParseName();
-    void ParseIgnoredName();
     void ParseFallback();
     void ParseCustomEditor();
     void ParsePipelineEditor();
     void ParseDependency();
 
-    // ParserTags.cpp
+    // Structure.cpp: tags and the like
     void ParseTags();
     void ParseTag(ShaderTags& tags);
     void CheckTag(const Token& key, const Token& value);
     void ParseLod();
     void ParsePackageRequirements();
 
-    // ParserPrograms.cpp
+    // Structure.cpp: programs
     std::optional<SourceChunk> ReadChunk(std::string_view endWord);
     std::optional<PassProgram> ReadProgram();
     void ReadPragmas();
@@ -119,16 +122,7 @@ private:
     void ParseProgram();
     void ParseSurface();
 
-    // ParserTables.cpp: which command stands where
-    static const CommandTable& ShaderCommands();
-    static const CommandTable& CategoryCommands();
-    static const CommandTable& SubShaderCommands();
-    static const CommandTable& PassCommands();
-    static const CommandTable& StencilCommands();
-    static CommandTable WithCommonCommands(CommandTable table);
-    std::string_view PlaceOf(std::string_view word) const;
-
-    // ParserProperties.cpp
+    // Properties.cpp
     void ParseProperties();
     void ParseProperty();
     bool ParseAttributes(ShaderProperty& property);
@@ -136,34 +130,29 @@ private:
     bool ParsePropertyType(ShaderProperty& property);
     bool ParseRangeLimits(ShaderProperty& property);
     void ParsePropertyDefault(ShaderProperty& property);
-    void ParseNumberDefault(ShaderProperty& property);
-    void ParseVectorDefault(ShaderProperty& property);
-    void ParseTextureDefault(ShaderProperty& property);
+    bool ParseNumberDefault(ShaderProperty& property);
+    bool ParseVectorDefault(ShaderProperty& property);
+    bool ParseTextureDefault(ShaderProperty& property);
     void ParseTextureMode(ShaderProperty& property);
     void SkipProperty(int line);
     void ReportDuplicateProperties();
 
-    // ParserBlend.cpp: fixed-function state into m_Scope.state
-    template <typename T, StateValue<T> RenderState::*Field, const auto& Names>
-    void ParseState()
-    {
-        ParseEnum<T>(m_Word, Names, m_Scope.state.*Field);
-    }
+    // State.cpp: fixed-function state into m_Scope.state
+    static CommandTable WithCommonCommands(CommandTable table);
+    static const CommandTable& StencilCommands();
+    template <auto Field, const auto& Names>
+    void ParseState();
     void ParseOffset();
     void ParseBlend();
     void ParseBlendOp();
     void ParseColorMask();
-    std::optional<StateValue<int>> ParseMask();
-    std::optional<std::size_t> ParseTargetIndex(std::string_view subject);
-    std::span<PassBlendState> TargetsOf(std::optional<std::size_t> index);
+    std::span<PassBlendState> ParseTargets(std::string_view subject);
+    template <typename T>
+    bool ParseStateReference(std::string_view subject, StateValue<T>& target);
     bool ParseFloat(std::string_view subject, StateValue<float>& target);
-    bool ParseBlendFactor(StateValue<BlendMode>& target);
-    bool ParseBlendOperation(StateValue<BlendOp>& target);
     template <typename T>
     bool ParseEnum(std::string_view subject,
                    std::type_identity_t<std::span<const EnumName<T>>> names, StateValue<T>& target);
-
-    // ParserStencil.cpp
     void ParseStencil();
     template <StateValue<int> PassStencilState::*Field>
     void ParseStencilByte();
@@ -171,27 +160,26 @@ private:
     template <auto Field, const auto& Names>
     void ParseStencilFaces();
 
-    // ParserLegacy.cpp: fixed-function lighting and texturing, kept as text in m_Legacy
-    void ParseLegacySwitch();
-    void ParseLegacyColor();
+    // State.cpp: fixed-function lighting and texturing, kept as text in m_Legacy
+    /// Parses a command of a scope whose arguments a member function appends.
+    template <bool (Parser::*Append)()>
+    void ParseLegacyCommand();
+    /// Parses a command inside a legacy block.
+    template <bool (Parser::*Append)()>
+    void ParseLegacyField();
     void ParseLegacyBlock();
-    void ParseColorMaterial();
-    void ParseAlphaTest();
     void ParseBind();
-    void ParseFogMode();
-    void ParseFogRange();
-    void ParseLegacyNumberField();
-    void ParseLegacyColorField();
     void ParseSetTexture();
-    void ParseMatrix();
-    void ParseCombine();
+    bool AppendAlphaTest();
+    bool AppendRange();
+    bool AppendCombine();
     bool AppendCombineSource();
     bool AppendCombination();
     bool AppendNumber();
     bool AppendColor();
     bool AppendReference();
-    template <typename T>
-    bool AppendName(std::span<const EnumName<T>> names);
+    template <const auto& Names>
+    bool AppendName();
     bool AppendLerpFactor();
     void AddLegacy(SourceLocation location, bool isGood);
     void NoteLegacyCommands(const ShaderLabPass& pass);
@@ -219,43 +207,5 @@ private:
     SourceLocation m_NotedLegacy;
     ShaderLabParseResult m_Result;
 };
-
-template <typename T>
-bool Parser::ParseEnum(std::string_view subject,
-                       std::type_identity_t<std::span<const EnumName<T>>> names,
-                       StateValue<T>& target)
-{
-    if (isPunctuation('['))
-    {
-        const auto property = ParseReference(subject);
-        if (property)
-        {
-            target = StateValue<T>::FromProperty(*property);
-        }
-        return property.has_value();
-    }
-    for (const EnumName<T>& name : names)
-    {
-        if (isWord(name.name))
-        {
-            target = name.value;
-            Advance();
-            return true;
-        }
-    }
-    if (m_Token.kind != TokenKind::Identifier || isAnyCommand())
-    {
-        Error(std::string(subject) + ": value is missing before " + Found() +
-              "; write a name or [_Property]");
-        if (m_Token.kind == TokenKind::Number)
-        {
-            Advance();
-        }
-        return false;
-    }
-    Error(std::string(subject) + ": unknown value " + UnknownName(m_Token.text, NamesIn(names)));
-    Advance();
-    return false;
-}
 
 } // namespace limn

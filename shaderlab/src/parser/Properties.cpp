@@ -2,36 +2,13 @@
 
 #include <limn/base/Text.h>
 
-#include <algorithm>
+#include <map>
 
 namespace limn
 {
 
 namespace
 {
-
-struct PropertyTypeName
-{
-    std::string_view name;
-    ShaderPropertyType type;
-    TextureDimension dimension = TextureDimension::Tex2D;
-};
-
-constexpr PropertyTypeName k_PropertyTypes[] = {
-    {"Float", ShaderPropertyType::Float},
-    {"Range", ShaderPropertyType::Range},
-    {"Int", ShaderPropertyType::Int},
-    {"Integer", ShaderPropertyType::Integer},
-    {"Color", ShaderPropertyType::Color},
-    {"Vector", ShaderPropertyType::Vector},
-    {"2D", ShaderPropertyType::Texture, TextureDimension::Tex2D},
-    {"2DArray", ShaderPropertyType::Texture, TextureDimension::Tex2DArray},
-    {"3D", ShaderPropertyType::Texture, TextureDimension::Tex3D},
-    {"Cube", ShaderPropertyType::Texture, TextureDimension::Cube},
-    {"CubeArray", ShaderPropertyType::Texture, TextureDimension::CubeArray},
-    {"Rect", ShaderPropertyType::Texture, TextureDimension::Tex2D},
-    {"Any", ShaderPropertyType::Texture, TextureDimension::Tex2D},
-};
 
 constexpr std::string_view k_TextureModes[] = {
     "TexGen",      "SphereMap",  "EyeLinear", "ObjectLinear",
@@ -175,72 +152,70 @@ bool Parser::ParseRangeLimits(ShaderProperty& property)
 
 void Parser::ParsePropertyDefault(ShaderProperty& property)
 {
+    const int line = m_Token.location.line;
     const bool isVector =
         property.type == ShaderPropertyType::Color || property.type == ShaderPropertyType::Vector;
-    isVector                                       ? ParseVectorDefault(property)
-    : property.type == ShaderPropertyType::Texture ? ParseTextureDefault(property)
-                                                   : ParseNumberDefault(property);
-}
-
-void Parser::ParseNumberDefault(ShaderProperty& property)
-{
-    const int line = m_Token.location.line;
-    const auto number = ParseNumber(property.name);
-    if (!number)
+    const bool isGood = isVector ? ParseVectorDefault(property)
+                        : property.type == ShaderPropertyType::Texture
+                            ? ParseTextureDefault(property)
+                            : ParseNumberDefault(property);
+    if (!isGood)
     {
         SkipProperty(line);
-        return;
     }
-    property.defaultValue[0] = *number;
 }
 
-void Parser::ParseVectorDefault(ShaderProperty& property)
+bool Parser::ParseNumberDefault(ShaderProperty& property)
 {
-    const int line = m_Token.location.line;
+    const auto number = ParseNumber(property.name);
+    property.defaultValue[0] = number.value_or(0.0f);
+    return number.has_value();
+}
+
+bool Parser::ParseVectorDefault(ShaderProperty& property)
+{
+    if (!Expect(property.name, '('))
+    {
+        return false;
+    }
     std::size_t count = 0;
-    bool good = Expect(property.name, '(');
-    while (good && count < 4)
+    do
     {
         const auto number = ParseNumber(property.name);
-        good = number.has_value();
-        if (good)
+        if (!number)
         {
-            property.defaultValue[count++] = *number;
+            return false;
         }
-        if (!good || !Accept(','))
-        {
-            break;
-        }
-    }
-    if (good && count < 3 && isPunctuation(')'))
+        property.defaultValue[count++] = *number;
+    } while (Accept(',') && count < 4);
+    if (count < 3 && isPunctuation(')'))
     {
         Error(property.name + ": " + std::to_string(count) + " numbers are too few; write 3 or 4");
     }
-    if (!good || !Expect(property.name, ')'))
+    if (!Expect(property.name, ')'))
     {
-        SkipProperty(line);
-        return;
+        return false;
     }
     if (count < 4 && property.type == ShaderPropertyType::Color)
     {
         property.defaultValue[3] = 1.0f;
     }
+    return true;
 }
 
-void Parser::ParseTextureDefault(ShaderProperty& property)
+bool Parser::ParseTextureDefault(ShaderProperty& property)
 {
-    const int line = m_Token.location.line;
     auto name = ParseString(property.name);
     if (!name)
     {
-        SkipProperty(line);
-        return;
+        return false;
     }
     property.defaultTexture = std::move(*name);
     if (isPunctuation('{'))
     {
         ParseTextureMode(property);
     }
+    return true;
 }
 
 /// The braces held texture generation modes of Unity 4; nothing in them has an effect today.
@@ -282,24 +257,18 @@ void Parser::SkipProperty(int line)
 /// Duplicates are kept, since inspectors show them all; a material has the first of each name.
 void Parser::ReportDuplicateProperties()
 {
-    std::vector<const ShaderProperty*> sorted;
+    std::map<std::string_view, std::vector<const ShaderProperty*>> byName;
     for (const ShaderProperty& property : m_Result.document.properties)
     {
-        sorted.push_back(&property);
+        byName[property.name].push_back(&property);
     }
-    std::ranges::stable_sort(sorted, {},
-                             [](const ShaderProperty* property) -> const std::string&
-                             { return property->name; });
-    const ShaderProperty* reported = nullptr;
-    for (std::size_t i = 1; i < sorted.size(); ++i)
+    for (const auto& [name, properties] : byName)
     {
-        const bool isReported = reported != nullptr && reported->name == sorted[i]->name;
-        if (sorted[i]->name == sorted[i - 1]->name && !isReported)
+        if (properties.size() > 1)
         {
-            reported = sorted[i];
-            Report(Severity::Warning, sorted[i]->location,
-                   sorted[i]->name.substr(0, 80) + ": a property of this name stands in line " +
-                       std::to_string(sorted[i - 1]->location.line) +
+            Report(Severity::Warning, properties[1]->location,
+                   std::string(name.substr(0, 80)) + ": a property of this name stands in line " +
+                       std::to_string(properties[0]->location.line) +
                        " already; materials have the first one");
         }
     }

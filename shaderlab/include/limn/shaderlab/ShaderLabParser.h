@@ -20,6 +20,9 @@ struct ShaderLabParseResult
     std::vector<Diagnostic> diagnostics;
 
     bool hasErrors() const;
+    /// Moves the document out.
+    /// @throws AssetError with all diagnostics if there are errors
+    ShaderLabDocument TakeDocument();
 };
 
 /// Reads ShaderLab text. Never throws on bad text: after an error it continues at the next command
