@@ -7,8 +7,6 @@
 #include "hlsl/TreeParser.h"
 #include "lowering/GlslangGuards.h"
 #include "lowering/Lowering.h"
-#include "stages/GeometryEntryWriter.h"
-#include "stages/KernelEntryWriter.h"
 #include <limn/base/Text.h>
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 
 #include "hlsl/Tree.h"
 #include "hlsl/Types.h"
-#include <limn/base/Text.h>
 #include <limn/base/WordList.h>
 
 #include <algorithm>
@@ -15,27 +14,6 @@ namespace limn
 namespace
 {
 
-struct BuiltInType
-{
-    std::string scalar;
-    int rows = 1;
-    int columns = 1;
-    bool isMatrix = false;
-};
-
-std::optional<BuiltInType> ReadBuiltInType(std::string_view name)
-{
-    const auto type = NumberType(name);
-    if (!type)
-    {
-        return std::nullopt;
-    }
-    // Stages hand over floats: a device need not know smaller or larger ones.
-    const HlslType scalar = type->isFloating() ? type->As(1).Of(HlslScalar::Float) : type->As(1);
-    return BuiltInType{scalar.Spelling(), std::max<int>(type->rows, 1), type->columns,
-                       type->isMatrix()};
-}
-
 struct Semantic
 {
     std::string name;
@@ -44,11 +22,7 @@ struct Semantic
 
 Semantic SplitSemantic(std::string_view text)
 {
-    std::size_t size = text.size();
-    while (size > 0 && isDigit(text[size - 1]))
-    {
-        --size;
-    }
+    const std::size_t size = text.find_last_not_of("0123456789") + 1;
     Semantic semantic;
     for (const char c : text.substr(0, size))
     {
@@ -151,7 +125,6 @@ public:
                 Fail(parameter,
                      "': a geometry function with more than one stream is not supported");
             }
-            result.geometry->streamParameter = index;
             result.geometry->stream = parameter.type;
             result.geometry->outputType = parameter.templateArgument;
             parameter.type = parameter.templateArgument;
@@ -191,10 +164,9 @@ public:
             return;
         }
         const bool isTemplate = typeName == "vector" || typeName == "matrix";
-        const HlslType number =
-            isTemplate ? TypeOf(m_Declarations, variable.type, variable.templateArgument)
-                       : HlslType();
-        const auto type = ReadBuiltInType(isTemplate ? number.Spelling() : std::string(typeName));
+        const auto type = NumberType(
+            isTemplate ? TypeOf(m_Declarations, variable.type, variable.templateArgument).Spelling()
+                       : std::string(typeName));
         if (!type)
         {
             Fail(variable,
@@ -237,9 +209,9 @@ private:
     {
         static constexpr std::array<Primitive, 5> k_Primitives = {
             {{"point", 1}, {"line", 2}, {"lineadj", 4}, {"triangle", 3}, {"triangleadj", 6}}};
-        const auto found =
-            std::find_if(k_Primitives.begin(), k_Primitives.end(),
-                         [&](const Primitive& item) { return parameter.Has(item.name); });
+        const auto found = std::ranges::find_if(
+            k_Primitives, [&](std::string_view name) { return parameter.Has(name); },
+            &Primitive::name);
         return found == k_Primitives.end() ? std::nullopt : std::optional(*found);
     }
 
@@ -255,7 +227,7 @@ private:
         }
     }
 
-    void ExpandElements(const HlslVariable& variable, const BuiltInType& type,
+    void ExpandElements(const HlslVariable& variable, const HlslType& type,
                         const std::string& expression, bool isOutput,
                         std::vector<StageValue>& values)
     {
@@ -266,14 +238,16 @@ private:
         value.token = variable.token;
         value.isSystemValue = isPipelineValue(value.semantic, m_Stage, isOutput);
         RequireKnown(variable, value, isOutput);
-        value.scalar = type.scalar;
+        // Stages hand over floats: a device need not know smaller or larger ones.
+        const HlslType scalar = type.isFloating() ? type.Of(HlslScalar::Float) : type;
+        value.scalar = scalar.As(1).Spelling();
         value.components = type.columns;
         for (const std::string_view modifier :
              {"nointerpolation", "noperspective", "centroid", "sample"})
         {
             value.interpolation += variable.Has(modifier) ? std::string(modifier) + " " : "";
         }
-        const int rows = type.isMatrix ? type.rows : 1;
+        const int rows = std::max<int>(type.rows, 1);
         const int count = variable.dimensions.empty() ? 1 : ArraySize(variable);
         for (int element = 0; element < count; ++element)
         {
@@ -282,7 +256,7 @@ private:
                 value.expression = expression;
                 value.expression +=
                     variable.dimensions.empty() ? "" : "[" + std::to_string(element) + "]";
-                value.expression += type.isMatrix ? "[" + std::to_string(row) + "]" : "";
+                value.expression += type.isMatrix() ? "[" + std::to_string(row) + "]" : "";
                 values.push_back(value);
                 ++value.index;
             }
@@ -323,6 +297,29 @@ private:
     int m_Depth = 0; ///< structs around what is being expanded
 };
 
+StageInterface ReadGeometryInterface(const HlslDeclarations& declarations,
+                                     const HlslFunction& function)
+{
+    StageInterface result;
+    result.function = &function;
+    result.geometry.emplace();
+    InterfaceReader reader(declarations, ShaderStage::Geometry);
+    for (std::size_t i = 0; i < function.parameters.size(); ++i)
+    {
+        reader.ExpandGeometry(function.parameters[i], i, result);
+    }
+    const bool hasMaximum =
+        std::ranges::any_of(function.attributes, [](std::string_view text)
+                            { return text.find("maxvertexcount") != text.npos; });
+    if (result.geometry->primitive.empty() || result.geometry->stream.empty() || !hasMaximum)
+    {
+        throw StageInterfaceError{
+            "a geometry function needs [maxvertexcount(N)] before it, an array of vertices as in "
+            "'triangle v2g input[3]', and a stream as in 'inout TriangleStream<g2f> stream'"};
+    }
+    return result;
+}
+
 } // namespace
 
 std::string StageValue::semanticName() const
@@ -345,34 +342,6 @@ bool isStream(std::string_view type)
 {
     return type == "PointStream" || type == "LineStream" || type == "TriangleStream";
 }
-
-namespace
-{
-
-StageInterface ReadGeometryInterface(const HlslDeclarations& declarations,
-                                     const HlslFunction& function)
-{
-    StageInterface result;
-    result.function = &function;
-    result.geometry.emplace();
-    InterfaceReader reader(declarations, ShaderStage::Geometry);
-    for (std::size_t i = 0; i < function.parameters.size(); ++i)
-    {
-        reader.ExpandGeometry(function.parameters[i], i, result);
-    }
-    const bool hasMaximum =
-        std::any_of(function.attributes.begin(), function.attributes.end(),
-                    [](std::string_view text) { return text.find("maxvertexcount") != text.npos; });
-    if (result.geometry->primitive.empty() || result.geometry->stream.empty() || !hasMaximum)
-    {
-        throw StageInterfaceError{
-            "a geometry function needs [maxvertexcount(N)] before it, an array of vertices as in "
-            "'triangle v2g input[3]', and a stream as in 'inout TriangleStream<g2f> stream'"};
-    }
-    return result;
-}
-
-} // namespace
 
 StageInterface ReadStageInterface(const HlslDeclarations& declarations,
                                   const HlslFunction& function, ShaderStage stage)

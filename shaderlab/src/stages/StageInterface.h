@@ -34,9 +34,8 @@ struct StageValue
 /// and the stream.
 struct GeometrySignature
 {
-    std::string_view primitive; ///< "triangle"
-    int inputVertices = 0;      ///< size of the array
-    std::size_t streamParameter = 0;
+    std::string_view primitive;  ///< "triangle"
+    int inputVertices = 0;       ///< size of the array
     std::string_view stream;     ///< "TriangleStream"
     std::string_view outputType; ///< the type of the vertices that the stream takes
 };

@@ -23,30 +23,22 @@ UniformType TypeOf(const std::string& scalar)
 }
 
 /// A semantic may be used once per border.
-class UniqueSemantics
+/// @param known  the semantics of the border's other values
+void AddSemantic(const StageInterface& interface, const StageValue& value,
+                 std::set<std::string>& known)
 {
-public:
-    explicit UniqueSemantics(const StageInterface& interface) : m_Interface(interface) {}
-
-    void Add(const StageValue& value)
+    if (!known.insert(value.semanticName()).second)
     {
-        if (!m_Known.insert(value.semanticName()).second)
-        {
-            throw StageInterfaceError{"semantic '" + value.semanticName() +
-                                          "' is given to two values; each needs its own",
-                                      value.token, m_Interface.function};
-        }
+        throw StageInterfaceError{"semantic '" + value.semanticName() +
+                                      "' is given to two values; each needs its own",
+                                  value.token, interface.function};
     }
-
-private:
-    const StageInterface& m_Interface;
-    std::set<std::string> m_Known;
-};
+}
 
 void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
 {
     auto next = static_cast<std::uint32_t>(std::size(k_FixedInputs));
-    UniqueSemantics semantics(vertex);
+    std::set<std::string> semantics;
     for (const StageValue& value : vertex.inputs)
     {
         if (value.isSystemValue)
@@ -54,8 +46,8 @@ void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
             continue;
         }
         const std::string semantic = value.semanticName();
-        semantics.Add(value);
-        const auto fixed = std::find(std::begin(k_FixedInputs), std::end(k_FixedInputs), semantic);
+        AddSemantic(vertex, value, semantics);
+        const auto* const fixed = std::ranges::find(k_FixedInputs, semantic);
         const std::uint32_t location =
             fixed == std::end(k_FixedInputs)
                 ? next++
@@ -67,12 +59,12 @@ void CollectVertexInputs(const StageInterface& vertex, StageLinkage& linkage)
 
 void CollectVaryings(const StageInterface& writer, StageBorder& border)
 {
-    UniqueSemantics semantics(writer);
+    std::set<std::string> semantics;
     for (const StageValue& value : writer.outputs)
     {
         if (!value.isSystemValue)
         {
-            semantics.Add(value);
+            AddSemantic(writer, value, semantics);
             const int location = static_cast<int>(border.varyings.size());
             border.varyings.push_back({value.semanticName(),
                                        value.scalar == "bool" ? "uint" : value.scalar,
@@ -90,9 +82,7 @@ void MatchInputs(const StageInterface& reader, StageBorder& border)
             continue;
         }
         const std::string semantic = value.semanticName();
-        const auto varying =
-            std::find_if(border.varyings.begin(), border.varyings.end(),
-                         [&](const Varying& candidate) { return candidate.semantic == semantic; });
+        const auto varying = std::ranges::find(border.varyings, semantic, &Varying::semantic);
         if (varying == border.varyings.end())
         {
             border.unwritten.push_back(semantic);
@@ -113,10 +103,10 @@ StageBorder LinkBorder(const StageInterface& writer, const StageInterface& reade
 int CountColorOutputs(const StageInterface& fragment)
 {
     int count = 0;
-    UniqueSemantics semantics(fragment);
+    std::set<std::string> semantics;
     for (const StageValue& value : fragment.outputs)
     {
-        semantics.Add(value);
+        AddSemantic(fragment, value, semantics);
         count = value.semantic == "SV_TARGET" ? std::max(count, value.index + 1) : count;
     }
     return count;
@@ -126,8 +116,7 @@ int CountColorOutputs(const StageInterface& fragment)
 
 const Varying& StageBorder::Find(const std::string& semantic) const
 {
-    return *std::find_if(varyings.begin(), varyings.end(),
-                         [&](const Varying& varying) { return varying.semantic == semantic; });
+    return *std::ranges::find(varyings, semantic, &Varying::semantic);
 }
 
 const StageBorder& StageLinkage::Before(ShaderStage stage) const
