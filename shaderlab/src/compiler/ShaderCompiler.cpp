@@ -7,7 +7,7 @@
 #include "compiler/ProgramBytes.h"
 #include "compiler/ProgramCompiler.h"
 #include "compiler/RecentPrograms.h"
-#include "keywords/PassMacro.h"
+#include "keywords/DirectiveConditions.h"
 #include "keywords/PragmaScanner.h"
 #include "spirv/ScalarLayout.h"
 

@@ -62,23 +62,23 @@ FilesBeside FilesBesideShader(std::string_view shaderFile)
 std::uint64_t HashFilesBeside(const FilesBeside& files)
 {
     std::string all;
-    for (const FileBeside& file : files)
+    for (const IncludedFile& file : files)
     {
         all.append(file.name).append(1, '\0').append(file.text).append(1, '\0');
     }
     return files.empty() ? 0 : HashContent(all);
 }
 
-const FileBeside* FindFileBeside(const FilesBeside& files, std::string_view name)
+const IncludedFile* FindFileBeside(const FilesBeside& files, std::string_view name)
 {
-    const auto found = std::ranges::find_if(files, [&](const FileBeside& file)
+    const auto found = std::ranges::find_if(files, [&](const IncludedFile& file)
                                             { return EqualsIgnoringCase(file.name, name); });
     return found == files.end() ? nullptr : &*found;
 }
 
-const FileBeside* FindFileOfProject(const FilesBeside& files, std::string_view include)
+const IncludedFile* FindFileOfProject(const FilesBeside& files, std::string_view include)
 {
-    const auto isMeant = [&](const FileBeside& file)
+    const auto isMeant = [&](const IncludedFile& file)
     {
         return EqualsIgnoringCase(LastName(file.name), LastName(include));
     };

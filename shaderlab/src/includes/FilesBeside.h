@@ -8,13 +8,15 @@
 namespace limn
 {
 
-/// A file that is compiled into a program, with its name in messages: "Glow/Blur.hlsl".
-struct FileBeside
+struct IncludedFile
 {
-    std::string name;
+    std::string name; ///< path on disk, or virtual path of a file that a program holds
     std::string text;
+    bool isEmbedded = false; ///< true for a file of the built-in ShaderLibrary
 };
-using FilesBeside = std::vector<FileBeside>;
+
+/// The files that are compiled into a program for its own shaders: "Glow/Blur.hlsl".
+using FilesBeside = std::vector<IncludedFile>;
 
 /// Returns the files that SetEmbeddedIncludes has put beside a shader until now; most shaders have
 /// none.
@@ -24,10 +26,10 @@ FilesBeside FilesBesideShader(std::string_view shaderFile);
 std::uint64_t HashFilesBeside(const FilesBeside& files);
 
 /// Returns the file of that name, or null if there is none. Case does not count.
-const FileBeside* FindFileBeside(const FilesBeside& files, std::string_view name);
+const IncludedFile* FindFileBeside(const FilesBeside& files, std::string_view name);
 
 /// Returns the file that an include from a project's folder, "Assets/X/Blur.hlsl", stands for; null
 /// if no file, or more than one, has its last name.
-const FileBeside* FindFileOfProject(const FilesBeside& files, std::string_view include);
+const IncludedFile* FindFileOfProject(const FilesBeside& files, std::string_view include);
 
 } // namespace limn

@@ -40,12 +40,11 @@ const EmbeddedFile* FindEmbedded(std::string_view path)
 /// Returns whether the built-in library has files below the folder.
 bool isInLibrary(std::string_view folder)
 {
-    const auto files = embedded::ShaderLibrary();
-    return std::any_of(files.begin(), files.end(),
-                       [&](const EmbeddedFile& file) {
-                           return EqualsIgnoringCase(
-                               std::string_view(file.path).substr(0, folder.size()), folder);
-                       });
+    return std::ranges::any_of(
+        embedded::ShaderLibrary(),
+        [&](std::string_view path)
+        { return EqualsIgnoringCase(path.substr(0, folder.size()), folder); },
+        &EmbeddedFile::path);
 }
 
 /// The path with each part spelt as the disk has it, where one differs in case only.
@@ -191,7 +190,7 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
 {
     m_Refusal.clear();
     std::string path(include.substr(0, include.find('\0')));
-    std::replace(path.begin(), path.end(), '\\', '/');
+    std::ranges::replace(path, '\\', '/');
     if (path.size() > 1 && path[0] == '/' && path[1] != '/')
     {
         if (auto file = Find(path.substr(1), {})) // from the project's folder
@@ -208,9 +207,9 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     {
         return MakeVersionFile();
     }
-    if (const FileBeside* file = FindBeside(path, includer))
+    if (const IncludedFile* file = FindBeside(path, includer))
     {
-        return IncludedFile{file->name, file->text};
+        return *file;
     }
     const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
     const std::string beside = (folder / path).lexically_normal().generic_string();
@@ -250,14 +249,14 @@ std::optional<IncludedFile> IncludeResolver::Find(std::string_view include,
     return std::nullopt;
 }
 
-const FileBeside* IncludeResolver::FindBeside(const std::string& include,
-                                              std::string_view includer) const
+const IncludedFile* IncludeResolver::FindBeside(const std::string& include,
+                                                std::string_view includer) const
 {
     const std::filesystem::path folder = std::filesystem::path(std::string(includer)).parent_path();
     for (const std::filesystem::path& from : {folder, m_ShaderFolder})
     {
         const std::string name = (from / include).lexically_normal().generic_string();
-        if (const FileBeside* file = FindFileBeside(m_FilesBeside, name))
+        if (const IncludedFile* file = FindFileBeside(m_FilesBeside, name))
         {
             return file;
         }
@@ -321,7 +320,7 @@ void IncludeResolver::TakeManifests()
 
 void IncludeResolver::AddDependency(const IncludeDependency& dependency)
 {
-    if (std::find(m_Dependencies.begin(), m_Dependencies.end(), dependency) == m_Dependencies.end())
+    if (std::ranges::find(m_Dependencies, dependency) == m_Dependencies.end())
     {
         m_Dependencies.push_back(dependency);
     }
@@ -333,9 +332,9 @@ std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)
     {
         return MakeVersionFile();
     }
-    if (const FileBeside* file = FindFileBeside(m_FilesBeside, name))
+    if (const IncludedFile* file = FindFileBeside(m_FilesBeside, name))
     {
-        return IncludedFile{file->name, file->text};
+        return *file;
     }
     const EmbeddedFile* embedded = FindEmbedded(name);
     return embedded ? IncludedFile{name, std::string(embedded->text), true} : ReadFromDisk(name);

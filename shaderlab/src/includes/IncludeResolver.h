@@ -14,13 +14,6 @@
 namespace limn
 {
 
-struct IncludedFile
-{
-    std::string name; ///< path on disk, or virtual path of the built-in ShaderLibrary
-    std::string text;
-    bool isEmbedded = false; ///< true for a file of the built-in ShaderLibrary
-};
-
 /// A file on disk that a compilation looked for; the compilation's result is valid while all of
 /// these files stay as they are.
 struct IncludeDependency
@@ -89,7 +82,7 @@ private:
     /// Returns whether the file lies in the package that the shader is part of.
     bool isInOwnPackage(const std::filesystem::path& path);
     void TakeManifests();
-    const FileBeside* FindBeside(const std::string& include, std::string_view includer) const;
+    const IncludedFile* FindBeside(const std::string& include, std::string_view includer) const;
     void AddDependency(const IncludeDependency& dependency);
 
     const ShaderCompilerOptions& m_Options;

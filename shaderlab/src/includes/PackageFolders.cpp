@@ -29,15 +29,8 @@ std::vector<std::filesystem::path> FoldersBelow(const std::filesystem::path& par
     {
         folders.push_back(entry->path());
     }
-    std::sort(folders.begin(), folders.end());
+    std::ranges::sort(folders);
     return folders;
-}
-
-std::filesystem::path ManifestOf(const std::filesystem::path& folder)
-{
-    const std::filesystem::path manifest = folder / "package.json";
-    std::error_code error;
-    return std::filesystem::is_regular_file(manifest, error) ? manifest : std::filesystem::path();
 }
 
 /// Returns the text of that key, or "" if `json` is no object or has no such text.
@@ -48,7 +41,7 @@ std::string TextIn(const nlohmann::json& json, std::string_view key)
     return isText ? found->get<std::string>() : std::string();
 }
 
-/// The name in a package.json; "" where it has none.
+/// The name in a package.json; "" if there is no such file, or it has none.
 std::string NameIn(const std::filesystem::path& manifest)
 {
     const auto json = nlohmann::json::parse(TryReadFile(manifest).bytes, nullptr, false);
@@ -62,8 +55,7 @@ std::map<std::string, std::filesystem::path> FindPackages(const std::filesystem:
     std::map<std::string, std::filesystem::path> packages;
     const auto add = [&](const std::filesystem::path& candidate)
     {
-        const std::filesystem::path manifest = ManifestOf(candidate);
-        const std::string name = manifest.empty() ? std::string() : NameIn(manifest);
+        const std::string name = NameIn(candidate / "package.json");
         if (!name.empty())
         {
             packages.try_emplace(name, candidate);
@@ -198,8 +190,9 @@ void PackageFolders::AddBelow(const std::filesystem::path& parent, Folders& fold
 
 bool PackageFolders::Add(const std::filesystem::path& folder, Folders& folders)
 {
-    const std::filesystem::path manifest = ManifestOf(folder);
-    if (manifest.empty())
+    const std::filesystem::path manifest = folder / "package.json";
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(manifest, error))
     {
         return false;
     }

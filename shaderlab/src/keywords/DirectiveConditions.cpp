@@ -1,7 +1,8 @@
 #include "keywords/DirectiveConditions.h"
 
-#include "tokens/IntegerExpression.h"
 #include <limn/base/Text.h>
+
+#include <algorithm>
 
 namespace limn
 {
@@ -11,13 +12,7 @@ namespace
 
 std::string_view FirstWord(std::string_view text)
 {
-    text = Trim(text);
-    std::size_t size = 0;
-    while (size < text.size() && (isLetter(text[size]) || isDigit(text[size])))
-    {
-        ++size;
-    }
-    return text.substr(0, size);
+    return Beginning(Trim(text), isNameCharacter);
 }
 
 } // namespace
@@ -31,21 +26,19 @@ void DirectiveConditions::Apply(std::string_view directive, std::string_view res
 {
     if (directive == "if")
     {
-        Open(isActive() && Evaluate(rest));
+        Open(isActive() && EvaluateInteger(rest, m_Macros) != 0);
     }
     else if (directive == "ifdef" || directive == "ifndef")
     {
         const bool isDefined = m_Macros.find(FirstWord(rest)) != m_Macros.end();
         Open(isDefined == (directive == "ifdef"));
     }
-    else if (directive == "elif")
+    else if ((directive == "elif" || directive == "else") && !m_Levels.empty())
     {
-        Branch(!m_Levels.empty() && m_Levels.back().outerActive && !m_Levels.back().taken &&
-               Evaluate(rest));
-    }
-    else if (directive == "else")
-    {
-        Branch(true);
+        Level& level = m_Levels.back();
+        level.active = level.outerActive && !level.taken &&
+                       (directive == "else" || EvaluateInteger(rest, m_Macros) != 0);
+        level.taken = level.taken || level.active;
     }
     else if (directive == "endif" && !m_Levels.empty())
     {
@@ -53,7 +46,10 @@ void DirectiveConditions::Apply(std::string_view directive, std::string_view res
     }
     else if (directive == "define" && isActive())
     {
-        Define(rest);
+        const std::string_view name = FirstWord(rest);
+        const std::string_view value = Trim(rest).substr(name.size());
+        // A macro with arguments counts as defined; its value is of no use here.
+        m_Macros[std::string(name)] = value.starts_with('(') ? "" : std::string(Trim(value));
     }
     else if (directive == "undef" && isActive())
     {
@@ -67,27 +63,20 @@ void DirectiveConditions::Open(bool condition)
     m_Levels.push_back({isActive(), active, active});
 }
 
-void DirectiveConditions::Branch(bool condition)
+std::string_view PassMacro(std::string_view lightMode)
 {
-    if (!m_Levels.empty())
-    {
-        Level& level = m_Levels.back();
-        level.active = level.outerActive && !level.taken && condition;
-        level.taken = level.taken || level.active;
-    }
-}
-
-void DirectiveConditions::Define(std::string_view rest)
-{
-    const std::string_view name = FirstWord(rest);
-    const std::string_view value = Trim(rest).substr(name.size());
-    // A macro with arguments counts as defined; its value is of no use here.
-    m_Macros[std::string(name)] = !value.empty() && value[0] == '(' ? "" : std::string(Trim(value));
-}
-
-bool DirectiveConditions::Evaluate(std::string_view expression) const
-{
-    return EvaluateInteger(expression, m_Macros) != 0;
+    static constexpr std::pair<std::string_view, std::string_view> k_Macros[] = {
+        {"ForwardBase", "UNITY_PASS_FORWARDBASE"},
+        {"ForwardAdd", "UNITY_PASS_FORWARDADD"},
+        {"Deferred", "UNITY_PASS_DEFERRED"},
+        {"PrepassBase", "UNITY_PASS_PREPASSBASE"},
+        {"PrepassFinal", "UNITY_PASS_PREPASSFINAL"},
+        {"ShadowCaster", "UNITY_PASS_SHADOWCASTER"},
+        {"Meta", "UNITY_PASS_META"},
+        {"MotionVectors", "UNITY_PASS_MOTIONVECTORS"}};
+    const auto* const found = std::ranges::find_if(
+        k_Macros, [&](const auto& item) { return EqualsIgnoringCase(item.first, lightMode); });
+    return found == std::end(k_Macros) ? std::string_view() : found->second;
 }
 
 } // namespace limn

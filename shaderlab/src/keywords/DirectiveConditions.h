@@ -16,6 +16,13 @@ inline constexpr std::pair<std::string_view, std::string_view> k_PredefinedMacro
     {"UNITY_COMPILER_HLSL", "1"},
     {"UNITY_VERSION", "202230"}};
 
+/// The beginning of the macros that tell a program its kind of pass.
+inline constexpr std::string_view k_PassMacroStart = "UNITY_PASS_";
+
+/// Returns the macro that Unity's compiler defines for passes with a LightMode tag, or "" for tags
+/// that render pipelines invent.
+std::string_view PassMacro(std::string_view lightMode);
+
 /// Evaluates `#define` and `#if` far enough to decide which pragmas count. Unity decides that by
 /// the program's own macros and by those of the platform, before any keyword is set.
 class DirectiveConditions
@@ -38,9 +45,6 @@ private:
     };
 
     void Open(bool condition);
-    void Branch(bool condition);
-    void Define(std::string_view rest);
-    bool Evaluate(std::string_view expression) const;
 
     IntegerNames m_Macros; ///< the macros without arguments
     std::vector<Level> m_Levels;

@@ -105,7 +105,7 @@ std::vector<std::string> SelectVariant(const PassProgram& program,
 {
     const auto has = [](std::span<const std::string> keywords, const std::string& word)
     {
-        return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+        return std::ranges::find(keywords, word) != keywords.end();
     };
     const auto dynamic = DynamicKeywords(program);
     std::set<std::string> keywords;
@@ -113,11 +113,9 @@ std::vector<std::string> SelectVariant(const PassProgram& program,
     {
         std::vector<std::string> words = set.keywords;
         std::erase_if(words, [&](const std::string& word) { return dynamic.count(word) > 0; });
-        const auto chosen = std::find_if(words.begin(), words.end(),
-                                         [&](const std::string& word) {
-                                             return has(enabled, word) ||
-                                                    (!set.isLocal && has(globalKeywords, word));
-                                         });
+        const auto chosen = std::ranges::find_if(
+            words, [&](const std::string& word)
+            { return has(enabled, word) || (!set.isLocal && has(globalKeywords, word)); });
         if (!words.empty())
         {
             keywords.insert(chosen == words.end() ? words.front() : *chosen);

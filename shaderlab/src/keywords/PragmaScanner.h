@@ -9,6 +9,10 @@
 namespace limn
 {
 
+/// Returns the names of the pragmas that declare keywords with the most common suffixes, to suggest
+/// one for a misspelt name.
+std::vector<std::string> KeywordDirectives();
+
 /// Returns the file that `#include_with_pragmas` names in a given file.
 using PragmaFileReader =
     std::function<std::optional<IncludedFile>(std::string_view include, std::string_view includer)>;

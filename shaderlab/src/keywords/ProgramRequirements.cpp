@@ -1,7 +1,7 @@
 #include <limn/shaderlab/ProgramRequirements.h>
 
 #include "keywords/DynamicKeywords.h"
-#include "keywords/KeywordSets.h"
+#include "keywords/PragmaScanner.h"
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -50,7 +50,7 @@ std::vector<std::string> Words(std::string_view text)
         words.push_back(ToLower(word));
         text.remove_prefix(std::min(word.size() + 1, text.size()));
     }
-    words.erase(std::remove(words.begin(), words.end(), ""), words.end());
+    std::erase(words, "");
     return words;
 }
 
@@ -83,8 +83,7 @@ const std::vector<std::string> k_Pragmas = []
 
 void AddModel(int target, std::set<std::string>& features)
 {
-    const auto above = std::find_if(k_ShaderModels.begin(), k_ShaderModels.end(),
-                                    [&](const ShaderModel& row) { return row.target > target; });
+    const auto above = std::ranges::upper_bound(k_ShaderModels, target, {}, &ShaderModel::target);
     for (const std::string_view list : {std::prev(above)->features, target >= 35 ? k_Model35 : ""})
     {
         const auto words = Words(list);
@@ -134,7 +133,7 @@ std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPra
     if (isOnly || pragma.name == "exclude_renderers")
     {
         const std::vector<std::string> words = Words(pragma.arguments);
-        const bool isNamed = std::find(words.begin(), words.end(), "vulkan") != words.end();
+        const bool isNamed = Contains(words, "vulkan");
         if (isOnly != isNamed)
         {
             return "#pragma " + pragma.name + ": Vulkan is not among the renderers that this " +
@@ -154,11 +153,9 @@ void CheckWords(const PassProgram& program, const ProgramPragma& pragma,
         {
             continue;
         }
-        const std::string_view nearest = NearestName(word, {known.begin(), known.end()});
-        warnings.push_back(
-            {Severity::Warning, program.file, pragma.location,
-             "#pragma " + pragma.name + ": there is no " + std::string(kind) + " '" + word + "'" +
-                 (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?")});
+        warnings.push_back({Severity::Warning, program.file, pragma.location,
+                            "#pragma " + pragma.name + ": there is no " + std::string(kind) + " '" +
+                                word + "'" + DidYouMean(word, {known.begin(), known.end()})});
     }
 }
 
@@ -204,8 +201,7 @@ std::optional<Diagnostic> ReasonNotSupported(const PassProgram& program,
     }
     for (const std::string& feature : RequiredFeatures(program))
     {
-        const bool isNever =
-            std::find(k_NeverThere.begin(), k_NeverThere.end(), feature) != k_NeverThere.end();
+        const bool isNever = std::ranges::find(k_NeverThere, feature) != k_NeverThere.end();
         const bool isOfKernels = !program.kernel.name.empty() &&
                                  (feature.starts_with("wave") || feature == "quadshuffle");
         const bool isMissing =
@@ -241,13 +237,10 @@ std::vector<Diagnostic> CheckPragmas(const PassProgram& program)
         }
         else if (!Contains(k_Pragmas, pragma.name) && pragma.name.substr(0, 5) != "PSSL_")
         {
-            const std::string_view nearest =
-                NearestName(pragma.name, {k_Pragmas.begin(), k_Pragmas.end()});
-            warnings.push_back(
-                {Severity::Warning, program.file, pragma.location,
-                 "#pragma " + pragma.name + ": there is no such pragma" +
-                     (nearest.empty() ? "; it has no effect"
-                                      : "; did you mean '" + std::string(nearest) + "'?")});
+            const std::string meant = DidYouMean(pragma.name, {k_Pragmas.begin(), k_Pragmas.end()});
+            warnings.push_back({Severity::Warning, program.file, pragma.location,
+                                "#pragma " + pragma.name + ": there is no such pragma" +
+                                    (meant.empty() ? "; it has no effect" : meant)});
         }
     }
     return warnings;

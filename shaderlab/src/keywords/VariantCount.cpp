@@ -1,7 +1,7 @@
 #include <limn/shaderlab/VariantCount.h>
 
 #include "keywords/DynamicKeywords.h"
-#include <limn/base/Text.h>
+#include <limn/base/WordList.h>
 
 #include <algorithm>
 #include <set>
@@ -19,14 +19,10 @@ std::set<std::string, std::less<>> SkippedKeywords(const PassProgram& program)
     std::set<std::string, std::less<>> skipped;
     for (const ProgramPragma& pragma : program.pragmas)
     {
-        std::string_view words;
         if (pragma.name == "skip_variants")
         {
-            words = pragma.arguments;
-        }
-        for (auto word = TakeWord(words); !word.empty(); word = TakeWord(words))
-        {
-            skipped.emplace(word);
+            const auto words = SplitWords(pragma.arguments);
+            skipped.insert(words.begin(), words.end());
         }
     }
     return skipped;
@@ -105,9 +101,8 @@ VariantCount CountVariants(const PassProgram& program)
         {
             continue;
         }
-        const auto kept =
-            std::count_if(words.begin(), words.end(),
-                          [&](const std::string& word) { return skipped.count(word) == 0; });
+        const auto kept = std::ranges::count_if(words, [&](const std::string& word)
+                                                { return skipped.count(word) == 0; });
         count *= static_cast<std::uint32_t>(kept);
     }
     return count;

@@ -153,7 +153,7 @@ std::string SpellCharacters(std::string line)
     {
         const bool isCharacter = at + k_Size <= line.size() && line[at + 2] == '\'' &&
                                  line[at + 1] != '\\' && line[at + 1] != '\'' &&
-                                 (at == 0 || (!isLetter(line[at - 1]) && !isDigit(line[at - 1])));
+                                 (at == 0 || !isNameCharacter(line[at - 1]));
         if (isCharacter)
         {
             line.replace(at, k_Size, std::to_string(static_cast<unsigned char>(line[at + 1])));

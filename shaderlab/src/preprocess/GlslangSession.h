@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/base/Diagnostic.h>
 #include <limn/shaderlab/ShaderProgram.h>
 
 #include <glslang/Public/ShaderLang.h>
@@ -26,5 +27,9 @@ void SetEnvironment(glslang::TShader& shader, ShaderStage stage);
 /// values as low precision and lets a driver compute them with fewer bits. With 16 bits that is
 /// intended, and matrices stay float.
 const char* HalfPreamble(bool halfIs16Bit);
+
+/// Returns the messages of a glslang log as diagnostics: one per line of source, without glslang's
+/// summaries and with types spelt as in HLSL. A message without a place gets `fallbackFile`.
+std::vector<Diagnostic> ReadGlslangLog(std::string_view log, const std::string& fallbackFile);
 
 } // namespace limn

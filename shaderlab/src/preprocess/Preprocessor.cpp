@@ -7,10 +7,8 @@
 #include "desugar/Rewrites.h"
 #include "keywords/DirectiveConditions.h"
 #include "keywords/DynamicKeywords.h"
-#include "keywords/PassMacro.h"
 #include "lowering/GlslangGuards.h"
 #include "preprocess/GlslangIncluder.h"
-#include "preprocess/GlslangLog.h"
 #include "preprocess/GlslangSession.h"
 #include "tokens/Tokens.h"
 #include <limn/base/Text.h>
@@ -67,8 +65,7 @@ std::string AssembleSource(const PassProgram& program, ShaderStage stage,
                    : stage == ShaderStage::Compute  ? "SHADER_STAGE_COMPUTE"
                                                     : "SHADER_STAGE_FRAGMENT");
     Define(source, "SHADER_TARGET", std::to_string(program.target));
-    const bool isIdentifier =
-        std::ranges::all_of(program.vertex.name, [](char c) { return isLetter(c) || isDigit(c); });
+    const bool isIdentifier = std::ranges::all_of(program.vertex.name, isNameCharacter);
     if (isIdentifier && !program.vertex.name.empty())
     {
         // A library's file tells by it for which version of the library a pass was written.
@@ -232,10 +229,8 @@ PreprocessedHlsl PreprocessHlsl(const PassProgram& program, ShaderStage stage,
     const bool isAllowed = AllowWhatUnityAllows(diagnostics);
     Judge(good || isAllowed, std::move(diagnostics), program, includer.hasMissing(), warnings);
     TakePragmas(result, warnings);
-    const bool namesStages =
-        includer.namesStages() ||
-        std::any_of(program.chunks.begin(), program.chunks.end(),
-                    [](const SourceChunk& chunk) { return NamesStages(chunk.text); });
+    const bool namesStages = includer.namesStages() ||
+                             std::ranges::any_of(program.chunks, NamesStages, &SourceChunk::text);
     return {RespellForGlslang(std::move(result), program, lines, warnings), namesStages};
 }
 

@@ -1,7 +1,6 @@
 #include "spirv/SpirvBuilder.h"
 
 #include "hlsl/TokenEdits.h"
-#include "preprocess/GlslangLog.h"
 #include "preprocess/GlslangSession.h"
 #include "spirv/Arithmetic.h"
 #include "spirv/HalfPrecision.h"

@@ -91,21 +91,15 @@ private:
         {
             return 0;
         }
-        if (Accept("!"))
+        const char sign = m_Tokens[m_Index].Mark();
+        if (std::string_view("!-+~").find(sign) != std::string_view::npos)
         {
-            return Unary() == 0;
-        }
-        if (Accept("-"))
-        {
-            return Calculate("-", 0, Unary());
-        }
-        if (Accept("+"))
-        {
-            return Unary();
-        }
-        if (Accept("~"))
-        {
-            return ~Unary();
+            ++m_Index;
+            const std::int64_t value = Unary();
+            return sign == '!'   ? value == 0
+                   : sign == '-' ? Calculate("-", 0, value)
+                   : sign == '~' ? ~value
+                                 : value;
         }
         if (Accept("("))
         {

@@ -25,16 +25,12 @@ std::size_t TokenLength(std::string_view text)
     std::size_t size = 1;
     if (isLetter(text[0]))
     {
-        while (size < text.size() && (isLetter(text[size]) || isDigit(text[size])))
-        {
-            ++size;
-        }
-        return size;
+        return Beginning(text, isNameCharacter).size();
     }
     if (isDigit(text[0]) || (text[0] == '.' && text.size() > 1 && isDigit(text[1])))
     {
         while (size < text.size() &&
-               (isLetter(text[size]) || isDigit(text[size]) || text[size] == '.' ||
+               (isNameCharacter(text[size]) || text[size] == '.' ||
                 ((text[size] == '+' || text[size] == '-') && ToLower(text[size - 1]) == 'e')))
         {
             ++size;
@@ -51,14 +47,9 @@ std::size_t TokenLength(std::string_view text)
     {
         return size;
     }
-    for (const std::string_view candidate : k_Operators)
-    {
-        if (text.substr(0, candidate.size()) == candidate)
-        {
-            return candidate.size();
-        }
-    }
-    return size;
+    const auto found = std::ranges::find_if(k_Operators, [&](std::string_view candidate)
+                                            { return text.starts_with(candidate); });
+    return found == k_Operators.end() ? size : found->size();
 }
 
 } // namespace
@@ -69,8 +60,8 @@ int PrecedenceOf(std::string_view text)
         {"||", 1}, {"&&", 2}, {"|", 3}, {"^", 4},  {"&", 5},  {"==", 6},
         {"!=", 6}, {"<", 7},  {">", 7}, {"<=", 7}, {">=", 7}, {"<<", 8},
         {">>", 8}, {"+", 9},  {"-", 9}, {"*", 10}, {"/", 10}, {"%", 10}};
-    const auto* const found = std::find_if(std::begin(k_Precedences), std::end(k_Precedences),
-                                           [&](const auto& item) { return item.first == text; });
+    const auto* const found =
+        std::ranges::find_if(k_Precedences, [&](const auto& item) { return item.first == text; });
     return found == std::end(k_Precedences) ? 0 : found->second;
 }
 
