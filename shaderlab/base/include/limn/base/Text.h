@@ -50,8 +50,12 @@ inline constexpr std::string_view k_Blanks = " \t\r\n\f\v";
 
 constexpr std::string_view Trim(std::string_view text)
 {
-    text.remove_prefix(std::min(text.find_first_not_of(k_Blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(k_Blanks) + 1);
+    text.remove_prefix(Beginning(text, isBlank).size());
+    while (!text.empty() && isBlank(text.back()))
+    {
+        text.remove_suffix(1);
+    }
+    return text;
 }
 
 /// Removes the first word from a text, together with the blanks before it, and returns it; returns
