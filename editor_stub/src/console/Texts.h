@@ -36,6 +36,16 @@ inline bool StartsWithAny(std::string_view text, std::initializer_list<std::stri
     return std::ranges::any_of(beginnings, [text](auto one) { return text.starts_with(one); });
 }
 
+/// Adds the item if it is not in the list already.
+template <typename Item>
+void AddOnce(const Item& item, std::vector<Item>& items)
+{
+    if (std::ranges::find(items, item) == items.end())
+    {
+        items.push_back(item);
+    }
+}
+
 /// Returns the names of items. The items must outlive the result.
 /// @param nameOf  returns an item's name, not a copy of it
 template <typename Items, typename NameOf>

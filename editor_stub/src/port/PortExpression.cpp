@@ -134,19 +134,15 @@ private:
     {
         if (left.type == "float" || right.type == "float")
         {
-            if (!IsNumber(left.type) || !IsNumber(right.type))
+            const bool areNumbers = IsNumber(left.type) && IsNumber(right.type);
+            const Result a = areNumbers ? Convert(left, "float") : std::nullopt;
+            const Result b = areNumbers ? Convert(right, "float") : std::nullopt;
+            if (!a || !b)
             {
                 return std::nullopt;
             }
-            for (PortValue* side : {&left, &right})
-            {
-                const Result converted = Convert(*side, "float");
-                if (!converted)
-                {
-                    return std::nullopt;
-                }
-                *side = *converted;
-            }
+            left = *a;
+            right = *b;
         }
         const bool isEvent =
             left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
@@ -275,9 +271,7 @@ private:
     /// Behind `new`.
     Result ReadNew(const std::string& wanted)
     {
-        const CSharpToken* at = m_At;
-        std::string type = at < m_End && !at->Is("(") ? ReadCSharpType(at) : "";
-        m_At = at;
+        std::string type = m_At < m_End && !m_At->Is("(") ? ReadCSharpType(m_At) : "";
         if (m_At < m_End && m_At->Is("[")) // new T[3]
         {
             return std::nullopt;
@@ -439,10 +433,7 @@ private:
                 return value;
             }
         }
-        const CSharpClass* own = m_Model.Find(type);
-        const std::string base = own && !own->bases.empty() ? own->bases.front() : type;
-        const std::size_t open = base.find('<');
-        return open == std::string::npos ? "?" : base.substr(open + 1, base.size() - open - 2);
+        return m_Model.HeldType(type);
     }
 
     /// Vector2.one; nothing for others.
@@ -453,10 +444,8 @@ private:
             {"down", {0, -1, 0, 0}}, {"right", {1, 0, 0, 0}},  {"left", {-1, 0, 0, 0}},
             {"back", {0, 0, -1, 0}}, {"forward", {0, 0, 1, 0}}};
         const auto value = values.find(member);
-        const std::size_t size = type == "Vector2"   ? 2
-                                 : type == "Vector3" ? 3
-                                 : type == "Vector4" ? 4
-                                                     : 0;
+        const bool isVector = IsIn(type, {"Vector2", "Vector3", "Vector4"});
+        const auto size = isVector ? static_cast<std::size_t>(type.back() - '0') : 0;
         const bool isAlong = member == "back" || member == "forward";
         const bool isAny = member == "zero" || member == "one";
         if (value == values.end() || size == 0 || (size == 4 && !isAny) || (size == 2 && isAlong))

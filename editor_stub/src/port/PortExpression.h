@@ -1,7 +1,6 @@
 #pragma once
 
 #include "port/PortModel.h"
-#include "port/csharp/CSharpFile.h"
 
 #include <cstdint>
 #include <map>

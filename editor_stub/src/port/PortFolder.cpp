@@ -4,6 +4,7 @@
 #include "port/PortedCode.h"
 
 #include <limn/base/EmbeddedFile.h>
+#include <limn/base/WordList.h>
 
 namespace limn
 {
@@ -24,47 +25,26 @@ struct FoundFilter
     std::vector<CSharpWords> arguments;
 };
 
-void FindIn(CSharpWords words, const CSharpClass& owner, FoundFilter& found)
-{
-    for (std::size_t i = 0; i + 1 < words.size() && !found.owner; ++i)
-    {
-        const CSharpToken& open = words[i + 1];
-        if (words[i].Is("FilteringSettings") && open.Is("(") && !open.Inside().empty())
-        {
-            found = {&owner, {&words[i], open.Behind()}, SplitArguments(open.Inside())};
-        }
-    }
-}
-
 FoundFilter FindFilter(const PortModel& model)
 {
     FoundFilter found;
     for (const CSharpClass* one : model.classes())
     {
-        for (const CSharpField& field : one->fields)
+        const auto findIn = [&](CSharpWords words)
         {
-            FindIn(field.value, *one, found);
-        }
-        for (const CSharpMethod& method : one->methods)
-        {
-            FindIn(method.body, *one, found);
-        }
+            for (std::size_t i = 0; i + 1 < words.size() && !found.owner; ++i)
+            {
+                const CSharpToken& open = words[i + 1];
+                if (words[i].Is("FilteringSettings") && open.Is("(") && !open.Inside().empty())
+                {
+                    found = {one, {&words[i], open.Behind()}, SplitArguments(open.Inside())};
+                }
+            }
+        };
+        std::ranges::for_each(one->fields, findIn, &CSharpField::value);
+        std::ranges::for_each(one->methods, findIn, &CSharpMethod::body);
     }
     return found;
-}
-
-/// Returns the text on one line, for a comment.
-std::string Flat(std::string_view text)
-{
-    std::string flat;
-    for (const char c : text)
-    {
-        const bool isSpace = static_cast<unsigned char>(c) <= ' ';
-        flat += !isSpace                              ? std::string(1, c == '\\' ? '/' : c)
-                : !flat.empty() && flat.back() != ' ' ? " "
-                                                      : "";
-    }
-    return flat;
 }
 
 /// The lines of a generated test that say which objects the feature's filter takes: what the first
@@ -78,7 +58,7 @@ std::string FilterLines(const PortModel& model)
     if (found.owner)
     {
         text = "    // C#: " + model.Place(*found.owner, found.words.front().location) + ": " +
-               Flat(model.Text(*found.owner, found.words)) + "\n";
+               Joined(SplitWords(InComment(model.Text(*found.owner, found.words))), " ") + "\n";
     }
     for (std::size_t i = 0; i < std::size(k_Types); ++i)
     {

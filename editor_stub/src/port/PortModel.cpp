@@ -1,7 +1,6 @@
 #include "port/PortModel.h"
 
 #include "console/Texts.h"
-#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 #include <limn/base/WordList.h>
@@ -89,12 +88,12 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
       m_Table(table),
       m_Index(files, [&table](std::string_view type) { return table.HasType(type); })
 {
-    for (const auto& file : files)
+    std::set<std::pair<const CSharpClass*, std::string_view>> names; // each in its outer class
+    for (const CSharpClass* one : m_Index.all())
     {
-        for (const CSharpClass& one : file->classes)
-        {
-            Place(*file, one);
-        }
+        const PortContext context(*this, *one);
+        const bool isAgain = !names.emplace(one->outer, one->name).second;
+        m_Roles[one] = isAgain ? PortRole::Other : ChooseRole(*one);
     }
     const auto features = TopLevel(PortRole::Feature);
     if (features.empty())
@@ -116,17 +115,6 @@ PortModel::PortModel(const CSharpFiles& files, const PortingTable& table)
         }
     }
     m_Name = TargetName(m_Name);
-}
-
-void PortModel::Place(const CSharpFile& file, const CSharpClass& one)
-{
-    const PortContext context(*this, one);
-    const bool isAgain = !m_PlacedNames.emplace(OuterOf(one), one.name).second;
-    m_Places[&one] = {&file, isAgain ? PortRole::Other : ChooseRole(one)};
-    for (const CSharpClass& nested : one.classes)
-    {
-        Place(file, nested);
-    }
 }
 
 PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
@@ -181,16 +169,15 @@ std::vector<const CSharpClass*> PortModel::Of(PortRole role) const
 std::vector<const CSharpClass*> PortModel::TopLevel(PortRole role) const
 {
     std::vector<const CSharpClass*> classes = Of(role);
-    std::erase_if(classes, [&](const CSharpClass* one) { return OuterOf(*one) != nullptr; });
+    std::erase_if(classes, [&](const CSharpClass* one) { return one->outer != nullptr; });
     return classes;
 }
 
 bool PortModel::isLeftOut(const CSharpClass& one) const
 {
-    const CSharpClass* outer = OuterOf(one);
     const bool isHomeless =
-        RoleOf(one) == PortRole::Pass && outer && RoleOf(*outer) != PortRole::Feature;
-    return RoleOf(one) == PortRole::Other || isHomeless || (outer && isLeftOut(*outer));
+        RoleOf(one) == PortRole::Pass && one.outer && RoleOf(*one.outer) != PortRole::Feature;
+    return RoleOf(one) == PortRole::Other || isHomeless || (one.outer && isLeftOut(*one.outer));
 }
 
 std::string PortModel::ClassName(const CSharpClass& one)
@@ -200,13 +187,12 @@ std::string PortModel::ClassName(const CSharpClass& one)
 
 std::string PortModel::QualifiedName(const CSharpClass& one) const
 {
-    const CSharpClass* outer = OuterOf(one);
-    return outer ? QualifiedName(*outer) + "::" + ClassName(one) : ClassName(one);
+    return (one.outer ? QualifiedName(*one.outer) + "::" : "") + ClassName(one);
 }
 
 std::string PortModel::Place(const CSharpClass& one, const SourceLocation& location) const
 {
-    return FileOf(one).name() + ":" + std::to_string(location.line);
+    return one.file->name() + ":" + std::to_string(location.line);
 }
 
 std::optional<std::string> PortModel::CppType(const std::string& type) const
@@ -263,7 +249,7 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
     {
         return isDeclared(*own) ? std::optional(QualifiedName(*own) + "&") : std::nullopt;
     }
-    if (own && RoleOf(*own) == PortRole::Component && !OuterOf(*own))
+    if (own && RoleOf(*own) == PortRole::Component && !own->outer)
     {
         return "const " + ClassName(*own) + "&";
     }
@@ -297,18 +283,26 @@ bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
     if (own && RoleOf(*own) == PortRole::Component)
     {
         const bool isNull = field.value.empty() || field.value.front().Is("null");
-        return !OuterOf(*own) && isDeclared(*own) && !field.isStatic && isNull;
+        return !own->outer && isDeclared(*own) && !field.isStatic && isNull;
     }
     const bool isOne = own && RoleOf(*own) == PortRole::Data && own->keyword == "class";
     const CSharpClass* pass = &one;
     while (pass && RoleOf(*pass) != PortRole::Pass)
     {
-        pass = OuterOf(*pass);
+        pass = pass->outer;
     }
     const bool isMade = !field.value.empty() && field.value.front().Is("new");
     return isOne && pass && !field.isStatic &&
            (!isMade || std::ranges::any_of(pass->methods, [&](const CSharpMethod& method)
                                            { return Assigns(method.body, field.name); }));
+}
+
+std::string PortModel::HeldType(const std::string& type) const
+{
+    const CSharpClass* own = Find(type);
+    const std::string& base = own && !own->bases.empty() ? own->bases.front() : type;
+    const std::size_t open = base.find('<');
+    return open == std::string::npos ? "" : base.substr(open + 1, base.size() - open - 2);
 }
 
 bool PortModel::isSetting(const std::string& type) const

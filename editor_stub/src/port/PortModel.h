@@ -1,6 +1,5 @@
 #pragma once
 
-#include "port/ClassIndex.h"
 #include "port/UseScanner.h"
 
 #include <map>
@@ -41,9 +40,7 @@ public:
     /// Returns those of the role that are in no other class.
     std::vector<const CSharpClass*> TopLevel(PortRole role) const;
 
-    PortRole RoleOf(const CSharpClass& one) const { return m_Places.at(&one).role; }
-    const CSharpFile& FileOf(const CSharpClass& one) const { return *m_Places.at(&one).file; }
-    const CSharpClass* OuterOf(const CSharpClass& one) const { return m_Index.OuterOf(one); }
+    PortRole RoleOf(const CSharpClass& one) const { return m_Roles.at(&one); }
     /// Returns whether the class becomes a comment, since it or a class around it is of a kind that
     /// limn cannot have.
     bool isLeftOut(const CSharpClass& one) const;
@@ -61,7 +58,7 @@ public:
     /// Returns the text of words of the class, as its file has it.
     std::string Text(const CSharpClass& one, CSharpWords words) const
     {
-        return std::string(TextOf(FileOf(one), words));
+        return std::string(TextOf(*one.file, words));
     }
 
     /// Returns the C++ type for a type of C#, or nothing if it is not known.
@@ -73,6 +70,8 @@ public:
     /// Returns the C++ type of a parameter: const std::string&.
     std::optional<std::string> CppParameter(const std::string& type) const;
     std::optional<std::string> CppParameter(const CSharpParameter& parameter) const;
+    /// Returns X of VolumeParameter<X>, or of a class that derives from it; "" for other types.
+    std::string HeldType(const std::string& type) const;
     /// Returns whether an Inspector takes a field of this type.
     bool isSetting(const std::string& type) const;
     /// Returns whether Unity stores the field.
@@ -98,15 +97,8 @@ public:
     std::string CppName(const std::string& name) const;
 
 private:
-    struct ClassPlace
-    {
-        const CSharpFile* file = nullptr;
-        PortRole role = PortRole::Other;
-    };
-
     friend class PortContext;
 
-    void Place(const CSharpFile& file, const CSharpClass& one);
     PortRole ChooseRole(const CSharpClass& one, int depth = 0) const;
 
     const CSharpFiles& m_Files;
@@ -114,9 +106,7 @@ private:
     std::string m_Name;
     ClassIndex m_Index;
     mutable const CSharpClass* m_Context = nullptr; ///< the class in which types are named
-    std::map<const CSharpClass*, ClassPlace> m_Places;
-    /// Each with the class around it.
-    std::set<std::pair<const CSharpClass*, std::string_view>> m_PlacedNames;
+    std::map<const CSharpClass*, PortRole> m_Roles;
     std::set<const void*> m_Declared; ///< classes, fields, methods
 };
 

@@ -100,7 +100,14 @@ void PortedCode::Todo(const std::string& why, const std::string& place, std::str
 void PortedCode::TodoBody(const std::string& why, const CSharpClass& one,
                           const CSharpMethod& method)
 {
-    Todo(why, m_Model.Place(one, method.location), BodyText(m_Model.FileOf(one), method));
+    Todo(why, m_Model.Place(one, method.location), BodyText(*one.file, method));
+}
+
+std::string InComment(std::string text)
+{
+    std::ranges::replace_if(
+        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\\'; }, ' ');
+    return text;
 }
 
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method)
@@ -184,13 +191,13 @@ std::string PortedSource(PortedCode& code)
                 "Plugin\n{\n\n";
     for (const CSharpClass* one : model.classes())
     {
-        const CSharpClass* outer = model.OuterOf(*one);
+        const CSharpClass* outer = one->outer;
         const PortRole role = model.RoleOf(*one);
         const bool isNested = outer && (role == PortRole::Component || role == PortRole::Feature);
         if ((model.isLeftOut(*one) || isNested) && !(outer && model.isLeftOut(*outer)))
         {
             code.Todo("limn has nothing of this kind: " + one->keyword + " " + one->name,
-                      model.Place(*one, one->location), TextOf(model.FileOf(*one), one->words));
+                      model.Place(*one, one->location), TextOf(*one->file, one->words));
             code.Line();
         }
     }

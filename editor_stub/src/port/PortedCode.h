@@ -109,6 +109,8 @@ bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMeth
 void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// Returns the C++ value of a field in the methods of its class.
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
+/// Returns C# for a comment behind a line: without line ends and backslashes.
+std::string InComment(std::string text);
 /// Returns the text between the braces of a method.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 

@@ -1,4 +1,3 @@
-#include "port/PortExpression.h"
 #include "port/PortedCode.h"
 
 namespace limn
@@ -17,9 +16,15 @@ bool IsShippedParameter(const PortModel& model, std::string_view type)
            !type.starts_with("Material");
 }
 
-/// Returns the types of the arguments of a parameter's constructor, in order, or nothing for other
-/// types.
-std::vector<std::string> ArgumentTypes(const std::string& type)
+/// An argument of a parameter's constructor in C#.
+struct ParameterArgument
+{
+    std::string name;
+    std::string type;
+};
+
+/// Returns the arguments of a parameter's constructor, in their order.
+std::vector<ParameterArgument> ArgumentsOf(const std::string& type)
 {
     std::string value = "float";
     for (const auto& [part, name] :
@@ -38,60 +43,52 @@ std::vector<std::string> ArgumentTypes(const std::string& type)
     {
         return type.find(part) != std::string::npos;
     };
-    const std::size_t limits = has("Clamped") || has("FloatRange") ? 2 : has("Min") || has("Max");
-    std::vector<std::string> types{value};
-    types.insert(types.end(), limits, value == "Vector2" ? "float" : value);
+    std::vector<ParameterArgument> arguments{{"value", value}};
+    const std::string limit = value == "Vector2" ? "float" : value;
+    if (has("Clamped") || has("FloatRange"))
+    {
+        arguments.insert(arguments.end(), {{"min", limit}, {"max", limit}});
+    }
+    else if (has("Min") || has("Max"))
+    {
+        arguments.push_back({has("Min") ? "min" : "max", limit});
+    }
     if (value == "Color")
     {
-        types.insert(types.end(), {"bool", "bool", "bool"});
+        arguments.insert(arguments.end(),
+                         {{"hdr", "bool"}, {"showAlpha", "bool"}, {"showEyeDropper", "bool"}});
     }
-    types.push_back("bool");
-    return types;
-}
-
-/// Returns the names of the arguments in C#, in their order.
-std::vector<std::string> ArgumentNames(std::size_t count)
-{
-    return count == 5   ? std::vector<std::string>{"value", "hdr", "showAlpha", "showEyeDropper",
-                                                   "overrideState"}
-           : count == 4 ? std::vector<std::string>{"value", "min", "max", "overrideState"}
-           : count == 3 ? std::vector<std::string>{"value", "", "overrideState"}
-                        : std::vector<std::string>{"value", "overrideState"};
+    arguments.push_back({"overrideState", "bool"});
+    return arguments;
 }
 
 /// The arguments in C++; nothing if one of them is not known.
+/// @param known  those that the constructor has
 std::optional<std::string> Arguments(const PortModel& model, const PortScope& scope,
                                      const std::vector<CSharpWords>& arguments,
-                                     std::vector<std::string> types, bool hasTooltip)
+                                     std::vector<ParameterArgument> known, bool hasTooltip)
 {
-    if (types.size() == 5 && arguments.size() == 2) // a colour and whether it is overridden
+    if (known.size() == 5 && arguments.size() == 2) // a colour and whether it is overridden
     {
-        types.resize(1);
-        types.emplace_back("bool");
+        known.erase(known.begin() + 1, known.end() - 1);
     }
-    const std::vector<std::string> names = ArgumentNames(types.size());
     std::string text;
-    std::size_t last = 0;
     for (std::size_t i = 0; i < arguments.size(); ++i)
     {
-        CSharpWords words = arguments[i];
+        const CSharpWords& words = arguments[i];
         const bool isNamed = words.size() > 2 && words[0].isName() && words[1].Is(":");
-        const bool isMiddle =
-            i < names.size() && names[i].empty() && (words[0].Is("min") || words[0].Is("max"));
-        const bool isInPlace = i < names.size() && (isMiddle || words[0].Is(names[i]));
-        words = isNamed ? words.subspan(2) : words;
-        const auto value = i < types.size() && (!isNamed || isInPlace)
-                               ? Translate(model, scope, words, types[i])
-                               : std::nullopt;
+        const bool isKnown = i < known.size() && (!isNamed || words[0].Is(known[i].name));
+        const auto value =
+            isKnown ? Translate(model, scope, isNamed ? words.subspan(2) : words, known[i].type)
+                    : std::nullopt;
         if (!value)
         {
             return std::nullopt;
         }
         text += ", " + value->cpp;
-        last = i + 1;
     }
     // A tooltip stands behind the last one.
-    const bool isShort = hasTooltip && types.size() == 5 && last == 4;
+    const bool isShort = hasTooltip && known.size() == 5 && arguments.size() == 4;
     return isShort ? text + ", false" : text;
 }
 
@@ -115,16 +112,7 @@ std::string ParameterText(const PortModel& model, const CSharpField& field, cons
 std::string EnumParameterText(const PortModel& model, const PortScope& scope,
                               const CSharpField& field, const std::vector<CSharpWords>& arguments)
 {
-    const CSharpClass* own = model.Find(field.type);
-    std::string base = field.type;
-    if (own && model.RoleOf(*own) == PortRole::Parameter && !own->bases.empty())
-    {
-        base = own->bases.front();
-    }
-    const std::size_t open = base.find('<');
-    const CSharpClass* type = open == std::string::npos
-                                  ? nullptr
-                                  : model.Find(base.substr(open + 1, base.size() - open - 2));
+    const CSharpClass* type = model.Find(model.HeldType(field.type));
     if (!type || model.RoleOf(*type) != PortRole::Enum || !model.isDeclared(*type))
     {
         return "";
@@ -147,27 +135,17 @@ std::string EnumParameterText(const PortModel& model, const PortScope& scope,
                              (isOn->cpp.empty() ? "" : ", " + isOn->cpp));
 }
 
-/// Returns X of VolumeParameter<X>, or of a class that derives from it; "" for other types.
-std::string HeldType(const PortModel& model, const std::string& type)
-{
-    const CSharpClass* own = model.Find(type);
-    const std::string base = own && !own->bases.empty() ? own->bases.front() : type;
-    constexpr std::string_view k_Base = "VolumeParameter<";
-    return base.starts_with(k_Base) && base.ends_with(">")
-               ? base.substr(k_Base.size(), base.size() - k_Base.size() - 1)
-               : "";
-}
-
 /// A parameter of a uint, which in Unity is a mask of rendering layers more often than not.
 std::string NumberParameterText(const PortModel& model, const PortScope& scope,
                                 const CSharpField& field, const std::vector<CSharpWords>& arguments)
 {
-    const bool isMask = HeldType(model, field.type) == "RenderingLayerMask" ||
+    const bool isMask = model.HeldType(field.type) == "RenderingLayerMask" ||
                         (field.type + field.name).find("ayer") != std::string::npos;
     // The C# may have a type of that name for Unity before 6, which has none.
     const std::string mask =
         model.Find("RenderingLayerMask") ? "limn::RenderingLayerMask" : "RenderingLayerMask";
-    auto text = Arguments(model, scope, arguments, {isMask ? mask : "uint", "bool"},
+    auto text = Arguments(model, scope, arguments,
+                          {{"value", isMask ? mask : "uint"}, {"overrideState", "bool"}},
                           !TooltipText(field).empty());
     if (text && text->empty()) // new VolumeParameter<uint>()
     {
@@ -189,13 +167,13 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     std::string line;
     if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
     {
-        const auto text = Arguments(model, scope, *arguments, ArgumentTypes(field.type),
+        const auto text = Arguments(model, scope, *arguments, ArgumentsOf(field.type),
                                     !TooltipText(field).empty());
         line = text ? ParameterText(model, field, field.type, *text) : "";
     }
     else if (arguments)
     {
-        const std::string held = HeldType(model, field.type);
+        const std::string held = model.HeldType(field.type);
         line = held == "uint" || held == "RenderingLayerMask"
                    ? NumberParameterText(model, scope, field, *arguments)
                    : EnumParameterText(model, scope, field, *arguments);

@@ -1,5 +1,4 @@
 #include "console/Texts.h"
-#include "port/PortExpression.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>
@@ -171,9 +170,9 @@ std::vector<const CSharpField*> EnqueuedIn(const PortModel& model, const CSharpC
         const std::size_t at = i + 2 + (method.body[i + 2].Is("this") ? 2 : 0);
         const CSharpField* field =
             isCall && at < method.body.size() ? one.FindField(method.body[at].text) : nullptr;
-        if (field && PassOf(model, *field) && std::ranges::find(fields, field) == fields.end())
+        if (field && PassOf(model, *field))
         {
-            fields.push_back(field);
+            AddOnce(field, fields);
         }
     }
     return fields;

@@ -38,11 +38,6 @@ struct RenderFunction
 
 using Word = const CSharpToken*;
 
-bool AddsGraphPass(const CSharpToken& word)
-{
-    return word.Is("AddRasterRenderPass") || word.Is("AddUnsafePass") || word.Is("AddComputePass");
-}
-
 /// Reads `out var data` or `out T data`.
 /// @return its type; "" where it is none
 std::string ReadOut(CSharpWords argument)
@@ -70,7 +65,7 @@ Word ReadCall(GraphPass& pass, Word at)
     }
     pass.builder = at->text;
     at += 2;
-    if (!at->isName() || !at[1].Is(".") || !AddsGraphPass(at[2]))
+    if (!at->isName() || !at[1].Is(".") || GraphContextOf(at[2].text).empty())
     {
         return nullptr;
     }
@@ -185,7 +180,7 @@ std::vector<GraphPass> FindGraphPasses(const CSharpMethod& method)
                 }
             }
         }
-        if (AddsGraphPass(*at))
+        if (!GraphContextOf(at->text).empty())
         {
             passes.push_back(PassAt(at, end));
             if (statement && at < statementEnd)
@@ -255,13 +250,6 @@ void NotePass(PortedCode& code, const CSharpClass& one, const GraphPass& pass)
                model.Place(one, pass.location), pass.problem.empty()});
 }
 
-std::string ContextOf(const std::string& call)
-{
-    return call == "AddUnsafePass"    ? "UnsafeGraphContext"
-           : call == "AddComputePass" ? "ComputeGraphContext"
-                                      : "RasterGraphContext";
-}
-
 /// One method with the passes that it adds.
 class GraphMethodWriter
 {
@@ -269,7 +257,7 @@ public:
     GraphMethodWriter(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
         : m_Code(code),
           m_Model(code.model()),
-          m_File(m_Model.FileOf(one)),
+          m_File(*one.file),
           m_One(one),
           m_Method(method),
           m_Scope(ScopeOf(m_Model, one, method))
@@ -438,7 +426,7 @@ private:
     void WriteFunction(const GraphPass& pass, const std::string& builder,
                        const RenderFunction& function)
     {
-        const std::string context = ContextOf(pass.call);
+        const std::string context = GraphContextOf(pass.call);
         const bool isKnown = !function.parameters.empty();
         const auto name = [&](std::size_t i, const char* otherwise)
         {

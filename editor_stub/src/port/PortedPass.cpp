@@ -1,5 +1,4 @@
 #include "port/PortedCode.h"
-#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 
@@ -210,7 +209,7 @@ std::string AssignmentText(const PortModel& model, const PortScope& scope,
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
 {
     bool isHiding = FindPassMember(name) || name == "name";
-    for (const CSharpClass* owner = &one; owner; owner = model.OuterOf(*owner))
+    for (const CSharpClass* owner = &one; owner; owner = owner->outer)
     {
         isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too
     }

@@ -1,8 +1,5 @@
 #include "console/Texts.h"
-#include "port/PortExpression.h"
-#include "port/PortModel.h"
 #include "port/PortedCode.h"
-#include "port/csharp/CSharpTokens.h"
 
 #include <algorithm>
 #include <iterator>
@@ -20,14 +17,6 @@ std::string FieldText(const PortModel& model, const CSharpClass& one, const CSha
 }
 
 constexpr std::int64_t k_LargestInt = 2147483647;
-
-/// C# in a comment behind a line.
-std::string InComment(std::string text)
-{
-    std::ranges::replace_if(
-        text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == '\\'; }, ' ');
-    return text;
-}
 
 /// Returns whether C++ takes the value as C# has it, without a warning of brackets.
 bool IsPlainEnumValue(CSharpWords words)
@@ -55,19 +44,6 @@ std::string EntriesName(const PortModel& model, const CSharpClass& one)
     return "k_" + Replaced(model.QualifiedName(one), "::", "") + "Entries";
 }
 
-void WriteEntriesOf(PortedCode& code, const CSharpClass& one)
-{
-    const PortModel& model = code.model();
-    const std::string type = model.QualifiedName(one);
-    code.Line("static constexpr EnumEntry " + EntriesName(model, one) + "[] = {");
-    for (const CSharpEnumerator& entry : one.enumerators)
-    {
-        code.Line("    {\"" + entry.name + "\", static_cast<int>(" + type +
-                  "::" + model.CppName(entry.name) + ")},");
-    }
-    code.Line("};");
-}
-
 /// Writes the possible values of the class's settings of enum types.
 void WriteEntries(PortedCode& code, const CSharpClass& one)
 {
@@ -79,7 +55,14 @@ void WriteEntries(PortedCode& code, const CSharpClass& one)
         if (own && model.RoleOf(*own) == PortRole::Enum && model.isSerialized(field) &&
             model.isSetting(field.type) && written.insert(own).second)
         {
-            WriteEntriesOf(code, *own);
+            const std::string type = model.QualifiedName(*own);
+            code.Line("static constexpr EnumEntry " + EntriesName(model, *own) + "[] = {");
+            for (const CSharpEnumerator& entry : own->enumerators)
+            {
+                code.Line("    {\"" + entry.name + "\", static_cast<int>(" + type +
+                          "::" + model.CppName(entry.name) + ")},");
+            }
+            code.Line("};");
         }
     }
 }
@@ -153,7 +136,6 @@ public:
         for (std::size_t i = 0; i < classes.size(); ++i)
         {
             m_Places.emplace(classes[i], i);
-            m_ByName.emplace(classes[i]->name, i);
         }
     }
 
@@ -172,16 +154,16 @@ private:
         const PortContext context(m_Model, one);
         for (const std::string& base : one.bases)
         {
-            AddType(base, needs);
+            AddClass(m_Model.Find(base), needs);
         }
         for (const CSharpField& field : one.fields)
         {
-            AddType(field.type, needs);
+            const std::string& type = field.type;
+            const bool isList = type.starts_with("List<");
+            AddClass(m_Model.Find(isList ? type.substr(5, type.size() - 6) : type), needs);
             for (const CSharpToken& word : field.value)
             {
-                const auto [begin, end] = m_ByName.equal_range(word.text);
-                std::transform(begin, end, std::inserter(needs, needs.end()),
-                               [](const auto& entry) { return entry.second; });
+                AddClass(m_Model.Find(word.text), needs);
             }
         }
         for (const CSharpClass& nested : one.classes)
@@ -190,16 +172,12 @@ private:
         }
     }
 
-    /// A class in a class needs that, too.
-    void AddType(const std::string& type, std::set<std::size_t>& needs) const
+    /// Adds a class and those around it, as far as they are in the list.
+    void AddClass(const CSharpClass* one, std::set<std::size_t>& needs) const
     {
-        const std::string inner = type.starts_with("List<") ? type.substr(5, type.size() - 6) : "";
-        const CSharpClass* found =
-            m_Model.Find(inner.empty() ? PlainTypeName(type) : std::string_view(inner));
-        for (; found; found = m_Model.OuterOf(*found))
+        for (; one; one = one->outer)
         {
-            const auto place = m_Places.find(found);
-            if (place != m_Places.end())
+            if (const auto place = m_Places.find(one); place != m_Places.end())
             {
                 needs.insert(place->second);
             }
@@ -208,7 +186,6 @@ private:
 
     const PortModel& m_Model;
     std::map<const CSharpClass*, std::size_t> m_Places;
-    std::multimap<std::string_view, std::size_t> m_ByName;
 };
 
 /// The classes, each behind those that it needs; else, and in a circle, in their order.
@@ -475,8 +452,8 @@ void WriteData(PortedCode& code, const CSharpClass& one)
         code.Line("void Reset() override {} // TODO: the C# has none");
     }
     // The data that a pass gives to its function are no settings.
-    const CSharpClass* outer = model.OuterOf(one);
-    if (!isContext && !one.isStatic && (!outer || model.RoleOf(*outer) != PortRole::Pass))
+    const bool isOfPass = one.outer && model.RoleOf(*one.outer) == PortRole::Pass;
+    if (!isContext && !one.isStatic && !isOfPass)
     {
         code.Line();
         WriteDescription(code, one);

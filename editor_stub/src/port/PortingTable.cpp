@@ -19,8 +19,7 @@ std::span<const EmbeddedFile> PortingTableText();
 namespace
 {
 
-constexpr PortVerdict k_Verdicts[] = {PortVerdict::Same, PortVerdict::Differs, PortVerdict::Refused,
-                                      PortVerdict::Missing};
+constexpr std::array<std::string_view, 4> k_Verdicts{"same", "differs", "refused", "missing"};
 
 [[noreturn]] void Fail(int line, const std::string& message)
 {
@@ -59,8 +58,7 @@ std::string RowWords(std::string_view row)
 
 const char* ToString(PortVerdict verdict)
 {
-    constexpr std::array k_Names{"same", "differs", "refused", "missing"};
-    return k_Names.at(static_cast<std::size_t>(verdict));
+    return k_Verdicts.at(static_cast<std::size_t>(verdict)).data();
 }
 
 PortingTable::PortingTable(std::string_view text)
@@ -95,18 +93,17 @@ void PortingTable::ReadVerdict(std::string_view line, const std::string& rowWord
     const std::size_t colon = line.find(" : ");
     const bool hasWords = colon != std::string_view::npos;
     const std::vector<std::string_view> words = SplitWords(line.substr(0, colon));
-    const auto* verdict =
-        std::ranges::find(k_Verdicts, words.front(), [](PortVerdict one) { return ToString(one); });
-    if (verdict == std::end(k_Verdicts) || words.size() < 2)
+    const auto verdict = std::ranges::find(k_Verdicts, words.front()) - k_Verdicts.begin();
+    if (verdict == std::ssize(k_Verdicts) || words.size() < 2)
     {
         Fail(number, "same, differs, refused or missing, and a name are expected");
     }
     PortEntry entry;
-    entry.verdict = *verdict;
-    entry.words = hasWords                        ? std::string(line.substr(colon + 3))
-                  : *verdict == PortVerdict::Same ? ""
-                                                  : rowWords;
-    if (entry.words.empty() && *verdict == PortVerdict::Differs)
+    entry.verdict = static_cast<PortVerdict>(verdict);
+    entry.words = hasWords                             ? std::string(line.substr(colon + 3))
+                  : entry.verdict == PortVerdict::Same ? ""
+                                                       : rowWords;
+    if (entry.words.empty() && entry.verdict == PortVerdict::Differs)
     {
         Fail(number, "how it differs is expected behind ' : '");
     }

@@ -138,7 +138,8 @@ private:
         {
             return;
         }
-        std::string* type = TypeOf(words[0].text, one, isThis(method.body, at) ? nullptr : &method);
+        const bool isThis = at > 1 && method.body[at - 1].Is(".") && method.body[at - 2].Is("this");
+        std::string* type = TypeOf(words[0].text, one, isThis ? nullptr : &method);
         if (type && isProperty(words.subspan(equals + 1), one, &method))
         {
             Mark(*type);
@@ -189,11 +190,6 @@ private:
                 Mark(method.parameters[index].type);
             }
         }
-    }
-
-    static bool isThis(CSharpWords body, std::size_t at)
-    {
-        return at > 1 && body[at - 1].Is(".") && body[at - 2].Is("this");
     }
 
     std::vector<CSharpClass*> m_Classes;

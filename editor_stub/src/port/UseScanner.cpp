@@ -111,15 +111,14 @@ public:
         }
     }
 
-    void Scan(const CSharpFile& file)
+    /// Returns the uses, sorted by name, with unknown ones behind the others.
+    std::vector<UsedMember> Scan(const CSharpFiles& files)
     {
-        m_File = &file;
-        std::ranges::for_each(file.classes, [this](const CSharpClass& one) { ScanClass(one); });
-    }
-
-    /// Returns the uses so far, sorted by name, with unknown ones behind the others.
-    std::vector<UsedMember> Uses() const
-    {
+        for (const auto& file : files)
+        {
+            std::ranges::for_each(file->classes,
+                                  [this](const CSharpClass& one) { ScanClass(one); });
+        }
         std::vector<UsedMember> uses;
         std::ranges::transform(m_Uses, std::back_inserter(uses),
                                [](const auto& entry) { return entry.second; });
@@ -185,16 +184,13 @@ private:
             const std::size_t end = std::min(type.find_first_of("<>,[]()*", at), type.size());
             const std::string_view name = type.substr(at, end - at);
             at = end + 1;
-            if (name.empty() || name == "..." || IsBuiltinType(name) || IsGenericName(name))
+            const bool isOwn = FindClass(name) || FindClass(name.substr(0, name.find('.')));
+            if (isOwn || name.empty() || name == "..." || IsBuiltinType(name) ||
+                IsGenericName(name))
             {
                 continue;
             }
-            const std::string_view last = name.substr(name.rfind('.') + 1);
-            if (FindClass(name) || FindClass(name.substr(0, name.find('.'))))
-            {
-                continue;
-            }
-            const std::string key(m_Table.Find(name) ? name : last);
+            const std::string key(m_Table.Find(name) ? name : name.substr(name.rfind('.') + 1));
             Use(key, m_Table.Find(key), location, "a type that the table does not have");
         }
     }
@@ -334,8 +330,7 @@ private:
         }
         else if (type == "var" && at[1].Is("in"))
         {
-            known = TypeOfValue(at + 2, end);
-            known = known == k_UnknownType ? known : ElementType(known);
+            known = ElementType(TypeOfValue(at + 2, end));
         }
         else if (type == "var" && word > begin && word[-1].Is("out"))
         {
@@ -473,12 +468,10 @@ private:
                     UseType(generics, member->location);
                 }
                 type = MemberOf(type, member, generics);
-                if (IsIn(member->text, {"AddRasterRenderPass", "AddUnsafePass", "AddComputePass"}))
+                if (std::string context = GraphContextOf(member->text); !context.empty())
                 {
                     m_PassData = generics.size() < 3 ? k_UnknownType : Inside(generics);
-                    m_PassContext = member->text == "AddUnsafePass"         ? "UnsafeGraphContext"
-                                    : member->text == "AddRasterRenderPass" ? "RasterGraphContext"
-                                                                            : "ComputeGraphContext";
+                    m_PassContext = std::move(context);
                 }
             }
             else
@@ -633,11 +626,12 @@ private:
         use.key = key;
         use.entry = entry;
         use.problem = entry || !use.problem.empty() ? use.problem : problem;
-        const bool isThere = !use.places.empty() && use.places.back().file == m_File &&
+        const CSharpFile* file = m_Classes.back()->file;
+        const bool isThere = !use.places.empty() && use.places.back().file == file &&
                              use.places.back().location == location;
         if (!isThere)
         {
-            use.places.push_back({m_File, location});
+            use.places.push_back({file, location});
         }
     }
 
@@ -645,7 +639,6 @@ private:
     ClassIndex m_Own;
     /// Extension methods of static classes.
     std::map<std::string, const CSharpMethod*, std::less<>> m_Extensions;
-    const CSharpFile* m_File = nullptr;
     std::vector<const CSharpClass*> m_Classes; ///< the innermost last
     std::map<std::string, std::string> m_Locals;
     std::map<Word, std::string> m_Initializers; ///< by their {
@@ -659,14 +652,17 @@ private:
 
 } // namespace
 
+std::string GraphContextOf(std::string_view call)
+{
+    return call == "AddRasterRenderPass" ? "RasterGraphContext"
+           : call == "AddUnsafePass"     ? "UnsafeGraphContext"
+           : call == "AddComputePass"    ? "ComputeGraphContext"
+                                         : "";
+}
+
 std::vector<UsedMember> UsedMembersOf(const CSharpFiles& files, const PortingTable& table)
 {
-    UseScanner scanner(files, table);
-    for (const auto& file : files)
-    {
-        scanner.Scan(*file);
-    }
-    return scanner.Uses();
+    return UseScanner(files, table).Scan(files);
 }
 
 } // namespace limn

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "port/ClassIndex.h"
 #include "port/PortingTable.h"
+#include "port/csharp/CSharpFile.h"
 
 #include <string>
 #include <vector>
@@ -24,6 +24,10 @@ struct UsedMember
     std::string problem;              ///< why it is unknown; "" if it is known
     std::vector<CSharpPlace> places;  ///< in the order of the files
 };
+
+/// Returns the type of the context that the function of a graph pass takes, by the name of the call
+/// that adds the pass; "" for other calls.
+std::string GraphContextOf(std::string_view call);
 
 /// Returns every type, member and attribute that the files use and do not define, once each, by
 /// name. Types of variables are followed as far as declarations and the table give them. Whatever

@@ -54,8 +54,7 @@ private:
         bool value = And();
         while (Next("||"))
         {
-            const bool other = And();
-            value = value || other;
+            value = And() || value;
         }
         return value;
     }
@@ -64,8 +63,7 @@ private:
         bool value = Equal();
         while (Next("&&"))
         {
-            const bool other = Equal();
-            value = value && other;
+            value = Equal() && value;
         }
         return value;
     }
@@ -191,8 +189,8 @@ bool CSharpConditions::Answer(std::string_view condition, const SourceLocation& 
 {
     const auto isDefined = [this](std::string_view symbol)
     {
-        return m_Defined.contains(symbol) ||
-               (!m_Undefined.contains(symbol) && IsDefinedFor(symbol, m_Target));
+        const auto own = m_Defined.find(symbol);
+        return own == m_Defined.end() ? IsDefinedFor(symbol, m_Target) : own->second;
     };
     const std::optional<bool> answer = ConditionReader(condition, isDefined).Read();
     if (!answer)
@@ -232,8 +230,7 @@ void CSharpConditions::Take(std::string_view line, const SourceLocation& locatio
     }
     else if (isTaken() && (name == "define" || name == "undef"))
     {
-        (name == "define" ? m_Defined : m_Undefined).insert(std::string(rest));
-        (name == "define" ? m_Undefined : m_Defined).erase(std::string(rest));
+        m_Defined[std::string(rest)] = name == "define";
     }
 }
 

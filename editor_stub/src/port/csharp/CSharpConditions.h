@@ -2,7 +2,7 @@
 
 #include "port/csharp/CSharpTokens.h"
 
-#include <set>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -44,8 +44,7 @@ private:
 
     const std::string& m_File;
     CSharpTarget m_Target;
-    std::set<std::string, std::less<>> m_Defined;
-    std::set<std::string, std::less<>> m_Undefined;
+    std::map<std::string, bool, std::less<>> m_Defined; ///< false for what #undef names
     std::vector<Branch> m_Open;
     std::vector<CSharpCondition> m_Answered;
 };

@@ -3,7 +3,9 @@
 #include "port/csharp/CSharpTokens.h"
 
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -68,6 +70,8 @@ struct CSharpEnumerator
 /// members.
 using CSharpNames = std::map<std::string, std::size_t, std::less<>>;
 
+struct CSharpFile;
+
 struct CSharpClass
 {
     std::string keyword; ///< class, struct, interface, enum, record
@@ -83,6 +87,8 @@ struct CSharpClass
     std::vector<CSharpClass> classes;
     std::vector<CSharpEnumerator> enumerators;
     // ParseCSharp fills these when all members are there.
+    const CSharpFile* file = nullptr;
+    const CSharpClass* outer = nullptr; ///< the class around it; null if there is none
     CSharpNames fieldNames;
     CSharpNames methodNames;
     CSharpNames classNames;
@@ -131,5 +137,31 @@ std::vector<CSharpWords> SplitArguments(CSharpWords words);
 
 /// Returns the name of a type without its arguments and brackets: "List" for "List<int>[]".
 std::string_view PlainTypeName(std::string_view type);
+
+using CSharpFiles = std::vector<std::unique_ptr<CSharpFile>>;
+
+/// The classes of C# files by name, as C# finds them: outside of a class, its nested classes need
+/// its name in front.
+class ClassIndex
+{
+public:
+    /// @param files      must outlive this
+    /// @param isOfUnity  returns whether Unity has a type of this name
+    ClassIndex(const CSharpFiles& files, std::function<bool(std::string_view)> isOfUnity);
+
+    /// Returns all classes, nested ones behind the class that they are in.
+    const std::vector<const CSharpClass*>& all() const { return m_All; }
+
+    /// Returns the class that a type's name means in this context, or null if the files have none.
+    /// @param context  the class in which the name is used; null = outside of all classes
+    const CSharpClass* Find(std::string_view type, const CSharpClass* context) const;
+
+private:
+    void Add(const std::vector<CSharpClass>& classes);
+
+    std::vector<const CSharpClass*> m_All;
+    std::multimap<std::string, const CSharpClass*, std::less<>> m_ByName;
+    std::function<bool(std::string_view)> m_IsOfUnity;
+};
 
 } // namespace limn

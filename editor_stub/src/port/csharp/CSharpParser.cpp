@@ -44,8 +44,57 @@ class Parser
 public:
     explicit Parser(CSharpFile& file) : m_File(file), m_At(file.tokens.tokens.data()) {}
 
+    /// Reads what may be in a class, or outside of all classes.
+    /// @param owner  the class; null outside of all
     /// @throws AssetError with line and column if it is no C#
-    void ParseFile() { ParseSpace(m_File.tokens.tokens.data() + m_File.tokens.tokens.size() - 1); }
+    void ParseMembers(CSharpClass* owner, const CSharpToken* close)
+    {
+        while (m_At < close)
+        {
+            if (m_At->Is(";"))
+            {
+                ++m_At;
+                continue;
+            }
+            if (!owner && IsIn(m_At->text, {"using", "global", "extern"}))
+            {
+                SkipTo({";"});
+                continue;
+            }
+            if (!owner && m_At->Is("namespace"))
+            {
+                ParseNamespace();
+                continue;
+            }
+            const Modifiers modifiers = ParseModifiers();
+            if (!owner && m_At >= close) // attributes of the file
+            {
+                return;
+            }
+            if (IsClassKeyword(*m_At))
+            {
+                AddClass(owner ? owner->classes : m_File.classes, ParseClass(modifiers));
+            }
+            else if (m_At->Is("delegate"))
+            {
+                SkipTo({";"});
+            }
+            else if (!owner)
+            {
+                Fail(*m_At, "a class is expected here: 'class Name : ScriptableRendererFeature "
+                            "{ ... }'");
+            }
+            else if (m_At->Is("~"))
+            {
+                SkipTo({"{", ";"});
+                m_At = m_At->Behind();
+            }
+            else
+            {
+                ParseMember(*owner, modifiers);
+            }
+        }
+    }
 
 private:
     [[noreturn]] void Fail(const CSharpToken& token, const std::string& message) const
@@ -113,49 +162,15 @@ private:
         return words;
     }
 
-    /// Reads what may be outside of classes.
-    void ParseSpace(const CSharpToken* end)
+    void ParseNamespace()
     {
-        while (m_At < end)
+        SkipTo({"{", ";"});
+        if (m_At->Is("{"))
         {
-            if (m_At->Is(";"))
-            {
-                ++m_At;
-            }
-            else if (IsIn(m_At->text, {"using", "global", "extern"}))
-            {
-                SkipTo({";"});
-            }
-            else if (m_At->Is("namespace"))
-            {
-                SkipTo({"{", ";"});
-                if (m_At->Is("{"))
-                {
-                    const CSharpToken* behind = m_At->Behind();
-                    ++m_At;
-                    ParseSpace(behind - 1);
-                    m_At = behind;
-                }
-            }
-            else
-            {
-                const Modifiers modifiers = ParseModifiers();
-                if (m_At >= end) // attributes of the file
-                {
-                    return;
-                }
-                if (m_At->Is("delegate"))
-                {
-                    SkipTo({";"});
-                    continue;
-                }
-                if (!IsClassKeyword(*m_At))
-                {
-                    Fail(*m_At, "a class is expected here: 'class Name : ScriptableRendererFeature "
-                                "{ ... }'");
-                }
-                AddClass(m_File.classes, ParseClass(modifiers));
-            }
+            const CSharpToken* behind = m_At->Behind();
+            ++m_At;
+            ParseMembers(nullptr, behind - 1);
+            m_At = behind;
         }
     }
 
@@ -247,7 +262,7 @@ private:
         {
             ++m_At;
             result.keyword == "enum" ? ParseEnumerators(result, behind - 1)
-                                     : ParseMembers(result, behind - 1);
+                                     : ParseMembers(&result, behind - 1);
         }
         m_At = behind;
         return result;
@@ -303,36 +318,6 @@ private:
                 Fail(value.front(), "'=' or ',' is expected behind a member of the enum");
             }
             enumerator.value = value.subspan(value.empty() ? 0 : 1);
-        }
-    }
-
-    void ParseMembers(CSharpClass& result, const CSharpToken* close)
-    {
-        while (m_At < close)
-        {
-            if (m_At->Is(";"))
-            {
-                ++m_At;
-                continue;
-            }
-            const Modifiers modifiers = ParseModifiers();
-            if (IsClassKeyword(*m_At))
-            {
-                AddClass(result.classes, ParseClass(modifiers));
-            }
-            else if (m_At->Is("delegate"))
-            {
-                SkipTo({";"});
-            }
-            else if (m_At->Is("~"))
-            {
-                SkipTo({"{", ";"});
-                m_At = m_At->Behind();
-            }
-            else
-            {
-                ParseMember(result, modifiers);
-            }
         }
     }
 
@@ -600,54 +585,47 @@ void IndexNames(const std::vector<Member>& members, CSharpNames& names)
     }
 }
 
-void IndexMembers(std::vector<CSharpClass>& classes)
+void IndexMembers(const CSharpFile& file, const CSharpClass* outer,
+                  std::vector<CSharpClass>& classes)
 {
     for (CSharpClass& one : classes)
     {
+        one.file = &file;
+        one.outer = outer;
         IndexNames(one.fields, one.fieldNames);
         IndexNames(one.methods, one.methodNames);
         IndexNames(one.classes, one.classNames);
         IndexNames(one.enumerators, one.enumeratorNames);
-        IndexMembers(one.classes);
+        IndexMembers(file, &one, one.classes);
     }
 }
 
 /// The bytes of the character that begins the text; 0 where it is none of UTF-8.
 std::size_t CharacterLength(std::string_view text)
 {
-    const auto byte = [&](std::size_t i)
-    {
-        return static_cast<unsigned char>(text[i]);
-    };
-    const std::size_t length = byte(0) < 0x80                      ? 1
-                               : byte(0) >= 0xc2 && byte(0) < 0xe0 ? 2
-                               : byte(0) >= 0xe0 && byte(0) < 0xf0 ? 3
-                               : byte(0) >= 0xf0 && byte(0) < 0xf5 ? 4
-                                                                   : 0;
-    bool isGood = length > 0 && length <= text.size();
-    for (std::size_t i = 1; isGood && i < length; ++i)
-    {
-        isGood = byte(i) >= 0x80 && byte(i) < 0xc0;
-    }
+    const auto first = static_cast<unsigned char>(text[0]);
+    const std::size_t length = first < 0x80   ? 1
+                               : first < 0xc2 ? 0
+                               : first < 0xe0 ? 2
+                               : first < 0xf0 ? 3
+                               : first < 0xf5 ? 4
+                                              : 0;
+    const bool isGood = length > 0 && length <= text.size() &&
+                        std::ranges::all_of(text.substr(1, length - 1), isInsideCharacter);
     return isGood ? length : 0;
 }
 
 /// A question mark for each byte of another encoding: compilers refuse it in texts.
 void MakeUtf8(std::string& text)
 {
+    if (StartsWithAny(text, {"\xFF\xFE", "\xFE\xFF"}))
+    {
+        return; // UTF-16, which the tokenizer refuses
+    }
     for (std::size_t at = 0; at < text.size();)
     {
         const std::size_t length = CharacterLength(std::string_view(text).substr(at));
-        const bool isMark =
-            at == 0 && (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"));
-        if (length == 0 && isMark)
-        {
-            return; // UTF-16, which the tokenizer refuses
-        }
-        if (length == 0)
-        {
-            text[at] = '?';
-        }
+        text[at] = length == 0 ? '?' : text[at];
         at += std::max<std::size_t>(length, 1);
     }
 }
@@ -664,8 +642,8 @@ void ParseCSharp(CSharpFile& file, const CSharpTarget& target)
         std::fill(file.text.begin() + static_cast<std::ptrdiff_t>(range.begin),
                   file.text.begin() + static_cast<std::ptrdiff_t>(range.end), ' ');
     }
-    Parser(file).ParseFile();
-    IndexMembers(file.classes);
+    Parser(file).ParseMembers(nullptr, &file.tokens.tokens.back());
+    IndexMembers(file, nullptr, file.classes);
 }
 
 } // namespace limn

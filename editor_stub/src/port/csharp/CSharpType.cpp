@@ -44,6 +44,18 @@ std::string ReadTypeName(const CSharpToken*& at)
     return std::string(WithoutNamespace(name));
 }
 
+bool IsVisible(const CSharpClass& one, const CSharpClass* context)
+{
+    for (; one.outer && context; context = context->outer)
+    {
+        if (context == one.outer || std::ranges::count(context->bases, one.outer->name) > 0)
+        {
+            return true;
+        }
+    }
+    return !one.outer;
+}
+
 } // namespace
 
 std::string ReadCSharpGenerics(const CSharpToken*& at)
@@ -133,8 +145,7 @@ const CSharpAttribute* CSharpField::Find(std::string_view attribute) const
 
 bool CSharpClass::Derives(std::string_view base) const
 {
-    return std::ranges::any_of(bases,
-                               [&](const std::string& one) { return PlainTypeName(one) == base; });
+    return std::ranges::find(bases, base, PlainTypeName) != bases.end();
 }
 
 const CSharpField* CSharpClass::FindField(std::string_view field) const
@@ -158,6 +169,45 @@ std::string_view TextOf(const CSharpFile& file, CSharpWords words)
     const CSharpToken& last = words.back();
     const std::size_t begin = words.front().offset;
     return std::string_view(file.text).substr(begin, last.offset + last.text.size() - begin);
+}
+
+ClassIndex::ClassIndex(const CSharpFiles& files, std::function<bool(std::string_view)> isOfUnity)
+    : m_IsOfUnity(std::move(isOfUnity))
+{
+    for (const auto& file : files)
+    {
+        Add(file->classes);
+    }
+}
+
+void ClassIndex::Add(const std::vector<CSharpClass>& classes)
+{
+    for (const CSharpClass& one : classes)
+    {
+        m_All.push_back(&one);
+        m_ByName.emplace(one.name, &one);
+        Add(one.classes);
+    }
+}
+
+const CSharpClass* ClassIndex::Find(std::string_view type, const CSharpClass* context) const
+{
+    const std::string_view plain = PlainTypeName(type);
+    const std::size_t dot = plain.rfind('.');
+    const std::string_view name = plain.substr(dot + 1);
+    const std::string_view before = plain.substr(0, dot == std::string_view::npos ? 0 : dot);
+    const std::string_view space = before.substr(before.rfind('.') + 1);
+    const auto [begin, end] = m_ByName.equal_range(name);
+    for (auto found = begin; found != end; ++found)
+    {
+        const CSharpClass* outer = found->second->outer;
+        if (space.empty() ? IsVisible(*found->second, context) : outer && outer->name == space)
+        {
+            return found->second;
+        }
+    }
+    // Namespaces stand before names, too; a type may have come from where it is visible.
+    return begin == end || m_IsOfUnity(name) ? nullptr : begin->second;
 }
 
 } // namespace limn
