@@ -75,37 +75,29 @@ std::string ParameterLine(VolumeParameter& parameter)
     return WithComment(line, range + (range.empty() || tooltip.empty() ? "" : ": ") + tooltip);
 }
 
-std::string Numbers(const ShaderProperty& property)
-{
-    const std::string_view names = property.type == ShaderPropertyType::Color ? "rgba" : "xyzw";
-    return MembersText(property.defaultValue.data(), names);
-}
-
 std::string PropertyLine(const ShaderProperty& property)
 {
-    switch (property.type)
+    if (property.type == ShaderPropertyType::Texture)
     {
-    case ShaderPropertyType::Texture:
         return WithComment(
             "# " + property.name + ": picture.png",
             property.displayName + "; without it " +
                 (property.defaultTexture.empty() ? "gray" : property.defaultTexture));
-    case ShaderPropertyType::Color:
-    case ShaderPropertyType::Vector:
-        return WithComment(property.name + ": " + Numbers(property), property.displayName);
-    case ShaderPropertyType::Range:
-        return WithComment(
-            property.name + ": " + NumberText(static_cast<double>(property.defaultValue[0])),
-            property.displayName + ", " + NumberText(static_cast<double>(property.rangeMin)) +
-                " to " + NumberText(static_cast<double>(property.rangeMax)));
-    case ShaderPropertyType::Float:
-    case ShaderPropertyType::Int:
-    case ShaderPropertyType::Integer:
-        break;
     }
-    return WithComment(property.name + ": " +
-                           NumberText(static_cast<double>(property.defaultValue[0])),
-                       property.displayName);
+    const auto number = [](float value)
+    {
+        return NumberText(static_cast<double>(value));
+    };
+    const bool isColor = property.type == ShaderPropertyType::Color;
+    const std::string value =
+        isColor || property.type == ShaderPropertyType::Vector
+            ? MembersText(property.defaultValue.data(), isColor ? "rgba" : "xyzw")
+            : number(property.defaultValue[0]);
+    const std::string range =
+        property.type == ShaderPropertyType::Range
+            ? ", " + number(property.rangeMin) + " to " + number(property.rangeMax)
+            : "";
+    return WithComment(property.name + ": " + value, property.displayName + range);
 }
 
 } // namespace
@@ -123,10 +115,8 @@ std::string NewProfile(std::span<const std::string> components,
     {
         const std::unique_ptr<VolumeComponent> component = registry.Create(name);
         text += (text.empty() ? "" : "\n") + name + ":\n";
-        for (VolumeParameter* parameter : component->parameters())
-        {
-            text += ParameterLine(*parameter);
-        }
+        text += Joined(component->parameters(), "",
+                       [](VolumeParameter* parameter) { return ParameterLine(*parameter); });
     }
     return text;
 }

@@ -3,11 +3,9 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ModuleFile.h>
-#include <limn/core/PluginCallSite.h>
 #include <limn/features/Features.h>
 #include <limn/features/Plugin.h>
 #include <limn/vulkan/VulkanError.h>
-#include <map>
 #include <mutex>
 #include <new>
 

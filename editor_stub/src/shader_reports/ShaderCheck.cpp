@@ -1,5 +1,6 @@
 #include "shader_reports/ShaderCheck.h"
 
+#include "console/Texts.h"
 #include "shaders/ShaderFolders.h"
 
 #include <algorithm>
@@ -19,10 +20,7 @@ void Add(std::vector<Diagnostic>& diagnostics, const std::vector<Diagnostic>& mo
 {
     for (const Diagnostic& diagnostic : more)
     {
-        if (std::ranges::find(diagnostics, diagnostic) == diagnostics.end())
-        {
-            diagnostics.push_back(diagnostic);
-        }
+        AddOnce(diagnostic, diagnostics);
     }
 }
 
@@ -34,9 +32,8 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
     {
         for (const UniformMember& member : buffer.members)
         {
-            const bool isProperty =
-                std::ranges::any_of(document.properties,
-                                    [&](const ShaderProperty& p) { return p.name == member.name; });
+            const auto isProperty =
+                std::ranges::count(document.properties, member.name, &ShaderProperty::name);
             if (isProperty && buffer.name != "UnityPerMaterial")
             {
                 return "the property " + member.name + " is in " + buffer.name +
@@ -50,13 +47,12 @@ std::string FindSrpBatcherProblem(const ShaderLabDocument& document, const Prope
 /// Returns whether resolving the shader takes other shaders.
 bool needsOthers(const ShaderLabDocument& document)
 {
-    const auto isUse = [](const ShaderLabPass& pass)
+    const auto hasUse = [](const ShaderLabSubShader& subShader)
     {
-        return pass.kind == ShaderLabPassKind::UsePass;
+        return std::ranges::count(subShader.passes, ShaderLabPassKind::UsePass,
+                                  &ShaderLabPass::kind) > 0;
     };
-    return !document.fallback.empty() ||
-           std::ranges::any_of(document.subShaders, [&](const ShaderLabSubShader& subShader)
-                               { return std::ranges::any_of(subShader.passes, isUse); });
+    return !document.fallback.empty() || std::ranges::any_of(document.subShaders, hasUse);
 }
 
 std::string UnityShaderNote(std::string_view command, std::string_view name)
@@ -245,8 +241,7 @@ private:
         checked.outcome = outcome;
         // The messages before it may be warnings.
         const std::vector<Diagnostic>& all = error.diagnostics();
-        const auto first = std::ranges::find_if(all, [](const Diagnostic& d)
-                                                { return d.severity == Severity::Error; });
+        const auto first = std::ranges::find(all, Severity::Error, &Diagnostic::severity);
         checked.reason = (first == all.end() ? all.front() : *first).message;
         Add(diagnostics, error.diagnostics());
     }

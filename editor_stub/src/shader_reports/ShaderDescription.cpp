@@ -3,7 +3,6 @@
 #include "console/Texts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limn/base/TerminalText.h>
 #include <limn/shaderlab/PrintShaderLab.h>
@@ -221,12 +220,9 @@ std::string StagesText(ShaderStage stages)
 
 std::string KeywordsText(const KeywordSet& set)
 {
-    std::string text = set.directive + ":";
-    for (const std::string& keyword : set.keywords)
-    {
-        text += " " + (keyword.empty() ? "(none)" : keyword);
-    }
-    return text;
+    return set.directive + ": " +
+           Joined(set.keywords, " ",
+                  [](const std::string& keyword) { return keyword.empty() ? "(none)" : keyword; });
 }
 
 const char* ToString(PassOutcome outcome)
@@ -296,8 +292,8 @@ ShaderSummary Summarize(const std::vector<ShaderCheck>& checks)
     {
         ++summary.files;
         summary.parsed += check.isParsed ? 1 : 0;
-        summary.errors += static_cast<int>(std::ranges::count_if(
-            check.diagnostics, [](const Diagnostic& d) { return d.severity == Severity::Error; }));
+        summary.errors += static_cast<int>(
+            std::ranges::count(check.diagnostics, Severity::Error, &Diagnostic::severity));
         for (const CheckedSubShader& subShader : check.subShaders)
         {
             for (const CheckedPass& pass : subShader.passes)

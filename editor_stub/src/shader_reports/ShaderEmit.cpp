@@ -99,15 +99,11 @@ std::string FileStem(const std::string& name)
     return stem;
 }
 
-struct EmittedFile
-{
-    std::filesystem::path path;
-    std::string content;
-};
+using EmittedFiles = std::vector<std::pair<std::filesystem::path, std::string>>;
 
 /// One file a stage.
 void Translate(const CheckedPass& checked, const ShaderCheck& check, const std::string& language,
-               const std::filesystem::path& stem, std::vector<EmittedFile>& files)
+               const std::filesystem::path& stem, EmittedFiles& files)
 {
     const ShaderProgram& pass = *checked.compiled;
     const std::string refusal = "the pass cannot be written as " + language + ": ";
@@ -128,9 +124,9 @@ void Translate(const CheckedPass& checked, const ShaderCheck& check, const std::
         }
         try
         {
-            files.push_back(
-                {stem.string() + "." + stage + "." + (language == "spirv" ? "spv" : language),
-                 Translate(*spirv, language)});
+            files.emplace_back(stem.string() + "." + stage + "." +
+                                   (language == "spirv" ? "spv" : language),
+                               Translate(*spirv, language));
         }
         catch (const spirv_cross::CompilerError& error)
         {
@@ -157,7 +153,7 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
                                               const std::string& stem)
 {
     // Everything is translated before the first file is written: all of them or none.
-    std::vector<EmittedFile> files;
+    EmittedFiles files;
     for (const CheckedSubShader& subShader : check.subShaders)
     {
         for (std::size_t i = 0; subShader.isUsed && i < subShader.passes.size(); ++i)
@@ -175,10 +171,10 @@ std::vector<std::filesystem::path> EmitShader(const ShaderCheck& check, const st
         throw AssetError(folder.string(), {}, "the folder cannot be made: " + problem);
     }
     std::vector<std::filesystem::path> paths;
-    for (const EmittedFile& file : files)
+    for (const auto& [path, content] : files)
     {
-        WriteFile(file.path, file.content);
-        paths.push_back(file.path);
+        WriteFile(path, content);
+        paths.push_back(path);
     }
     return paths;
 }

@@ -36,33 +36,17 @@ ShaderDatabase FindShaders(const std::vector<std::filesystem::path>& folders)
 
 bool isUnityShader(std::string_view name)
 {
+    static const std::vector<std::string> folders = SplitText(
+        "Autodesk Interactive,FX/,GUI/,HDRP/,Hidden/Core/,Hidden/HDRP/,Hidden/Internal,"
+        "Hidden/Nature/,Hidden/Shader Graph/,Hidden/TerrainEngine/,"
+        "Hidden/Universal Render Pipeline/,Legacy Shaders/,Lightmapped/,Mobile/,Nature/,Particles/,"
+        "Reflective/,Self-Illumin/,Skybox/,Sprites/,Transparent/,UI/,Universal Render Pipeline/,"
+        "Unlit/",
+        ',');
     // Names without a folder, as the built-in pipeline's oldest shaders have them.
     return IsIn(name, {"Diffuse", "Specular", "VertexLit", "Bumped Diffuse", "Bumped Specular",
                        "Standard", "Diffuse Detail", "Standard (Specular setup)"}) ||
-           StartsWithAny(name, {"Autodesk Interactive",
-                                "FX/",
-                                "GUI/",
-                                "HDRP/",
-                                "Hidden/Core/",
-                                "Hidden/HDRP/",
-                                "Hidden/Internal",
-                                "Hidden/Nature/",
-                                "Hidden/Shader Graph/",
-                                "Hidden/TerrainEngine/",
-                                "Hidden/Universal Render Pipeline/",
-                                "Legacy Shaders/",
-                                "Lightmapped/",
-                                "Mobile/",
-                                "Nature/",
-                                "Particles/",
-                                "Reflective/",
-                                "Self-Illumin/",
-                                "Skybox/",
-                                "Sprites/",
-                                "Transparent/",
-                                "UI/",
-                                "Universal Render Pipeline/",
-                                "Unlit/"});
+           std::ranges::any_of(folders, [name](const auto& one) { return name.starts_with(one); });
 }
 
 ShaderCompilerOptions DefaultCompilerOptions()

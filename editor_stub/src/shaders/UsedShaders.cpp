@@ -1,5 +1,6 @@
 #include "shaders/UsedShaders.h"
 
+#include "console/Texts.h"
 #include "plugins/LoadPlugin.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace limn
 namespace
 {
 
-constexpr std::string_view k_Text = R"(Shader "Hidden/Core/FallbackError"
+constexpr const char* k_Text = R"(Shader "Hidden/Core/FallbackError"
 {
     SubShader
     {
@@ -21,7 +22,7 @@ constexpr std::string_view k_Text = R"(Shader "Hidden/Core/FallbackError"
         {
             HLSLPROGRAM
             #pragma vertex Place
-            #pragma fragment Magenta
+            #pragma fragment Paint
             #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
 
             float4 Place(float4 positionOS : POSITION) : SV_POSITION
@@ -29,9 +30,9 @@ constexpr std::string_view k_Text = R"(Shader "Hidden/Core/FallbackError"
                 return TransformObjectToHClip(positionOS.xyz);
             }
 
-            half4 Magenta() : SV_Target
+            half4 Paint() : SV_Target
             {
-                return half4(1, 0, 1, 1);
+                return half4(@COLOR@);
             }
             ENDHLSL
         }
@@ -59,17 +60,15 @@ public:
     {
         if (const auto* shader = std::get_if<std::shared_ptr<const Shader>*>(&value))
         {
-            Add(**shader);
+            AddAllPasses(**shader, m_Passes);
         }
         if (const auto* material = std::get_if<std::shared_ptr<const Material>*>(&value))
         {
-            Add(**material ? (**material)->shader() : nullptr);
+            AddAllPasses(**material ? (**material)->shader() : nullptr, m_Passes);
         }
     }
 
 private:
-    void Add(const std::shared_ptr<const Shader>& shader) { AddAllPasses(shader, m_Passes); }
-
     ShaderPasses& m_Passes;
 };
 
@@ -210,10 +209,7 @@ std::vector<Diagnostic> LeaveBrokenOut(SceneAsset& asset, const ShaderProblems& 
     for (Diagnostic& problem : AllOf(broken)) // of several passes, which may have the same ones
     {
         problem.severity = Severity::Note;
-        if (std::ranges::find(notes, problem) == notes.end())
-        {
-            notes.push_back(std::move(problem));
-        }
+        AddOnce(problem, notes);
     }
     for (const auto& [shader, problems] : broken)
     {
@@ -255,17 +251,14 @@ std::string BuiltInPassOf(const Shader& shader)
         {
             return "";
         }
-        for (const char* builtIn :
-             {"Always", "ForwardBase", "PrepassBase", "Vertex", "VertexLMRGBM", "VertexLM"})
+        if (found.empty() && IsIn(mode, {"Always", "ForwardBase", "PrepassBase", "Vertex",
+                                         "VertexLMRGBM", "VertexLM"}))
         {
-            if (found.empty() && mode == builtIn)
-            {
-                found = (pass.isSurface
-                             ? "it has a surface shader"
-                             : "it has a pass of the light mode '" + std::string(mode) + "'") +
-                        std::string(", which is of Unity's built-in pipeline and not drawn, and no "
-                                    "pass of the Universal Render Pipeline");
-            }
+            found =
+                (pass.isSurface ? "it has a surface shader"
+                                : "it has a pass of the light mode '" + std::string(mode) + "'") +
+                std::string(", which is of Unity's built-in pipeline and not drawn, and no "
+                            "pass of the Universal Render Pipeline");
         }
     }
     return found;
@@ -273,7 +266,13 @@ std::string BuiltInPassOf(const Shader& shader)
 
 std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler)
 {
-    return Shader::FromText(k_Text, "FallbackError.shader", compiler);
+    return MakePlainShader("1, 0, 1, 1", compiler);
+}
+
+std::shared_ptr<const Shader> MakePlainShader(const std::string& color,
+                                              const std::shared_ptr<ShaderCompiler>& compiler)
+{
+    return Shader::FromText(Replaced(k_Text, "@COLOR@", color), "FallbackError.shader", compiler);
 }
 
 std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset)

@@ -14,6 +14,11 @@ std::string BuiltInPassOf(const Shader& shader);
 /// compile. Unity: Hidden/Core/FallbackError (URP 14).
 std::shared_ptr<const Shader> MakeErrorShader(const std::shared_ptr<ShaderCompiler>& compiler);
 
+/// Returns a shader that draws any mesh in one colour, unlit.
+/// @param color  four linear numbers: "1, 0, 1, 1"
+std::shared_ptr<const Shader> MakePlainShader(const std::string& color,
+                                              const std::shared_ptr<ShaderCompiler>& compiler);
+
 /// Compiles what rendering a scene needs: the passes of objects' shaders that the renderer draws,
 /// and every pass of the shaders of active features. Different shaders compile at the same time.
 /// In a scene of Unity's, objects whose shader does not compile become magenta, as in Unity, and
