@@ -12,10 +12,8 @@ namespace limn
 namespace
 {
 
-std::uint64_t BytesOf(const Texture& texture)
+std::uint64_t BytesOf(const Texture& texture, int samples)
 {
-    const auto* drawn = dynamic_cast<const RenderTexture*>(&texture);
-    const int samples = drawn ? drawn->descriptor().msaaSamples : 1;
     return static_cast<std::uint64_t>(texture.width()) *
            static_cast<std::uint64_t>(texture.height()) *
            static_cast<std::uint64_t>(texture.slices() * samples) *
@@ -27,23 +25,6 @@ const char* NameOf(TextureUsage usage)
     constexpr std::array k_Names{"Undefined",  "ColorAttachment", "DepthStencilAttachment",
                                  "ShaderRead", "CopySource",      "RandomWrite"};
     return k_Names.at(static_cast<std::size_t>(usage));
-}
-
-/// Returns the store operation of a colour or depth attachment. A stencil that is used counts with
-/// the depth.
-template <typename Attachment>
-std::string StoreText(const Attachment& attachment, bool isStored)
-{
-    return isStored && attachment.resolve ? "store and resolve"
-           : isStored                     ? "store"
-           : attachment.resolve           ? "resolve"
-                                          : "-";
-}
-
-std::string LoadText(LoadOp load)
-{
-    constexpr std::array k_Names{"load", "clear", "-"};
-    return k_Names.at(static_cast<std::size_t>(load));
 }
 
 class FrameExplainer
@@ -66,8 +47,7 @@ public:
         }
         ExplainShared(frame.placed);
         m_Result.leftOut = frame.leftOut;
-        std::ranges::stable_sort(m_Result.leftOut, [](const LeftOut& a, const LeftOut& b)
-                                 { return a.place < b.place; });
+        std::ranges::stable_sort(m_Result.leftOut, {}, &LeftOut::place);
         return std::move(m_Result);
     }
 
@@ -102,9 +82,26 @@ private:
         }
     }
 
+    /// Explains a colour or depth attachment. A stencil that is used counts with the depth.
+    template <typename Attachment>
+    ExplainedAttachment Explain(const Attachment& attachment, LoadOp load, bool isStored)
+    {
+        constexpr std::array k_Loads{"load", "clear", "-"};
+        const std::size_t pass = m_Result.passes.size();
+        const std::size_t texture = Use(*attachment.texture, pass);
+        if (attachment.resolve)
+        {
+            Use(*attachment.resolve, pass);
+        }
+        return {texture, k_Loads.at(static_cast<std::size_t>(load)),
+                isStored && attachment.resolve ? "store and resolve"
+                : isStored                     ? "store"
+                : attachment.resolve           ? "resolve"
+                                               : "-"};
+    }
+
     void Explain(const CompiledRenderPass& pass)
     {
-        const std::size_t number = m_Result.passes.size();
         ExplainedPass result;
         result.place = pass.place;
         result.width = pass.width;
@@ -116,20 +113,15 @@ private:
         result.bufferBarriers = static_cast<int>(pass.bufferBarriers.size());
         for (const ColorAttachment& color : pass.colors)
         {
-            result.targets.push_back({Use(*color.texture, number), LoadText(color.load),
-                                      StoreText(color, color.store == StoreOp::Store)});
-            UseResolve(color.resolve, number);
+            result.targets.push_back(Explain(color, color.load, color.store == StoreOp::Store));
         }
         if (pass.depth)
         {
             const DepthAttachment& depth = *pass.depth;
-            const bool isLoaded = depth.load == LoadOp::Load || depth.stencilLoad == LoadOp::Load;
             const bool isStored =
                 depth.store == StoreOp::Store || depth.stencilStore == StoreOp::Store;
-            result.targets.push_back({Use(*depth.texture, number),
-                                      isLoaded ? "load" : LoadText(depth.load),
-                                      StoreText(depth, isStored)});
-            UseResolve(depth.resolve, number);
+            result.targets.push_back(Explain(
+                depth, depth.stencilLoad == LoadOp::Load ? LoadOp::Load : depth.load, isStored));
         }
         ExplainWritten(pass, result);
         AddCommands(pass, result);
@@ -161,19 +153,7 @@ private:
         result.indirect += bindings.arguments() != nullptr ? 1 : 0;
         for (const TextureSlot& slot : bindings.textures)
         {
-            const std::size_t texture = Use(*slot.texture, m_Result.passes.size());
-            if (std::ranges::find(result.reads, texture) == result.reads.end())
-            {
-                result.reads.push_back(texture);
-            }
-        }
-    }
-
-    void UseResolve(const std::shared_ptr<const RenderTexture>& texture, std::size_t pass)
-    {
-        if (texture)
-        {
-            Use(*texture, pass);
+            AddOnce(Use(*slot.texture, m_Result.passes.size()), result.reads);
         }
     }
 
@@ -200,7 +180,7 @@ private:
         explained.size = texture.DescribeSize();
         explained.format = ToString(texture.graphicsFormat());
         explained.samples = drawn ? drawn->descriptor().msaaSamples : 1;
-        explained.bytes = BytesOf(texture);
+        explained.bytes = BytesOf(texture, explained.samples);
         explained.isDrawn = drawn != nullptr;
         m_Result.textures.push_back(std::move(explained));
         m_Ids.push_back(texture.id());
@@ -222,6 +202,17 @@ private:
 ExplainedFrame ExplainFrame(const CompiledFrame& frame)
 {
     return FrameExplainer(frame).Explain(frame);
+}
+
+std::vector<std::shared_ptr<const RenderTexture>> TargetTextures(const CompiledRenderPass& pass)
+{
+    std::vector<std::shared_ptr<const RenderTexture>> targets;
+    std::ranges::transform(pass.colors, std::back_inserter(targets), &ColorAttachment::texture);
+    if (pass.depth)
+    {
+        targets.push_back(pass.depth->texture);
+    }
+    return targets;
 }
 
 std::string DrawsText(const ExplainedPass& pass)

@@ -66,6 +66,9 @@ struct ExplainedFrame
 
 ExplainedFrame ExplainFrame(const CompiledFrame& frame);
 
+/// Returns the textures that a pass draws into: its colours, and behind them its depth.
+std::vector<std::shared_ptr<const RenderTexture>> TargetTextures(const CompiledRenderPass& pass);
+
 /// Returns the draws or dispatches of a pass: "370 → 159 draws", "2 draws, 1 of them in a part" of
 /// the targets, or "2 dispatches". ", 1 of them by a buffer's counts" may follow.
 std::string DrawsText(const ExplainedPass& pass);

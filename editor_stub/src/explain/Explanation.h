@@ -54,8 +54,6 @@ struct ExplainedVariant
     std::string passName;              ///< "" if it has none
     std::vector<std::string> keywords; ///< the keywords that are on
     bool isFullScreen = false;         ///< drawn without a mesh
-
-    bool operator==(const ExplainedVariant&) const = default;
 };
 
 /// The draws of a scene's frame and the reasons for them, found out without a Vulkan device.

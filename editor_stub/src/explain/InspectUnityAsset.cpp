@@ -1,10 +1,9 @@
 #include "explain/InspectReport.h"
 
 #include "settings/ShadowKeys.h"
-#include "unity/UnityProject.h"
+#include "unity/UnityDatabase.h"
 
 #include <algorithm>
-#include <limn/volume/UnityAsset.h>
 
 namespace limn
 {
@@ -14,17 +13,15 @@ namespace
 
 constexpr int k_Material = 21;
 
-/// Shaders of URP, whose .meta files are in no project. (URP 7 to 17)
-constexpr std::pair<std::string_view, std::string_view> k_PackageShaders[] = {
-    {"933532a4fcc9baf4fa0491de14d08ed7", "Universal Render Pipeline/Lit"},
-    {"650dd9526735d5b46b79224bc6e94025", "Universal Render Pipeline/Unlit"},
-    {"8d2bb70cbf9db8d4da26e15b26e74248", "Universal Render Pipeline/Simple Lit"},
-    {"ee7e4c9a5f6364b688a332c67fc32cca", "Universal Render Pipeline/Complex Lit"},
-    {"0ca6dca7396eb48e5849247ffd444914", "Universal Render Pipeline/Baked Lit"},
-    {"b7839dad95683814aa64166edc107ae2", "Universal Render Pipeline/Particles/Lit"},
-    {"8516d7a69675844a7a0b7095af7c46af", "Universal Render Pipeline/Particles/Simple Lit"},
-    {"0406db5a14f94604a8c57ccfbc9f3b46", "Universal Render Pipeline/Particles/Unlit"},
-    {"69c1f799e772cb6438f56c23efccb782", "Universal Render Pipeline/Terrain/Lit"}};
+/// Returns the name of a shader of Unity's own, whose .meta file is in no project; "" for others.
+std::string_view NameOfUnityShader(const UnityReference& reference)
+{
+    const UnityKnownAsset known = FindKnownAsset(reference);
+    return reference.guid == "69c1f799e772cb6438f56c23efccb782"
+               ? "Universal Render Pipeline/Terrain/Lit"
+           : known.kind == UnityPackageAsset::Shader ? known.name
+                                                     : "";
+}
 
 /// Settings of a pipeline that are the editor's, or that Unity itself reads no more.
 bool IsUnread(std::string_view key)
@@ -77,17 +74,11 @@ void Add(InspectedGroup& group, std::string header, std::string name, std::strin
     value.hasDefault = false;
 }
 
-/// The first object of a class; KindOfUnityAsset has found that there is one.
-std::optional<UnityObject> FindOfClass(const UnityAsset& asset, int classID)
+std::optional<UnityObject> FindMaterial(const UnityAsset& asset)
 {
-    for (const UnityHeader& header : asset.headers())
-    {
-        if (header.classID == classID)
-        {
-            return asset.Read(header);
-        }
-    }
-    return std::nullopt;
+    const auto headers = asset.headers();
+    const auto found = std::ranges::find(headers, k_Material, &UnityHeader::classID);
+    return found == headers.end() ? std::nullopt : std::optional(asset.Read(*found));
 }
 
 void AddRenderers(const UnityObject& pipeline, const UnityProject& project, InspectedGroup& group)
@@ -121,15 +112,13 @@ MaterialShader FindShaderOf(const UnityObject& material, const UnityProject& pro
         return {"none", "", nullptr};
     }
     const std::string guid = ReadGuid(*reference);
-    for (const auto& [packageGuid, name] : k_PackageShaders)
+    const std::string_view name = NameOfUnityShader({*ReadFileID(*reference), guid});
+    if (!name.empty())
     {
-        if (guid == packageGuid)
-        {
-            const std::shared_ptr<const Shader> shader = assets.FindShader(name);
-            return {std::string(name),
-                    shader ? "limn's own of this name is drawn with" : "limn has none of this name",
-                    shader};
-        }
+        const std::shared_ptr<const Shader> shader = assets.FindShader(name);
+        return {std::string(name),
+                shader ? "limn's own of this name is drawn with" : "limn has none of this name",
+                shader};
     }
     const std::string file = FileOf(*reference, project);
     const std::filesystem::path* path = project.Find(guid);
@@ -191,7 +180,7 @@ std::string KindOfUnityAsset(const UnityAsset& asset)
             return kind;
         }
     }
-    if (FindOfClass(asset, k_Material))
+    if (FindMaterial(asset))
     {
         return "material";
     }
@@ -262,7 +251,8 @@ InspectedGroup InspectRenderer(const UnityAsset& asset)
 
 InspectedGroup InspectMaterial(const UnityAsset& asset, AssetContext& assets)
 {
-    const UnityObject material = *FindOfClass(asset, k_Material);
+    // KindOfUnityAsset has found that there is one.
+    const UnityObject material = *FindMaterial(asset);
     const UnityProject project(asset.file());
     InspectedGroup group{"Material", material.name, true, {}};
     const MaterialShader shader = FindShaderOf(material, project, assets);

@@ -1,5 +1,6 @@
 #include "explain/RenderReports.h"
 #include "console/Json.h"
+#include "console/Texts.h"
 #include "explain/ExplainedFrame.h"
 
 #include <limn/base/WriteFile.h>
@@ -130,27 +131,16 @@ Json FilterCountsJson(const DrawRenderersReport& draw)
 /// The textures that passes draw into, once each.
 Json Attachments(const CompiledFrame& frame)
 {
-    Json attachments = Json::array();
-    const auto add = [&attachments](const RenderTexture& texture)
-    {
-        const Json entry{{"name", texture.name()},
-                         {"width", texture.width()},
-                         {"height", texture.height()},
-                         {"format", ToString(texture.graphicsFormat())}};
-        if (std::ranges::find(attachments, entry) == attachments.end())
-        {
-            attachments.push_back(entry);
-        }
-    };
+    std::vector<Json> attachments;
     for (const CompiledRenderPass& pass : frame.passes)
     {
-        for (const ColorAttachment& color : pass.colors)
+        for (const auto& texture : TargetTextures(pass))
         {
-            add(*color.texture);
-        }
-        if (pass.depth)
-        {
-            add(*pass.depth->texture);
+            AddOnce(Json{{"name", texture->name()},
+                         {"width", texture->width()},
+                         {"height", texture->height()},
+                         {"format", ToString(texture->graphicsFormat())}},
+                    attachments);
         }
     }
     return attachments;

@@ -15,15 +15,6 @@ namespace limn
 /// The lines of a text for people, without their ends.
 using TextLines = std::vector<std::string>;
 
-/// Adds the text if it is not in the list already.
-inline void AddOnce(const std::string& text, TextLines& texts)
-{
-    if (std::ranges::find(texts, text) == texts.end())
-    {
-        texts.push_back(text);
-    }
-}
-
 /// Returns the text of each item.
 template <typename Items, typename TextOf>
 TextLines LinesOf(const Items& items, const TextOf& textOf)

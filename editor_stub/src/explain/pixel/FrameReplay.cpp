@@ -85,13 +85,17 @@ void FrameReplay::AddPass(const CompiledRenderPass& pass)
 
 void FrameReplay::BindTargets(const CompiledRenderPass& pass, bool clearsUndefined)
 {
+    const auto isCleared = [&](LoadOp load)
+    {
+        return load == LoadOp::Clear || (load == LoadOp::DontCare && clearsUndefined);
+    };
     for (const ColorAttachment& color : pass.colors)
     {
-        const bool isUndefined = color.load == LoadOp::DontCare && clearsUndefined;
-        if (color.load == LoadOp::Clear || isUndefined) // each to its own colour
+        if (isCleared(color.load)) // each to its own colour
         {
             Add(SetRenderTargetCommand{{color.texture}, nullptr});
-            Add(ClearCommand{ClearFlag::Color, isUndefined ? Color::clear : color.clearColor});
+            Add(ClearCommand{ClearFlag::Color,
+                             color.load == LoadOp::Clear ? color.clearColor : Color::clear});
         }
     }
     SetRenderTargetCommand targets;
@@ -105,10 +109,6 @@ void FrameReplay::BindTargets(const CompiledRenderPass& pass, bool clearsUndefin
     if (pass.depth)
     {
         const DepthAttachment& depth = *pass.depth;
-        const auto isCleared = [&](LoadOp load)
-        {
-            return load == LoadOp::Clear || (load == LoadOp::DontCare && clearsUndefined);
-        };
         const ClearFlag flags =
             (isCleared(depth.load) ? ClearFlag::Depth : ClearFlag::None) |
             (isCleared(depth.stencilLoad) ? ClearFlag::Stencil : ClearFlag::None);
@@ -128,10 +128,8 @@ std::vector<Image> FrameReplay::Run(GraphicsDevice& device,
 {
     device.Execute(Compile(outputs));
     std::vector<Image> images;
-    for (const auto& output : outputs)
-    {
-        images.push_back(device.ReadBack(*output));
-    }
+    std::ranges::transform(outputs, std::back_inserter(images),
+                           [&](const auto& output) { return device.ReadBack(*output); });
     return images;
 }
 

@@ -1,5 +1,8 @@
 #include "explain/pixel/PassProbe.h"
 
+#include "explain/ExplainedFrame.h"
+#include "shaders/UsedShaders.h"
+
 #include <algorithm>
 
 namespace limn
@@ -7,37 +10,6 @@ namespace limn
 
 namespace
 {
-
-constexpr std::string_view k_White = R"(Shader "Hidden/limn/White"
-{
-    SubShader
-    {
-        Pass
-        {
-            HLSLPROGRAM
-            #pragma vertex Nowhere
-            #pragma fragment White
-
-            float4 Nowhere() : SV_POSITION
-            {
-                return 0;
-            }
-
-            float4 White() : SV_Target
-            {
-                return 1;
-            }
-            ENDHLSL
-        }
-    }
-}
-)";
-
-bool Contains(const ViewportRect& rect, const ViewportRect& texel)
-{
-    return texel.x >= rect.x && texel.y >= rect.y && texel.x - rect.x < rect.width &&
-           texel.y - rect.y < rect.height;
-}
 
 /// Returns whether instances differ in what shaders get to know of them: then each can be drawn
 /// alone.
@@ -64,8 +36,7 @@ bool HasColorOutput(const ShaderProgram& program)
            (layout.outputTypes.empty() || layout.outputTypes.front() == UniformType::Float);
 }
 
-} // namespace
-
+/// Returns a pass's steps in their order.
 std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables& tables)
 {
     std::vector<PassStep> steps;
@@ -107,8 +78,10 @@ std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables&
     return steps;
 }
 
+} // namespace
+
 CoverPrograms::CoverPrograms(const std::shared_ptr<ShaderCompiler>& compiler)
-    : m_WhiteSpirv(Shader::FromText(k_White, "White.shader", compiler)->Compile(0)->fragmentSpirv)
+    : m_WhiteSpirv(MakePlainShader("1, 1, 1, 1", compiler)->Compile(0)->fragmentSpirv)
 {
 }
 
@@ -177,11 +150,10 @@ DrawCommand PassProbe::AtTexel(const PassStep& step) const
 
 RenderTextureDescriptor PassProbe::ProbeDescriptor(GraphicsFormat format) const
 {
-    const RenderTexture& target =
-        pass().colors.empty() ? *pass().depth->texture : *pass().colors.front().texture;
+    const RenderTextureDescriptor target = TargetTextures(pass()).front()->descriptor();
     RenderTextureDescriptor descriptor(pass().width, pass().height, format);
-    descriptor.msaaSamples = target.descriptor().msaaSamples;
-    descriptor.isTopRowFirst = target.descriptor().isTopRowFirst;
+    descriptor.msaaSamples = target.msaaSamples;
+    descriptor.isTopRowFirst = target.isTopRowFirst;
     return descriptor;
 }
 
@@ -338,16 +310,7 @@ std::vector<std::byte> PassProbe::TexelAfter(FrameReplay& replay, const Target& 
 
 TargetTexels PassProbe::After(std::size_t count) const
 {
-    std::vector<std::shared_ptr<const RenderTexture>> outputs;
-    for (const ColorAttachment& color : pass().colors)
-    {
-        outputs.push_back(color.texture);
-    }
-    if (pass().depth)
-    {
-        outputs.push_back(pass().depth->texture);
-    }
-    const std::vector<Image> images = Begin(count).Run(m_Device, outputs);
+    const std::vector<Image> images = Begin(count).Run(m_Device, TargetTextures(pass()));
     TargetTexels texels;
     for (std::size_t i = 0; i < pass().colors.size(); ++i)
     {
@@ -377,7 +340,9 @@ bool PassProbe::LiesInScissor(std::size_t which) const
 
 bool PassProbe::LiesIn(const ViewportRect& rect) const
 {
-    return Contains(rect, TexelRect());
+    const ViewportRect texel = TexelRect();
+    return texel.x >= rect.x && texel.y >= rect.y && texel.x - rect.x < rect.width &&
+           texel.y - rect.y < rect.height;
 }
 
 bool PassProbe::Reaches(std::size_t which, CullMode cull) const

@@ -25,9 +25,6 @@ struct PassStep
     std::string sample;                   ///< the innermost sample that it was recorded in
 };
 
-/// Returns a pass's steps in their order.
-std::vector<PassStep> StepsOf(const CompiledRenderPass& pass, const FrameTables& tables);
-
 /// The bytes that a pass's targets hold at a texel.
 struct TargetTexels
 {

@@ -1,12 +1,11 @@
 #include "explain/pixel/PassTrace.h"
 
+#include "explain/ExplainedFrame.h"
 #include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
 #include <limn/core/ComputeShader.h>
-#include <limn/core/Shader.h>
 #include <map>
 
 namespace limn
@@ -35,11 +34,6 @@ bool HasDraws(const CompiledRenderPass& pass)
 {
     return std::ranges::any_of(pass.commands, [](const PassCommand& command)
                                { return std::holds_alternative<DrawCommand>(command); });
-}
-
-const RenderTexture& FirstTarget(const CompiledRenderPass& pass)
-{
-    return pass.colors.empty() ? *pass.depth->texture : *pass.colors.front().texture;
 }
 
 bool Clears(const CompiledRenderPass& pass)
@@ -97,15 +91,20 @@ bool MindUndefined(PixelEvent& event)
 class FrameTrace
 {
 public:
-    FrameTrace(const TracedFrame& traced, VulkanDevice& device, PixelHistory& history)
-        : m_Traced(traced), m_Device(device), m_History(history), m_Covers(m_Traced.compiler)
+    FrameTrace(const TracedScene& scene, const std::shared_ptr<ShaderCompiler>& compiler,
+               VulkanDevice& device, PixelHistory& history)
+        : m_Scene(scene),
+          m_Frame(*scene.result.frame),
+          m_Device(device),
+          m_History(history),
+          m_Covers(compiler)
     {
         FindRun();
     }
 
     TracedObjects Run(const std::function<void(const std::string&)>& progress)
     {
-        const std::vector<CompiledRenderPass>& passes = m_Traced.frame.passes;
+        const std::vector<CompiledRenderPass>& passes = m_Frame.passes;
         for (std::size_t i = 0; i < passes.size(); ++i)
         {
             if (progress)
@@ -136,12 +135,12 @@ private:
 
     void FindRun()
     {
-        FrameReplay all(m_Traced.frame);
-        for (const CompiledRenderPass& pass : m_Traced.frame.passes)
+        FrameReplay all(m_Frame);
+        for (const CompiledRenderPass& pass : m_Frame.passes)
         {
             all.AddPass(pass);
         }
-        const CompiledFrame run = all.Compile(std::span(&m_Traced.output, 1));
+        const CompiledFrame run = all.Compile(std::span(&m_Scene.result.output.rt(), 1));
         for (const CompiledRenderPass& pass : run.passes)
         {
             for (const PassCommand& command : pass.commands)
@@ -176,42 +175,34 @@ private:
 
     bool IsElsewhere(const CompiledRenderPass& pass)
     {
-        const RenderTexture& target = FirstTarget(pass);
-        if (IsPicture(target) && !ShowsShadows(pass, m_Traced.frame))
+        const auto target = TargetTextures(pass).front();
+        if (IsPicture(*target) && !ShowsShadows(pass, m_Frame))
         {
             return false;
         }
         if (HasDraws(pass))
         {
-            m_History.elsewhere.push_back({pass.Title(), target.name(), target.DescribeSize()});
+            m_History.elsewhere.push_back({pass.Title(), target->name(), target->DescribeSize()});
         }
         return true;
     }
 
-    /// Returns what is known of a texture; nothing if no pass was seen to write it.
-    Known KnownOf(const RenderTexture& texture) const
-    {
-        const auto known = m_Known.find(texture.id());
-        return known == m_Known.end() ? Known() : known->second;
-    }
-
-    TargetTexels BeforeFirst(const CompiledRenderPass& pass, const PassProbe& probe) const
+    /// Returns what is known of the pass's targets; nothing of those that no pass was seen to
+    /// write.
+    TargetTexels KnownOf(const CompiledRenderPass& pass)
     {
         TargetTexels known;
-        bool isAll = !Clears(pass);
         for (const ColorAttachment& color : pass.colors)
         {
-            known.colors.push_back(KnownOf(*color.texture).texel);
-            isAll = isAll && !known.colors.back().empty();
+            known.colors.push_back(m_Known[color.texture->id()].texel);
         }
         if (pass.depth)
         {
-            const Known depth = KnownOf(*pass.depth->texture);
+            const Known& depth = m_Known[pass.depth->texture->id()];
             known.depth = depth.texel;
             known.stencil = depth.stencil;
-            isAll = isAll && !known.depth.empty();
         }
-        return isAll ? known : probe.After(0);
+        return known;
     }
 
     void Remember(const CompiledRenderPass& pass, const TargetTexels& texels)
@@ -228,22 +219,36 @@ private:
 
     void TraceDraws(std::size_t index)
     {
-        const CompiledRenderPass& pass = m_Traced.frame.passes[index];
-        const auto [x, y] = PlaceIn(FirstTarget(pass));
-        const PassProbe probe(m_Traced.frame, index, x, y, m_Device, m_Covers);
+        const CompiledRenderPass& pass = m_Frame.passes[index];
+        const auto [x, y] = PlaceIn(*TargetTextures(pass).front());
+        const PassProbe probe(m_Frame, index, x, y, m_Device, m_Covers);
         CountSteps(pass, probe);
         if (probe.reaching().empty() && !Clears(pass))
         {
             return;
         }
-        TargetTexels before = BeforeFirst(pass, probe);
-        AddClear(pass, before);
+        TargetTexels before = KnownOf(pass);
+        const bool areAllKnown = !(pass.depth && before.depth.empty()) &&
+                                 std::ranges::none_of(before.colors, &Texels::empty);
+        if (Clears(pass))
+        {
+            const TargetTexels cleared = probe.After(0);
+            PixelEvent& event = m_History.events.emplace_back();
+            event.fate = PixelFate::Cleared;
+            event.pass = pass.name;
+            AddValues(pass, before, cleared, event, true);
+            before = cleared;
+        }
+        else if (!areAllKnown)
+        {
+            before = probe.After(0);
+        }
         bool isUndefined = HoldsNothing(pass);
         for (std::size_t which = 0; which < probe.reaching().size(); ++which)
         {
             const TargetTexels after = probe.After(which + 1);
             PixelEvent event = EventOf(pass, probe, which);
-            AddValues(pass, before, after, event);
+            AddValues(pass, before, after, event, false);
             if (event.fate == PixelFate::Drawn && !IsChanged(event))
             {
                 ExplainUnchanged(probe, which, before, event);
@@ -271,7 +276,7 @@ private:
             m_Objects.drawn.insert(objects.begin(), objects.end());
             if (objects.empty() && !std::ranges::binary_search(probe.reaching(), i))
             {
-                AddUncovered(step, m_Traced.frame.Setup(*draw));
+                AddUncovered(step, m_Frame.Setup(*draw));
             }
         }
     }
@@ -303,38 +308,6 @@ private:
         std::tie(event.fate, event.reason) = WhyUnchanged(probe, which, before, isOutside);
     }
 
-    void AddClear(const CompiledRenderPass& pass, const TargetTexels& first)
-    {
-        if (!Clears(pass))
-        {
-            return;
-        }
-        PixelEvent event;
-        event.fate = PixelFate::Cleared;
-        event.pass = pass.name;
-        for (std::size_t i = 0; i < pass.colors.size(); ++i)
-        {
-            const RenderTexture& texture = *pass.colors[i].texture;
-            if (pass.colors[i].load == LoadOp::Clear)
-            {
-                event.colors.push_back(ValueIn(texture, texture.graphicsFormat(),
-                                               KnownOf(texture).texel, first.colors[i]));
-            }
-        }
-        if (pass.depth && pass.depth->load == LoadOp::Clear)
-        {
-            const RenderTexture& texture = *pass.depth->texture;
-            event.depth = ValueIn(texture, k_DepthFormat, KnownOf(texture).texel, first.depth);
-        }
-        if (pass.depth && pass.depth->stencilLoad == LoadOp::Clear && !first.stencil.empty())
-        {
-            const RenderTexture& texture = *pass.depth->texture;
-            event.stencil =
-                ValueIn(texture, k_StencilFormat, KnownOf(texture).stencil, first.stencil);
-        }
-        m_History.events.push_back(std::move(event));
-    }
-
     PixelEvent EventOf(const CompiledRenderPass& pass, const PassProbe& probe, std::size_t which)
     {
         const PassStep& step = probe.steps()[probe.reaching()[which]];
@@ -346,14 +319,14 @@ private:
         {
             return event;
         }
-        const DrawSetup& setup = m_Traced.frame.Setup(*draw);
+        const DrawSetup& setup = m_Frame.Setup(*draw);
         const std::set<std::uint32_t> objects = ObjectsOf(*draw, step);
         m_Objects.reaching.insert(objects.begin(), objects.end());
         for (const std::uint32_t object : objects)
         {
-            event.objects.push_back(m_Traced.objects[object]->name);
+            event.objects.push_back(m_Scene.objects[object]->name);
         }
-        const std::shared_ptr<const Mesh>& mesh = m_Traced.frame.MeshOf(*draw);
+        const std::shared_ptr<const Mesh>& mesh = m_Frame.MeshOf(*draw);
         event.mesh = mesh ? mesh->name() : "";
         event.shader = setup.shader->name();
         event.shaderPass = setup.shaderPass;
@@ -376,23 +349,28 @@ private:
                 TexelValue(after, format)};
     }
 
+    /// @param isOfClears  true for the values of targets alone that the pass begins with clearing
     void AddValues(const CompiledRenderPass& pass, const TargetTexels& before,
-                   const TargetTexels& after, PixelEvent& event) const
+                   const TargetTexels& after, PixelEvent& event, bool isOfClears) const
     {
         for (std::size_t i = 0; i < pass.colors.size(); ++i)
         {
             const RenderTexture& texture = *pass.colors[i].texture;
-            event.colors.push_back(
-                ValueIn(texture, texture.graphicsFormat(), before.colors[i], after.colors[i]));
-        }
-        if (pass.depth)
-        {
-            const RenderTexture& texture = *pass.depth->texture;
-            event.depth = ValueIn(texture, k_DepthFormat, before.depth, after.depth);
-            if (!after.stencil.empty())
+            if (!isOfClears || pass.colors[i].load == LoadOp::Clear)
             {
-                event.stencil = ValueIn(texture, k_StencilFormat, before.stencil, after.stencil);
+                event.colors.push_back(
+                    ValueIn(texture, texture.graphicsFormat(), before.colors[i], after.colors[i]));
             }
+        }
+        if (pass.depth && (!isOfClears || pass.depth->load == LoadOp::Clear))
+        {
+            event.depth = ValueIn(*pass.depth->texture, k_DepthFormat, before.depth, after.depth);
+        }
+        if (pass.depth && (!isOfClears || pass.depth->stencilLoad == LoadOp::Clear) &&
+            !after.stencil.empty())
+        {
+            event.stencil =
+                ValueIn(*pass.depth->texture, k_StencilFormat, before.stencil, after.stencil);
         }
     }
 
@@ -400,22 +378,21 @@ private:
     /// draws a mesh where an object is that has it.
     std::set<std::uint32_t> ObjectsOf(const DrawCommand& draw, const PassStep& step) const
     {
-        const CompiledFrame& frame = m_Traced.frame;
         std::set<std::uint32_t> found;
         for (std::uint32_t i = 0; i < step.instanceCount && draw.drawsObjects; ++i)
         {
-            found.insert(frame.Element(draw.firstInstance + step.firstInstance + i));
+            found.insert(m_Frame.Element(draw.firstInstance + step.firstInstance + i));
         }
-        const std::shared_ptr<const Mesh>& mesh = frame.MeshOf(draw);
-        if (draw.drawsObjects || !mesh || !frame.objects)
+        const std::shared_ptr<const Mesh>& mesh = m_Frame.MeshOf(draw);
+        if (draw.drawsObjects || !mesh || !m_Frame.objects)
         {
             return found;
         }
-        const PerDrawData own = frame.PerDraw(draw, step.firstInstance);
-        for (std::uint32_t i = 0; i < m_Traced.objects.size(); ++i)
+        const PerDrawData own = m_Frame.PerDraw(draw, step.firstInstance);
+        for (std::uint32_t i = 0; i < m_Scene.objects.size(); ++i)
         {
-            const auto& renderer = m_Traced.objects[i]->renderer;
-            if (renderer && renderer->mesh == mesh && SamePlace(frame.objects->Get(i), own))
+            const auto& renderer = m_Scene.objects[i]->renderer;
+            if (renderer && renderer->mesh == mesh && SamePlace(m_Frame.objects->Get(i), own))
             {
                 found.insert(i);
             }
@@ -428,7 +405,7 @@ private:
     {
         for (const std::uint32_t place : objects)
         {
-            const MeshRenderer& renderer = *m_Traced.objects[place]->renderer;
+            const MeshRenderer& renderer = *m_Scene.objects[place]->renderer;
             const int last = renderer.mesh->subMeshCount() - 1;
             for (std::size_t slot = 0; slot < renderer.sharedMaterials.size(); ++slot)
             {
@@ -440,7 +417,7 @@ private:
                 }
             }
         }
-        for (const DrawRenderersReport& report : m_Traced.report.draws)
+        for (const DrawRenderersReport& report : m_Scene.result.report.draws)
         {
             const std::shared_ptr<const Material>& material = report.drawing.overrideMaterial;
             if (draw.drawsObjects && material && report.pass == pass &&
@@ -454,7 +431,7 @@ private:
 
     void TraceDispatches(std::size_t index)
     {
-        const CompiledRenderPass& pass = m_Traced.frame.passes[index];
+        const CompiledRenderPass& pass = m_Frame.passes[index];
         for (const PassCommand& command : pass.commands)
         {
             const auto* dispatch = std::get_if<DispatchCommand>(&command);
@@ -462,7 +439,7 @@ private:
             {
                 continue;
             }
-            const DispatchSetup& setup = m_Traced.frame.Setup(*dispatch);
+            const DispatchSetup& setup = m_Frame.Setup(*dispatch);
             for (const StorageTextureSlot& slot : setup.bindings->storageTextures)
             {
                 if (IsPicture(*slot.texture))
@@ -482,16 +459,16 @@ private:
     void TraceWrite(std::size_t index, const DispatchSetup& setup,
                     const std::shared_ptr<const RenderTexture>& texture)
     {
-        FrameReplay replay(m_Traced.frame);
+        FrameReplay replay(m_Frame);
         for (std::size_t i = 0; i <= index; ++i)
         {
-            replay.AddPass(m_Traced.frame.passes[i]);
+            replay.AddPass(m_Frame.passes[i]);
         }
         const auto [x, y] = PlaceIn(*texture);
         Texels& known = m_Known[texture->id()].texel;
         const Texels after = TexelAt(replay.Run(m_Device, std::span(&texture, 1)).front(), x, y);
         PixelEvent event;
-        event.pass = m_Traced.frame.passes[index].name;
+        event.pass = m_Frame.passes[index].name;
         event.shader = setup.shader->name();
         event.shaderPass = setup.kernel;
         event.shaderPassName = setup.shader->kernelName(setup.kernel);
@@ -503,7 +480,8 @@ private:
         m_History.events.push_back(std::move(event));
     }
 
-    const TracedFrame& m_Traced;
+    const TracedScene& m_Scene;
+    const CompiledFrame& m_Frame;
     VulkanDevice& m_Device;
     PixelHistory& m_History;
     CoverPrograms m_Covers;
@@ -516,10 +494,11 @@ private:
 
 } // namespace
 
-TracedObjects TraceFrame(const TracedFrame& traced, VulkanDevice& device, PixelHistory& history,
+TracedObjects TraceFrame(const TracedScene& scene, const std::shared_ptr<ShaderCompiler>& compiler,
+                         VulkanDevice& device, PixelHistory& history,
                          const std::function<void(const std::string&)>& progress)
 {
-    return FrameTrace(traced, device, history).Run(progress);
+    return FrameTrace(scene, compiler, device, history).Run(progress);
 }
 
 } // namespace limn

@@ -2,22 +2,20 @@
 
 #include "explain/pixel/PixelHistory.h"
 
-#include <limn/core/CompiledFrame.h>
-#include <limn/core/RenderReport.h>
-#include <limn/core/Shader.h>
+#include <limn/core/Culling.h>
+#include <limn/core/UniversalRenderPipeline.h>
 #include <set>
 
 namespace limn
 {
 
-/// A recorded frame, and what it shows.
-struct TracedFrame
+/// The parts of a scene that outlive its move into a view, and its frame.
+struct TracedScene
 {
-    const CompiledFrame& frame;
-    const RenderReport& report;
-    const std::vector<const GameObject*>& objects; ///< all objects of the scene
-    std::shared_ptr<const RenderTexture> output;
-    std::shared_ptr<ShaderCompiler> compiler;
+    std::vector<const GameObject*> objects; ///< all objects of the scene
+    Camera camera;
+    CullingResults culled;
+    RenderResult result;
 };
 
 /// The objects that passes of the picture draw, as indices in the scene.
@@ -30,7 +28,8 @@ struct TracedObjects
 /// Goes through a frame's passes and finds out what each does at one pixel.
 /// @param history   has the pixel and the size; receives all that passes do
 /// @param progress  as TracePixel
-TracedObjects TraceFrame(const TracedFrame& traced, VulkanDevice& device, PixelHistory& history,
+TracedObjects TraceFrame(const TracedScene& scene, const std::shared_ptr<ShaderCompiler>& compiler,
+                         VulkanDevice& device, PixelHistory& history,
                          const std::function<void(const std::string&)>& progress);
 
 } // namespace limn

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limn/core/Culling.h>
 #include <limn/editor_stub/Raycast.h>
 #include <limn/vulkan/VulkanDevice.h>
 #include <map>
@@ -17,15 +16,6 @@ namespace limn
 
 namespace
 {
-
-/// The parts of a scene that outlive its move into a view, and its frame.
-struct TracedScene
-{
-    std::vector<const GameObject*> objects;
-    Camera camera;
-    CullingResults culled;
-    RenderResult result;
-};
 
 /// Finds the objects that lie at the pixel, whether anything draws them or not; by their places.
 std::set<std::size_t> FindOnRay(const TracedScene& scene,
@@ -149,10 +139,7 @@ PixelHistory TracePixel(SceneAsset asset, const AssetContext& assets, VulkanDevi
     history.notes = scene.result.report.notes;
     AddColor(device.ReadBack(*scene.result.output.rt()), history);
 
-    const TracedObjects traced =
-        TraceFrame({*scene.result.frame, scene.result.report, scene.objects,
-                    scene.result.output.rt(), assets.compiler()},
-                   device, history, progress);
+    const TracedObjects traced = TraceFrame(scene, assets.compiler(), device, history, progress);
     AddObjects(scene, traced, history);
     return history;
 }

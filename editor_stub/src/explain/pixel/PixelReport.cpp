@@ -1,11 +1,9 @@
 #include "explain/pixel/PixelHistory.h"
 
-#include "console/Json.h"
 #include "explain/TextLines.h"
 #include "explain/pixel/PassProbe.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <map>
 
@@ -35,8 +33,7 @@ std::string NamesText(const TextLines& names, std::size_t most)
 
 bool IsRejected(const PixelEvent& event)
 {
-    return event.fate != PixelFate::Cleared && event.fate != PixelFate::Drawn &&
-           event.fate != PixelFate::Dispatched;
+    return event.fate >= PixelFate::Scissor; // the first behind those that change something
 }
 
 /// "Piece", "the mesh 'Quad'" or "the full screen"
