@@ -74,8 +74,7 @@ std::string AbsenceOf(const GameObject& object, const Camera& camera)
 bool IsOfShadows(const DrawRenderersReport& draw)
 {
     static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
-    return std::ranges::find(draw.drawing.shaderTagIds, k_ShadowCaster) !=
-           draw.drawing.shaderTagIds.end();
+    return std::ranges::count(draw.drawing.shaderTagIds, k_ShadowCaster) > 0;
 }
 
 using ItemsOfObjects = std::unordered_map<const GameObject*, std::vector<RendererItem>>;

@@ -150,19 +150,17 @@ std::string VolumesText(const Explanation& explanation, bool isLong)
 TextLines CountsOf(const RenderReport& report, SampleName pass)
 {
     TextLines counts;
-    for (const auto* filters : {&report.filters, &report.draws})
+    const auto add = [&](const DrawRenderersReport& filter)
     {
-        for (const DrawRenderersReport& filter : *filters)
+        if (filter.pass == pass)
         {
-            if (filter.pass == pass)
-            {
-                counts.push_back(CountsText(filter.counts));
-            }
+            counts.push_back(CountsText(filter.counts));
         }
-        if (!counts.empty())
-        {
-            break;
-        }
+    };
+    std::ranges::for_each(report.filters, add);
+    if (counts.empty())
+    {
+        std::ranges::for_each(report.draws, add);
     }
     return counts;
 }

@@ -7,7 +7,6 @@
 #include <limn/base/WriteFile.h>
 
 #include <algorithm>
-#include <array>
 #include <system_error>
 
 namespace limn
@@ -253,8 +252,7 @@ std::string FrameGraph(const ExplainedFrame& frame)
 
 bool IsGraphFile(const std::filesystem::path& path)
 {
-    constexpr std::array k_Endings{".dot", ".svg", ".png", ".pdf"};
-    return std::ranges::find(k_Endings, path.extension()) != k_Endings.end();
+    return IsIn(path.extension().string(), {".dot", ".svg", ".png", ".pdf"});
 }
 
 void WriteGraph(const std::filesystem::path& path, const std::string& graph)

@@ -370,10 +370,8 @@ std::vector<std::string> KnownNames(const AssetContext& assets)
     {
         names.insert(names.end(), known.begin(), known.end());
     }
-    for (const std::string_view name : ShippedShaders().names())
-    {
-        names.emplace_back(name);
-    }
+    const auto shipped = ShippedShaders().names();
+    names.insert(names.end(), shipped.begin(), shipped.end());
     return names;
 }
 

@@ -191,13 +191,9 @@ void ReplaceShaders(Scene& scene, const ShaderProblems& broken,
     replace(scene.skybox);
     for (const auto& object : scene.objects())
     {
-        if (!object->renderer)
+        if (object->renderer)
         {
-            continue;
-        }
-        for (std::shared_ptr<const Material>& material : object->renderer->sharedMaterials)
-        {
-            replace(material);
+            std::ranges::for_each(object->renderer->sharedMaterials, replace);
         }
     }
 }

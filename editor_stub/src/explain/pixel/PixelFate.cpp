@@ -10,20 +10,6 @@ namespace limn
 namespace
 {
 
-/// Returns the state without the tests behind the fragment function.
-PipelineState Untested(PipelineState state)
-{
-    state.zTest = CompareFunction::Always;
-    state.zWrite = false;
-    state.stencilEnabled = false;
-    return state;
-}
-
-bool TestsDepth(const PipelineState& state)
-{
-    return state.zTest != CompareFunction::Always && state.zTest != CompareFunction::Disabled;
-}
-
 std::string CullReason(CullMode cull)
 {
     return cull == CullMode::Back
@@ -112,7 +98,10 @@ std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size
     {
         return {PixelFate::Culled, CullReason(state.cull)};
     }
-    PipelineState tried = Untested(state);
+    PipelineState tried = state; // without the tests behind the fragment function
+    tried.zTest = CompareFunction::Always;
+    tried.zWrite = false;
+    tried.stencilEnabled = false;
     if (!probe.Passes(which, tried))
     {
         return {PixelFate::Discarded, state.alphaToMask
@@ -125,7 +114,9 @@ std::pair<PixelFate, std::string> WhyUnchanged(const PassProbe& probe, std::size
         const bool isFront = state.cull != CullMode::Front && probe.Reaches(which, CullMode::Back);
         return {PixelFate::Stencil, StencilReason(state, isFront, before)};
     }
-    if (TestsDepth(state) && !before.depth.empty() && !probe.Passes(which, state))
+    const bool testsDepth =
+        state.zTest != CompareFunction::Always && state.zTest != CompareFunction::Disabled;
+    if (testsDepth && !before.depth.empty() && !probe.Passes(which, state))
     {
         return {PixelFate::Depth, DepthReason(state, probe.DepthOf(which), before)};
     }

@@ -335,8 +335,12 @@ private:
             }
             if (open.empty() || open.back()->text[0] != k_Opening[kind])
             {
-                Fail(token.location, "'" + std::string(token.text) + "' closes nothing" +
-                                         (open.empty() ? "" : NameOpen(*open.back())));
+                const std::string other =
+                    open.empty()
+                        ? ""
+                        : "; '" + std::string(open.back()->text) + "' of line " +
+                              std::to_string(open.back()->location.line) + " is still open";
+                Fail(token.location, "'" + std::string(token.text) + "' closes nothing" + other);
             }
             open.back()->match = &token - open.back();
             token.match = -open.back()->match;
@@ -346,11 +350,6 @@ private:
         {
             Fail(open.back()->location, "'" + std::string(open.back()->text) + "' is never closed");
         }
-    }
-    static std::string NameOpen(const CSharpToken& open)
-    {
-        return "; '" + std::string(open.text) + "' of line " + std::to_string(open.location.line) +
-               " is still open";
     }
 
     std::string_view m_Text;
