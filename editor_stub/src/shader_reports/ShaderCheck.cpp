@@ -85,7 +85,8 @@ public:
             checked.isUsed = used == static_cast<int>(m_Check.subShaders.size()) - 1;
             for (const ShaderLabPass& pass : subShader.passes)
             {
-                checked.passes.push_back(CheckPass(subShader, pass, m_Check.diagnostics));
+                checked.passes.push_back(
+                    CheckPass(subShader, {m_Check.document, &pass}, m_Check.diagnostics));
                 if (checked.isUsed && m_Shaders && pass.kind == ShaderLabPassKind::UsePass)
                 {
                     checked.passes.back().use = CheckUse(subShader, pass);
@@ -132,8 +133,8 @@ private:
 
     /// Returns the pass that is used, or null after a diagnostic. A fault of that pass is an error
     /// of its own file; here it is a warning.
-    std::shared_ptr<const CheckedUse> CheckUse(const ShaderLabSubShader& subShader,
-                                               const ShaderLabPass& usePass)
+    std::shared_ptr<const CheckedPass> CheckUse(const ShaderLabSubShader& subShader,
+                                                const ShaderLabPass& usePass)
     {
         std::vector<Diagnostic> errors;
         std::optional<ShaderLabPass> pass =
@@ -149,27 +150,28 @@ private:
             Add(m_Check.diagnostics, errors);
             return nullptr;
         }
-        auto use = std::make_shared<CheckedUse>();
-        use->pass = std::move(*pass);
         std::vector<Diagnostic> diagnostics;
-        use->check = CheckPass(subShader, use->pass, diagnostics);
-        if (!use->check.reason.empty())
+        auto use = std::make_shared<const CheckedPass>(CheckPass(
+            subShader, std::make_shared<const ShaderLabPass>(std::move(*pass)), diagnostics));
+        if (!use->reason.empty())
         {
             Add(m_Check.diagnostics,
-                {{use->check.outcome == PassOutcome::Refused ? Severity::Note : Severity::Warning,
+                {{use->outcome == PassOutcome::Refused ? Severity::Note : Severity::Warning,
                   m_Check.document->file, usePass.location,
-                  "UsePass: the pass at " + use->pass.program->file + ":" +
-                      std::to_string(use->pass.location.line) +
-                      " cannot be drawn: " + use->check.reason}});
+                  "UsePass: the pass at " + use->pass->program->file + ":" +
+                      std::to_string(use->pass->location.line) +
+                      " cannot be drawn: " + use->reason}});
         }
         return use;
     }
 
-    CheckedPass CheckPass(const ShaderLabSubShader& subShader, const ShaderLabPass& pass,
+    CheckedPass CheckPass(const ShaderLabSubShader& subShader,
+                          std::shared_ptr<const ShaderLabPass> shared,
                           std::vector<Diagnostic>& diagnostics)
     {
         CheckedPass checked;
-        checked.pass = &pass;
+        checked.pass = std::move(shared);
+        const ShaderLabPass& pass = *checked.pass;
         if (pass.kind == ShaderLabPassKind::GrabPass)
         {
             Refuse(checked,

@@ -24,12 +24,10 @@ enum class PassOutcome
     Failed
 };
 
-struct CheckedUse;
-
 /// A pass of a shader with what compiling it gave.
 struct CheckedPass
 {
-    const ShaderLabPass* pass = nullptr;
+    std::shared_ptr<const ShaderLabPass> pass;
     PassOutcome outcome = PassOutcome::NotTried;
     std::string reason; ///< the reason of a refusal, one sentence
     std::shared_ptr<const ShaderProgram> compiled;
@@ -37,17 +35,10 @@ struct CheckedPass
     VariantCount variants;             ///< 0 without a program
     /// The property that keeps the SRP Batcher from taking the pass; "" if none does.
     std::string srpBatcherProblem;
-    /// The pass that a UsePass leads to, in the SubShader that limn draws with. Null for any other
-    /// pass, and if it leads nowhere. The UsePass itself stays NotTried: its pass counts in the
-    /// file that has it.
-    std::shared_ptr<const CheckedUse> use;
-};
-
-/// The pass that a UsePass names, compiled with the keywords of the shader that uses it.
-struct CheckedUse
-{
-    ShaderLabPass pass;
-    CheckedPass check; ///< the result for `pass`
+    /// The pass that a UsePass leads to, in the SubShader that limn draws with, compiled with the
+    /// keywords of the shader that uses it. Null for any other pass, and if it leads nowhere. The
+    /// UsePass itself stays NotTried: its pass counts in the file that has it.
+    std::shared_ptr<const CheckedPass> use;
 };
 
 struct CheckedSubShader

@@ -83,11 +83,12 @@ std::string KindText(const ShaderLabPass& pass)
 }
 
 /// ": 'Hull' at library.shader:12, compiled"
-std::string UseText(const CheckedUse& use)
+std::string UseText(const CheckedPass& use)
 {
-    const std::string file = use.pass.program ? use.pass.program->file + ":" : "line ";
-    return ": '" + use.pass.name + "' at " + file + std::to_string(use.pass.location.line) + ", " +
-           (use.pass.program ? ToString(use.check.outcome) : "no program");
+    const ShaderLabPass& pass = *use.pass;
+    const std::string file = pass.program ? pass.program->file + ":" : "line ";
+    return ": '" + pass.name + "' at " + file + std::to_string(pass.location.line) + ", " +
+           (pass.program ? ToString(use.outcome) : "no program");
 }
 
 std::string SizesText(const ShaderProgram& program, const std::string& indent)

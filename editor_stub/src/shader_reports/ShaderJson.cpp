@@ -62,16 +62,16 @@ Json LayoutJson(const PropertyLayout& layout)
 }
 
 /// Returns the pass to which a UsePass leads.
-Json UseJson(const CheckedUse& use)
+Json UseJson(const CheckedPass& use)
 {
-    Json json{{"name", use.pass.name},
-              {"file", use.pass.program ? use.pass.program->file : ""},
-              {"line", use.pass.location.line},
-              {"lightMode", use.pass.lightMode()},
-              {"outcome", ToString(use.check.outcome)}};
-    if (!use.check.reason.empty())
+    Json json{{"name", use.pass->name},
+              {"file", use.pass->program ? use.pass->program->file : ""},
+              {"line", use.pass->location.line},
+              {"lightMode", use.pass->lightMode()},
+              {"outcome", ToString(use.outcome)}};
+    if (!use.reason.empty())
     {
-        json["reason"] = use.check.reason;
+        json["reason"] = use.reason;
     }
     return json;
 }
