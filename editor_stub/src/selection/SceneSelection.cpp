@@ -15,78 +15,42 @@ namespace limn
 namespace
 {
 
-/// Finds the objects that features outline, as far as their settings tell: those of a rendering
-/// layer, in layers and in render queues. The layer Default marks nothing, since everything is in
-/// it.
-class SelectionLayers final : public Inspector
+RenderQueueRange QueuesOf(const EnumValue& choice)
 {
-public:
-    void Add(ScriptableRendererFeature& feature)
+    for (const EnumEntry& entry : choice.entries)
     {
-        m_Mask = {};
-        m_Layers = LayerMask::Everything();
-        m_Queues = RenderQueueRange::all;
-        DescribeFeature(feature, *this);
-        if (m_Mask.bits == 0)
+        if (entry.value == choice.value && entry.name != "All")
         {
-            return;
-        }
-        const bool isFirst = renderingLayers.bits == 0;
-        renderingLayers = renderingLayers | m_Mask;
-        layers = isFirst ? m_Layers : layers | m_Layers;
-        queues = isFirst ? m_Queues
-                         : RenderQueueRange(std::min(queues.lowerBound(), m_Queues.lowerBound()),
-                                            std::max(queues.upperBound(), m_Queues.upperBound()));
-    }
-
-    void Field(const FieldInfo& field, FieldValue value) override
-    {
-        if (const auto* index = std::get_if<RenderingLayerValue>(&value))
-        {
-            Mark(RenderingLayerMask::FromIndex(index->value));
-        }
-        if (RenderingLayerMask** mask = std::get_if<RenderingLayerMask*>(&value))
-        {
-            Mark(**mask);
-        }
-        if (LayerMask** mask = std::get_if<LayerMask*>(&value))
-        {
-            m_Layers = **mask;
-        }
-        const auto* choice = std::get_if<EnumValue>(&value);
-        if (choice && field.name == "m_RenderQueueRange")
-        {
-            m_Queues = QueuesOf(*choice);
+            return entry.name == "Opaque" ? RenderQueueRange::opaque
+                                          : RenderQueueRange::transparent;
         }
     }
+    return RenderQueueRange::all;
+}
 
-    RenderingLayerMask renderingLayers;
-    LayerMask layers = LayerMask::Everything();
-    RenderQueueRange queues = RenderQueueRange::all;
-
-private:
-    static RenderQueueRange QueuesOf(const EnumValue& choice)
+/// Returns the settings for what any of the features draws. The layer Default marks nothing, since
+/// everything is in it.
+SelectSettings SettingsFor(const RendererAsset& renderer)
+{
+    SelectSettings settings;
+    for (const std::unique_ptr<ScriptableRendererFeature>& feature : renderer.features)
     {
-        for (const EnumEntry& entry : choice.entries)
+        const FilterFinder found(*feature);
+        const auto& [ranges, layers, marks] = found.filter;
+        if (marks.bits == 0 || marks.Intersects(RenderingLayerMask::FromIndex(0)))
         {
-            if (entry.value == choice.value && entry.name != "All")
-            {
-                return entry.name == "Opaque" ? RenderQueueRange::opaque
-                                              : RenderQueueRange::transparent;
-            }
+            continue;
         }
-        return RenderQueueRange::all;
+        const bool isFirst = settings.renderingLayers.bits == 0;
+        RenderQueueRange& queues = settings.raycast.renderQueueRange;
+        settings.renderingLayers = settings.renderingLayers | marks;
+        settings.selectableLayers = isFirst ? layers : settings.selectableLayers | layers;
+        queues = isFirst ? ranges
+                         : RenderQueueRange(std::min(queues.lowerBound(), ranges.lowerBound()),
+                                            std::max(queues.upperBound(), ranges.upperBound()));
     }
-
-    void Mark(RenderingLayerMask mask)
-    {
-        m_Mask = mask.Intersects(RenderingLayerMask::FromIndex(0)) ? RenderingLayerMask() : mask;
-    }
-
-    RenderingLayerMask m_Mask; ///< of the feature; Nothing for one that has none
-    LayerMask m_Layers;
-    RenderQueueRange m_Queues = RenderQueueRange::all;
-};
+    return settings;
+}
 
 /// Tells features that colour objects by when they were selected.
 void SetStartTimes(SceneAsset& asset)
@@ -110,13 +74,6 @@ std::string OptionOf(const SelectionStep& step)
     return names[static_cast<std::size_t>(step.kind)] + step.text;
 }
 
-std::string Trimmed(const std::string& text)
-{
-    const std::size_t begin = text.find_first_not_of(' ');
-    const std::size_t end = text.find_last_not_of(' ');
-    return begin == std::string::npos ? "" : text.substr(begin, end - begin + 1);
-}
-
 /// A name may have a comma of its own where it stands alone.
 std::vector<std::string> NamesIn(const std::string& text, Scene& scene)
 {
@@ -125,43 +82,31 @@ std::vector<std::string> NamesIn(const std::string& text, Scene& scene)
         return text.empty() ? std::vector<std::string>() : std::vector{text};
     }
     std::vector<std::string> names;
-    std::ranges::transform(SplitText(text, ','), std::back_inserter(names), Trimmed);
+    for (const std::string& name : SplitText(text, ','))
+    {
+        names.emplace_back(Trim(name));
+    }
     return names;
 }
 
 class Selector
 {
 public:
-    explicit Selector(SceneAsset& asset, const SelectionLayers& layers)
-        : m_Asset(asset), m_Controller(asset.scene, SettingsOf(layers))
+    Selector(SceneAsset& asset, const SelectSettings& settings)
+        : m_Asset(asset), m_Controller(asset.scene, settings)
     {
     }
 
     void Do(const SelectionStep& step)
     {
         AssetDiagnostics diagnostics(OptionOf(step));
-        if (step.kind == SelectionStep::Kind::Select)
-        {
-            Select(step, diagnostics);
-        }
-        else
-        {
-            Click(step, diagnostics);
-        }
+        step.kind == SelectionStep::Kind::Select ? Select(step, diagnostics)
+                                                 : Click(step, diagnostics);
         diagnostics.ThrowIfErrors();
         m_Asset.selected = m_Controller.selected();
     }
 
 private:
-    static SelectSettings SettingsOf(const SelectionLayers& layers)
-    {
-        SelectSettings settings;
-        settings.renderingLayers = layers.renderingLayers;
-        settings.selectableLayers = layers.layers;
-        settings.raycast.renderQueueRange = layers.queues;
-        return settings;
-    }
-
     /// All objects of each name, at time 0.
     void Select(const SelectionStep& step, AssetDiagnostics& diagnostics)
     {
@@ -218,8 +163,7 @@ private:
         const ClickText click = ParseClick(step.text).value_or(ClickText{-1, -1, 0.0});
         const int width = m_Asset.width;
         const int height = m_Asset.height;
-        const std::string problem = PixelProblem(click, width, height);
-        if (!problem.empty())
+        if (const std::string problem = PixelProblem(click, width, height); !problem.empty())
         {
             diagnostics.Error({}, problem);
             return;
@@ -255,6 +199,35 @@ private:
 
 } // namespace
 
+FilterFinder::FilterFinder(ScriptableRendererFeature& feature, bool needsNames)
+    : m_NeedsNames(needsNames)
+{
+    DescribeFeature(feature, *this);
+}
+
+void FilterFinder::Field(const FieldInfo& field, FieldValue value)
+{
+    // A ported feature may have settings of these names and other types.
+    LayerMask** layers = std::get_if<LayerMask*>(&value);
+    const auto* index = std::get_if<RenderingLayerValue>(&value);
+    RenderingLayerMask** renderingLayers = std::get_if<RenderingLayerMask*>(&value);
+    const auto* choice = std::get_if<EnumValue>(&value);
+    if (layers && (!m_NeedsNames || field.name == "m_LayerMask"))
+    {
+        filter.layerMask = **layers;
+    }
+    if ((index || renderingLayers) && (!m_NeedsNames || field.name == "m_RenderingLayerMask"))
+    {
+        filter.renderingLayerMask =
+            index ? RenderingLayerMask::FromIndex(index->value) : **renderingLayers;
+        hasRenderingLayers = true;
+    }
+    if (choice && field.name == "m_RenderQueueRange")
+    {
+        filter.renderQueueRange = QueuesOf(*choice);
+    }
+}
+
 std::optional<ClickText> ParseClick(const std::string& text)
 {
     const std::size_t comma = text.find(',');
@@ -287,12 +260,8 @@ void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps)
     {
         return;
     }
-    SelectionLayers layers;
-    for (const std::unique_ptr<ScriptableRendererFeature>& feature : asset.renderer.features)
-    {
-        layers.Add(*feature);
-    }
-    if (layers.renderingLayers.bits == 0)
+    const SelectSettings settings = SettingsFor(asset.renderer);
+    if (settings.renderingLayers.bits == 0)
     {
         throw AssetError(OptionOf(steps.front()), {},
                          "no feature of the scene draws the objects of a rendering layer other "
@@ -300,7 +269,7 @@ void ApplySelection(SceneAsset& asset, std::span<const SelectionStep> steps)
                          "with m_RenderingLayerMask: Selected and, in the scene, "
                          "renderingLayers: {8: Selected}");
     }
-    Selector selector(asset, layers);
+    Selector selector(asset, settings);
     for (const SelectionStep& step : steps)
     {
         selector.Do(step);

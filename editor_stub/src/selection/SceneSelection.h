@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/Inspector.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <optional>
 #include <span>
@@ -34,6 +35,23 @@ struct ClickText
 std::optional<ClickText> ParseClick(const std::string& text);
 /// Returns what is wrong with the click's place in a picture of this size, or "" if nothing is.
 std::string PixelProblem(const ClickText& click, int width, int height);
+
+/// Finds the objects that a feature draws, as far as its settings tell: those of rendering layers,
+/// in layers and in render queues.
+class FilterFinder final : public Inspector
+{
+public:
+    /// @param needsNames  settings count only if they have the names that outline features give
+    /// them
+    explicit FilterFinder(ScriptableRendererFeature& feature, bool needsNames = false);
+    void Field(const FieldInfo& field, FieldValue value) override;
+
+    bool hasRenderingLayers = false; ///< true if there is a setting for them
+    FilteringSettings filter;
+
+private:
+    bool m_NeedsNames;
+};
 
 /// Does the steps one after another. Objects that are selected at the end are in the rendering
 /// layers by which the scene's features recognise selected objects, and in `asset.selected`. A

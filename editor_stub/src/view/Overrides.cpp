@@ -15,22 +15,6 @@ namespace limn
 namespace
 {
 
-/// One `--set`.
-struct Override
-{
-    std::string text; ///< as given; what errors call it
-    ValuePath path;
-    YamlNode value;
-};
-
-Override Parse(const std::string& text, const std::vector<std::string_view>& names)
-{
-    const std::string file = "--set " + text;
-    const ValueAssignment assignment = ValueAssignment::Parse(text, file);
-    return {file, ValuePath::Split(assignment.path, names),
-            ParseTypedValue(assignment.value, file)};
-}
-
 std::vector<std::filesystem::path> SearchFolders(const SceneAsset& asset)
 {
     return {{}, asset.path.parent_path()};
@@ -57,21 +41,27 @@ Volume& AddGlobalVolume(SceneAsset& asset, const std::string& name, const std::s
 class Overrider
 {
 public:
-    Overrider(SceneAsset& asset, AssetContext& assets) : m_Asset(asset), m_Assets(assets) {}
+    Overrider(SceneAsset& asset, AssetContext& assets) : m_Asset(asset), m_Assets(assets)
+    {
+        m_Profile->name = "--set";
+    }
 
     void Apply(const std::string& text)
     {
-        const Override change = Parse(text, KnownNames());
-        AssetDiagnostics diagnostics(change.text);
+        const std::string file = "--set " + text;
+        const ValueAssignment assignment = ValueAssignment::Parse(text, file);
+        const ValuePath path = ValuePath::Split(assignment.path, KnownNames());
+        const YamlNode map = path.AsMap(ParseTypedValue(assignment.value, file));
+        AssetDiagnostics diagnostics(file);
         References references(m_Assets, SearchFolders(m_Asset), diagnostics,
                               ReferenceScope::Anywhere);
-        if (m_Assets.volumeComponents().Find(change.path.name))
+        if (m_Assets.volumeComponents().Find(path.name))
         {
-            SetParameter(change, diagnostics);
+            SetParameter(path.name, map, diagnostics);
         }
-        else if (!SetFeatures(change, references, diagnostics))
+        else if (!SetFeatures(path.name, map, references, diagnostics))
         {
-            diagnostics.Error({}, "unknown name " + UnknownName(change.path.name, KnownNames()));
+            diagnostics.Error({}, "unknown name " + UnknownName(path.name, KnownNames()));
         }
         references.ThrowIfErrors();
     }
@@ -86,7 +76,7 @@ public:
             TryCreate(*feature, m_Assets.shaderSource(), {}, "", diagnostics);
         }
         diagnostics.ThrowIfErrors();
-        if (m_Profile)
+        if (!m_Components.empty())
         {
             Volume& volume = AddGlobalVolume(m_Asset, "--set", "--set");
             volume.priority = std::numeric_limits<float>::max();
@@ -114,17 +104,16 @@ private:
         return names;
     }
 
-    void SetParameter(const Override& change, AssetDiagnostics& diagnostics)
+    void SetParameter(const std::string& name, const YamlNode& value, AssetDiagnostics& diagnostics)
     {
-        VolumeComponent& component = Component(change.path.name);
+        VolumeComponent& component = Component(name);
         const SceneProfileContext context(m_Assets, {}, m_Asset.layers);
-        YamlMapReader map(change.path.AsMap(change.value), change.path.name, diagnostics,
-                          "parameter");
+        YamlMapReader map(value, name, diagnostics, "parameter");
         for (VolumeParameter* parameter : component.parameters())
         {
-            if (const YamlNode* value = map.Find(parameter->name()))
+            if (const YamlNode* node = map.Find(parameter->name()))
             {
-                parameter->ReadYaml(*value, map.SubjectOf(parameter->name()), diagnostics, context);
+                parameter->ReadYaml(*node, map.SubjectOf(parameter->name()), diagnostics, context);
                 parameter->SetOverrideState(true);
             }
         }
@@ -133,11 +122,6 @@ private:
 
     VolumeComponent& Component(const std::string& type)
     {
-        if (!m_Profile)
-        {
-            m_Profile = std::make_shared<VolumeProfile>();
-            m_Profile->name = "--set";
-        }
         VolumeComponent*& component = m_Components[type];
         if (!component)
         {
@@ -160,19 +144,19 @@ private:
     }
 
     /// Returns whether there is a feature of that name or, if there is none, of that type.
-    bool SetFeatures(const Override& change, References& references, AssetDiagnostics& diagnostics)
+    bool SetFeatures(const std::string& name, const YamlNode& value, References& references,
+                     AssetDiagnostics& diagnostics)
     {
         RendererAsset& renderer = m_Asset.renderer;
-        const bool isName = std::ranges::any_of(renderer.features, [&change](const auto& feature)
-                                                { return feature->name == change.path.name; });
+        const bool isName = std::ranges::any_of(renderer.features, [&name](const auto& feature)
+                                                { return feature->name == name; });
         bool isFound = false;
         for (std::size_t i = 0; i < renderer.features.size(); ++i)
         {
             ScriptableRendererFeature& feature = *renderer.features[i];
-            if ((isName ? feature.name : renderer.featureTypes[i]) == change.path.name)
+            if ((isName ? feature.name : renderer.featureTypes[i]) == name)
             {
-                YamlMapReader map(change.path.AsMap(change.value), change.path.name, diagnostics,
-                                  "setting");
+                YamlMapReader map(value, name, diagnostics, "setting");
                 ReadFeatureSettings(map, feature, ContextOf(references, diagnostics), diagnostics);
                 m_Changed.insert(&feature);
                 isFound = true;
@@ -183,7 +167,7 @@ private:
 
     SceneAsset& m_Asset;
     AssetContext& m_Assets;
-    std::shared_ptr<VolumeProfile> m_Profile;
+    const std::shared_ptr<VolumeProfile> m_Profile = std::make_shared<VolumeProfile>();
     std::map<std::string, VolumeComponent*> m_Components; ///< of m_Profile, by type
     std::set<ScriptableRendererFeature*> m_Changed;
 };

@@ -14,12 +14,6 @@ namespace limn
 namespace
 {
 
-ShaderCompilerOptions ForDevice(ShaderCompilerOptions options, const VulkanDevice& device)
-{
-    options.missingFeatures = device.missingShaderFeatures();
-    return options;
-}
-
 constexpr int k_MaxLost = 3; ///< devices in a row
 
 } // namespace
@@ -35,8 +29,9 @@ Redrawer::Drawing::Drawing(const RenderOptions& options,
 
 std::unique_ptr<AssetContext> Redrawer::Drawing::MakeAssets() const
 {
-    return std::make_unique<AssetContext>(ForDevice(anyDevicesOptions, device),
-                                          PluginLoading::Copy);
+    ShaderCompilerOptions options = anyDevicesOptions;
+    options.missingFeatures = device.missingShaderFeatures();
+    return std::make_unique<AssetContext>(std::move(options), PluginLoading::Copy);
 }
 
 Redrawer::Redrawer(const RenderOptions& options, Console& console)
@@ -78,11 +73,10 @@ void Redrawer::RedrawOnce(const std::set<std::filesystem::path>& changes)
     bool isProfileNew = false;
     for (const std::filesystem::path& path : changes)
     {
-        if (NoteEmbedded(path))
+        if (!NoteEmbedded(path))
         {
-            continue;
+            Guard([&] { (ReadAgain(path) ? isProfileNew : isSceneStale) = true; });
         }
-        Guard([&] { (ReadAgain(path) ? isProfileNew : isSceneStale) = true; });
     }
     const bool isSceneNew = isSceneStale && Guard([&] { LoadScene(); });
     if (m_Drawing->view && (isSceneNew || isProfileNew))
@@ -158,8 +152,7 @@ bool Redrawer::ReadAgain(const std::filesystem::path& path)
     {
         drawing.nextAssets->Forget(path);
     }
-    const VolumeProfileLoadResult* profile = drawing.assets->ReloadProfile(path);
-    if (profile)
+    if (const VolumeProfileLoadResult* profile = drawing.assets->ReloadProfile(path))
     {
         PrintNew(profile->notes);
         return true;

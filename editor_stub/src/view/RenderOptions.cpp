@@ -61,8 +61,7 @@ SceneAsset LoadForRendering(const RenderOptions& options, AssetContext& assets)
     ApplyOverrides(asset, options.overrides, assets);
     asset.width = options.width > 0 ? options.width : asset.width;
     asset.height = options.height > 0 ? options.height : asset.height;
-    const std::string problem = ScaledSizeProblem(asset);
-    if (!problem.empty())
+    if (const std::string problem = ScaledSizeProblem(asset); !problem.empty())
     {
         throw AssetError(options.scene, {}, problem);
     }

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <glm/ext/quaternion_double.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <glm/vec4.hpp>
 #include <numbers>
 #include <optional>
@@ -26,20 +25,16 @@ constexpr int k_ContourPoints = 96;
 constexpr double k_HalfCross = 0.25; ///< metres
 
 /// Draws lines in world space into a picture, two pixels wide.
-class LineDrawer
+struct LineDrawer
 {
-public:
-    LineDrawer(Image& picture, const Camera& camera)
-        : m_Picture(picture),
-          m_ClipFromWorld(camera.cullingMatrix(static_cast<float>(picture.width) /
-                                               static_cast<float>(picture.height)))
-    {
-    }
+    Image& picture;
+    glm::dmat4 clipFromWorld;
+    int drawn = 0; ///< pixels so far, so that dashes go on from one short line to the next
 
     void Draw(const glm::dvec3& from, const glm::dvec3& to, const Rgb& color, bool isDashed = false)
     {
-        glm::dvec4 a = m_ClipFromWorld * glm::dvec4(from, 1.0);
-        glm::dvec4 b = m_ClipFromWorld * glm::dvec4(to, 1.0);
+        glm::dvec4 a = clipFromWorld * glm::dvec4(from, 1.0);
+        glm::dvec4 b = clipFromWorld * glm::dvec4(to, 1.0);
         if (!std::isfinite(glm::dot(a, a) + glm::dot(b, b)))
         {
             return;
@@ -67,8 +62,8 @@ public:
 private:
     glm::dvec2 ToPixels(const glm::dvec4& clip) const
     {
-        return {(0.5 + 0.5 * clip.x / clip.w) * m_Picture.width,
-                (0.5 - 0.5 * clip.y / clip.w) * m_Picture.height};
+        return {(0.5 + 0.5 * clip.x / clip.w) * picture.width,
+                (0.5 - 0.5 * clip.y / clip.w) * picture.height};
     }
 
     void DrawPixels(const glm::dvec2& from, const glm::dvec2& to, const Rgb& color, bool isDashed)
@@ -77,10 +72,10 @@ private:
         const bool isSteep = std::abs(way.y) > std::abs(way.x);
         const int steps =
             std::max(1, static_cast<int>(std::ceil(std::max(std::abs(way.x), std::abs(way.y)))));
-        for (int step = 0; step <= steps; ++step, ++m_Drawn)
+        for (int step = 0; step <= steps; ++step, ++drawn)
         {
             const glm::dvec2 place = from + way * (static_cast<double>(step) / steps);
-            if (!isDashed || (m_Drawn / k_Dash) % 2 == 0)
+            if (!isDashed || (drawn / k_Dash) % 2 == 0)
             {
                 const int x = static_cast<int>(std::floor(place.x));
                 const int y = static_cast<int>(std::floor(place.y));
@@ -92,42 +87,35 @@ private:
 
     void Set(int x, int y, const Rgb& color)
     {
-        if (x < 0 || y < 0 || x >= m_Picture.width || y >= m_Picture.height)
+        if (x < 0 || y < 0 || x >= picture.width || y >= picture.height)
         {
             return;
         }
         const std::size_t texel =
-            static_cast<std::size_t>(y) * static_cast<std::size_t>(m_Picture.width) +
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
             static_cast<std::size_t>(x);
         for (std::size_t i = 0; i < 3; ++i)
         {
-            m_Picture.texels[4 * texel + i] = static_cast<std::byte>(color[i]);
+            picture.texels[4 * texel + i] = static_cast<std::byte>(color[i]);
         }
     }
-
-    Image& m_Picture;
-    glm::dmat4 m_ClipFromWorld;
-    int m_Drawn = 0; ///< pixels so far, so that dashes go on from one short line to the next
 };
 
 /// One collider of a volume, whatever its shape.
-class ColliderOutline
+struct ColliderOutline
 {
-public:
-    ColliderOutline(const Volume& volume, const Collider& collider)
-        : m_Volume(volume), m_Collider(collider)
-    {
-    }
+    const Volume& volume;
+    const Collider& collider;
 
     bool isEnabled() const
     {
-        return std::visit([](const auto& shape) { return shape.enabled; }, m_Collider);
+        return std::visit([](const auto& shape) { return shape.enabled; }, collider);
     }
 
     /// Draws where three planes through the middle cut the surface `distance` metres outside.
     void DrawContours(double distance, bool isDashed, LineDrawer& lines) const
     {
-        const glm::dquat turn(m_Volume.rotation);
+        const glm::dquat turn(volume.rotation);
         for (int axis = 0; axis < 3; ++axis)
         {
             std::optional<glm::dvec3> last;
@@ -150,7 +138,7 @@ public:
     /// Draws the twelve edges and returns true if the collider is a box.
     bool DrawBoxEdges(LineDrawer& lines) const
     {
-        const auto* box = std::get_if<BoxCollider>(&m_Collider);
+        const auto* box = std::get_if<BoxCollider>(&collider);
         for (int corner = 0; box && corner < 8; ++corner)
         {
             for (int axis = 0; axis < 3; ++axis)
@@ -168,8 +156,8 @@ public:
 private:
     glm::dvec3 ToWorld(const glm::dvec3& local) const
     {
-        return glm::dvec3(m_Volume.position) +
-               glm::dquat(m_Volume.rotation) * (glm::dvec3(m_Volume.scale) * local);
+        return glm::dvec3(volume.position) +
+               glm::dquat(volume.rotation) * (glm::dvec3(volume.scale) * local);
     }
 
     glm::dvec3 Corner(const BoxCollider& box, int corner) const
@@ -181,7 +169,7 @@ private:
 
     glm::dvec3 Middle() const
     {
-        if (const auto* mesh = std::get_if<MeshCollider>(&m_Collider))
+        if (const auto* mesh = std::get_if<MeshCollider>(&collider))
         {
             const auto& vertices = mesh->mesh().data().vertices;
             glm::dvec3 sum(0.0);
@@ -200,18 +188,16 @@ private:
                 }
                 return glm::dvec3(0.0);
             },
-            m_Collider);
+            collider);
     }
 
     double DistanceTo(const glm::dvec3& point) const
     {
         const glm::vec3 rounded(point);
         const glm::dvec3 closest = std::visit(
-            [&](const auto& shape) {
-                return shape.ClosestPoint(rounded, m_Volume.position, m_Volume.rotation,
-                                          m_Volume.scale);
-            },
-            m_Collider);
+            [&](const auto& shape)
+            { return shape.ClosestPoint(rounded, volume.position, volume.rotation, volume.scale); },
+            collider);
         return glm::length(closest - glm::dvec3(rounded));
     }
 
@@ -234,22 +220,20 @@ private:
         }
         return middle + direction * inside;
     }
-
-    const Volume& m_Volume;
-    const Collider& m_Collider;
 };
 
 } // namespace
 
 int DrawVolumes(Image& picture, const Camera& camera, std::span<const Volume> volumes)
 {
-    LineDrawer lines(picture, camera);
+    const float aspect = static_cast<float>(picture.width) / static_cast<float>(picture.height);
+    LineDrawer lines{picture, glm::dmat4(camera.cullingMatrix(aspect))};
     int count = 0;
     for (const Volume& volume : volumes)
     {
         for (const Collider& collider : volume.colliders)
         {
-            const ColliderOutline shape(volume, collider);
+            const ColliderOutline shape{volume, collider};
             if (volume.isGlobal || !volume.enabled || !shape.isEnabled())
             {
                 continue;
