@@ -114,7 +114,7 @@ void PrintErrors(VulkanDevice& device, const Options& options)
                 std::printf("%-15s %-14s %5g %9.5f %9.5f %8.3f %8.4f %+8.2f%%\n",
                             technique.name.c_str(), shape.name.c_str(), width,
                             score.meanAbsoluteError, score.rootMeanSquare, score.largest,
-                            score.intersectionOverUnion, 100.0 * score.widthBias);
+                            score.intersectionOverUnion, 100.0 * (score.areaRatio - 1.0));
             }
         }
     }
@@ -151,19 +151,19 @@ void PrintKinds(VulkanDevice& device, const Options& options)
                                                    PrimitiveType::Sphere};
     std::printf("\nMean error of an outline of 8 pixels; the mean of a cube, a torus and a sphere\n"
                 "\n| technique |");
-    for (const std::string& kind : UntidinessNames())
+    for (const char* kind : k_UntidinessNames)
     {
-        std::printf(" %s |", kind.c_str());
+        std::printf(" %s |", kind);
     }
     std::printf("\n|---|");
-    for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+    for (std::size_t i = 0; i < k_UntidinessNames.size(); ++i)
     {
         std::printf("---|");
     }
     for (const Technique& technique : assets.features().techniques())
     {
         std::printf("\n| %s%s |", technique.name.c_str(), technique.noWidth.empty() ? "" : "*");
-        for (std::size_t i = 0; i < UntidinessNames().size(); ++i)
+        for (std::size_t i = 0; i < k_UntidinessNames.size(); ++i)
         {
             double sum = 0.0;
             for (const PrimitiveType type : types)

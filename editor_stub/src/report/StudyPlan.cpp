@@ -3,11 +3,9 @@
 #include "report/extremes/Stability.h"
 #include "report/figures/Numbers.h"
 #include "report/measure/StudyBench.h"
-#include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <array>
-#include <limn/base/Diagnostic.h>
 #include <map>
 #include <sstream>
 
@@ -53,22 +51,23 @@ std::vector<CellId> PlanMeasures(const StudyOptions& options, std::span<const Te
             }
         }
     }
-    for (const std::string& shape :
-         isQuick ? std::vector<std::string>{"disc", "needle"} : ShapeNames())
+    constexpr std::array k_Moving{"disc", "needle"};
+    for (const char* shape : isQuick ? std::span<const char* const>(k_Moving) : k_ShapeNames)
     {
         for (const double width : widths)
         {
             add(CellKind::Geometry, shape, width, isQuick ? k_QuickShapeSize : k_ShapeSize);
         }
     }
-    for (const char* shape : {"disc", "needle"})
+    for (const char* shape : k_Moving)
     {
         for (const double width : isQuick ? std::vector<double>{2} : std::vector<double>{2, 8})
         {
             add(CellKind::Temporal, shape, width, k_MotionSize);
         }
     }
-    for (const std::string& variant : isQuick ? std::vector<std::string>{""} : NumericalVariants())
+    for (const char* variant :
+         std::span(k_NumericalVariants).first(isQuick ? 1 : k_NumericalVariants.size()))
     {
         add(CellKind::Numerical, "star", k_UsualWidth, k_MotionSize, variant);
     }

@@ -3,6 +3,7 @@
 #include "report/measure/Study.h"
 
 #include <glm/vec2.hpp>
+#include <span>
 
 namespace limn::study
 {

@@ -38,7 +38,7 @@ constexpr Rounding k_Roundings[] = {{"Strokes", 1e-3, 0.005},     {"Separable", 
 
 TEST(NumericalGpu, DrawsWhatTheTwinInDoubleDraws)
 {
-    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    StudyBench bench({}, {}, AssetsWithDepth(true), NumericalDevice());
     for (const Rounding& rounding : k_Roundings)
     {
         for (const double width : {2.0, 5.0})
@@ -54,7 +54,7 @@ TEST(NumericalGpu, DrawsWhatTheTwinInDoubleDraws)
 
 TEST(NumericalGpu, SaysWhichTechniquesHaveNoTwin)
 {
-    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    StudyBench bench({}, {}, AssetsWithDepth(true), NumericalDevice());
     const CellResult result = bench.Measure(NumericalCell("Rim", "disc", ""));
     EXPECT_TRUE(result.values.empty());
     EXPECT_THAT(result.notes, testing::ElementsAre(test::Mentions("no twin", "double precision")));
@@ -63,7 +63,7 @@ TEST(NumericalGpu, SaysWhichTechniquesHaveNoTwin)
 
 TEST(NumericalGpu, ComparesPicturesOfHalves)
 {
-    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    StudyBench bench({}, {}, AssetsWithDepth(true), NumericalDevice());
     if (std::ranges::count(NumericalDevice().missingShaderFeatures(), "native16bit") > 0)
     {
         EXPECT_THAT(bench.Measure(NumericalCell("Strokes", "disc", "half")).notes,
@@ -85,7 +85,7 @@ TEST(NumericalGpu, ComparesPicturesOfHalves)
 
 TEST(NumericalGpu, ComparesPicturesOfOtherDepthsAndTargets)
 {
-    NumericalBench bench(AssetsWithDepth(true), NumericalDevice());
+    StudyBench bench({}, {}, AssetsWithDepth(true), NumericalDevice());
     for (const char* technique : {"Strokes", "Screen space", "Selection"})
     {
         SCOPED_TRACE(technique);

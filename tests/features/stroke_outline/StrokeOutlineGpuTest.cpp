@@ -136,7 +136,7 @@ TEST_F(StrokeOutlineGpu, CoversAsMuchOfEachPixelAsTheExactOutlineDoes)
             EXPECT_EQ(score.badValues, 0u);
             EXPECT_LE(score.meanAbsoluteError, width < 8.0 ? 0.0125 : 0.004);
             EXPECT_GE(score.intersectionOverUnion, width < 8.0 ? 0.975 : 0.998);
-            EXPECT_LE(std::abs(score.widthBias), 0.01);
+            EXPECT_LE(std::abs(score.areaRatio - 1.0), 0.01);
         }
     }
 }
@@ -281,7 +281,7 @@ TEST_F(StrokeOutlineGpu, IsExactForMeshesFromAnywhere)
         EXPECT_EQ(score.badValues, 0u);
         EXPECT_LE(score.meanAbsoluteError, 0.004);
         EXPECT_GE(score.intersectionOverUnion, 0.998);
-        EXPECT_LE(std::abs(score.widthBias), 0.01);
+        EXPECT_LE(std::abs(score.areaRatio - 1.0), 0.01);
     }
 }
 
@@ -673,10 +673,10 @@ TEST_F(StrokeOutlineGpu, IsAsExactForMeshesThatNobodyTidied)
     {
         const double tidy = ScoreUntidy(type, study::Untidiness::None).meanAbsoluteError;
         EXPECT_LE(tidy, 0.002);
-        for (std::size_t i = 1; i < study::UntidinessNames().size(); ++i)
+        for (std::size_t i = 1; i < study::k_UntidinessNames.size(); ++i)
         {
             SCOPED_TRACE(std::to_string(static_cast<int>(type)) + ", " +
-                         study::UntidinessNames()[i]);
+                         study::k_UntidinessNames[i]);
             const auto untidiness = static_cast<study::Untidiness>(i);
             const OutlineScore score = ScoreUntidy(type, untidiness);
             EXPECT_EQ(score.badValues, 0u);

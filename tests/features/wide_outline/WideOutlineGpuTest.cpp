@@ -107,13 +107,13 @@ TEST_P(WideOutlineByMethodGpu, IsAsNearToTheExactOutlineAsFourSamplesAllow)
             if (band.width == 8.0)
             {
                 EXPECT_GE(score.intersectionOverUnion, shape.overlap);
-                EXPECT_NEAR(score.widthBias, 0.0, 0.025);
+                EXPECT_NEAR(score.areaRatio, 1.0, 0.025);
             }
             if (std::getenv("LIMN_PRINT_FIGURES") != nullptr)
             {
                 std::printf("%-7s w %2g: MAE %.4f IoU %.3f bias %+.4f outer end %+.3f\n",
                             shape.name, band.width, score.meanAbsoluteError,
-                            score.intersectionOverUnion, score.widthBias,
+                            score.intersectionOverUnion, score.areaRatio - 1.0,
                             ScoreContours(measured, silhouette, band).high.mean);
             }
         }
@@ -151,7 +151,7 @@ TEST_P(WideOutlineByMethodGpu, LiesInsideOrAcrossTheEdgeOrApartFromIt)
             SCOPED_TRACE(std::to_string(static_cast<int>(side)) + ", gap " + std::to_string(gap));
             EXPECT_LE(score.meanAbsoluteError, 0.025);
             EXPECT_GE(score.intersectionOverUnion, 0.95);
-            EXPECT_NEAR(score.widthBias, 0.0, 0.02);
+            EXPECT_NEAR(score.areaRatio, 1.0, 0.02);
         }
     }
 }

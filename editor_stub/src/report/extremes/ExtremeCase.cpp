@@ -1,5 +1,7 @@
 #include "report/extremes/ExtremeCase.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limn/base/ParseWhole.h>
@@ -20,16 +22,12 @@ const char* const k_Views[] = {"perspective", "orthographic", "oblique"};
 const char* const k_Directions[] = {"reversed", "standard"};
 const char* const k_Scalings[] = {"", "mirrored", "singular"};
 
-double HalfTangent(double fieldOfView)
-{
-    return std::tan(fieldOfView * std::numbers::pi / 360.0);
-}
-
 /// From the camera to the object's middle, metres, for a scale of 1.
 double CameraDistance(const ExtremeCase& extreme)
 {
     const double part = 2.0 * extreme.ObjectRadius() / extreme.size.y;
-    return std::max(1.6 * k_Radius, k_Radius / (part * HalfTangent(extreme.fieldOfView)));
+    const double halfAngle = extreme.fieldOfView * std::numbers::pi / 360.0;
+    return std::max(1.6 * k_Radius, k_Radius / (part * std::tan(halfAngle)));
 }
 
 /// A plane before the object that leans by 20 degrees, and a middle that is beside the picture's.
@@ -71,30 +69,15 @@ Camera CameraOf(const ExtremeCase& extreme)
 
 glm::vec3 ScaleOf(const ExtremeCase& extreme)
 {
-    switch (extreme.scaling)
-    {
-    case ExtremeScale::Mirrored:
-        return {-1.0f, 1.0f, 1.0f};
-    case ExtremeScale::Singular:
-        return {1.0f, 0.0f, 1.0f};
-    default:
-        return glm::vec3(static_cast<float>(extreme.scale));
-    }
+    return extreme.scaling == ExtremeScale::Mirrored   ? glm::vec3(-1.0f, 1.0f, 1.0f)
+           : extreme.scaling == ExtremeScale::Singular ? glm::vec3(1.0f, 0.0f, 1.0f)
+                                                       : glm::vec3(glm::dvec3(extreme.scale));
 }
 
-/// The names of meshes without spaces, which part the levels of a variant: "two-objects".
-const std::vector<std::string>& MeshNames()
+/// A level's name without spaces, which part the levels of a variant: "two-objects".
+std::string WithoutSpaces(const std::string& name)
 {
-    static const std::vector<std::string> names = []
-    {
-        std::vector<std::string> result = UntidinessNames();
-        for (std::string& name : result)
-        {
-            std::ranges::replace(name, ' ', '-');
-        }
-        return result;
-    }();
-    return names;
+    return Replaced(name, " ", "-");
 }
 
 /// Takes the level that has this name.
@@ -102,7 +85,7 @@ const std::vector<std::string>& MeshNames()
 template <typename Level>
 bool TakeName(const auto& names, const std::string& name, Level& level)
 {
-    const auto found = std::ranges::find(names, name);
+    const auto found = std::ranges::find(names, name, WithoutSpaces);
     if (found == std::end(names))
     {
         return false;
@@ -115,19 +98,10 @@ bool TakeName(const auto& names, const std::string& name, Level& level)
 /// @return false if there is no such
 bool TakeLevel(ExtremeCase& extreme, const std::string& key, const std::string& value)
 {
-    if (key == "view")
-    {
-        return TakeName(k_Views, value, extreme.view);
-    }
-    if (key == "z")
-    {
-        return TakeName(k_Directions, value, extreme.isStandardZ);
-    }
-    if (key == "mesh")
-    {
-        return TakeName(MeshNames(), value, extreme.untidiness);
-    }
-    if (key == "scale" && TakeName(k_Scalings, value, extreme.scaling))
+    if ((key == "view" && TakeName(k_Views, value, extreme.view)) ||
+        (key == "z" && TakeName(k_Directions, value, extreme.isStandardZ)) ||
+        (key == "mesh" && TakeName(k_UntidinessNames, value, extreme.untidiness)) ||
+        (key == "scale" && TakeName(k_Scalings, value, extreme.scaling)))
     {
         return true;
     }
@@ -161,7 +135,7 @@ std::string ExtremeCase::Variant() const
     text << k_Scalings[static_cast<std::size_t>(scaling)] << " samples=" << samples
          << " view=" << k_Views[static_cast<std::size_t>(view)]
          << " z=" << k_Directions[isStandardZ ? 1 : 0]
-         << " mesh=" << MeshNames()[static_cast<std::size_t>(untidiness)];
+         << " mesh=" << WithoutSpaces(k_UntidinessNames[static_cast<std::size_t>(untidiness)]);
     return text.str();
 }
 

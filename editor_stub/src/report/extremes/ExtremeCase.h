@@ -1,7 +1,6 @@
 #pragma once
 
 #include "report/extremes/Pairwise.h"
-#include "report/measure/Study.h"
 #include "report/measure/StudyScene.h"
 #include "report/measure/UntidyMesh.h"
 

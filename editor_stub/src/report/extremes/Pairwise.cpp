@@ -53,13 +53,13 @@ public:
             }
         }
     }
-    /// Returns the number of new pairs of a level with those of other factors.
-    int NewPairs(const Combination& others, std::size_t factor, int level)
+    /// Returns the number of pairs of a level with those of other factors that occur so many times.
+    int PairsThatOccur(int times, const Combination& others, std::size_t factor, int level)
     {
         int count = 0;
         for (std::size_t k = 0; k < others.size(); ++k)
         {
-            count += k != factor && others[k] >= 0 && Of(factor, level, k, others[k]) == 0 ? 1 : 0;
+            count += k != factor && others[k] >= 0 && Of(factor, level, k, others[k]) == times;
         }
         return count;
     }
@@ -90,7 +90,7 @@ Combination Fill(std::span<const int> levelCounts, PairCounts& pairs, std::mt199
         for (int i = 0; i < levelCounts[factor]; ++i)
         {
             const int level = (i + shift) % levelCounts[factor];
-            const int count = pairs.NewPairs(combination, factor, level);
+            const int count = pairs.PairsThatOccur(0, combination, factor, level);
             if (count > best)
             {
                 best = count;
@@ -106,7 +106,7 @@ int NewPairsOf(const Combination& combination, PairCounts& pairs)
     int twice = 0;
     for (std::size_t i = 0; i < combination.size(); ++i)
     {
-        twice += pairs.NewPairs(combination, i, combination[i]);
+        twice += pairs.PairsThatOccur(0, combination, i, combination[i]);
     }
     return twice / 2;
 }
@@ -136,19 +136,6 @@ Combination Missing(std::span<const int> levelCounts, PairCounts& pairs)
     return {};
 }
 
-/// Returns whether another combination has each of the pairs that this level is in.
-bool IsNeeded(const Combination& combination, std::size_t factor, PairCounts& pairs)
-{
-    for (std::size_t k = 0; k < combination.size(); ++k)
-    {
-        if (k != factor && pairs.Of(factor, combination[factor], k, combination[k]) == 1)
-        {
-            return true;
-        }
-    }
-    return false;
-}
-
 } // namespace
 
 std::vector<Combination> CoverPairs(std::span<const int> levelCounts, std::uint32_t seed)
@@ -176,7 +163,7 @@ std::vector<Combination> CoverPairs(std::span<const int> levelCounts, std::uint3
     {
         for (std::size_t factor = 0; factor < row.size(); ++factor)
         {
-            if (!IsNeeded(row, factor, pairs))
+            if (pairs.PairsThatOccur(1, row, factor, row[factor]) == 0) // others have all of them
             {
                 pairs.Count(row, -1);
                 row[factor] = 0;

@@ -30,11 +30,8 @@ DrawnCase DrawCase(const ExtremeCase& extreme, const Technique& technique, Asset
     UseTechnique(asset, technique, extreme.width, assets);
     StudyPicture picture(std::move(asset), assets, device);
     const Image colors = picture.Colors();
-    DrawnCase drawn;
-    drawn.bad = CountBadValues(colors);
-    drawn.alpha = ChannelOf(colors, 0);
-    drawn.area = drawn.alpha.Sum();
-    return drawn;
+    const Coverage alpha = ChannelOf(colors, 0);
+    return {alpha, alpha.Sum(), CountBadValues(colors)};
 }
 
 /// The part of the picture that can tell something: around the object, as far as the outline's
@@ -117,21 +114,14 @@ struct BoundFigure
 /// Between the figures of a table, straight over the logarithm of the width.
 double BoundBetween(std::span<const BoundFigure> figures, double width)
 {
-    if (width <= figures.front().width)
+    const auto high = std::ranges::lower_bound(figures, width, {}, &BoundFigure::width);
+    if (high == figures.begin() || high == figures.end())
     {
-        return figures.front().error;
+        return high == figures.end() ? figures.back().error : figures.front().error;
     }
-    for (std::size_t i = 1; i < figures.size(); ++i)
-    {
-        const BoundFigure& low = figures[i - 1];
-        const BoundFigure& high = figures[i];
-        if (width <= high.width)
-        {
-            const double part = std::log(width / low.width) / std::log(high.width / low.width);
-            return low.error + part * (high.error - low.error);
-        }
-    }
-    return figures.back().error;
+    const BoundFigure& low = *std::prev(high);
+    const double part = std::log(width / low.width) / std::log(high->width / low.width);
+    return low.error + part * (high->error - low.error);
 }
 
 /// stroke_outline/README.md, shapes of 20 pixels.
@@ -225,15 +215,11 @@ ShapeFacts FactsOf(const Silhouette& silhouette, const CompareWindow& window,
 {
     constexpr double k_TubePart = 0.2; // of the torus
     const glm::dvec2 extent = silhouette.bounds().high - silhouette.bounds().low;
-    ShapeFacts shape;
-    shape.size = std::min(extent.x, extent.y);
-    shape.thickness = k_TubePart * shape.size;
-    shape.comparedPixels = score.bandPixels;
-    for (const double part : ExactFillCoverage(silhouette, window.size.x, window.size.y).values)
-    {
-        shape.borderPixels += part > 0.0 && part < 1.0 ? 1 : 0;
-    }
-    return shape;
+    const double size = std::min(extent.x, extent.y);
+    const Coverage fill = ExactFillCoverage(silhouette, window.size.x, window.size.y);
+    const auto border =
+        std::ranges::count_if(fill.values, [](double part) { return part > 0.0 && part < 1.0; });
+    return {size, k_TubePart * size, score.bandPixels, static_cast<std::size_t>(border)};
 }
 
 /// Checks the shape of a picture whose texels are finite.
@@ -354,12 +340,11 @@ std::vector<CellId> PlanSweep(std::span<const Technique> techniques, SweepSize s
         cells.push_back({CellKind::Stability, technique.name, "torus", extreme.width,
                          extreme.size.x, extreme.size.y, extreme.Variant()});
     };
-    const std::vector<int> counts = levels.Counts();
+    std::vector<int> counts = levels.Counts();
     if (size == SweepSize::Sampled)
     {
-        std::vector<int> withTechnique = counts;
-        withTechnique.push_back(static_cast<int>(techniques.size()));
-        for (Combination combination : CoverPairs(withTechnique))
+        counts.push_back(static_cast<int>(techniques.size()));
+        for (Combination combination : CoverPairs(counts))
         {
             const auto technique = static_cast<std::size_t>(combination.back());
             combination.pop_back();

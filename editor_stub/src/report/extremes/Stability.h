@@ -2,10 +2,6 @@
 
 #include "report/extremes/ExtremeCase.h"
 
-#include <limn/editor_stub/AssetContext.h>
-#include <string>
-#include <vector>
-
 namespace limn
 {
 class GraphicsDevice;
@@ -59,6 +55,10 @@ struct FormulaCell
     /// holds for lavapipe.
     bool articleHolds = false;
     std::string reason; ///< why the article's formula fails, and what replaces it
+    /// The formulas in HLSL of the numbers a, b, c and d; "" if they are of no shader.
+    std::string articleText = {};
+    std::string oursText = {};
+    glm::vec4 values{0.0f}; ///< a to d; beyond 1e38: infinite; no constants for the compiler
 
     bool IsGood(double value) const; ///< true if finite and within the tolerance
 };

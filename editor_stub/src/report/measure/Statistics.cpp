@@ -132,12 +132,8 @@ double TimesInTurn::TimeAround(std::size_t pair) const
 /// The median of the frame before a pair and of its neighbours without an outline.
 double TimesInTurn::MedianOfThree(std::size_t pair) const
 {
-    std::vector<double> three{Before(pair), Behind(pair)};
-    if (pair > 0)
-    {
-        three.push_back(Before(pair - 1));
-    }
-    return QuantileOf(three, 0.5);
+    return pair > 0 ? QuantileOf({Before(pair - 1), Before(pair), Behind(pair)}, 0.5)
+                    : QuantileOf({Before(pair), Behind(pair)}, 0.5);
 }
 
 void TimesInTurn::FindQuietTime()
@@ -194,8 +190,7 @@ void TimesInTurn::ChoosePairs()
     m_QuietPart = near / static_cast<double>(PairCount());
 }
 
-/// The technique's pairs that count; all of them if none does, of which the bound is unknown.
-std::vector<std::size_t> TimesInTurn::PairsOf(std::size_t technique, bool& doCount) const
+TimeAdded TimesInTurn::AddedBy(std::size_t technique) const
 {
     std::vector<std::size_t> all;
     std::vector<std::size_t> counting;
@@ -207,16 +202,9 @@ std::vector<std::size_t> TimesInTurn::PairsOf(std::size_t technique, bool& doCou
             counting.insert(counting.end(), m_Counts[pair] ? 1 : 0, pair);
         }
     }
-    doCount = !counting.empty();
-    return doCount ? counting : all;
-}
-
-TimeAdded TimesInTurn::AddedBy(std::size_t technique) const
-{
     std::vector<double> frames;
     std::vector<double> differences;
-    bool doCount = false;
-    for (const std::size_t pair : PairsOf(technique, doCount))
+    for (const std::size_t pair : counting.empty() ? all : counting)
     {
         frames.push_back(Outlined(pair));
         differences.push_back(Outlined(pair) - (Before(pair) + Behind(pair)) / 2.0);
@@ -227,7 +215,7 @@ TimeAdded TimesInTurn::AddedBy(std::size_t technique) const
     // without an outline rules its pair out, but one with an outline does not.
     const double longer = std::max(1.0, result.frame.median / m_QuietTime);
     const Bound bound = BoundOfMedian(differences, std::min(1.0, m_Disturbed * longer));
-    if (doCount && !std::isnan(bound.low))
+    if (!counting.empty() && !std::isnan(bound.low))
     {
         const double slower = bound.low > 0.0 ? std::max(1.0, m_QuietTime / m_LeastQuietTime) : 1.0;
         const double median = result.added.median;

@@ -94,7 +94,6 @@ private:
     double Behind(std::size_t pair) const { return m_Milliseconds[2 * pair + 2]; }
     double TimeAround(std::size_t pair) const;
     double MedianOfThree(std::size_t pair) const;
-    std::vector<std::size_t> PairsOf(std::size_t technique, bool& doCount) const;
     void FindQuietTime();
     void ChoosePairs();
 

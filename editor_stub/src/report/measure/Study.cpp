@@ -1,29 +1,14 @@
 #include "report/measure/Study.h"
 
-#include <algorithm>
 #include <limits>
-#include <set>
 #include <sstream>
 
 namespace limn::study
 {
 
-namespace
-{
-
-constexpr std::string_view k_KindNames[] = {"geometry", "numerical", "temporal", "cost",
-                                            "stability"};
-
-} // namespace
-
 const char* ToString(CellKind kind)
 {
-    return k_KindNames[static_cast<std::size_t>(kind)].data();
-}
-
-std::span<const std::string_view> CellKindNames()
-{
-    return k_KindNames;
+    return k_CellKindNames[static_cast<std::size_t>(kind)].data();
 }
 
 std::string SizeText(int width, int height)
@@ -107,27 +92,32 @@ const std::vector<Metric>& Metrics()
     return metrics;
 }
 
-const Metric* FindMetric(std::string_view key)
-{
-    const auto& metrics = Metrics();
-    const auto found =
-        std::ranges::find_if(metrics, [key](const Metric& metric) { return metric.key == key; });
-    return found == metrics.end() ? nullptr : &*found;
-}
-
 double CellResult::Value(const std::string& key) const
 {
     const auto found = values.find(key);
     return found == values.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
-std::vector<std::string> Study::MissingCells() const
+std::pair<double, double> CellResult::Quartiles(const std::string& key) const
 {
-    std::set<std::string> measured;
+    constexpr double k_None = std::numeric_limits<double>::quiet_NaN();
+    const auto found = quartiles.find(key);
+    return found == quartiles.end() ? std::pair(k_None, k_None) : found->second;
+}
+
+std::set<std::string> Study::MeasuredCells() const
+{
+    std::set<std::string> names;
     for (const CellResult& cell : cells)
     {
-        measured.insert(cell.id.Name());
+        names.insert(cell.id.Name());
     }
+    return names;
+}
+
+std::vector<std::string> Study::MissingCells() const
+{
+    const std::set<std::string> measured = MeasuredCells();
     std::vector<std::string> missing;
     for (const CellId& id : planned)
     {

@@ -2,7 +2,7 @@
 
 #include <limn/features/Technique.h>
 #include <map>
-#include <span>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -21,9 +21,10 @@ enum class CellKind
     Stability  ///< extreme inputs, which must be survived
 };
 
+/// The words that ToString returns, in the order of the kinds.
+inline constexpr std::string_view k_CellKindNames[] = {"geometry", "numerical", "temporal", "cost",
+                                                       "stability"};
 const char* ToString(CellKind kind); ///< returns "geometry", ...
-/// Returns all words that ToString returns, in the order of the kinds.
-std::span<const std::string_view> CellKindNames();
 
 /// Returns the size of a picture as text: "1280x720".
 std::string SizeText(int width, int height);
@@ -65,8 +66,6 @@ struct Metric
 
 /// Returns all figures, in the order of columns. Results may lack any of them.
 const std::vector<Metric>& Metrics();
-/// Returns the metric with this key, or null if no metric has it.
-const Metric* FindMetric(std::string_view key);
 
 /// The result of a cell.
 struct CellResult
@@ -84,6 +83,8 @@ struct CellResult
 
     bool Has(const std::string& key) const { return values.contains(key); }
     double Value(const std::string& key) const; ///< NaN if there is none
+    /// Returns two NaN if there are none.
+    std::pair<double, double> Quartiles(const std::string& key) const;
 };
 
 /// All that was measured on one device.
@@ -104,6 +105,8 @@ struct Study
     std::vector<CellId> planned;       ///< all cells of all shards
     std::vector<CellResult> cells;     ///< the measured ones, in the order of `planned`
 
+    /// Returns the names of the measured cells, which tell them apart: a width may be NaN.
+    std::set<std::string> MeasuredCells() const;
     /// Returns the names of the planned cells that are not measured.
     std::vector<std::string> MissingCells() const;
 };

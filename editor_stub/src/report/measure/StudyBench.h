@@ -1,11 +1,9 @@
 #pragma once
 
-#include "report/measure/Study.h"
 #include "report/measure/StudyPicture.h"
 #include "report/measure/StudyScene.h"
-#include "report/truth/OutlineReference.h"
 
-#include <limn/editor_stub/AssetContext.h>
+#include <array>
 #include <limn/vulkan/VulkanDevice.h>
 #include <map>
 #include <memory>
@@ -14,32 +12,14 @@
 namespace limn::study
 {
 
-/// Returns the variants that a cell of kind Numerical may have. "" compares with the technique's
-/// twin in double precision (reference/twins). The others compare two pictures of the device: half
-/// of 16 bits, depth that is not reversed, a camera of 8 bits (a value above 1 counts as 1).
-const std::vector<std::string>& NumericalVariants();
-
-/// Measures the errors of techniques by rounding.
-class NumericalBench
-{
-public:
-    /// @param assets, device  must outlive this
-    NumericalBench(AssetContext& assets, VulkanDevice& device) : m_Assets(assets), m_Device(device)
-    {
-    }
-
-    /// Measures a cell of kind Numerical of a shape.
-    /// @throws ContractError for an unknown technique, subject or variant
-    CellResult Measure(const CellId& id);
-
-private:
-    AssetContext& AssetsFor(const std::string& variant);
-    Coverage Draw(const CellId& id, AssetContext& assets, bool allowHDR);
-
-    AssetContext& m_Assets;
-    VulkanDevice& m_Device;
-    std::map<std::string, std::unique_ptr<AssetContext>> m_Others; ///< by variant
-};
+inline constexpr const char* k_HalfVariant = "half";
+inline constexpr const char* k_StandardZVariant = "standard Z";
+inline constexpr const char* k_SmallTargetVariant = "R8 targets";
+/// The variants that a cell of kind Numerical may have. "" compares with the technique's twin in
+/// double precision (truth/twins). The others compare two pictures of the device: half of 16 bits,
+/// depth that is not reversed, a camera of 8 bits (a value above 1 counts as 1).
+inline constexpr std::array k_NumericalVariants{"", k_HalfVariant, k_StandardZVariant,
+                                                k_SmallTargetVariant};
 
 /// Measures cells, one after the other, on one device.
 class StudyBench
@@ -52,7 +32,8 @@ public:
                VulkanDevice& device);
     ~StudyBench();
 
-    /// Measures a cell of any kind but cost.
+    /// Measures a cell of geometry, a cell of kind Numerical of a shape, or one of kind Temporal.
+    /// @throws ContractError for any other kind, and for an unknown technique, subject or variant
     CellResult Measure(const CellId& id);
     /// Measures cells of cost that differ only in their techniques. Frames of all of them take
     /// turns, each between two without an outline (TurnsOf).
@@ -72,6 +53,10 @@ private:
     /// sixteenths of a pixel, for seventeen frames. The errors of neighbour frames are subtracted,
     /// so that the motion itself does not count.
     CellResult MeasureTemporal(const CellId& id);
+    /// Measures the errors of a technique by rounding.
+    CellResult MeasureNumerical(const CellId& id);
+    AssetContext& AssetsFor(const std::string& variant);
+    Coverage DrawShape(const CellId& id, AssetContext& assets, bool allowHDR);
 
     /// Returns the cell's subject with the cell's technique.
     std::unique_ptr<StudyPicture> Picture(const CellId& id, bool isBlack);
@@ -83,13 +68,10 @@ private:
     std::filesystem::path m_Folder;
     AssetContext& m_Assets;
     VulkanDevice& m_Device;
-    NumericalBench m_Numerical;
-    double m_CopyBandwidth = 0.0; ///< 0 = not measured yet
+    std::map<std::string, std::unique_ptr<AssetContext>> m_Others; ///< by numerical variant
+    double m_CopyBandwidth = 0.0;                                  ///< 0 = not measured yet
     /// The reference of the last cell, which its neighbours share.
     std::unique_ptr<Reference> m_Reference;
 };
-
-/// Returns why a cell's technique is not drawn at its width, or "" if it is drawn.
-std::string WhyNotDrawn(const CellId& id, const AssetContext& assets);
 
 } // namespace limn::study

@@ -1,5 +1,7 @@
 #include "report/measure/StudyFiles.h"
 
+#include "console/CacheFolder.h"
+
 #include <algorithm>
 #include <array>
 #include <limn/base/FileRoots.h>
@@ -12,15 +14,8 @@ namespace limn::study
 namespace
 {
 
-std::filesystem::path HeaderFile(const std::filesystem::path& folder)
-{
-    return FileOfStudy(folder, "study.json");
-}
-
-std::filesystem::path CellsFile(const std::filesystem::path& folder)
-{
-    return FileOfStudy(folder, "cells.jsonl");
-}
+constexpr const char* k_Header = "study.json";
+constexpr const char* k_Cells = "cells.jsonl";
 
 /// Returns the facts in which all parts of one study agree.
 std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
@@ -33,7 +28,7 @@ std::vector<std::pair<const char*, std::string>> IdentityOf(const Study& study)
 
 Study ReadHeader(const std::filesystem::path& folder)
 {
-    const std::filesystem::path file = HeaderFile(folder);
+    const std::filesystem::path file = FileOfStudy(folder, k_Header);
     return StudyFromJson(ReadFile(file), file.string());
 }
 
@@ -42,7 +37,7 @@ std::vector<CellResult> ReadCells(const std::filesystem::path& folder, std::size
 {
     length = 0;
     std::vector<CellResult> cells;
-    const std::filesystem::path file = CellsFile(folder);
+    const std::filesystem::path file = FileOfStudy(folder, k_Cells);
     if (!std::filesystem::exists(file))
     {
         return cells;
@@ -120,56 +115,39 @@ void Sort(Study& study)
     std::ranges::stable_sort(study.cells, {}, place);
 }
 
-/// Tells cells apart by name, since a width may be NaN.
-std::set<std::string> NamesOf(const Study& study)
-{
-    std::set<std::string> names;
-    for (const CellResult& cell : study.cells)
-    {
-        names.insert(cell.id.Name());
-    }
-    return names;
-}
-
 void RequireSameStudy(const std::filesystem::path& folder, const Study& there, const Study& wanted)
 {
     const auto found = IdentityOf(there);
     const auto asked = IdentityOf(wanted);
-    for (std::size_t i = 0; i < asked.size(); ++i)
+    const auto [is, wish] = std::ranges::mismatch(found, asked);
+    if (is != found.end())
     {
-        if (found[i].second != asked[i].second)
-        {
-            throw AssetError(HeaderFile(folder).string(), {},
-                             std::string("the folder holds a study with another ") +
-                                 asked[i].first + " ('" + found[i].second + "', not '" +
-                                 asked[i].second + "'); name another folder, or remove this one");
-        }
+        throw AssetError(FileOfStudy(folder, k_Header).string(), {},
+                         std::string("the folder holds a study with another ") + wish->first +
+                             " ('" + is->second + "', not '" + wish->second +
+                             "'); name another folder, or remove this one");
     }
 }
 
 /// Makes the folder that a study is written into.
 std::filesystem::path MakeStudyFolder(std::filesystem::path folder)
 {
-    std::error_code error;
-    std::filesystem::create_directories(folder, error);
-    if (error)
+    if (const std::string problem = MakeFolder(folder); !problem.empty())
     {
-        throw AssetError(folder.string(), {}, "the folder cannot be made: " + error.message());
+        throw AssetError(folder.string(), {}, "the folder cannot be made: " + problem);
     }
     return folder;
 }
 
 void RequireNoPart(const std::filesystem::path& folder, std::span<const std::string> parts)
 {
-    std::error_code ignored;
-    const auto isIt = [&](const std::string& part)
+    for (const std::string& part : parts)
     {
-        return std::filesystem::equivalent(part, folder, ignored);
-    };
-    if (std::ranges::any_of(parts, isIt))
-    {
-        throw AssetError(folder.string(), {},
-                         "this is one of the folders that are merged; name a new folder");
+        if (std::error_code ignored; std::filesystem::equivalent(part, folder, ignored))
+        {
+            throw AssetError(folder.string(), {},
+                             "this is one of the folders that are merged; name a new folder");
+        }
     }
 }
 
@@ -177,7 +155,7 @@ void RequireNoPart(const std::filesystem::path& folder, std::span<const std::str
 void RequireNoOtherCells(const std::filesystem::path& folder, const Study& there,
                          const Study& merged)
 {
-    const std::set<std::string> names = NamesOf(merged);
+    const std::set<std::string> names = merged.MeasuredCells();
     for (const CellResult& cell : there.cells)
     {
         if (const std::string name = cell.id.Name(); !names.contains(name))
@@ -223,7 +201,7 @@ Study ReadStudy(const std::filesystem::path& folder)
 
 StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
     : m_Path(MakeStudyFolder(std::move(folder))),
-      m_Lock(m_Path / "study.json", std::try_to_lock),
+      m_Lock(m_Path / k_Header, std::try_to_lock),
       m_Study(study)
 {
     if (m_Lock.isHeldElsewhere())
@@ -233,7 +211,7 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
             "the folder is written by another limn now; wait until it has ended, or name "
             "another folder");
     }
-    if (std::filesystem::exists(HeaderFile(m_Path)))
+    if (std::filesystem::exists(FileOfStudy(m_Path, k_Header)))
     {
         const Study there = ReadHeader(m_Path);
         RequireSameStudy(m_Path, there, study);
@@ -243,31 +221,31 @@ StudyFolder::StudyFolder(std::filesystem::path folder, Study& study)
     }
     std::size_t length = 0;
     study.cells = ReadCells(m_Path, length);
-    m_Names = NamesOf(study);
-    if (std::filesystem::exists(CellsFile(m_Path)))
+    m_Names = study.MeasuredCells();
+    if (std::filesystem::exists(FileOfStudy(m_Path, k_Cells)))
     {
-        std::filesystem::resize_file(CellsFile(m_Path), length); // half a line of a killed run
+        std::filesystem::resize_file(FileOfStudy(m_Path, k_Cells),
+                                     length); // half a line of a killed run
     }
     Update();
 }
 
 void StudyFolder::Add(CellResult cell)
 {
-    AppendToFile(CellsFile(m_Path), LineOf(cell));
+    AppendToFile(FileOfStudy(m_Path, k_Cells), LineOf(cell));
     m_Names.insert(cell.id.Name());
     m_Study.cells.push_back(std::move(cell));
 }
 
 void StudyFolder::Update()
 {
-    WriteFile(HeaderFile(m_Path), JsonText(ToJson(m_Study)));
+    WriteFile(FileOfStudy(m_Path, k_Header), JsonText(ToJson(m_Study)));
     Sort(m_Study);
 }
 
 std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
 {
     std::vector<MergedStudy> merged;
-    std::vector<std::set<std::string>> names; // of the cells of each
     for (const Study& part : parts)
     {
         auto found = std::ranges::find_if(merged, [&part](const MergedStudy& other)
@@ -276,13 +254,12 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
         {
             found = merged.insert(merged.end(), {part, {}, {}});
             found->study.cells.clear();
-            names.emplace_back();
         }
         Study& whole = found->study;
         whole.started = std::min(whole.started, part.started);
         whole.loadAverage = std::max(whole.loadAverage, part.loadAverage);
         whole.copyBandwidth = std::max(whole.copyBandwidth, part.copyBandwidth);
-        std::set<std::string>& known = names[static_cast<std::size_t>(found - merged.begin())];
+        std::set<std::string> known = whole.MeasuredCells();
         for (const CellResult& cell : part.cells)
         {
             if (const auto [name, isNew] = known.insert(cell.id.Name()); isNew)
@@ -320,15 +297,15 @@ void WriteMerged(const std::filesystem::path& folder, const Study& study,
             CopyPicture(parts, name, folder);
         }
     }
-    WriteFile(CellsFile(folder), lines);
+    WriteFile(FileOfStudy(folder, k_Cells), lines);
 }
 
 std::vector<std::string> CompareStudies(const Study& first, const Study& second)
 {
     const auto isMeasured = [](const auto& entry)
     {
-        const Metric* metric = FindMetric(entry.first);
-        return metric != nullptr && metric->isMeasured;
+        return std::ranges::any_of(Metrics(), [&entry](const Metric& metric)
+                                   { return metric.key == entry.first && metric.isMeasured; });
     };
     std::map<std::string, std::array<Json, 2>> cells; // by name, of either study
     for (const Study* study : {&first, &second})

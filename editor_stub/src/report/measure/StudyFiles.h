@@ -34,7 +34,6 @@ public:
     ///     in whatever process, or if it cannot be written
     StudyFolder(std::filesystem::path folder, Study& study);
 
-    const std::filesystem::path& path() const { return m_Path; }
     bool Has(const CellId& id) const { return m_Names.contains(id.Name()); }
     /// Writes the cell. When this returns, the cell is on disk, whatever happens afterwards.
     /// @throws AssetError if it cannot be written

@@ -121,16 +121,16 @@ private:
     }
     void ReadValue(const YamlNode& node, const std::string& subject, CellKind& value)
     {
-        const auto found = std::ranges::find(CellKindNames(), node.scalar());
-        if (found == CellKindNames().end())
+        const auto found = std::ranges::find(k_CellKindNames, node.scalar());
+        if (found == std::end(k_CellKindNames))
         {
-            m_Diagnostics.Error(
-                node.location(),
-                subject + ": unknown kind of cell " +
-                    UnknownName(node.scalar(), {CellKindNames().begin(), CellKindNames().end()}));
+            m_Diagnostics.Error(node.location(),
+                                subject + ": unknown kind of cell " +
+                                    UnknownName(node.scalar(), {std::begin(k_CellKindNames),
+                                                                std::end(k_CellKindNames)}));
             return;
         }
-        value = static_cast<CellKind>(found - CellKindNames().begin());
+        value = static_cast<CellKind>(found - std::begin(k_CellKindNames));
     }
     void ReadValue(const YamlNode& node, const std::string& subject, std::pair<double, double>& two)
     {

@@ -1,6 +1,6 @@
 #include "report/measure/StudyScene.h"
 
-#include "plugins/LoadPlugin.h"
+#include "selection/SceneSelection.h"
 
 #include <algorithm>
 #include <charconv>
@@ -52,52 +52,14 @@ bool IsOpaque(const Material& material)
     return material.renderQueue() <= RenderQueueRange::opaque.upperBound();
 }
 
-/// Finds the filters of an outline feature by the names that all of them share.
-class FilterFinder final : public Inspector
-{
-public:
-    void Field(const FieldInfo& field, FieldValue value) override
-    {
-        // A ported feature may have settings of these names and other types.
-        LayerMask** layers = std::get_if<LayerMask*>(&value);
-        const auto* layer = std::get_if<RenderingLayerValue>(&value);
-        RenderingLayerMask** renderingLayers = std::get_if<RenderingLayerMask*>(&value);
-        const auto* choice = std::get_if<EnumValue>(&value);
-        if (layers && field.name == "m_LayerMask")
-        {
-            m_Filter.layerMask = **layers;
-        }
-        else if ((layer || renderingLayers) && field.name == "m_RenderingLayerMask")
-        {
-            m_Filter.renderingLayerMask =
-                layer ? RenderingLayerMask::FromIndex(layer->value) : **renderingLayers;
-            m_IsOutline = true;
-        }
-        else if (choice && field.name == "m_RenderQueueRange" && choice->value >= 0 &&
-                 choice->value < 3)
-        {
-            constexpr RenderQueueRange k_Ranges[] = {
-                RenderQueueRange::all, RenderQueueRange::opaque, RenderQueueRange::transparent};
-            m_Filter.renderQueueRange = k_Ranges[static_cast<std::size_t>(choice->value)];
-        }
-    }
-    bool isOutline() const { return m_IsOutline; }
-    const FilteringSettings& filter() const { return m_Filter; }
-
-private:
-    bool m_IsOutline = false;
-    FilteringSettings m_Filter;
-};
-
 FilteringSettings FilterOf(SceneAsset& asset)
 {
     for (const auto& feature : asset.renderer.features)
     {
-        FilterFinder finder;
-        DescribeFeature(*feature, finder);
-        if (feature->isActive() && finder.isOutline())
+        const FilterFinder found(*feature, true);
+        if (feature->isActive() && found.hasRenderingLayers)
         {
-            return finder.filter();
+            return found.filter;
         }
     }
     throw AssetError(asset.path.string(), {},
@@ -184,8 +146,7 @@ const Technique& RequireTechnique(const AssetContext& assets, const std::string&
     return *technique;
 }
 
-void UseTechnique(SceneAsset& asset, const Technique& technique, const std::string& width,
-                  AssetContext& assets)
+void UseTechnique(SceneAsset& asset, const Technique& technique, double width, AssetContext& assets)
 {
     std::unique_ptr<ScriptableRendererFeature> feature =
         assets.features().Create(technique.feature);
@@ -199,19 +160,14 @@ void UseTechnique(SceneAsset& asset, const Technique& technique, const std::stri
     asset.renderer.featureTypes = {technique.feature};
     asset.volumes.clear();
 
-    std::vector<std::string> changes = {"Outline.m_RenderQueueRange=All",
-                                        "Outline.m_RenderingLayerMask=" +
-                                            std::to_string(k_OutlinedLayer),
-                                        technique.component + ".m_Enable=true",
-                                        technique.component + ".m_OutlineColor=[1, 1, 1, 1]",
-                                        technique.component + ".m_OutlineWidth=" + width};
+    std::vector<std::string> changes = {
+        "Outline.m_RenderQueueRange=All",
+        "Outline.m_RenderingLayerMask=" + std::to_string(k_OutlinedLayer),
+        technique.component + ".m_Enable=true",
+        technique.component + ".m_OutlineColor=[1, 1, 1, 1]",
+        technique.component + ".m_OutlineWidth=" + NumberText(width)};
     changes.insert(changes.end(), technique.settings.begin(), technique.settings.end());
     ApplyOverrides(asset, changes, assets);
-}
-
-void UseTechnique(SceneAsset& asset, const Technique& technique, double width, AssetContext& assets)
-{
-    UseTechnique(asset, technique, NumberText(width), assets);
 }
 
 SceneAsset EmptyPicture(int width, int height)
@@ -380,15 +336,9 @@ bool IsPartlyHidden(const SceneAsset& asset)
                 .hiding.empty();
 }
 
-const std::vector<std::string>& ShapeNames()
-{
-    static const std::vector<std::string> names = {"disc", "ring", "star", "needle", "two"};
-    return names;
-}
-
 bool IsShape(const std::string& subject)
 {
-    return std::ranges::count(ShapeNames(), subject) > 0;
+    return std::ranges::count(k_ShapeNames, subject) > 0;
 }
 
 ScreenTriangles ShapeTriangles(const std::string& name, int width, int height)

@@ -2,10 +2,8 @@
 
 #include "report/measure/Study.h"
 #include "report/truth/OutlineReference.h"
-#include "report/truth/SeenOutline.h"
 
 #include <limn/editor_stub/SceneFile.h>
-#include <limn/features/Technique.h>
 
 namespace limn::study
 {
@@ -18,10 +16,8 @@ const Technique& RequireTechnique(const AssetContext& assets, const std::string&
 
 /// Makes a white outline of that width the scene's only feature, with the name "Outline", and
 /// removes the scene's volumes.
-/// @param width  in pixels, as a person would type it; "nan" is refused, as it would be there
+/// @param width  in pixels; NaN is refused, as it would be if a person typed it
 /// @throws AssetError if the feature or its component refuses the width
-void UseTechnique(SceneAsset& asset, const Technique& technique, const std::string& width,
-                  AssetContext& assets);
 void UseTechnique(SceneAsset& asset, const Technique& technique, double width,
                   AssetContext& assets);
 
@@ -72,9 +68,8 @@ inline constexpr const char* k_SceneSubject = "scene";
 /// The subject with as many balls as the variant names, "100 objects".
 inline constexpr const char* k_BallsSubject = "balls";
 
-/// Returns the names of the flat shapes that can be outlined: "disc", "ring", "star", "needle",
-/// "two".
-const std::vector<std::string>& ShapeNames();
+/// The names of the flat shapes that can be outlined.
+inline constexpr std::array k_ShapeNames{"disc", "ring", "star", "needle", "two"};
 bool IsShape(const std::string& subject);
 
 /// Returns a shape in the middle of a picture. Its size depends on the picture's height.

@@ -13,38 +13,15 @@ constexpr float k_FinHeight = 0.4f; ///< of the edge's distance from the mesh's 
 
 bool IsTurned(Untidiness untidiness, std::size_t triangle)
 {
-    switch (untidiness)
-    {
-    case Untidiness::OneTriangleTurned:
-        return triangle == 5;
-    case Untidiness::OneFaceTurned:
-        return triangle / 2 == 2;
-    case Untidiness::TurnedAtRandom:
-    case Untidiness::Soup:
-        return (triangle * 2654435761u >> 7 & 1u) != 0; // Knuth's multiplicative hash
-    default:
-        return false;
-    }
+    const bool isAtRandom =
+        untidiness == Untidiness::TurnedAtRandom || untidiness == Untidiness::Soup;
+    return (untidiness == Untidiness::OneTriangleTurned && triangle == 5) ||
+           (untidiness == Untidiness::OneFaceTurned && triangle / 2 == 2) ||
+           // Knuth's multiplicative hash
+           (isAtRandom && (triangle * 2654435761u >> 7 & 1u) != 0);
 }
 
 } // namespace
-
-const std::vector<std::string>& UntidinessNames()
-{
-    static const std::vector<std::string> names = {"tidy",
-                                                   "one triangle turned",
-                                                   "one face turned",
-                                                   "turned at random",
-                                                   "doubled",
-                                                   "double-sided",
-                                                   "two objects",
-                                                   "soup",
-                                                   "T-junctions",
-                                                   "no area",
-                                                   "open",
-                                                   "fins"};
-    return names;
-}
 
 std::shared_ptr<const Mesh> MakeUntidy(const Mesh& tidy, Untidiness untidiness)
 {
@@ -106,7 +83,7 @@ std::shared_ptr<const Mesh> MakeUntidy(const Mesh& tidy, Untidiness untidiness)
             add(a, b, addPoint(a, b, 1.0f + k_FinHeight));
         }
     }
-    return std::make_shared<const Mesh>(UntidinessNames()[static_cast<std::size_t>(untidiness)],
+    return std::make_shared<const Mesh>(k_UntidinessNames[static_cast<std::size_t>(untidiness)],
                                         std::move(data));
 }
 

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <array>
 #include <limn/core/Mesh.h>
 #include <memory>
-#include <string>
-#include <vector>
 
 namespace limn::study
 {
@@ -25,8 +24,19 @@ enum class Untidiness
     Fins               ///< three faces meet at some edges, the third one standing off the mesh
 };
 
-/// Returns the names "tidy", "one triangle turned", ... in the order of Untidiness.
-const std::vector<std::string>& UntidinessNames();
+/// The names, in the order of Untidiness.
+inline constexpr std::array k_UntidinessNames{"tidy",
+                                              "one triangle turned",
+                                              "one face turned",
+                                              "turned at random",
+                                              "doubled",
+                                              "double-sided",
+                                              "two objects",
+                                              "soup",
+                                              "T-junctions",
+                                              "no area",
+                                              "open",
+                                              "fins"};
 
 /// Returns an untidy copy of a mesh, with vertices and normals only.
 /// @param tidy  must have one list of triangles, and normals

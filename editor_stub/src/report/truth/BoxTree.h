@@ -1,15 +1,18 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
+#include <glm/vector_relational.hpp>
 #include <limits>
 #include <numeric>
 #include <vector>
 
 namespace limn::study
 {
+
+inline constexpr double k_Touching = 1e-9; ///< in pixels; points that are nearer count as the same
 
 /// An axis-aligned box in the plane. It is empty until something is added.
 struct Box
@@ -30,14 +33,12 @@ struct Box
     /// Returns the distance from the box to a point, or 0 inside.
     double DistanceTo(const glm::dvec2& point) const
     {
-        const double x = point.x < low.x ? low.x - point.x : std::max(0.0, point.x - high.x);
-        const double y = point.y < low.y ? low.y - point.y : std::max(0.0, point.y - high.y);
-        return std::sqrt(x * x + y * y);
+        return glm::length(glm::max(glm::max(low - point, point - high), 0.0));
     }
-    bool Overlaps(const Box& other, double margin) const
+    bool Touches(const Box& other) const
     {
-        return low.x <= other.high.x + margin && other.low.x <= high.x + margin &&
-               low.y <= other.high.y + margin && other.low.y <= high.y + margin;
+        return glm::all(glm::lessThanEqual(low, other.high + k_Touching)) &&
+               glm::all(glm::lessThanEqual(other.low, high + k_Touching));
     }
 };
 
@@ -45,32 +46,58 @@ struct Box
 class BoxTree
 {
 public:
-    BoxTree() = default;
-    explicit BoxTree(std::vector<Box> boxes) : m_Boxes(std::move(boxes)), m_Items(m_Boxes.size())
+    explicit BoxTree(std::vector<Box> boxes = {})
+        : m_Boxes(std::move(boxes)), m_Items(m_Boxes.size())
     {
         std::iota(m_Items.begin(), m_Items.end(), std::size_t{0});
-        if (!m_Items.empty())
-        {
-            Build(0, m_Items.size());
-        }
+        Build(0, m_Items.size());
     }
 
-    /// Calls visit(index) for the boxes that overlap `box`, until one call returns true. Returns
+    /// Calls visit(index) for the boxes that touch `box`, until one call returns true. Returns
     /// whether one did.
     template <typename Visit>
-    bool AnyOverlapping(const Box& box, double margin, Visit&& visit) const
+    bool AnyTouching(const Box& box, const Visit& visit, std::size_t node = 0) const
     {
-        return !m_Nodes.empty() && AnyBelow(0, box, margin, visit);
+        if (!m_Nodes[node].box.Touches(box))
+        {
+            return false;
+        }
+        const auto& [around, first, end, second] = m_Nodes[node];
+        if (second != 0)
+        {
+            return AnyTouching(box, visit, node + 1) || AnyTouching(box, visit, second);
+        }
+        for (std::size_t i = first; i < end; ++i)
+        {
+            if (m_Boxes[m_Items[i]].Touches(box) && visit(m_Items[i]))
+            {
+                return true;
+            }
+        }
+        return false;
     }
 
-    /// Calls distance(index) for all boxes that may be nearer than `limit` and than the distances
-    /// that it returned before.
-    template <typename Distance>
-    void Nearest(const glm::dvec2& point, double limit, Distance&& distance) const
+    /// Calls visit(index) for all boxes that may be nearer than `least`, which the calls may make
+    /// smaller.
+    template <typename Visit>
+    void Nearest(const glm::dvec2& point, const double& least, const Visit& visit,
+                 std::size_t node = 0) const
     {
-        if (!m_Nodes.empty())
+        const auto& [around, first, end, second] = m_Nodes[node];
+        if (second == 0)
         {
-            NearestBelow(0, m_Nodes[0].box.DistanceTo(point), point, limit, distance);
+            std::for_each(m_Items.data() + first, m_Items.data() + end, visit);
+            return;
+        }
+        const std::pair ofFirst(m_Nodes[node + 1].box.DistanceTo(point), node + 1);
+        const std::pair ofSecond(m_Nodes[second].box.DistanceTo(point), second);
+        for (const auto& [distance, child] :
+             {std::min(ofFirst, ofSecond), std::max(ofFirst, ofSecond)})
+        {
+            if (distance < least)
+            {
+                Nearest(point, least, visit, child);
+            }
         }
     }
 
@@ -103,11 +130,8 @@ private:
         const glm::dvec2 size = centers.high - centers.low;
         const int axis = size.x >= size.y ? 0 : 1;
         const std::size_t middle = (first + end) / 2;
-        const auto at = [this](std::size_t i)
-        {
-            return m_Items.begin() + static_cast<std::ptrdiff_t>(i);
-        };
-        std::nth_element(at(first), at(middle), at(end),
+        std::size_t* const items = m_Items.data();
+        std::nth_element(items + first, items + middle, items + end,
                          [&](std::size_t a, std::size_t b)
                          { return Center(a)[axis] < Center(b)[axis]; });
         Build(first, middle);
@@ -118,55 +142,6 @@ private:
     glm::dvec2 Center(std::size_t item) const
     {
         return 0.5 * (m_Boxes[item].low + m_Boxes[item].high);
-    }
-
-    template <typename Visit>
-    bool AnyBelow(std::size_t index, const Box& box, double margin, Visit& visit) const
-    {
-        const Node& node = m_Nodes[index];
-        if (!node.box.Overlaps(box, margin))
-        {
-            return false;
-        }
-        if (node.second != 0)
-        {
-            return AnyBelow(index + 1, box, margin, visit) ||
-                   AnyBelow(node.second, box, margin, visit);
-        }
-        for (std::size_t i = node.first; i < node.end; ++i)
-        {
-            if (m_Boxes[m_Items[i]].Overlaps(box, margin) && visit(m_Items[i]))
-            {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    template <typename Distance>
-    void NearestBelow(std::size_t index, double boxDistance, const glm::dvec2& point, double& limit,
-                      Distance& distance) const
-    {
-        if (boxDistance >= limit)
-        {
-            return;
-        }
-        const Node& node = m_Nodes[index];
-        if (node.second != 0)
-        {
-            const double first = m_Nodes[index + 1].box.DistanceTo(point);
-            const double second = m_Nodes[node.second].box.DistanceTo(point);
-            const bool swapped = second < first;
-            NearestBelow(swapped ? node.second : index + 1, std::min(first, second), point, limit,
-                         distance);
-            NearestBelow(swapped ? index + 1 : node.second, std::max(first, second), point, limit,
-                         distance);
-            return;
-        }
-        for (std::size_t i = node.first; i < node.end; ++i)
-        {
-            limit = std::min(limit, distance(m_Items[i]));
-        }
     }
 
     std::vector<Box> m_Boxes;

@@ -1,12 +1,13 @@
 #include "report/truth/OutlineReference.h"
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/gtc/packing.hpp>
 #include <iterator>
 #include <limits>
-#include <limn/core/Image.h>
+#include <set>
 #include <stdexcept>
 
 namespace limn::study
@@ -15,73 +16,35 @@ namespace limn::study
 namespace
 {
 
-/// The part of a square of side 1 that is behind a straight line.
-/// @param normal    of the line
-/// @param distance  of the line from the square's centre, positive if that is behind it
-double PixelCoverage(const glm::dvec2& normal, double distance)
-{
-    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
-    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
-    const double aside = std::abs(distance);
-    if (aside <= (large - small) / 2.0)
-    {
-        return 0.5 + distance / large;
-    }
-    const double rest = std::max((large + small) / 2.0 - aside, 0.0);
-    const double outside = rest > 0.0 ? rest * rest / (2.0 * large * small) : 0.0;
-    return distance > 0.0 ? 1.0 - outside : outside;
-}
-
 /// Fills a picture square by square, halving those in which the answer changes.
-class BandFiller
+struct BandFiller
 {
-public:
-    BandFiller(const Silhouette& silhouette, double low, double high, int width, int height,
-               int levels)
-        : m_Silhouette(silhouette),
-          m_Low(low),
-          m_High(high),
-          m_Smallest(std::ldexp(1.0, -levels)),
-          m_Result(width, height)
-    {
-        for (const double end : {low, high})
-        {
-            m_Farthest = std::max(m_Farthest, std::isfinite(end) ? std::abs(end) : 0.0);
-        }
-    }
+    const Silhouette& silhouette;
+    double low;
+    double high;
+    double smallest; ///< side of a square
+    double farthest; ///< the greater distance of the two ends, where it is finite
+    Coverage result;
 
-    Coverage Fill()
-    {
-        double side = 1.0;
-        while (side < m_Result.width || side < m_Result.height)
-        {
-            side *= 2.0;
-        }
-        Fill({0.0, 0.0}, side);
-        return std::move(m_Result);
-    }
-
-private:
     void Fill(const glm::dvec2& corner, double side)
     {
-        if (corner.x >= m_Result.width || corner.y >= m_Result.height)
+        if (corner.x >= result.width || corner.y >= result.height)
         {
             return;
         }
         const double reach = side * std::sqrt(0.5);
         const glm::dvec2 center = corner + side / 2.0;
         glm::dvec2 nearest = center;
-        const double distance =
-            m_Silhouette.SignedDistance(center, m_Farthest + reach + 1.0, &nearest);
+        const double distance = silhouette.SignedDistance(center, farthest + reach + 1.0, &nearest);
         const auto isSame = [&](double end)
         {
             return std::abs(distance - end) > reach;
         };
-        if (isSame(m_Low) && isSame(m_High))
+        if (isSame(low) && isSame(high))
         {
-            Add(corner, side, distance > m_Low && distance < m_High ? 1.0 : 0.0);
+            Add(corner, side, distance > low && distance < high ? 1.0 : 0.0);
         }
-        else if (side <= m_Smallest)
+        else if (side <= smallest)
         {
             const double length = glm::distance(center, nearest);
             const glm::dvec2 normal =
@@ -90,7 +53,7 @@ private:
             {
                 return PixelCoverage(normal, (end - distance) / side);
             };
-            Add(corner, side, within(m_High) - within(m_Low));
+            Add(corner, side, within(high) - within(low));
         }
         else
         {
@@ -104,34 +67,50 @@ private:
 
     void Add(const glm::dvec2& corner, double side, double value)
     {
-        if (value == 0.0)
-        {
-            return;
-        }
-        if (side <= 1.0)
-        {
-            m_Result.At(static_cast<int>(corner.x), static_cast<int>(corner.y)) +=
-                value * side * side;
-            return;
-        }
-        const int endX = std::min(m_Result.width, static_cast<int>(corner.x + side));
-        const int endY = std::min(m_Result.height, static_cast<int>(corner.y + side));
+        const double part = value * std::min(side * side, 1.0); // of each pixel
+        const int endX = std::min(result.width, static_cast<int>(std::ceil(corner.x + side)));
+        const int endY = std::min(result.height, static_cast<int>(std::ceil(corner.y + side)));
         for (int y = static_cast<int>(corner.y); y < endY; ++y)
         {
             for (int x = static_cast<int>(corner.x); x < endX; ++x)
             {
-                m_Result.At(x, y) = value;
+                result.At(x, y) += part;
             }
         }
     }
-
-    const Silhouette& m_Silhouette;
-    double m_Low;
-    double m_High;
-    double m_Smallest;
-    double m_Farthest = 0.0;
-    Coverage m_Result;
 };
+
+Coverage FillBand(const Silhouette& silhouette, double low, double high, int width, int height,
+                  int levels)
+{
+    const double farthest = std::max(std::isfinite(low) ? std::abs(low) : 0.0,
+                                     std::isfinite(high) ? std::abs(high) : 0.0);
+    BandFiller filler{
+        silhouette, low, high, std::ldexp(1.0, -levels), farthest, Coverage(width, height)};
+    filler.Fill({0.0, 0.0}, std::bit_ceil(static_cast<unsigned>(std::max(width, height))));
+    return std::move(filler.result);
+}
+
+constexpr int k_PlacesPerSide = 4; ///< of a pixel
+
+/// Returns the nearness of a triangle at a point; less than 0 outside of it.
+double NearnessOf(const DepthTriangle& triangle, const glm::dvec2& point)
+{
+    const std::array<glm::dvec2, 3> corners{triangle[0], triangle[1], triangle[2]};
+    if (!IsInTriangle(corners, point))
+    {
+        return -1.0;
+    }
+    const double area = Cross(corners[1] - corners[0], corners[2] - corners[0]);
+    double nearness = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+        const glm::dvec2& begin = corners[(i + 1) % 3];
+        const double part = Cross(corners[(i + 2) % 3] - begin, point - begin); // times area
+        nearness += part / area * triangle[i].z;
+    }
+    return std::max(nearness, 0.0);
+}
 
 constexpr double k_Nothing = 0.5 / 255.0; ///< what 8 bits round to 0
 
@@ -141,14 +120,6 @@ void RequireSameSize(const Coverage& a, const Coverage& b)
     {
         throw std::invalid_argument("the outlines' sizes differ");
     }
-}
-
-void AddCrossing(ContourScore& score, double error)
-{
-    score.mean += error;
-    score.spread += error * error;
-    score.largest = std::max(score.largest, std::abs(error));
-    ++score.crossings;
 }
 
 /// Returns the places between two neighbour pixels where alpha crosses one half.
@@ -193,10 +164,7 @@ double Farthest(const std::vector<glm::dvec2>& from, const std::vector<glm::dvec
         double nearest = std::numeric_limits<double>::infinity();
         tree.Nearest(place, nearest,
                      [&](std::size_t index)
-                     {
-                         nearest = std::min(nearest, glm::distance(place, to[index]));
-                         return nearest;
-                     });
+                     { nearest = std::min(nearest, glm::distance(place, to[index])); });
         farthest = std::max(farthest, nearest);
     }
     return farthest;
@@ -252,6 +220,20 @@ Coverage ChannelOf(const Image& image, int channel)
     return result;
 }
 
+double PixelCoverage(const glm::dvec2& normal, double distance)
+{
+    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
+    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
+    const double aside = std::abs(distance);
+    if (aside <= (large - small) / 2.0)
+    {
+        return 0.5 + distance / large;
+    }
+    const double rest = std::max((large + small) / 2.0 - aside, 0.0);
+    const double outside = rest > 0.0 ? rest * rest / (2.0 * large * small) : 0.0;
+    return distance > 0.0 ? 1.0 - outside : outside;
+}
+
 double OutlineBand::Low() const
 {
     return side == OutlineSide::Outer   ? gap
@@ -267,13 +249,103 @@ double OutlineBand::High() const
 Coverage ExactOutlineCoverage(const Silhouette& silhouette, const OutlineBand& band, int width,
                               int height, int levels)
 {
-    return BandFiller(silhouette, band.Low(), band.High(), width, height, levels).Fill();
+    return FillBand(silhouette, band.Low(), band.High(), width, height, levels);
 }
 
 Coverage ExactFillCoverage(const Silhouette& silhouette, int width, int height, int levels)
 {
     constexpr double k_Everywhere = -std::numeric_limits<double>::infinity();
-    return BandFiller(silhouette, k_Everywhere, 0.0, width, height, levels).Fill();
+    return FillBand(silhouette, k_Everywhere, 0.0, width, height, levels);
+}
+
+void Surfaces::Add(const std::vector<DepthTriangle>& triangles, std::size_t owner)
+{
+    for (const DepthTriangle& triangle : triangles)
+    {
+        const glm::dvec2 a(triangle[0]);
+        if (std::abs(Cross(glm::dvec2(triangle[1]) - a, glm::dvec2(triangle[2]) - a)) > 1e-12)
+        {
+            m_Triangles.push_back(triangle);
+            m_Owners.push_back(owner);
+        }
+    }
+}
+
+void Surfaces::Finish()
+{
+    m_Tree = TreeOf(m_Triangles);
+}
+
+Surfaces::Hit Surfaces::NearestAt(const glm::dvec2& point) const
+{
+    Hit nearest;
+    m_Tree.AnyTouching(Box{point, point},
+                       [&](std::size_t index)
+                       {
+                           const double nearness = NearnessOf(m_Triangles[index], point);
+                           if (nearness >= nearest.nearness)
+                           {
+                               nearest = {nearness, m_Owners[index]};
+                           }
+                           return false;
+                       });
+    return nearest;
+}
+
+SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhouette, double width,
+                                const Surfaces& own, const Surfaces& others, HiddenAt where)
+{
+    SeenOutline result{whole, {}};
+    if (others.isEmpty())
+    {
+        return result;
+    }
+    std::set<std::size_t> hiding;
+    const auto isSeen = [&](const glm::dvec2& place, const glm::dvec2& nearest)
+    {
+        constexpr double k_NotInFront = 1.001;
+        const Surfaces::Hit other = others.NearestAt(where == HiddenAt::Border ? nearest : place);
+        const bool isHidden = other.owner != Surfaces::k_NoOwner &&
+                              other.nearness > own.NearestAt(nearest).nearness * k_NotInFront;
+        if (isHidden)
+        {
+            hiding.insert(other.owner);
+        }
+        return !isHidden;
+    };
+    // Returns the part of a pixel's outline that is seen, 0...1.
+    const auto partOf = [&](int x, int y)
+    {
+        constexpr int k_Places = k_PlacesPerSide * k_PlacesPerSide;
+        int inBand = 0;
+        int seenInBand = 0;
+        int seen = 0;
+        for (int i = 0; i < k_Places; ++i)
+        {
+            const glm::dvec2 step(i % k_PlacesPerSide + 0.5, i / k_PlacesPerSide + 0.5);
+            const glm::dvec2 place = glm::dvec2(x, y) + step / static_cast<double>(k_PlacesPerSide);
+            glm::dvec2 nearest = place;
+            const double distance = silhouette.SignedDistance(place, width + 2.0, &nearest);
+            const int isPlaceSeen = isSeen(place, nearest) ? 1 : 0;
+            const int isInBand = distance > 0.0 && distance < width ? 1 : 0;
+            inBand += isInBand;
+            seenInBand += isInBand * isPlaceSeen;
+            seen += isPlaceSeen;
+        }
+        // A sliver of the outline may pass between all places.
+        return inBand > 0 ? static_cast<double>(seenInBand) / inBand
+                          : static_cast<double>(seen) / k_Places;
+    };
+    whole.ForEach(
+        [&](int x, int y)
+        {
+            if (whole.At(x, y) > 0.0)
+            {
+                result.seen.At(x, y) *= partOf(x, y);
+            }
+        });
+    result.hiding.assign(hiding.begin(), hiding.end());
+    return result;
 }
 
 OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, double perimeter)
@@ -302,7 +374,6 @@ OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, doubl
     }
     score.bandPixels = errors.size();
     score.areaRatio = exact.Sum() > 0.0 ? measured.Sum() / exact.Sum() : 1.0;
-    score.widthBias = score.areaRatio - 1.0;
     score.effectiveWidth = perimeter > 0.0 ? measured.Sum() / perimeter : 0.0;
     score.intersectionOverUnion =
         either > 0 ? static_cast<double>(both) / static_cast<double>(either) : 1.0;
@@ -329,7 +400,11 @@ ContourScores ScoreContours(const Coverage& measured, const Silhouette& silhouet
     {
         const double distance = silhouette.SignedDistance(place, limit);
         const bool isLow = std::abs(distance - low) < std::abs(distance - high);
-        AddCrossing(isLow ? scores.low : scores.high, distance - (isLow ? low : high));
+        const double error = distance - (isLow ? low : high);
+        ContourScore& score = isLow ? scores.low : scores.high;
+        score.mean += error;
+        score.spread += error * error;
+        ++score.crossings;
     }
     for (ContourScore* score : {&scores.low, &scores.high})
     {

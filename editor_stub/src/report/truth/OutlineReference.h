@@ -2,13 +2,8 @@
 
 #include "report/truth/Silhouette.h"
 
-#include <cstddef>
-#include <vector>
-
-namespace limn
-{
-struct Image;
-}
+#include <limn/core/Image.h>
+#include <limn/features/Technique.h>
 
 namespace limn::study
 {
@@ -67,6 +62,11 @@ enum class OutlineSide
     Centred
 };
 
+/// Returns the part of a square of side 1 that is behind a straight line.
+/// @param normal    of the line, of unit length
+/// @param distance  of the line from the square's centre, positive if that is behind it
+double PixelCoverage(const glm::dvec2& normal, double distance);
+
 /// The points of an outline, by their signed distance to the silhouette's border.
 struct OutlineBand
 {
@@ -87,6 +87,46 @@ Coverage ExactOutlineCoverage(const Silhouette& silhouette, const OutlineBand& b
 /// Returns the part of each pixel's square that the silhouette covers.
 Coverage ExactFillCoverage(const Silhouette& silhouette, int width, int height, int levels = 4);
 
+/// The surfaces of several objects, asked for the nearest one at a place of the picture.
+class Surfaces
+{
+public:
+    static constexpr std::size_t k_NoOwner = ~std::size_t{0};
+    struct Hit
+    {
+        double nearness = 0.0;
+        std::size_t owner = k_NoOwner; ///< k_NoOwner where there is no surface
+    };
+
+    /// Adds triangles of the object `owner`. Triangles without an area are passed over.
+    void Add(const std::vector<DepthTriangle>& triangles, std::size_t owner);
+    /// Must be called after the last Add and before the first NearestAt.
+    void Finish();
+    Hit NearestAt(const glm::dvec2& point) const;
+    bool isEmpty() const { return m_Triangles.empty(); }
+
+private:
+    std::vector<DepthTriangle> m_Triangles;
+    std::vector<std::size_t> m_Owners;
+    BoxTree m_Tree;
+};
+
+/// The part of an outline that nothing hides.
+struct SeenOutline
+{
+    Coverage seen;
+    std::vector<std::size_t> hiding; ///< the owners that hide something, each once, in order
+};
+
+/// Divides each pixel of an outline by 4 x 4 places in it. Something hides the outline if it is
+/// nearer to the camera than the object by more than a thousandth of the nearness: what touches the
+/// object hides nothing.
+/// @param whole   the outline of `width` pixels around the silhouette, whatever stands in front
+/// @param own     the surfaces of the silhouette's objects
+/// @param others  the surfaces that may stand in front
+SeenOutline SeenOutlineCoverage(const Coverage& whole, const Silhouette& silhouette, double width,
+                                const Surfaces& own, const Surfaces& others, HiddenAt where);
+
 /// The errors of an outline's alpha. They are taken over the pixels in the measured or the exact
 /// outline, since the rest of the picture would hide them.
 struct OutlineScore
@@ -97,7 +137,6 @@ struct OutlineScore
     double percentile99 = 0.0;
     double intersectionOverUnion = 1.0; ///< of the pixels above one half
     double areaRatio = 1.0;             ///< measured : exact
-    double widthBias = 0.0;             ///< areaRatio - 1
     /// The sum of alpha / perimeter, in pixels; 0 if no perimeter was given.
     double effectiveWidth = 0.0;
     std::size_t bandPixels = 0;
@@ -112,8 +151,7 @@ OutlineScore ScoreOutline(const Coverage& measured, const Coverage& exact, doubl
 struct ContourScore
 {
     double mean = 0.0;
-    double spread = 0.0;  ///< the standard deviation: how uneven the line's end is
-    double largest = 0.0; ///< the largest absolute distance
+    double spread = 0.0; ///< the standard deviation: how uneven the line's end is
     std::size_t crossings = 0;
 };
 struct ContourScores

@@ -1,14 +1,9 @@
 #include "report/truth/Silhouette.h"
 
-#include "report/truth/SeenOutline.h"
-
 #include <cmath>
 #include <glm/ext/scalar_constants.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat4x4.hpp>
-#include <limn/core/Camera.h>
-#include <limn/core/Mesh.h>
-#include <limn/core/Transform.h>
 #include <map>
 #include <span>
 #include <tuple>
@@ -186,12 +181,12 @@ Silhouette::Silhouette(const ScreenTriangles& triangles)
     for (const Segment& edge : edges)
     {
         std::vector<double> cuts{0.0, 1.0};
-        tree.AnyOverlapping(BoxOf(edge), k_Touching,
-                            [&](std::size_t other)
-                            {
-                                AddCuts(edge, edges[other], cuts);
-                                return false;
-                            });
+        tree.AnyTouching(BoxOf(edge),
+                         [&](std::size_t other)
+                         {
+                             AddCuts(edge, edges[other], cuts);
+                             return false;
+                         });
         std::sort(cuts.begin(), cuts.end());
         const glm::dvec2 along = edge[1] - edge[0];
         const double length = glm::length(along);
@@ -212,9 +207,8 @@ Silhouette::Silhouette(const ScreenTriangles& triangles)
 
 bool Silhouette::Contains(const glm::dvec2& point) const
 {
-    return m_TriangleTree.AnyOverlapping(Box{point, point}, k_Touching,
-                                         [&](std::size_t index)
-                                         { return IsInTriangle(m_Triangles[index], point); });
+    return m_TriangleTree.AnyTouching(Box{point, point}, [&](std::size_t index)
+                                      { return IsInTriangle(m_Triangles[index], point); });
 }
 
 bool IsInTriangle(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& point)
@@ -235,7 +229,7 @@ bool IsInTriangle(const std::array<glm::dvec2, 3>& corners, const glm::dvec2& po
 double Silhouette::SignedDistance(const glm::dvec2& point, double limit, glm::dvec2* nearest) const
 {
     double least = limit;
-    m_BorderTree.Nearest(point, limit,
+    m_BorderTree.Nearest(point, least,
                          [&](std::size_t index)
                          {
                              const glm::dvec2 candidate = NearestOf(m_Border[index], point);
@@ -248,7 +242,6 @@ double Silhouette::SignedDistance(const glm::dvec2& point, double limit, glm::dv
                                      *nearest = candidate;
                                  }
                              }
-                             return distance;
                          });
     return Contains(point) ? -least : least;
 }

@@ -3,15 +3,10 @@
 #include "report/truth/BoxTree.h"
 
 #include <array>
-#include <glm/vec2.hpp>
-#include <vector>
-
-namespace limn
-{
-struct Camera;
-struct Transform;
-class Mesh;
-} // namespace limn
+#include <glm/vec3.hpp>
+#include <limn/core/Camera.h>
+#include <limn/core/Mesh.h>
+#include <limn/core/PipelineState.h>
 
 namespace limn::study
 {
@@ -20,7 +15,9 @@ namespace limn::study
 /// corner of the upper left pixel, and y counts downwards.
 using ScreenTriangles = std::vector<std::array<glm::dvec2, 3>>;
 
-inline constexpr double k_Touching = 1e-9; ///< in pixels; points that are nearer count as the same
+/// A triangle of the picture. x and y are in pixels, as in ScreenTriangles. z is the nearness, from
+/// 1 at the near plane to 0 at the far one. The nearness is a linear function of x and y.
+using DepthTriangle = std::array<glm::dvec3, 3>;
 
 /// Returns twice the area of the triangle between two vectors, positive if `b` is clockwise of `a`.
 inline double Cross(const glm::dvec2& a, const glm::dvec2& b)
@@ -46,6 +43,11 @@ ScreenTriangles NeedleTriangles(const glm::dvec2& from, const glm::dvec2& to, do
 /// too.
 ScreenTriangles MeshTriangles(const Mesh& mesh, const Transform& transform, const Camera& camera,
                               int width, int height);
+/// Returns the part of one sub-mesh that is between the camera's near and far plane, as
+/// MeshTriangles does.
+/// @param cull  the faces that are left out
+std::vector<DepthTriangle> MeshDepths(const Mesh& mesh, int subMesh, const Transform& transform,
+                                      const Camera& camera, int width, int height, CullMode cull);
 ScreenTriangles Together(std::initializer_list<ScreenTriangles> parts);
 ScreenTriangles Moved(ScreenTriangles triangles, const glm::dvec2& offset);
 

@@ -1,4 +1,4 @@
-#include "report/measure/StudyPictures.h"
+#include "report/measure/StudyPicture.h"
 
 #include <gtest/gtest.h>
 

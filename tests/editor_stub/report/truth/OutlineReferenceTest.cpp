@@ -345,7 +345,7 @@ TEST(OutlineReference, ScoresTheUsualRampAsItsErrorAcrossStraightEdgesSays)
         EXPECT_NEAR(score.meanAbsoluteError, error * bothEdges / pixels, 0.03 * error) << w;
         EXPECT_NEAR(pixels, bothEdges * w / 2.0 + bothEdges * 0.6, bothEdges * 0.1);
         EXPECT_GE(score.intersectionOverUnion, 0.996);
-        EXPECT_NEAR(score.widthBias, 0.0, 1e-3);
+        EXPECT_NEAR(score.areaRatio, 1.0, 1e-3);
         EXPECT_NEAR(score.effectiveWidth, w * (1.0 + w / (2.0 * r)), 0.01);
     }
 }
@@ -378,7 +378,6 @@ TEST(OutlineReference, SaysWhichEndOfALineIsOff)
     const ContourScores scores =
         ScoreContours(ExactOutlineCoverage(disc, {8.5}, 96, 96), disc, {8.0});
     EXPECT_NEAR(scores.high.mean, 0.5, 0.01);
-    EXPECT_LT(scores.high.largest, 0.6);
     EXPECT_NEAR(scores.low.mean, 0.0, 0.01);
     EXPECT_GT(scores.low.crossings, 100u);
 }

@@ -1,4 +1,4 @@
-#include "report/truth/SeenOutline.h"
+#include "report/truth/OutlineReference.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

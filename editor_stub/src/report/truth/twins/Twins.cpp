@@ -15,22 +15,7 @@ namespace limn::study
 namespace
 {
 
-/// The part of a square of side 1 that is behind a straight edge: BoxCoverage.hlsl.
-/// @param normal  of the edge, unit length
-/// @param depth   how far the square's centre is behind it
-double BoxCoverage(const glm::dvec2& normal, double depth)
-{
-    const double large = std::max(std::abs(normal.x), std::abs(normal.y));
-    const double small = std::min(std::abs(normal.x), std::abs(normal.y));
-    const double aside = std::abs(depth);
-    const double rest = std::max((large + small) * 0.5 - aside, 0.0);
-    const double outside = aside > (large - small) * 0.5
-                               ? rest * rest / std::max(2.0 * large * small, 1e-12)
-                               : 0.5 - aside / large;
-    return depth > 0.0 ? 1.0 - outside : outside;
-}
-
-/// The depth for which BoxCoverage gives that.
+/// The distance for which PixelCoverage gives that.
 double BoxDepth(const glm::dvec2& normal, double coverage)
 {
     const double large = std::max(std::abs(normal.x), std::abs(normal.y));
@@ -74,7 +59,7 @@ TwinSeed FindEdge(const std::array<double, 9>& mask)
     const glm::dvec2 outwards = -glm::normalize(inwards);
     const double sum = std::accumulate(mask.begin(), mask.end(), 0.0);
     double depth = 3.0 * BoxDepth(outwards, sum / 9.0);
-    const double inside = BoxCoverage(outwards, depth);
+    const double inside = PixelCoverage(outwards, depth);
     if (std::abs(inside - own) < 0.2)
     {
         place.inside = inside;
@@ -98,7 +83,8 @@ public:
           m_Reach(static_cast<int>(std::ceil(m_Width + 1.0))),
           m_Margin(m_Reach + 2),
           m_Size(pictureWidth + 2 * m_Margin, pictureHeight + 2 * m_Margin),
-          m_Seeds(static_cast<std::size_t>(m_Size.x * m_Size.y))
+          m_Mask(m_Size.x, m_Size.y),
+          m_Seeds(m_Mask.values.size())
     {
         MakeSeeds(silhouette);
     }
@@ -128,7 +114,6 @@ private:
         // These are the places of Vulkan's four samples in a texel.
         constexpr double k_Places[4][2] = {
             {0.375, 0.125}, {0.875, 0.375}, {0.125, 0.625}, {0.625, 0.875}};
-        std::vector<double> mask(m_Seeds.size());
         ForEach(
             [&](const glm::ivec2& texel)
             {
@@ -136,7 +121,7 @@ private:
                 {
                     const glm::dvec2 at =
                         glm::dvec2(texel - m_Margin) + glm::dvec2(place[0], place[1]);
-                    mask[IndexOf(texel)] += silhouette.Contains(at) ? 0.25 : 0.0;
+                    m_Mask.values[IndexOf(texel)] += silhouette.Contains(at) ? 0.25 : 0.0;
                 }
             });
         ForEach(
@@ -146,22 +131,16 @@ private:
                 for (int i = 0; i < 9; ++i)
                 {
                     around[static_cast<std::size_t>(i)] =
-                        mask[IndexOf(texel + glm::ivec2(i % 3 - 1, i / 3 - 1))];
+                        m_Mask.values[IndexOf(texel + glm::ivec2(i % 3 - 1, i / 3 - 1))];
                 }
                 m_Seeds[IndexOf(texel)] = FindEdge(around);
             });
     }
 
-    template <typename F>
-    void ForEach(F&& each) const
+    template <typename Each>
+    void ForEach(const Each& each) const
     {
-        for (int y = 0; y < m_Size.y; ++y)
-        {
-            for (int x = 0; x < m_Size.x; ++x)
-            {
-                each(glm::ivec2(x, y));
-            }
-        }
+        m_Mask.ForEach([&](int x, int y) { each(glm::ivec2(x, y)); });
     }
 
     /// Returns the seed, or none if no texture would keep it.
@@ -257,22 +236,23 @@ private:
         const double away = glm::length(toEdge);
         const glm::dvec2 direction = away > 1e-3 ? toEdge / away : glm::dvec2(1.0, 0.0);
         const double distance = inside > 0.5 ? -away : away;
-        return std::clamp(BoxCoverage(direction, m_Width - distance) - inside, 0.0, 1.0);
+        return std::clamp(PixelCoverage(direction, m_Width - distance) - inside, 0.0, 1.0);
     }
 
     double m_Width;
     int m_Reach;
     int m_Margin;
     glm::ivec2 m_Size;
+    Coverage m_Mask;
     std::vector<TwinSeed> m_Seeds;
 };
 
 /// The distance to the places on the edge of a mask of four samples.
-/// @param isFlood  by jump flooding, else by columns and then rows
-Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight,
-                  bool isFlood)
+/// @param IsFlood  by jump flooding, else by columns and then rows
+template <bool IsFlood>
+Coverage WideTwin(const Silhouette& silhouette, double width, int pictureWidth, int pictureHeight)
 {
-    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight).Draw(isFlood);
+    return DistanceTwin(silhouette, width, pictureWidth, pictureHeight).Draw(IsFlood);
 }
 
 /// Strokes along the silhouette, which may have no edges inside.
@@ -312,8 +292,8 @@ Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth
                 const glm::dvec2 apart = pixel - a - along * onEdge;
                 const double away = glm::length(apart);
                 const bool isInside = across < 0.0 && place == onEdge && isOwn(pixel);
-                const double covered = BoxCoverage(away > 1e-4 ? apart / away : outward,
-                                                   width - (isInside ? -away : away));
+                const double covered = PixelCoverage(away > 1e-4 ? apart / away : outward,
+                                                     width - (isInside ? -away : away));
                 alpha.At(x, y) = std::max(alpha.At(x, y), covered);
                 const double share = (std::clamp(place + extent, 0.0, reach) -
                                       std::clamp(place - extent, 0.0, reach)) /
@@ -321,7 +301,7 @@ Coverage StrokeTwin(const Silhouette& silhouette, double width, int pictureWidth
                 if (share > 0.0 && std::abs(across) < 0.71 && !isOwn(a + along * onEdge + outward))
                 {
                     const bool isBehind = std::abs(across) < 0.01 ? isOwn(pixel) : across < 0.0;
-                    const double beyond = BoxCoverage(outward, across);
+                    const double beyond = PixelCoverage(outward, across);
                     correction.At(x, y) += (isBehind ? -beyond : 1.0 - beyond) * share;
                 }
             }
@@ -488,14 +468,10 @@ Field CompositeReference(const Field& source, const Field& stencil, const Field&
 
 Twin FindTwin(const std::string& technique)
 {
-    using namespace std::placeholders;
     const std::pair<const char*, Twin> twins[] = {
-        {"Screen space", ScreenSpaceTwin},
-        {"Selection", SelectionTwin},
-        {"Mask difference", MaskDifferenceTwin},
-        {"Jump flood", std::bind(WideTwin, _1, _2, _3, _4, true)},
-        {"Separable", std::bind(WideTwin, _1, _2, _3, _4, false)},
-        {"Strokes", StrokeTwin}};
+        {"Screen space", ScreenSpaceTwin},       {"Selection", SelectionTwin},
+        {"Mask difference", MaskDifferenceTwin}, {"Jump flood", WideTwin<true>},
+        {"Separable", WideTwin<false>},          {"Strokes", StrokeTwin}};
     const auto found = std::ranges::find(twins, technique, &std::pair<const char*, Twin>::first);
     return found != std::end(twins) ? found->second : Twin();
 }
