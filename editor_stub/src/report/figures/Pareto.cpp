@@ -32,12 +32,6 @@ bool IsPlain(const CellResult& cell, CellKind kind, double width)
     return cell.id.kind == kind && cell.id.variant.empty() && cell.id.width == width;
 }
 
-std::pair<double, double> QuartilesOf(const CellResult& cell, const char* metric)
-{
-    const auto found = cell.quartiles.find(metric);
-    return found == cell.quartiles.end() ? std::pair(k_NaN, k_NaN) : found->second;
-}
-
 /// Returns the things with the highest count, in their order.
 template <typename Thing>
 std::vector<Thing> MostFrequent(const std::map<Thing, std::size_t>& counts)
@@ -130,12 +124,12 @@ Standing StandingOf(const Technique& technique, const Study& study, const Compar
             (comparison.subject.empty() || cell.id.subject == comparison.subject))
         {
             errors.push_back(cell.Value(k_Error));
-            standing.errorQuartiles = QuartilesOf(cell, k_Error);
+            standing.errorQuartiles = cell.Quartiles(k_Error);
         }
         else if (IsCompared(cell, comparison))
         {
             standing.at.milliseconds = cell.Value(k_Time);
-            standing.timeQuartiles = QuartilesOf(cell, k_Time);
+            standing.timeQuartiles = cell.Quartiles(k_Time);
             standing.timeUncertainty = cell.Value(k_TimeUncertainty);
         }
         else if (IsPlain(cell, CellKind::Temporal, comparison.flickerWidth))
@@ -158,19 +152,16 @@ Standing StandingOf(const Technique& technique, const Study& study, const Compar
     return standing;
 }
 
-/// Tells the measurements of times apart that were made at once.
-std::string MeasurementOf(const CellResult& cell)
-{
-    return cell.id.NameForAllTechniques() + Exact(cell.Value("quietMilliseconds"));
-}
-
 LoadOfStudy LoadOf(const Study& study, const Comparison& comparison)
 {
     LoadOfStudy load;
     std::set<std::string> measurements;
     for (const CellResult& cell : study.cells)
     {
-        if (!cell.Has(k_QuietPart) || !measurements.insert(MeasurementOf(cell)).second)
+        // Measurements that were not made at once differ in this.
+        const std::string name =
+            cell.id.NameForAllTechniques() + Exact(cell.Value("quietMilliseconds"));
+        if (!cell.Has(k_QuietPart) || !measurements.insert(name).second)
         {
             continue;
         }
@@ -231,16 +222,12 @@ std::vector<std::size_t> ParetoFront(std::span<const TimeAndError> points)
             order.push_back(i);
         }
     }
-    std::ranges::stable_sort(order, {},
-                             [&](std::size_t i)
-                             { return std::pair(points[i].milliseconds, points[i].error); });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return points[i]; });
     std::vector<std::size_t> front;
     for (const std::size_t i : order)
     {
-        const bool isEqual = !front.empty() &&
-                             points[i].milliseconds == points[front.back()].milliseconds &&
-                             points[i].error == points[front.back()].error;
-        if (front.empty() || points[i].error < points[front.back()].error || isEqual)
+        if (front.empty() || points[i].error < points[front.back()].error ||
+            points[i] == points[front.back()])
         {
             front.push_back(i);
         }
@@ -276,16 +263,6 @@ Comparison Compare(const Study& study, double width)
     }
     comparison.front = ParetoFront(points);
     return comparison;
-}
-
-bool Standing::HasTime() const
-{
-    return std::isfinite(at.milliseconds);
-}
-
-bool Standing::IsTimeKnown() const
-{
-    return ShortestTime() > 0.0 && std::isfinite(LongestTime());
 }
 
 } // namespace limn::study

@@ -3,6 +3,7 @@
 #include "report/measure/Statistics.h"
 #include "report/measure/Study.h"
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <span>
@@ -15,6 +16,8 @@ struct TimeAndError
 {
     double milliseconds;
     double error;
+
+    auto operator<=>(const TimeAndError&) const = default;
 };
 
 /// Returns the points that no other point beats. A point beats another if it is at most as slow and
@@ -39,8 +42,10 @@ struct Standing
     std::size_t failures = 0;       ///< stability cells that failed
     std::size_t stabilityCells = 0; ///< the stability cells that it was tested with
 
-    bool HasTime() const;     ///< true if it has a time, whose bound may include 0
-    bool IsTimeKnown() const; ///< true if it has a time and 0 is not within its bound
+    /// Returns whether it has a time, whose bound may include 0.
+    bool HasTime() const { return std::isfinite(at.milliseconds); }
+    /// Returns whether it has a time and 0 is not within its bound.
+    bool IsTimeKnown() const { return ShortestTime() > 0.0 && std::isfinite(LongestTime()); }
     double ShortestTime() const { return at.milliseconds - timeUncertainty; }
     double LongestTime() const { return at.milliseconds + timeUncertainty; }
 };

@@ -159,39 +159,34 @@ std::string MoreTimeBuys(const Comparison& comparison, const Standing& chosen, d
     return "";
 }
 
-/// The recommended technique, and a sentence about the others that are as good.
-struct Chosen
+/// Returns the technique with the least flicker among those that are as good as the least error.
+const Standing& LeastFlicker(const Comparison& comparison, const Standing& least, double budget)
 {
-    const Standing* standing = nullptr;
-    std::string others;
-};
-
-/// Chooses the technique with the least flicker among those that are as good as the least error.
-Chosen Choose(const Comparison& comparison, double budget)
-{
-    const Standing* const least = LeastError(comparison, budget);
-    if (least == nullptr)
-    {
-        return {};
-    }
-    const Standing* chosen = least;
+    const Standing* chosen = &least;
     for (const Standing& standing : comparison.standings)
     {
-        if (IsAsGood(standing, *least, budget) && standing.flicker.median < chosen->flicker.median)
+        if (IsAsGood(standing, least, budget) && standing.flicker.median < chosen->flicker.median)
         {
             chosen = &standing;
         }
     }
+    return *chosen;
+}
+
+/// Returns a sentence about the others that are as good as the chosen one.
+std::string AsGood(const Comparison& comparison, const Standing& chosen, const Standing& least,
+                   double budget)
+{
     const std::string others = NamesOf(
         comparison,
         [&](const Standing& standing)
-        { return &standing != chosen && IsAsGood(standing, *least, budget); },
+        { return &standing != &chosen && IsAsGood(standing, least, budget); },
         [](const Standing& standing)
         {
             const double flicker = standing.flicker.median;
             return std::isnan(flicker) ? std::string() : "flicker " + Readable(flicker);
         });
-    return {chosen, others.empty() ? "" : " As good, as far as the times tell: " + others + "."};
+    return others.empty() ? "" : " As good, as far as the times tell: " + others + ".";
 }
 
 /// Why there is nothing to recommend.
@@ -220,9 +215,9 @@ std::string NothingFits(const Comparison& comparison, double budget)
 
 Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds)
 {
-    const Chosen choice = Choose(comparison, budgetMilliseconds);
-    Recommendation result{choice.standing, "", ""};
-    if (result.standing == nullptr)
+    Recommendation result;
+    const Standing* const least = LeastError(comparison, budgetMilliseconds);
+    if (least == nullptr)
     {
         result.sentence = NothingFits(comparison, budgetMilliseconds);
         result.more =
@@ -230,7 +225,8 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
         result.more.erase(0, 1); // the space before the first sentence
         return result;
     }
-    const Standing& chosen = *result.standing;
+    const Standing& chosen = LeastFlicker(comparison, *least, budgetMilliseconds);
+    result.standing = &chosen;
     result.sentence = Opening(comparison, chosen, budgetMilliseconds) + chosen.technique->name +
                       ": " + Figures(chosen) + " (" + Place(comparison) + ").";
     if (chosen.failures > 0)
@@ -238,7 +234,8 @@ Recommendation Recommend(const Comparison& comparison, double budgetMilliseconds
         result.more = " It failed " + std::to_string(chosen.failures) + " of " +
                       CountText(chosen.stabilityCells, "stability check") + ".";
     }
-    result.more += choice.others + CannotTell(comparison, &chosen, budgetMilliseconds) +
+    result.more += AsGood(comparison, chosen, *least, budgetMilliseconds) +
+                   CannotTell(comparison, &chosen, budgetMilliseconds) +
                    MoreTimeBuys(comparison, chosen, budgetMilliseconds);
     result.more.erase(0, 1); // the space before the first sentence
     return result;

@@ -7,15 +7,12 @@
 #include <limn/base/ReadFile.h>
 #include <limn/base/TerminalText.h>
 
-namespace limn
-{
-
-namespace embedded
+namespace limn::embedded
 {
 std::span<const EmbeddedFile> ReportPage();
 }
 
-namespace study
+namespace limn::study
 {
 
 namespace
@@ -209,6 +206,4 @@ std::string HtmlPage(const ReportText& report, const std::filesystem::path& fold
            Joined(report.sections, "", sectionText) + "</main>\n</body>\n</html>\n";
 }
 
-} // namespace study
-
-} // namespace limn
+} // namespace limn::study

@@ -2,6 +2,7 @@
 
 #include "console/Texts.h"
 #include "report/figures/Numbers.h"
+#include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <charconv>
@@ -65,16 +66,16 @@ std::string TextOf(const Levels& levels)
 
 /// "width 1, 8 px; picture 3x7; fov 60, 170; ratio 1e+02": variants are words "fov=60"; others
 /// stand as they are.
-std::string PutThrough(const std::vector<const CellResult*>& cells)
+std::string PutThrough(const std::vector<CellResult>& cells)
 {
     Levels widths;
     Levels sizes;
     std::map<std::string, Levels> inputs; // by what they are of
-    for (const CellResult* cell : cells)
+    for (const CellResult& cell : cells)
     {
-        AddLevel(Exact(cell->id.width), widths);
-        AddLevel(SizeText(cell->id.pictureWidth, cell->id.pictureHeight), sizes);
-        std::istringstream words(cell->id.variant);
+        AddLevel(Exact(cell.id.width), widths);
+        AddLevel(SizeText(cell.id.pictureWidth, cell.id.pictureHeight), sizes);
+        std::istringstream words(cell.id.variant);
         for (std::string word; words >> word;)
         {
             const std::size_t equals = std::min(word.find('='), word.size());
@@ -91,12 +92,12 @@ std::string PutThrough(const std::vector<const CellResult*>& cells)
     return text;
 }
 
-double SumOf(const std::vector<const CellResult*>& cells, const char* metric)
+double SumOf(const std::vector<CellResult>& cells, const char* metric)
 {
     double sum = 0.0;
-    for (const CellResult* cell : cells)
+    for (const CellResult& cell : cells)
     {
-        sum += cell->Has(metric) ? cell->Value(metric) : 0.0;
+        sum += cell.Has(metric) ? cell.Value(metric) : 0.0;
     }
     return sum;
 }
@@ -117,6 +118,56 @@ void DropColumnsOf(const std::string& nothing, Table& table)
             }
         }
     }
+}
+
+std::string TimeText(const Standing& standing)
+{
+    if (!standing.HasTime())
+    {
+        return "time not measured";
+    }
+    if (!std::isfinite(standing.LongestTime()) || standing.LongestTime() <= 0.0)
+    {
+        return "time not known";
+    }
+    return standing.IsTimeKnown() ? Readable(standing.at.milliseconds) + " ± " +
+                                        Readable(standing.timeUncertainty) + " ms"
+                                  : "at most " + Readable(standing.LongestTime()) + " ms";
+}
+
+/// The subject and the kind of the pictures, and their width.
+struct Shown
+{
+    std::string subject;
+    std::string kind;
+    double width = 0.0;
+
+    bool Has(const CellResult& cell) const
+    {
+        return cell.id.kind == CellKind::Geometry && cell.id.variant.empty() &&
+               cell.id.subject == subject && cell.id.width == width && cell.pictures.contains(kind);
+    }
+};
+
+/// The scene, or what stands first of a study without one.
+Shown ShownOf(const Study& study, double width)
+{
+    Shown shown{k_SceneSubject, "closeUp", 0.0};
+    const auto isShown = [&shown](const CellResult& cell)
+    {
+        return cell.id.kind == CellKind::Geometry && cell.id.subject == shown.subject &&
+               cell.pictures.contains(shown.kind);
+    };
+    if (std::ranges::none_of(study.cells, isShown))
+    {
+        shown.kind = "picture";
+        const auto first = std::ranges::find_if(
+            study.cells, [](const CellResult& cell)
+            { return cell.id.kind == CellKind::Geometry && cell.pictures.contains("picture"); });
+        shown.subject = first == study.cells.end() ? "" : first->id.subject;
+    }
+    shown.width = NearestWidth(study, width, isShown);
+    return shown;
 }
 
 } // namespace
@@ -250,15 +301,12 @@ Table StabilityTable(const Study& study, const Comparison& comparison)
                  {"what it was put through"}}};
     for (const Standing& standing : comparison.standings)
     {
-        std::vector<const CellResult*> cells;
-        for (const CellResult& cell : study.cells)
-        {
-            if (cell.id.kind == CellKind::Stability &&
-                cell.id.technique == standing.technique->name)
-            {
-                cells.push_back(&cell);
-            }
-        }
+        std::vector<CellResult> cells;
+        std::ranges::copy_if(study.cells, std::back_inserter(cells),
+                             [&standing](const CellResult& cell) {
+                                 return cell.id.kind == CellKind::Stability &&
+                                        cell.id.technique == standing.technique->name;
+                             });
         if (!cells.empty())
         {
             if (standing.failures > 0)
@@ -332,6 +380,42 @@ Table ProvenanceTable(const Study& study)
         {"cells", std::to_string(study.cells.size()) + " of " +
                       std::to_string(study.planned.size()) + " planned"}};
     return {"provenance", "", {{"what"}, {""}}, rows};
+}
+
+std::vector<Tile> TilesOf(const Study& study, const Comparison& comparison,
+                          const Standing* recommended, std::string& caption)
+{
+    const Shown shown = ShownOf(study, comparison.width);
+    caption = "The same part of " +
+              (shown.subject == k_SceneSubject ? "the scene" : "'" + shown.subject + "'") +
+              " with each technique, enlarged, its outline " + Readable(shown.width) +
+              " px wide. Below it stand the mean error of the outline's coverage, 0 to 1, and the "
+              "GPU time added to a frame. An article's own formula is marked 'article'.";
+    std::vector<Standing> order = comparison.standings;
+    std::ranges::stable_sort(order, {},
+                             [](const Standing& standing)
+                             {
+                                 const double error = standing.at.error;
+                                 return std::pair(std::isnan(error), std::isnan(error) ? 0 : error);
+                             });
+    std::vector<Tile> tiles;
+    for (const Standing& standing : order)
+    {
+        const Technique& technique = *standing.technique;
+        const auto found = std::ranges::find_if(
+            study.cells, [&](const CellResult& cell)
+            { return cell.id.technique == technique.name && shown.Has(cell); });
+        if (found != study.cells.end())
+        {
+            tiles.push_back(
+                {technique.name,
+                 std::isnan(standing.at.error) ? "error not compared"
+                                               : "error " + Readable(standing.at.error),
+                 TimeText(standing), found->pictures.at(shown.kind), technique.isArticle,
+                 recommended != nullptr && standing.technique == recommended->technique});
+        }
+    }
+    return tiles;
 }
 
 } // namespace limn::study

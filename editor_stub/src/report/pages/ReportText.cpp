@@ -2,12 +2,10 @@
 
 #include "explain/TextLines.h"
 #include "report/figures/Numbers.h"
-#include "report/figures/Pareto.h"
 #include "report/measure/StudyScene.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <set>
 
@@ -49,11 +47,6 @@ void AddCells(Section& section, const Study& study, const std::string& id, const
     }
 }
 
-bool IsEmpty(const Section& section)
-{
-    return section.plots.empty() && section.tables.empty() && section.strips.empty();
-}
-
 Section Choice(const Comparison& comparison)
 {
     Section section{"choice", "Error against time", {"error_time"}};
@@ -68,8 +61,7 @@ Section Choice(const Comparison& comparison)
     section.paragraphs.push_back(
         "The mean error is over all pixels that the drawn or the exact outline covers, of the "
         "coverage, 0 to 1. Rows that stand out are on the front: nothing is both quicker and "
-        "nearer "
-        "to the exact outline.");
+        "nearer to the exact outline.");
     return section;
 }
 
@@ -109,9 +101,9 @@ Section Error(const Study& study, const Comparison& comparison)
 Section Numerical(const Study& study)
 {
     Section section{"numerical-error", "Numerical error"};
-    section.paragraphs.push_back("What the device drew against the same algorithm in double "
-                                 "precision; and against what it draws with "
-                                 "fewer bits, coarser targets or another depth.");
+    section.paragraphs.push_back(
+        "What the device drew against the same algorithm in double precision; and against what it "
+        "draws with fewer bits, coarser targets or another depth.");
     AddCells(section, study, "numerical", "Against the same algorithm in double",
              [](const CellResult& cell) { return cell.id.kind == CellKind::Numerical; });
     return section;
@@ -136,16 +128,15 @@ Section Cost(const Study& study, const Comparison& comparison)
     };
     section.paragraphs.push_back(
         "Each frame with an outline is drawn between two without one, warm, and each technique "
-        "once "
-        "a round, in another order each round. The time added is the median of what the frame took "
-        "longer than the mean of its two neighbours. A pair counts if the frames without an "
-        "outline "
-        "in it and around it took about the run's quiet time; if more than a tenth of all frames "
-        "without an outline did not, the load of the machine changed. The ± holds with 95 % the "
-        "time "
-        "added at the run's quietest moments, whatever the distribution (sign test), pairs that "
-        "resemble their neighbours in time counting as fewer. A load that lasts as long as the run "
-        "is not told from a slower machine: see how many processors other programs kept busy.");
+        "once a round, in another order each round. The time added is the median of what the frame "
+        "took longer than the mean of its two neighbours. A pair counts if the frames without an "
+        "outline in it and around it took about the run's quiet time; if more than a tenth of all "
+        "frames without an outline did not, the load of the machine changed. The ± holds with 95 % "
+        "the time added at the run's quietest moments, whatever the distribution (sign test), "
+        "pairs "
+        "that resemble their neighbours in time counting as fewer. A load that lasts as long as "
+        "the "
+        "run is not told from a slower machine: see how many processors other programs kept busy.");
     AddCells(section, study, "costs", "Where techniques are compared",
              [&](const CellResult& cell)
              { return cell.id.kind == CellKind::Cost && isCompared(cell); });
@@ -317,13 +308,9 @@ ReportText ReportOf(const Study& study, const Comparison& comparison, const Repo
                             Temporal(study), Cost(study, comparison), Pictures(study, comparison),
                             Stability(study, comparison), without, provenance})
     {
-        std::erase_if(section.plots,
-                      [&report](const std::string& file)
-                      {
-                          return std::ranges::none_of(report.plots, [&file](const Plot& plot)
-                                                      { return plot.file == file; });
-                      });
-        if (!IsEmpty(section))
+        std::erase_if(section.plots, [&report](const std::string& file)
+                      { return std::ranges::count(report.plots, file, &Plot::file) == 0; });
+        if (!section.plots.empty() || !section.tables.empty() || !section.strips.empty())
         {
             report.sections.push_back(std::move(section));
         }

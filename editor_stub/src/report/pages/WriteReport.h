@@ -1,7 +1,6 @@
 #pragma once
 
 #include "report/figures/Pareto.h"
-#include "report/measure/Study.h"
 
 #include <filesystem>
 #include <optional>

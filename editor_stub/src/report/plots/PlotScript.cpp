@@ -269,6 +269,10 @@ private:
     {
         const auto add = [this](double x0, double y0, double x1, double y1, double half)
         {
+            if (std::isnan(x0 + y0))
+            {
+                return; // no bar
+            }
             const auto [left, right] =
                 std::minmax({PixelX(x0), PixelX(x1)}); // a pair of values, not of references
             const auto [top, bottom] = std::minmax({PixelY(y0), PixelY(y1)});
@@ -280,14 +284,8 @@ private:
             {
                 const auto [x, y] = point.at;
                 add(x, y, x, y, 6.0);
-                if (!std::isnan(point.barX.first))
-                {
-                    add(point.barX.first, y, point.barX.second, y, 2.0);
-                }
-                if (!std::isnan(point.barY.first))
-                {
-                    add(x, point.barY.first, x, point.barY.second, 2.0);
-                }
+                add(point.barX.first, y, point.barX.second, y, 2.0);
+                add(x, point.barY.first, x, point.barY.second, 2.0);
             }
         }
         if (!m_Plot.front.empty())
@@ -449,16 +447,14 @@ private:
             const double x = m_X.Clamped(point.at.milliseconds);
             const double y = m_Y.Clamped(point.at.error);
             points += Places({x, y});
-            if (std::isfinite(point.barX.first) && std::isfinite(point.barX.second))
+            const auto bar = [&](const std::pair<double, double>& ends, const LogAxis& axis)
             {
-                barsX +=
-                    Places({x, y, m_X.Clamped(point.barX.first), m_X.Clamped(point.barX.second)});
-            }
-            if (std::isfinite(point.barY.first) && std::isfinite(point.barY.second))
-            {
-                barsY +=
-                    Places({x, y, m_Y.Clamped(point.barY.first), m_Y.Clamped(point.barY.second)});
-            }
+                return std::isfinite(ends.first) && std::isfinite(ends.second)
+                           ? Places({x, y, axis.Clamped(ends.first), axis.Clamped(ends.second)})
+                           : "";
+            };
+            barsX += bar(point.barX, m_X);
+            barsY += bar(point.barY, m_Y);
         }
         const std::string color =
             std::string(" lc rgb '") + k_Colors[series.style % k_Colors.size()] + "'";

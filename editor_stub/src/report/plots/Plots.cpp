@@ -20,27 +20,6 @@ constexpr double k_NoBar = std::numeric_limits<double>::quiet_NaN();
 constexpr const char* k_TimeLabel = "GPU time added, ms";
 constexpr const char* k_ErrorLabel = "mean error of the coverage";
 
-std::string ErrorOf(const Comparison& comparison)
-{
-    return comparison.subject.empty() ? "median over all shapes" : "the outline in the scene";
-}
-
-PlotPoint PointOf(const CellResult& cell, const char* metric, double x)
-{
-    PlotPoint point{{x, cell.Value(metric)}, {k_NoBar, k_NoBar}, {k_NoBar, k_NoBar}};
-    if (const auto found = cell.quartiles.find(metric); found != cell.quartiles.end())
-    {
-        point.barY = found->second;
-    }
-    return point;
-}
-
-/// A bar as far as the median is known.
-std::pair<double, double> UncertaintyOf(const Standing& standing)
-{
-    return {standing.ShortestTime(), standing.LongestTime()};
-}
-
 /// It has both figures; without its uncertainty, a time would look as if it were known.
 bool HasPlace(const Standing& standing)
 {
@@ -48,17 +27,23 @@ bool HasPlace(const Standing& standing)
 }
 
 /// One point a technique, in two series: limn's own and the articles'.
-std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings)
+std::vector<PlotSeries> NamedPoints(const std::vector<Standing>& standings,
+                                    std::span<const std::size_t> front = {})
 {
     std::vector<PlotSeries> series = {{"limn's", 0, false, false},
                                       {"an article's own formula", 1, true, false}};
-    for (const Standing& standing : standings)
+    for (std::size_t i = 0; i < standings.size(); ++i)
     {
+        const Standing& standing = standings[i];
         const Technique& technique = *standing.technique;
         if (HasPlace(standing))
         {
             series[technique.isArticle ? 1 : 0].points.push_back(
-                {standing.at, UncertaintyOf(standing), standing.errorQuartiles, technique.name});
+                {standing.at,
+                 {standing.ShortestTime(), standing.LongestTime()},
+                 standing.errorQuartiles,
+                 technique.name,
+                 std::ranges::count(front, i) > 0});
         }
     }
     return series;
@@ -81,28 +66,22 @@ std::string NotDrawn(const Comparison& comparison)
 
 Plot ErrorAgainstTime(const Comparison& comparison, std::optional<double> budget)
 {
-    Plot plot;
-    plot.file = "error_time";
-    plot.title = "Error against GPU time, " + Readable(comparison.width) + " px wide";
-    plot.caption =
-        "Mean error (" + ErrorOf(comparison) + ") of an outline of " + Readable(comparison.width) +
-        " px against the GPU time it adds to a frame of " +
-        SizeText(comparison.pictureWidth, comparison.pictureHeight) +
-        "; less is better of both. Bars show where the median of the time lies with 95 %. No "
-        "technique is better in both than one on the line." +
-        NotDrawn(comparison);
-    plot.labelX = k_TimeLabel;
-    plot.labelY = k_ErrorLabel;
+    const std::string width = Readable(comparison.width);
+    Plot plot{
+        "error_time", "Error against GPU time, " + width + " px wide",
+        std::string("Mean error (") +
+            (comparison.subject.empty() ? "median over all shapes" : "the outline in the scene") +
+            ") of an outline of " + width + " px against the GPU time it adds to a frame of " +
+            SizeText(comparison.pictureWidth, comparison.pictureHeight) +
+            "; less is better of both. Bars show where the median of the time lies with "
+            "95 %. No technique is better in both than one on the line." +
+            NotDrawn(comparison),
+        k_TimeLabel, k_ErrorLabel};
     plot.isLessBetter = true;
-    plot.series = NamedPoints(comparison.standings);
+    plot.series = NamedPoints(comparison.standings, comparison.front);
     for (const std::size_t index : comparison.front)
     {
-        const Standing& standing = comparison.standings[index];
-        plot.front.push_back(standing.at);
-        for (PlotPoint& point : plot.series[standing.technique->isArticle ? 1 : 0].points)
-        {
-            point.isOnFront |= point.name == standing.technique->name;
-        }
+        plot.front.push_back(comparison.standings[index].at);
     }
     if (comparison.floorMilliseconds > 0.0 && std::isfinite(comparison.floorMilliseconds))
     {
@@ -132,7 +111,8 @@ std::vector<PlotSeries> Lines(const Study& study, const char* metric,
             if (cell.id.technique == technique.name && std::isfinite(cell.Value(metric)) &&
                 std::isfinite(x(cell)))
             {
-                series.points.push_back(PointOf(cell, metric, x(cell)));
+                series.points.push_back(
+                    {{x(cell), cell.Value(metric)}, {k_NoBar, k_NoBar}, cell.Quartiles(metric)});
             }
         }
         std::ranges::stable_sort(series.points, {},
@@ -172,16 +152,10 @@ std::string SubjectOfMostWidths(const Study& study)
             widths[cell.id.subject].insert(cell.id.width);
         }
     }
-    std::string best;
-    for (const auto& [subject, there] : widths)
-    {
-        if (best.empty() || there.size() > widths[best].size() ||
-            (there.size() == widths[best].size() && subject == "scene"))
-        {
-            best = subject;
-        }
-    }
-    return best;
+    const auto best = std::ranges::max_element(
+        widths, {},
+        [](const auto& entry) { return std::pair(entry.second.size(), entry.first == "scene"); });
+    return best == widths.end() ? "" : best->first;
 }
 
 Plot ErrorAgainstWidth(const Study& study)
@@ -268,19 +242,14 @@ Plot TimeAgainstObjects(const Study& study)
 
 Plot FlickerAgainstTime(const Comparison& comparison)
 {
-    Plot plot;
-    plot.file = "flicker_time";
-    plot.title = "Flicker against GPU time";
-    plot.caption =
-        "The change beyond that of the exact outline in motion by sixteenths of a pixel (" +
-        Readable(comparison.flickerWidth) +
-        " px wide, median over what moved, bars over its quartiles and where the median of the "
-        "time lies with 95 %), against the GPU time "
-        "added to a frame of " +
-        SizeText(comparison.pictureWidth, comparison.pictureHeight) + " (" +
-        Readable(comparison.width) + " px wide).";
-    plot.labelX = k_TimeLabel;
-    plot.labelY = "flicker";
+    Plot plot{"flicker_time", "Flicker against GPU time",
+              "The change beyond that of the exact outline in motion by sixteenths of a pixel (" +
+                  Readable(comparison.flickerWidth) +
+                  " px wide, median over what moved, bars over its quartiles and where the median "
+                  "of the time lies with 95 %), against the GPU time added to a frame of " +
+                  SizeText(comparison.pictureWidth, comparison.pictureHeight) + " (" +
+                  Readable(comparison.width) + " px wide).",
+              k_TimeLabel, "flicker"};
     plot.isLessBetter = true;
     std::vector<Standing> standings = comparison.standings;
     for (Standing& standing : standings)
