@@ -246,14 +246,12 @@ Comparison Compare(const Study& study, double width)
         [](const CellResult& cell)
         { return IsPlain(cell, CellKind::Temporal, cell.id.width) && HasFinite(cell, k_Flicker); });
     comparison.load = LoadOf(study, comparison);
-    const bool hasScene =
-        std::ranges::any_of(study.cells,
-                            [&](const CellResult& cell)
-                            {
-                                return IsPlain(cell, CellKind::Geometry, comparison.width) &&
-                                       cell.id.subject == k_Scene && HasFinite(cell, k_Error);
-                            });
-    comparison.subject = hasScene ? k_Scene : "";
+    const auto isOfScene = [&comparison](const CellResult& cell)
+    {
+        return IsPlain(cell, CellKind::Geometry, comparison.width) && cell.id.subject == k_Scene &&
+               HasFinite(cell, k_Error);
+    };
+    comparison.subject = std::ranges::any_of(study.cells, isOfScene) ? k_Scene : "";
     std::vector<TimeAndError> points;
     for (const Technique& technique : study.techniques)
     {

@@ -148,13 +148,15 @@ double CornerGrid(const VulkanDevice& device)
 /// @param grid  how many places a pixel's side has for a corner
 Coverage DrawTwin(const Twin& twin, const CellId& id, double grid)
 {
+    // Strokes takes its edges from the mesh, not from a drawing of the objects.
+    const bool hasRoundedCorners = id.technique != "Strokes";
     ScreenTriangles triangles = ShapeTriangles(id.subject, id.pictureWidth, id.pictureHeight);
     for (auto& triangle : triangles)
     {
         for (glm::dvec2& corner : triangle)
         {
             corner.y = id.pictureHeight - corner.y;
-            corner = DrawsItsEdges(id.technique) ? glm::round(corner * grid) / grid : corner;
+            corner = hasRoundedCorners ? glm::round(corner * grid) / grid : corner;
         }
     }
     Coverage picture = twin(Silhouette(triangles), id.width, id.pictureWidth, id.pictureHeight);

@@ -476,9 +476,4 @@ Twin FindTwin(const std::string& technique)
     return found != std::end(twins) ? found->second : Twin();
 }
 
-bool DrawsItsEdges(const std::string& technique)
-{
-    return technique != "Strokes";
-}
-
 } // namespace limn::study

@@ -21,10 +21,6 @@ using Twin =
 /// @return an empty function if nothing repeats the technique's arithmetic
 Twin FindTwin(const std::string& technique);
 
-/// Returns true if the technique draws the objects and takes the edges from that drawing, where the
-/// device has rounded their corners; false if it takes the edges from the mesh.
-bool DrawsItsEdges(const std::string& technique);
-
 // The passes of the articles in double precision.
 
 using Field = Coverage; ///< as the texture that a pass reads or draws, with 1 to 4 channels
