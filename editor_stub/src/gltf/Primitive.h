@@ -2,6 +2,7 @@
 
 #include <glm/mat4x4.hpp>
 #include <limn/core/Mesh.h>
+#include <stdexcept>
 
 namespace tinygltf
 {
@@ -11,6 +12,13 @@ struct Primitive;
 
 namespace limn
 {
+
+/// A part of a glTF file that cannot be used; the loader collects them into one AssetError.
+class GltfProblem : public std::runtime_error
+{
+public:
+    using std::runtime_error::runtime_error;
+};
 
 /// Returns the triangles of one primitive, without sub-meshes and still in glTF's space; empty for
 /// points and lines. They always have normals.
