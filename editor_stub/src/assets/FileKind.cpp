@@ -1,5 +1,7 @@
 #include "assets/FileKind.h"
 
+#include "console/Texts.h"
+
 #include <algorithm>
 #include <limn/features/Features.h>
 #include <limn/volume/YamlNode.h>
@@ -12,23 +14,41 @@ namespace
 
 struct NamedKind
 {
-    const char* ending;
+    std::string_view ending;
     FileKind kind;
-    const char* noun;
+    std::string_view noun;
+    /// The kind of such a file, and what can be done with it. FILE stands for its name.
+    const char* use;
 };
 
-constexpr NamedKind k_NamedKinds[] = {{".scene.yaml", FileKind::Scene, "scene"},
-                                      {".profile.yaml", FileKind::Profile, "volume profile"},
-                                      {".material.yaml", FileKind::Material, "material"},
-                                      {".shader", FileKind::Shader, "shader"},
-                                      {".asset", FileKind::UnityAsset, "Unity asset"},
-                                      {".unity", FileKind::UnityScene, "Unity scene"},
-                                      {".prefab", FileKind::UnityPrefab, "Unity prefab"},
-                                      {".mat", FileKind::UnityMaterial, "Unity material"},
-                                      {".gltf", FileKind::Mesh, "mesh"},
-                                      {".glb", FileKind::Mesh, "mesh"},
-                                      {".png", FileKind::Picture, "picture"},
-                                      {".cs", FileKind::CSharp, "C# file"}};
+constexpr const char* k_UseOfMesh = "a mesh; a scene's objects name it: 'mesh: FILE'";
+
+constexpr NamedKind k_NamedKinds[] = {
+    {".scene.yaml", FileKind::Scene, "scene", "a scene; 'limn render FILE -o out.png' draws it"},
+    {".profile.yaml", FileKind::Profile, "volume profile",
+     "a volume profile; 'limn render SCENE -o out.png --profile FILE' draws with it, 'limn inspect "
+     "FILE' shows it"},
+    {".material.yaml", FileKind::Material, "material", "a material; a scene's 'materials' name it"},
+    {".shader", FileKind::Shader, "shader", "a shader; 'limn shader FILE' describes it"},
+    {".asset", FileKind::UnityAsset, "Unity asset", "an Unity asset; 'limn inspect FILE' shows it"},
+    {".unity", FileKind::UnityScene, "Unity scene",
+     "a Unity scene; 'limn render FILE -o out.png' draws it, 'limn inspect FILE' shows its "
+     "profiles and features, whose own files 'limn set' changes"},
+    {".prefab", FileKind::UnityPrefab, "Unity prefab",
+     "a Unity prefab, which is drawn where a .unity scene holds it"},
+    {".mat", FileKind::UnityMaterial, "Unity material",
+     "a Unity material, which limn uses in a Unity scene; 'limn inspect FILE' shows it"},
+    {".gltf", FileKind::Mesh, "mesh", k_UseOfMesh},
+    {".glb", FileKind::Mesh, "mesh", k_UseOfMesh},
+    {".png", FileKind::Picture, "picture",
+     "a picture; a scene's or material's texture properties name it"},
+    {".cs", FileKind::CSharp, "C# file", "a C# file; 'limn port FILE -o FOLDER' makes C++ of it"}};
+
+/// @param kind  must not be Unknown
+const NamedKind& NamedKindOf(FileKind kind)
+{
+    return *std::ranges::find(k_NamedKinds, kind, &NamedKind::kind);
+}
 
 bool isYaml(const std::filesystem::path& file)
 {
@@ -66,55 +86,18 @@ FileKind KindOfContent(const std::filesystem::path& file)
     return FileKind::Unknown;
 }
 
-/// Returns the name of a kind of file, and the use of such a file.
-std::string UseOf(FileKind kind, const std::string& file)
+std::string UseOf(FileKind kind, const std::filesystem::path& file)
 {
-    switch (kind)
-    {
-    case FileKind::Scene:
-        return "a scene; 'limn render " + file + " -o out.png' draws it";
-    case FileKind::Profile:
-        return "a volume profile; 'limn render SCENE -o out.png --profile " + file +
-               "' draws with it, 'limn inspect " + file + "' shows it";
-    case FileKind::Material:
-        return "a material; a scene's 'materials' name it";
-    case FileKind::Shader:
-        return "a shader; 'limn shader " + file + "' describes it";
-    case FileKind::UnityAsset:
-        return "an Unity asset; 'limn inspect " + file + "' shows it";
-    case FileKind::UnityScene:
-        return "a Unity scene; 'limn render " + file + " -o out.png' draws it, 'limn inspect " +
-               file + "' shows its profiles and features, whose own files 'limn set' changes";
-    case FileKind::UnityPrefab:
-        return "a Unity prefab, which is drawn where a .unity scene holds it";
-    case FileKind::UnityMaterial:
-        return "a Unity material, which limn uses in a Unity scene; 'limn inspect " + file +
-               "' shows it";
-    case FileKind::Mesh:
-        return "a mesh; a scene's objects name it: 'mesh: " + file + "'";
-    case FileKind::Picture:
-        return "a picture; a scene's or material's texture properties name it";
-    case FileKind::CSharp:
-        return "a C# file; 'limn port " + file + " -o FOLDER' makes C++ of it";
-    case FileKind::Unknown:
-        break;
-    }
-    throw ContractError("UseOf: unknown kind of file");
+    return Replaced(NamedKindOf(kind).use, "FILE", file.generic_string());
 }
 
 /// "no scene or volume profile; a *.scene.yaml or *.profile.yaml file is expected"
 std::string NoneOf(std::initializer_list<FileKind> kinds)
 {
-    std::string nouns;
-    std::string endings;
-    for (const FileKind kind : kinds)
-    {
-        const NamedKind& named =
-            *std::ranges::find_if(k_NamedKinds, [kind](const auto& k) { return k.kind == kind; });
-        nouns += (nouns.empty() ? "" : " or ") + std::string(named.noun);
-        endings += (endings.empty() ? "*" : " or *") + std::string(named.ending);
-    }
-    return "no " + nouns + "; a " + endings + " file is expected";
+    return "no " + Joined(kinds, " or ", [](FileKind kind) { return NamedKindOf(kind).noun; }) +
+           "; a *" +
+           Joined(kinds, " or *", [](FileKind kind) { return NamedKindOf(kind).ending; }) +
+           " file is expected";
 }
 
 } // namespace
@@ -140,7 +123,7 @@ FileKind FileKindOf(const std::filesystem::path& file)
 std::string UseOfFile(const std::filesystem::path& file)
 {
     const FileKind kind = FileKindOf(file);
-    return kind == FileKind::Unknown ? "" : UseOf(kind, file.generic_string());
+    return kind == FileKind::Unknown ? "" : UseOf(kind, file);
 }
 
 std::string NearestFile(const std::filesystem::path& missing)
@@ -209,7 +192,7 @@ void RequireKind(const std::filesystem::path& file, std::initializer_list<FileKi
     {
         throw AssetError(file.generic_string(), {},
                          "'" + verb + "' cannot take it: this is " +
-                             (isKnown ? UseOf(kind, file.generic_string()) : NoneOf(kinds)));
+                             (isKnown ? UseOf(kind, file) : NoneOf(kinds)));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "assets/Importer.h"
 
+#include <cstdio>
 #include <cstdlib>
 #include <limn/base/ByteStream.h>
 #include <limn/base/Diagnostic.h>
@@ -27,35 +28,29 @@ std::string ImportKey(const ImportKind& kind, const std::string& settings, std::
     XXH3_128bits_update(&state, head.bytes().data(), head.bytes().size());
     XXH3_128bits_update(&state, bytes.data(), bytes.size());
     const XXH128_hash_t hash = XXH3_128bits_digest(&state);
-    static constexpr char k_Digits[] = "0123456789abcdef";
-    std::string key;
-    for (const std::uint64_t half : {hash.high64, hash.low64})
-    {
-        for (int shift = 60; shift >= 0; shift -= 4)
-        {
-            key += k_Digits[(half >> shift) & 15];
-        }
-    }
+    char key[33];
+    std::snprintf(key, sizeof(key), "%016llx%016llx", static_cast<unsigned long long>(hash.high64),
+                  static_cast<unsigned long long>(hash.low64));
     return key;
 }
 
 std::string ReasonOfImportEnd(const ImportKind& kind, const WorkerAnswer& answer,
                               std::chrono::milliseconds limit)
 {
-    const std::string noun = std::string("the ") + kind.noun;
+    const std::string beginning = std::string("the ") + kind.noun + " cannot be read: ";
     switch (answer.ending)
     {
     case WorkerAnswer::Ending::OutOfTime:
-        return noun + " cannot be read: the importer takes longer than " +
-               std::to_string(limit.count()) + " ms; make it smaller";
+        return beginning + "the importer takes longer than " + std::to_string(limit.count()) +
+               " ms; make it smaller";
     case WorkerAnswer::Ending::NotStarted:
-        return noun + " cannot be read: no process for the importer can be started";
-    case WorkerAnswer::Ending::Signal:
-        return noun + " cannot be read: the importer stopped on it: " + SignalText(answer.number) +
-               "; the file may be damaged; export it again";
+        return beginning + "no process for the importer can be started";
     default:
-        return noun + " cannot be read: the importer ended with exit code " +
-               std::to_string(answer.number) + "; the file may be damaged; export it again";
+        return beginning +
+               (answer.ending == WorkerAnswer::Ending::Signal
+                    ? "the importer stopped on it: " + SignalText(answer.number)
+                    : "the importer ended with exit code " + std::to_string(answer.number)) +
+               "; the file may be damaged; export it again";
     }
 }
 
@@ -144,15 +139,10 @@ FileCache::Entry Importer::Import(const ImportKind& kind, const std::filesystem:
     head.Values(file.string(), settings, static_cast<std::uint64_t>(bytes.size()));
     std::string request = head.bytes();
     request += bytes;
-    WorkerAnswer answer;
-    if (m_Options.process)
-    {
-        answer = m_Options.process->Run({kind.work, nullptr, m_Options.timeLimit}, request);
-    }
-    else
-    {
-        answer = {WorkerAnswer::Ending::Answered, 0, kind.work(request)};
-    }
+    WorkerAnswer answer =
+        m_Options.process
+            ? m_Options.process->Run({kind.work, nullptr, m_Options.timeLimit}, request)
+            : WorkerAnswer{WorkerAnswer::Ending::Answered, 0, kind.work(request)};
     if (answer.ending != WorkerAnswer::Ending::Answered || answer.bytes.empty())
     {
         throw AssetError(file.generic_string(), {},

@@ -30,11 +30,6 @@ struct ImportKind
     std::string (*work)(std::string_view request);
 };
 
-/// Calls `Import` in a worker. `Import` returns what becomes of an ImportedFile, or throws
-/// AssetError.
-template <std::string (*Import)(const ImportedFile&)>
-std::string ImportInWorker(std::string_view request);
-
 /// Imports files with third-party libraries, which may crash, hang or take too much memory, and
 /// caches the results by content.
 class Importer
@@ -77,6 +72,8 @@ namespace detail
 std::string RunImport(std::string (*import)(const ImportedFile&), std::string_view request);
 }
 
+/// Calls `Import` in a worker. `Import` returns what becomes of an ImportedFile, or throws
+/// AssetError.
 template <std::string (*Import)(const ImportedFile&)>
 std::string ImportInWorker(std::string_view request)
 {

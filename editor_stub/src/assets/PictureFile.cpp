@@ -1,7 +1,7 @@
 #include "assets/PictureFile.h"
 
-#include "assets/ExrFile.h"
 #include "assets/HdrFile.h"
+#include "console/Texts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -87,11 +87,6 @@ struct TiffBytes
     static toff_t Size(thandle_t handle) { return static_cast<TiffBytes*>(handle)->bytes.size(); }
 };
 
-struct TiffCloser
-{
-    void operator()(TIFF* tiff) const { TIFFClose(tiff); }
-};
-
 /// Channel `channel` of a texel, from 0 to 255.
 std::byte TiffSample(const std::byte* row, std::size_t index, int bits)
 {
@@ -109,9 +104,10 @@ Image ReadTiff(const std::filesystem::path& path, std::string_view bytes)
     TIFFSetErrorHandler(nullptr);
     TIFFSetWarningHandler(nullptr);
     TiffBytes file{bytes};
-    const std::unique_ptr<TIFF, TiffCloser> tiff(
+    const std::unique_ptr<TIFF, void (*)(TIFF*)> tiff(
         TIFFClientOpen("picture", "rm", &file, TiffBytes::Read, TiffBytes::Write, TiffBytes::Seek,
-                       TiffBytes::Close, TiffBytes::Size, nullptr, nullptr));
+                       TiffBytes::Close, TiffBytes::Size, nullptr, nullptr),
+        TIFFClose);
     std::uint32_t width = 0;
     std::uint32_t height = 0;
     if (!tiff || TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width) == 0 ||
@@ -221,11 +217,8 @@ std::uint16_t HalfOf(float value)
 
 bool IsPictureFile(const std::filesystem::path& path)
 {
-    const std::string ending = ToLower(path.extension().string());
-    return std::ranges::any_of(std::initializer_list<const char*>{".png", ".tif", ".tiff", ".jpg",
-                                                                  ".jpeg", ".tga", ".bmp", ".psd",
-                                                                  ".exr", ".hdr"},
-                               [&](const char* known) { return ending == known; });
+    return IsIn(ToLower(path.extension().string()),
+                {".png", ".tif", ".tiff", ".jpg", ".jpeg", ".tga", ".bmp", ".psd", ".exr", ".hdr"});
 }
 
 Image DecodePicture(const std::filesystem::path& path, std::string_view bytes)

@@ -1,6 +1,6 @@
 #include "assets/TexelAccess.h"
 
-#include "assets/ExrFile.h"
+#include "assets/HdrFile.h"
 
 #include <algorithm>
 #include <array>
