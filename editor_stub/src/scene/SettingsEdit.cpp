@@ -8,7 +8,6 @@
 #include "unity/UnityProject.h"
 
 #include <algorithm>
-#include <limn/base/WriteFile.h>
 #include <limn/core/Material.h>
 #include <limn/volume/UnityAsset.h>
 #include <limn/volume/YamlSplicer.h>
@@ -291,22 +290,21 @@ public:
         }
         m_Diagnostics.ThrowIfErrors();
         std::string result = splicer.Result();
-        RequireNoOtherChange(result, splicer, edit.path);
+        splicer.RequireNoOtherChange(
+            m_Blocks.documents, ReadFeatureBlocks(result, m_Diagnostics.file(), m_Assets).documents,
+            {});
         return result;
     }
 
 private:
     std::vector<const FeatureBlock*> Named(const std::string& name) const
     {
-        std::vector<const FeatureBlock*> found;
         for (const auto member : {&FeatureBlock::name, &FeatureBlock::type})
         {
+            std::vector<const FeatureBlock*> found;
             for (const FeatureBlock& block : m_Blocks.features)
             {
-                if (found.empty() || found.front()->*member == name)
-                {
-                    found.insert(found.end(), block.*member == name ? 1 : 0, &block);
-                }
+                found.insert(found.end(), block.*member == name ? 1 : 0, &block);
             }
             if (!found.empty())
             {
@@ -340,12 +338,7 @@ private:
         std::unique_ptr<ScriptableRendererFeature> feature = m_Assets.features().Create(block.type);
         YamlMapReader map(path.AsMap(value), path.name, typed, "setting");
         ReadFeatureSettings(map, *feature, Context(""), typed);
-        AssetDiagnostics withoutPlaces(m_Source);
-        for (const Diagnostic& diagnostic : typed.diagnostics())
-        {
-            withoutPlaces.Error({}, diagnostic.message);
-        }
-        withoutPlaces.ThrowIfErrors();
+        typed.ThrowWithoutPlaces();
         return feature;
     }
 
@@ -449,24 +442,6 @@ private:
         splicer.Insert(*map, path[depth], text);
     }
 
-    /// An alias (*) repeats a value elsewhere.
-    void RequireNoOtherChange(const std::string& result, const YamlSplicer& splicer,
-                              const std::string& subject) const
-    {
-        const FeatureBlocks after = ReadFeatureBlocks(result, m_Diagnostics.file(), m_Assets);
-        std::size_t count = 0;
-        for (std::size_t i = 0; i < m_Blocks.documents.size(); ++i)
-        {
-            count += CountDifferences(m_Blocks.documents[i], after.documents.at(i));
-        }
-        if (count != splicer.count())
-        {
-            throw AssetError(m_Diagnostics.file(), {},
-                             subject + ": other values repeat this one by an alias (*), and would "
-                                       "change as well; change it by hand");
-        }
-    }
-
     AssetContext& m_Assets;
     FeatureBlocks m_Blocks;
     AssetDiagnostics m_Diagnostics;
@@ -480,35 +455,12 @@ std::vector<ScalarChange> SetFeatureSettings(const std::filesystem::path& path,
                                              std::span<const ValueAssignment> edits,
                                              AssetContext& assets, FileEdit* written)
 {
-    const FileLock lock(path);
-    std::string text = ReadYamlText(path);
-    std::string edited = text;
-    std::vector<ScalarChange> changes;
-    std::vector<Diagnostic> problems;
-    for (const ValueAssignment& edit : edits)
+    const auto editor = [&assets](const std::string& text, const std::string& file,
+                                  const ValueAssignment& edit, std::vector<ScalarChange>& changes)
     {
-        try
-        {
-            edited = SettingsEditor(edited, path.generic_string(), assets).Edit(edit, changes);
-        }
-        catch (const AssetError& error)
-        {
-            problems.insert(problems.end(), error.diagnostics().begin(), error.diagnostics().end());
-        }
-    }
-    if (!problems.empty())
-    {
-        throw AssetError(std::move(problems));
-    }
-    if (edited != text)
-    {
-        ReplaceContent(path, text, edited);
-        if (written)
-        {
-            *written = {std::move(text), std::move(edited)};
-        }
-    }
-    return changes;
+        return SettingsEditor(text, file, assets).Edit(edit, changes);
+    };
+    return EditFile(path, edits, editor, written);
 }
 
 } // namespace limn

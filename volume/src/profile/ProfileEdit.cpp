@@ -80,7 +80,7 @@ public:
         AssetDiagnostics diagnostics(m_Source);
         const std::string text = m_Edit.NewValue(parameter->ValueText(), m_Member, m_Source);
         parameter->ReadYaml(ParseTypedValue(text, m_Source), subject, diagnostics);
-        ThrowWithoutPlaces(diagnostics);
+        diagnostics.ThrowWithoutPlaces();
     }
 
     VolumeParameter* parameter = nullptr;
@@ -147,17 +147,6 @@ private:
         }
         diagnostics.Error({}, owner + ": unknown parameter " +
                                   UnknownName(name, {names.begin(), names.end()}));
-    }
-
-    /// A place in a value typed on a command line says nothing.
-    static void ThrowWithoutPlaces(const AssetDiagnostics& diagnostics)
-    {
-        AssetDiagnostics without(diagnostics.file());
-        for (const Diagnostic& diagnostic : diagnostics.diagnostics())
-        {
-            without.Error({}, diagnostic.message);
-        }
-        without.ThrowIfErrors();
     }
 
     const ValueAssignment& m_Edit;
@@ -281,26 +270,6 @@ void AddValue(const std::optional<YamlNode>& component, const YamlNode& root,
     }
 }
 
-/// Throws unless the new text is a good profile that differs from the old one in what was replaced.
-void CheckResult(const std::vector<YamlNode>& before, const std::string& text,
-                 const std::string& file, const YamlSplicer& splicer, SourceLocation place,
-                 const std::string& subject, const VolumeComponentRegistry& registry)
-{
-    ParseVolumeProfile(text, file, registry, AnyLayer());
-    const std::vector<YamlNode> after = ProfileText(text, file).documents;
-    std::size_t count = after.size() == before.size() ? 0 : splicer.count() + 1;
-    for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
-    {
-        count += CountDifferences(before[i], after[i]);
-    }
-    if (count != splicer.count())
-    {
-        throw AssetError(file, place,
-                         subject + ": other values repeat this one by an alias (*), and would "
-                                   "change as well; change it by hand");
-    }
-}
-
 std::string EditOne(const std::string& text, const std::string& file, const ValueAssignment& edit,
                     const VolumeComponentRegistry& registry, std::vector<ScalarChange>& changes)
 {
@@ -340,10 +309,45 @@ std::string EditOne(const std::string& text, const std::string& file, const Valu
     }
     diagnostics.ThrowIfErrors();
     std::string result = splicer.Result();
-    CheckResult(profile.documents, result, file, splicer,
-                reached.value ? reached.value->location() : SourceLocation{}, target.subject,
-                registry);
+    ParseVolumeProfile(result, file, registry, AnyLayer()); // it must be a good one
+    splicer.RequireNoOtherChange(profile.documents, ProfileText(result, file).documents,
+                                 reached.value ? reached.value->location() : SourceLocation{});
     return result;
+}
+
+TextEditor EditorOf(const VolumeComponentRegistry& registry)
+{
+    return [&registry](const std::string& text, const std::string& file,
+                       const ValueAssignment& edit, std::vector<ScalarChange>& changes)
+    {
+        return EditOne(text, file, edit, registry, changes);
+    };
+}
+
+std::string ApplyEdits(std::string text, const std::string& file,
+                       std::span<const ValueAssignment> edits, const TextEditor& editor,
+                       std::vector<ScalarChange>& changes)
+{
+    std::vector<Diagnostic> problems;
+    for (const ValueAssignment& edit : edits)
+    {
+        try
+        {
+            text = editor(text, file, edit, changes);
+        }
+        catch (const AssetError& error)
+        {
+            std::ranges::copy_if(
+                error.diagnostics(), std::back_inserter(problems),
+                [&problems](const Diagnostic& diagnostic)
+                { return std::ranges::find(problems, diagnostic) == problems.end(); });
+        }
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
+    return text;
 }
 
 } // namespace
@@ -354,40 +358,25 @@ std::string EditVolumeProfile(std::string_view text, const std::string& file,
                               std::vector<ScalarChange>* changes)
 {
     std::vector<ScalarChange> ignored;
-    std::string result(text);
-    std::vector<Diagnostic> problems;
-    for (const ValueAssignment& edit : edits)
-    {
-        try
-        {
-            result = EditOne(result, file, edit, registry, changes ? *changes : ignored);
-        }
-        catch (const AssetError& error)
-        {
-            for (const Diagnostic& diagnostic : error.diagnostics())
-            {
-                if (std::find(problems.begin(), problems.end(), diagnostic) == problems.end())
-                {
-                    problems.push_back(diagnostic);
-                }
-            }
-        }
-    }
-    if (!problems.empty())
-    {
-        throw AssetError(std::move(problems));
-    }
-    return result;
+    return ApplyEdits(std::string(text), file, edits, EditorOf(registry),
+                      changes ? *changes : ignored);
 }
 
 std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
                                      std::span<const ValueAssignment> edits,
                                      const VolumeComponentRegistry& registry, FileEdit* written)
 {
+    return EditFile(path, edits, EditorOf(registry), written);
+}
+
+std::vector<ScalarChange> EditFile(const std::filesystem::path& path,
+                                   std::span<const ValueAssignment> edits, const TextEditor& edit,
+                                   FileEdit* written)
+{
     std::vector<ScalarChange> changes;
     const FileLock lock(path);
     std::string text = ReadYamlText(path);
-    std::string edited = EditVolumeProfile(text, path.generic_string(), edits, registry, &changes);
+    std::string edited = ApplyEdits(text, path.generic_string(), edits, edit, changes);
     if (edited != text)
     {
         ReplaceContent(path, text, edited);

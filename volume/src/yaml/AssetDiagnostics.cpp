@@ -30,6 +30,16 @@ void AssetDiagnostics::ThrowIfErrors() const
     }
 }
 
+void AssetDiagnostics::ThrowWithoutPlaces() const
+{
+    AssetDiagnostics without(m_File);
+    for (const Diagnostic& diagnostic : m_Diagnostics)
+    {
+        without.Error({}, diagnostic.message);
+    }
+    without.ThrowIfErrors();
+}
+
 std::size_t AssetDiagnostics::errorCount() const
 {
     const auto count =

@@ -121,6 +121,27 @@ std::string FlowText(const YamlNode& node)
     return node.isMap() ? "{" + text + "}" : "[" + text + "]";
 }
 
+/// Returns how many scalars of one tree differ from those of the other. A scalar in place of
+/// something else counts as one.
+std::size_t CountDifferences(const YamlNode& one, const YamlNode& other)
+{
+    const std::size_t size = one.items().size() + one.entries().size();
+    if (one.kind() != other.kind() || size != other.items().size() + other.entries().size())
+    {
+        return 1;
+    }
+    std::size_t count = one.scalar() != other.scalar() ? 1 : 0;
+    for (std::size_t i = 0; i < one.items().size(); ++i)
+    {
+        count += CountDifferences(one.items()[i], other.items()[i]);
+    }
+    for (std::size_t i = 0; i < one.entries().size(); ++i)
+    {
+        count += CountDifferences(one.entries()[i].value, other.entries()[i].value);
+    }
+    return count;
+}
+
 } // namespace
 
 YamlSplicer::YamlSplicer(std::string_view text, std::string subject, AssetDiagnostics& diagnostics)
@@ -387,6 +408,22 @@ std::string_view YamlSplicer::EndOfLine() const
     return m_Text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
 }
 
+void YamlSplicer::RequireNoOtherChange(std::span<const YamlNode> before,
+                                       std::span<const YamlNode> after, SourceLocation place) const
+{
+    std::size_t differences = after.size() == before.size() ? 0 : count() + 1;
+    for (std::size_t i = 0; i < before.size() && i < after.size(); ++i)
+    {
+        differences += CountDifferences(before[i], after[i]);
+    }
+    if (differences != count())
+    {
+        throw AssetError(m_Diagnostics.file(), place,
+                         m_Subject + ": other values repeat this one by an alias (*), and would "
+                                     "change as well; change it by hand");
+    }
+}
+
 std::string YamlSplicer::Result() const
 {
     std::vector<Splice> splices = m_Splices;
@@ -400,25 +437,6 @@ std::string YamlSplicer::Result() const
         at = splice.end;
     }
     return result.append(m_Text.substr(at));
-}
-
-std::size_t CountDifferences(const YamlNode& one, const YamlNode& other)
-{
-    const std::size_t size = one.items().size() + one.entries().size();
-    if (one.kind() != other.kind() || size != other.items().size() + other.entries().size())
-    {
-        return 1;
-    }
-    std::size_t count = one.scalar() != other.scalar() ? 1 : 0;
-    for (std::size_t i = 0; i < one.items().size(); ++i)
-    {
-        count += CountDifferences(one.items()[i], other.items()[i]);
-    }
-    for (std::size_t i = 0; i < one.entries().size(); ++i)
-    {
-        count += CountDifferences(one.entries()[i].value, other.entries()[i].value);
-    }
-    return count;
 }
 
 } // namespace limn

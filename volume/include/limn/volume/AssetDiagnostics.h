@@ -21,6 +21,8 @@ public:
 
     /// @throws AssetError with every error, ordered by place, if there is one
     void ThrowIfErrors() const;
+    /// Does the same for errors about a value that was typed, in which a place says nothing.
+    void ThrowWithoutPlaces() const;
 
     /// Returns the notes, ordered by place.
     std::vector<Diagnostic> notes() const { return Sorted(Severity::Note); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/YamlNode.h>
 #include <span>
@@ -104,6 +105,16 @@ std::vector<ScalarChange> SetScalars(const std::filesystem::path& path,
                                      std::span<const ValueAssignment> edits,
                                      const VolumeComponentRegistry& registry,
                                      FileEdit* written = nullptr);
+
+/// Returns a file's text with one new value, and adds what was done to `changes`.
+using TextEditor =
+    std::function<std::string(const std::string& text, const std::string& file,
+                              const ValueAssignment& edit, std::vector<ScalarChange>& changes)>;
+
+/// Applies an editor to a file for each edit, as SetScalars does.
+std::vector<ScalarChange> EditFile(const std::filesystem::path& path,
+                                   std::span<const ValueAssignment> edits, const TextEditor& edit,
+                                   FileEdit* written = nullptr);
 
 /// Replaces the content of a file, or of the file behind a link, if it still is `expected`.
 /// @throws AssetError if the content has changed since, or cannot be written; the file is then as

@@ -2,6 +2,7 @@
 
 #include <limn/volume/AssetDiagnostics.h>
 #include <limn/volume/YamlNode.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,6 +35,12 @@ public:
     /// Returns the number of scalars replaced and lines added so far.
     std::size_t count() const { return m_Splices.size(); }
     std::string Result() const;
+
+    /// @param after  the documents of Result()
+    /// @throws AssetError  at `place` if more than the replaced scalars has changed, because an
+    ///     alias repeats one
+    void RequireNoOtherChange(std::span<const YamlNode> before, std::span<const YamlNode> after,
+                              SourceLocation place) const;
 
 private:
     struct Splice
@@ -69,9 +76,5 @@ private:
     AssetDiagnostics& m_Diagnostics;
     std::vector<Splice> m_Splices;
 };
-
-/// Returns how many scalars of one tree differ from those of the other. A scalar in place of
-/// something else counts as one.
-std::size_t CountDifferences(const YamlNode& one, const YamlNode& other);
 
 } // namespace limn
