@@ -342,8 +342,7 @@ private:
             const aiMesh& mesh = *m_Scene.mMeshes[part];
             const auto base = static_cast<std::uint32_t>(data.vertices.size());
             AppendVertices(mesh, matrix, channels, data);
-            SubMesh subMesh;
-            subMesh.indexStart = static_cast<std::uint32_t>(data.triangles.size());
+            const auto start = static_cast<std::uint32_t>(data.triangles.size());
             for (unsigned f = 0; f < mesh.mNumFaces; ++f)
             {
                 const aiFace& face = mesh.mFaces[f];
@@ -358,9 +357,8 @@ private:
                     }
                 }
             }
-            subMesh.indexCount =
-                static_cast<std::uint32_t>(data.triangles.size()) - subMesh.indexStart;
-            data.subMeshes.push_back(subMesh);
+            data.subMeshes.push_back(
+                {start, static_cast<std::uint32_t>(data.triangles.size()) - start});
         }
         return data;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/ext/matrix_relational.hpp>
 #include <glm/geometric.hpp>
 
 namespace limn
@@ -13,16 +14,7 @@ namespace
 bool IsIdentity(const glm::dmat4& matrix)
 {
     constexpr double k_Rounding = 1e-5;
-    const glm::dmat4 identity(1.0);
-    for (int column = 0; column < 4; ++column)
-    {
-        const glm::dvec4 difference = glm::abs(matrix[column] - identity[column]);
-        if (!glm::all(glm::lessThan(difference, glm::dvec4(k_Rounding))))
-        {
-            return false;
-        }
-    }
-    return true;
+    return glm::all(glm::equal(matrix, glm::dmat4(1.0), k_Rounding));
 }
 
 /// Normals keep their side of the surface when they are multiplied with it, and it needs no

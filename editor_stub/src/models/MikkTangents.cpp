@@ -6,6 +6,7 @@
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <limn/base/HashContent.h>
 #include <numeric>
 #include <unordered_map>
 
@@ -41,13 +42,7 @@ struct BytesHash
 {
     std::size_t operator()(const std::array<std::uint32_t, 8>& key) const
     {
-        std::size_t hash = 0;
-        for (const std::uint32_t part : key)
-        {
-            hash = (hash ^ part) * 0x9E3779B97F4A7C15ull;
-            hash ^= hash >> 29;
-        }
-        return hash;
+        return HashContent({reinterpret_cast<const char*>(key.data()), sizeof(key)});
     }
 };
 
@@ -300,18 +295,12 @@ private:
                 values.push_back(value);
             }
         };
-        copy(m_Data.normals);
-        copy(m_Data.tangents);
-        copy(m_Data.colors);
-        copy(m_Data.uv);
-        copy(m_Data.uv2);
-        copy(m_Data.uv3);
-        copy(m_Data.uv4);
-        copy(m_Data.uv5);
-        copy(m_Data.uv6);
-        copy(m_Data.uv7);
-        copy(m_Data.uv8);
-        copy(m_Data.vertices);
+        const auto copyAll = [&](auto&... arrays)
+        {
+            (copy(arrays), ...);
+        };
+        copyAll(m_Data.vertices, m_Data.normals, m_Data.tangents, m_Data.colors, m_Data.uv,
+                m_Data.uv2, m_Data.uv3, m_Data.uv4, m_Data.uv5, m_Data.uv6, m_Data.uv7, m_Data.uv8);
         m_Copied.push_back(vertex);
         return static_cast<std::uint32_t>(m_Data.vertices.size() - 1);
     }

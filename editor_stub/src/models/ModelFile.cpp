@@ -3,10 +3,10 @@
 #include "models/AssimpModel.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limn/base/ByteStream.h>
 #include <limn/base/Case.h>
+#include <limn/base/ParseWhole.h>
 #include <limn/base/ReadFile.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -17,83 +17,11 @@ namespace limn
 namespace
 {
 
-template <typename Names>
-std::string NameOf(const Names& names, std::int64_t fileID)
+std::string NameOf(const std::map<std::int64_t, std::string>& names, std::int64_t fileID)
 {
     const auto found = names.find(fileID);
     return found == names.end() ? std::string() : found->second;
 }
-
-void ReadNames(const UnityNode& importer, ModelImport& import)
-{
-    const auto number = [](std::string_view text)
-    {
-        std::int64_t value = 0;
-        std::from_chars(text.data(), text.data() + text.size(), value);
-        return value;
-    };
-    for (const UnityNode entry : importer["fileIDToRecycleName"])
-    {
-        import.names[number(entry.key())] = entry.text();
-    }
-    for (const UnityNode entry : importer["internalIDToNameTable"])
-    {
-        const UnityNode first = entry["first"];
-        if (first.begin() != first.end())
-        {
-            import.names[number((*first.begin()).text())] = entry["second"].text();
-        }
-    }
-}
-
-} // namespace
-
-ModelImport ReadModelImport(const UnityNode& meta)
-{
-    ModelImport import;
-    const UnityNode importer = meta["ModelImporter"];
-    const auto number = [](const UnityNode& node, auto& value)
-    {
-        const std::string_view text = node.text();
-        std::from_chars(text.data(), text.data() + text.size(), value);
-    };
-    const UnityNode meshes = importer["meshes"];
-    int useFileScale = 1;
-    int preserves = 0;
-    int normals = 0;
-    int tangents = static_cast<int>(ModelTangents::CalculateMikk);
-    int swaps = 0;
-    number(meshes["globalScale"], import.globalScale);
-    number(meshes["useFileScale"], useFileScale);
-    number(meshes["preserveHierarchy"], preserves);
-    number(meshes["fileIdsGeneration"], import.fileIdsGeneration);
-    number(importer["tangentSpace"]["normalImportMode"], normals);
-    number(importer["tangentSpace"]["normalSmoothAngle"], import.normalSmoothAngle);
-    number(importer["tangentSpace"]["tangentImportMode"], tangents);
-    number(meshes["swapUVChannels"], swaps);
-    const bool isTangents =
-        tangents >= 0 &&
-        tangents <= static_cast<int>(ModelTangents::CalculateLegacyWithSplitTangents);
-    import.tangents =
-        isTangents ? static_cast<ModelTangents>(tangents) : ModelTangents::CalculateMikk;
-    import.swapUVChannels = swaps != 0;
-    import.globalScale = std::isfinite(import.globalScale) ? import.globalScale : 1.0f;
-    const bool isAngle = import.normalSmoothAngle >= 0.0f && import.normalSmoothAngle <= 180.0f;
-    import.normalSmoothAngle = isAngle ? import.normalSmoothAngle : 60.0f;
-    import.useFileScale = useFileScale != 0;
-    import.preserveHierarchy = preserves != 0;
-    import.calculatesNormals = normals == 1;
-    ReadNames(importer, import);
-    for (const UnityNode entry : importer["externalObjects"])
-    {
-        import.materials[std::string(entry["first"]["name"].text())] =
-            ReadUnityReference(entry["second"]);
-    }
-    return import;
-}
-
-namespace
-{
 
 void TransferModelSettings(auto& stream, auto& name, auto& import)
 {
@@ -104,25 +32,16 @@ void TransferModelSettings(auto& stream, auto& name, auto& import)
 
 void TransferMesh(auto& stream, auto& mesh)
 {
+    const auto transfer = [&stream](auto&... arrays)
+    {
+        (stream.Array(arrays), ...);
+    };
     stream.Value(mesh.name);
     auto& data = mesh.data;
-    stream.Array(data.vertices);
-    stream.Array(data.normals);
-    stream.Array(data.tangents);
-    stream.Array(data.colors);
-    stream.Array(data.uv);
-    stream.Array(data.uv2);
-    stream.Array(data.uv3);
-    stream.Array(data.uv4);
-    stream.Array(data.uv5);
-    stream.Array(data.uv6);
-    stream.Array(data.uv7);
-    stream.Array(data.triangles);
-    stream.Array(data.subMeshes);
-    auto& skin = mesh.skin;
-    stream.List(skin.bones, [&](auto& bone) { stream.Value(bone); });
-    stream.Array(skin.bindPoses);
-    stream.Array(skin.weights);
+    transfer(data.vertices, data.normals, data.tangents, data.colors, data.uv, data.uv2, data.uv3,
+             data.uv4, data.uv5, data.uv6, data.uv7, data.triangles, data.subMeshes);
+    stream.List(mesh.skin.bones, [&](auto& bone) { stream.Value(bone); });
+    transfer(mesh.skin.bindPoses, mesh.skin.weights);
 }
 
 void TransferNode(auto& stream, auto& node)
@@ -187,6 +106,43 @@ std::string MaterialFilesOf(const std::filesystem::path& path, std::string_view 
 }
 
 } // namespace
+
+ModelImport ReadModelImport(const UnityNode& meta)
+{
+    ModelImport import;
+    const UnityNode importer = meta["ModelImporter"];
+    const UnityNode meshes = importer["meshes"];
+    const UnityNode space = importer["tangentSpace"];
+    const float scale = NumberOf(meshes["globalScale"], 1.0f);
+    import.globalScale = std::isfinite(scale) ? scale : 1.0f;
+    import.useFileScale = NumberOf(meshes["useFileScale"], 1) != 0;
+    import.preserveHierarchy = NumberOf(meshes["preserveHierarchy"], 0) != 0;
+    import.swapUVChannels = NumberOf(meshes["swapUVChannels"], 0) != 0;
+    import.calculatesNormals = NumberOf(space["normalImportMode"], 0) == 1;
+    const float angle = NumberOf(space["normalSmoothAngle"], 60.0f);
+    import.normalSmoothAngle = angle >= 0.0f && angle <= 180.0f ? angle : 60.0f;
+    const int tangents = NumberOf(space["tangentImportMode"], -1);
+    const int last = static_cast<int>(ModelTangents::CalculateLegacyWithSplitTangents);
+    import.tangents = tangents >= 0 && tangents <= last ? static_cast<ModelTangents>(tangents)
+                                                        : ModelTangents::CalculateMikk;
+    for (const UnityNode entry : importer["fileIDToRecycleName"])
+    {
+        import.names[ParseWhole<std::int64_t>(entry.key()).value_or(0)] = entry.text();
+    }
+    for (const UnityNode entry : importer["internalIDToNameTable"])
+    {
+        for (const UnityNode id : entry["first"])
+        {
+            import.names[NumberOf(id, std::int64_t{0})] = entry["second"].text();
+        }
+    }
+    for (const UnityNode entry : importer["externalObjects"])
+    {
+        import.materials[std::string(entry["first"]["name"].text())] =
+            ReadUnityReference(entry["second"]);
+    }
+    return import;
+}
 
 Model LoadModel(const std::filesystem::path& path, const ModelImport& import,
                 const Importer& importer)

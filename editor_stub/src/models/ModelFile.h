@@ -34,7 +34,6 @@ struct ModelImport
     /// The source of tangents. Calculated ones follow the rule of MikkTSpace.
     ModelTangents tangents = ModelTangents::CalculateMikk;
     bool swapUVChannels = false; ///< swaps the first and the second
-    int fileIdsGeneration = 1;
     /// The names of the model's objects by id, for files of the first generation.
     std::map<std::int64_t, std::string> names = {};
     /// The project's materials that replace the model's own, by the names of the replaced ones.

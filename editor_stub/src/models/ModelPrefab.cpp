@@ -1,7 +1,7 @@
+#include "console/Texts.h"
 #include "models/ModelFile.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace limn
 {
@@ -33,8 +33,9 @@ public:
 
 private:
     /// The id of a node's GameObject or of one of its components.
-    std::int64_t IdOf(std::size_t node, UnityClass classID, std::string_view name) const
+    std::int64_t IdOf(std::size_t node, UnityClass classID) const
     {
+        const std::string name = NameOf(classID);
         const std::string wanted = node == 0 ? "//RootNode" : m_Model.nodes[node].name;
         const std::int64_t first = static_cast<std::int64_t>(classID) * 100'000;
         const auto begin = m_Model.import.names.lower_bound(first);
@@ -45,9 +46,8 @@ private:
         {
             return found->first;
         }
-        return HashedFileID(
-            "Type:" + std::string(name) + "->" + m_Paths[node] +
-            (classID == UnityClass::GameObject ? "0" : "/" + std::string(name) + "0"));
+        return HashedFileID("Type:" + name + "->" + m_Paths[node] +
+                            (classID == UnityClass::GameObject ? "0" : "/" + name + "0"));
     }
 
     std::int64_t MeshId(std::size_t mesh) const
@@ -63,28 +63,23 @@ private:
         return HashedFileID("Type:Mesh->" + name + "0");
     }
 
-    void Begin(UnityClass classID, std::int64_t id, const char* name)
+    void Begin(UnityClass classID, std::int64_t id)
     {
         m_Text += "--- !u!" + std::to_string(static_cast<int>(classID)) + " &" +
-                  std::to_string(id) + "\n" + name + ":\n";
+                  std::to_string(id) + "\n" + NameOf(classID) + ":\n";
     }
-    void BeginComponent(std::size_t node, UnityClass classID, const char* name)
+    void BeginComponent(std::size_t node, UnityClass classID)
     {
-        Begin(classID, IdOf(node, classID, name), name);
+        Begin(classID, IdOf(node, classID));
     }
     /// The id of the Transform of the node that is a bone; 0 if there is none.
     std::int64_t BoneId(const std::string& bone) const
     {
         const auto found = std::ranges::find(m_Model.nodes, bone, &ModelNode::name);
         const auto index = static_cast<std::size_t>(found - m_Model.nodes.begin());
-        return found == m_Model.nodes.end() ? 0 : IdOf(index, UnityClass::Transform, "Transform");
+        return found == m_Model.nodes.end() ? 0 : IdOf(index, UnityClass::Transform);
     }
-    static std::string Number(float value)
-    {
-        char text[40];
-        const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
-        return std::string(text, end);
-    }
+    static std::string Number(float value) { return NumberText(static_cast<double>(value)); }
     static std::string Vector(const glm::vec3& v)
     {
         return "{x: " + Number(v.x) + ", y: " + Number(v.y) + ", z: " + Number(v.z) + "}";
@@ -93,30 +88,25 @@ private:
     /// A name may hold anything.
     static std::string Quoted(const std::string& name)
     {
-        std::string text = "'";
-        for (const char letter : name)
-        {
-            text += letter == '\n' ? ' ' : letter;
-            text += letter == '\'' ? "'" : "";
-        }
-        return text + "'";
+        return "'" + Replaced(Replaced(name, "\n", " "), "'", "''") + "'";
     }
 
     void WriteNode(std::size_t index)
     {
         const ModelNode& node = m_Model.nodes[index];
-        const std::int64_t object = IdOf(index, UnityClass::GameObject, "GameObject");
-        const std::int64_t transform = IdOf(index, UnityClass::Transform, "Transform");
-        Begin(UnityClass::GameObject, object, "GameObject");
+        const std::int64_t object = IdOf(index, UnityClass::GameObject);
+        const std::int64_t transform = IdOf(index, UnityClass::Transform);
+        Begin(UnityClass::GameObject, object);
         m_Text += "  m_Layer: 0\n  m_Name: " + Quoted(node.name) + "\n  m_IsActive: 1\n";
-        Begin(UnityClass::Transform, transform, "Transform");
+        Begin(UnityClass::Transform, transform);
         m_Text +=
             "  m_GameObject: " + Own(object) +
             "\n  m_LocalRotation: {x: " + Number(node.rotation.x) +
             ", y: " + Number(node.rotation.y) + ", z: " + Number(node.rotation.z) +
             ", w: " + Number(node.rotation.w) + "}\n  m_LocalPosition: " + Vector(node.position) +
-            "\n  m_LocalScale: " + Vector(node.scale) + "\n  m_Father: " +
-            Own(index == 0 ? 0 : IdOf(node.parent, UnityClass::Transform, "Transform")) + "\n";
+            "\n  m_LocalScale: " + Vector(node.scale) +
+            "\n  m_Father: " + Own(index == 0 ? 0 : IdOf(node.parent, UnityClass::Transform)) +
+            "\n";
         if (node.mesh)
         {
             WriteRenderer(index, object);
@@ -132,14 +122,14 @@ private:
                                  ", guid: " + m_Guid + ", type: 3}\n";
         if (skin.isEmpty())
         {
-            BeginComponent(index, UnityClass::MeshFilter, "MeshFilter");
+            BeginComponent(index, UnityClass::MeshFilter);
             m_Text += mesh;
-            BeginComponent(index, UnityClass::MeshRenderer, "MeshRenderer");
+            BeginComponent(index, UnityClass::MeshRenderer);
             m_Text += "  m_GameObject: " + Own(object) + "\n";
         }
         else
         {
-            BeginComponent(index, UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer");
+            BeginComponent(index, UnityClass::SkinnedMeshRenderer);
             m_Text += mesh + "  m_Bones:\n";
             for (const std::string& bone : skin.bones)
             {
@@ -149,14 +139,13 @@ private:
         m_Text += "  m_Enabled: 1\n  m_RenderingLayerMask: 1\n  m_Materials:\n";
         for (const std::string& material : node.materials)
         {
-            const auto remapped = m_Model.import.materials.find(material);
-            const std::int64_t id = remapped != m_Model.import.materials.end()
-                                        ? remapped->second.fileID
-                                        : HashedFileID("Type:Material->" + material + "0");
-            m_Text +=
-                "  - {fileID: " + std::to_string(id) + ", guid: " +
-                (remapped != m_Model.import.materials.end() ? remapped->second.guid : m_Guid) +
-                ", type: 3}\n";
+            const auto found = m_Model.import.materials.find(material);
+            const UnityReference used =
+                found != m_Model.import.materials.end()
+                    ? found->second
+                    : UnityReference{HashedFileID("Type:Material->" + material + "0"), m_Guid};
+            m_Text += "  - {fileID: " + std::to_string(used.fileID) + ", guid: " + used.guid +
+                      ", type: 3}\n";
         }
     }
 

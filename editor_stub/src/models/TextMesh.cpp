@@ -1,41 +1,19 @@
 #include "models/TextMesh.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <limits>
+#include <limn/base/ParseWhole.h>
 #include <map>
+#include <span>
 
 namespace limn
 {
 
 namespace
 {
-
-/// Unity: UnityEngine.Rendering.VertexAttributeFormat (2022.3).
-enum class VertexFormat : std::uint8_t
-{
-    Float32,
-    Float16,
-    UNorm8,
-    SNorm8,
-    UNorm16,
-    SNorm16,
-    UInt8,
-    SInt8,
-    UInt16,
-    SInt16,
-    UInt32,
-    SInt32
-};
-
-std::size_t BytesOf(VertexFormat format)
-{
-    constexpr std::size_t k_Bytes[] = {4, 2, 1, 1, 2, 2, 1, 1, 2, 2, 4, 4};
-    return k_Bytes[static_cast<std::size_t>(format)];
-}
 
 template <typename T>
 T NumberAt(const std::uint8_t* bytes)
@@ -45,44 +23,52 @@ T NumberAt(const std::uint8_t* bytes)
     return value;
 }
 
-float ComponentAt(const std::uint8_t* bytes, VertexFormat format)
+template <typename T>
+float PlainAt(const std::uint8_t* bytes)
 {
-    switch (format)
-    {
-    case VertexFormat::Float32:
-        return NumberAt<float>(bytes);
-    case VertexFormat::Float16:
-        return glm::unpackHalf1x16(NumberAt<std::uint16_t>(bytes));
-    case VertexFormat::UNorm8:
-        return static_cast<float>(*bytes) / 255.0f;
-    case VertexFormat::SNorm8:
-        return std::max(static_cast<float>(NumberAt<std::int8_t>(bytes)) / 127.0f, -1.0f);
-    case VertexFormat::UNorm16:
-        return static_cast<float>(NumberAt<std::uint16_t>(bytes)) / 65535.0f;
-    case VertexFormat::SNorm16:
-        return std::max(static_cast<float>(NumberAt<std::int16_t>(bytes)) / 32767.0f, -1.0f);
-    case VertexFormat::UInt8:
-        return static_cast<float>(*bytes);
-    case VertexFormat::SInt8:
-        return static_cast<float>(NumberAt<std::int8_t>(bytes));
-    case VertexFormat::UInt16:
-        return static_cast<float>(NumberAt<std::uint16_t>(bytes));
-    case VertexFormat::SInt16:
-        return static_cast<float>(NumberAt<std::int16_t>(bytes));
-    case VertexFormat::UInt32:
-        return static_cast<float>(NumberAt<std::uint32_t>(bytes));
-    case VertexFormat::SInt32:
-        break;
-    }
-    return static_cast<float>(NumberAt<std::int32_t>(bytes));
+    return static_cast<float>(NumberAt<T>(bytes));
 }
+
+template <typename T>
+float NormalizedAt(const std::uint8_t* bytes)
+{
+    return std::max(PlainAt<T>(bytes) / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
+}
+
+float HalfAt(const std::uint8_t* bytes)
+{
+    return glm::unpackHalf1x16(NumberAt<std::uint16_t>(bytes));
+}
+
+/// The way in which a component of a vertex is saved.
+struct VertexFormat
+{
+    std::size_t bytes;
+    float (*read)(const std::uint8_t* bytes);
+};
+
+/// Unity: UnityEngine.Rendering.VertexAttributeFormat (2022.3).
+constexpr VertexFormat k_Formats[] = {
+    {4, PlainAt<float>},
+    {2, HalfAt},
+    {1, NormalizedAt<std::uint8_t>},
+    {1, NormalizedAt<std::int8_t>},
+    {2, NormalizedAt<std::uint16_t>},
+    {2, NormalizedAt<std::int16_t>},
+    {1, PlainAt<std::uint8_t>},
+    {1, PlainAt<std::int8_t>},
+    {2, PlainAt<std::uint16_t>},
+    {2, PlainAt<std::int16_t>},
+    {4, PlainAt<std::uint32_t>},
+    {4, PlainAt<std::int32_t>},
+};
 
 /// The place of the numbers of one array.
 struct VertexChannel
 {
     std::size_t stream = 0;
     std::size_t offset = 0;
-    VertexFormat format = VertexFormat::Float32;
+    VertexFormat format = k_Formats[0];
     std::size_t components = 0; ///< 0 = the mesh has no such array
 };
 
@@ -129,15 +115,13 @@ private:
     /// A whole number from 0 to `most`; 0 if it is not there.
     std::size_t Number(const UnityNode& node, std::size_t most) const
     {
-        std::size_t value = 0;
-        const std::string_view text = node.text();
-        const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-        if (node && (error != std::errc() || end != text.data() + text.size() || value > most))
+        const auto value = ParseWhole<std::size_t>(node.text());
+        if (node && value.value_or(most + 1) > most)
         {
-            Fail(node, std::string(node.key()) + " is '" + std::string(text.substr(0, 40)) +
+            Fail(node, std::string(node.key()) + " is '" + std::string(node.text().substr(0, 40)) +
                            "'; a whole number from 0 to " + std::to_string(most) + " is expected");
         }
-        return value;
+        return value.value_or(0);
     }
 
     std::vector<std::uint8_t> Bytes(const UnityNode& node) const
@@ -193,8 +177,7 @@ private:
             VertexChannel channel;
             channel.stream = Number(item["stream"], 3);
             channel.offset = Number(item["offset"], 255);
-            channel.format = static_cast<VertexFormat>(
-                Number(item["format"], static_cast<std::size_t>(VertexFormat::SInt32)));
+            channel.format = k_Formats[Number(item["format"], std::size(k_Formats) - 1)];
             channel.components = Number(item["dimension"], 255) & 15;
             if (channel.components > 4)
             {
@@ -211,7 +194,7 @@ private:
         }
         for (const VertexChannel& channel : m_Channels)
         {
-            const std::size_t end = channel.offset + channel.components * BytesOf(channel.format);
+            const std::size_t end = channel.offset + channel.components * channel.format.bytes;
             std::size_t& stride = m_Strides[channel.stream];
             stride = channel.components > 0 ? std::max(stride, (end + 3) / 4 * 4) : stride;
         }
@@ -247,8 +230,7 @@ private:
             glm::vec4 value(0.0f);
             for (std::size_t c = 0; c < channel.components; ++c)
             {
-                const float number =
-                    ComponentAt(vertex + c * BytesOf(channel.format), channel.format);
+                const float number = channel.format.read(vertex + c * channel.format.bytes);
                 // Only a place must be a number. ProBuilder saves tangents that are none.
                 value[static_cast<int>(c)] =
                     index == k_Positions || std::isfinite(number) ? number : 0.0f;
@@ -259,24 +241,17 @@ private:
 
     void ReadArrays(MeshData& data) const
     {
-        const auto toEnd = [](auto& values)
+        std::size_t channel = k_Positions;
+        const auto read = [&](auto& values)
         {
-            return [&values](const glm::vec4& value)
-            {
-                values.emplace_back(value);
-            };
+            ForEach(channel++, [&](const glm::vec4& value) { values.emplace_back(value); });
         };
-        std::vector<glm::vec4>* const sets[] = {&data.uv2, &data.uv3, &data.uv4,
-                                                &data.uv5, &data.uv6, &data.uv7};
-        ForEach(k_Positions, toEnd(data.vertices));
-        ForEach(1, toEnd(data.normals));
-        ForEach(2, toEnd(data.tangents));
-        ForEach(3, toEnd(data.colors));
-        ForEach(4, toEnd(data.uv));
-        for (std::size_t set = 0; set < std::size(sets); ++set)
+        const auto readAll = [&](auto&... arrays)
         {
-            ForEach(5 + set, toEnd(*sets[set]));
-        }
+            (read(arrays), ...);
+        };
+        readAll(data.vertices, data.normals, data.tangents, data.colors, data.uv, data.uv2,
+                data.uv3, data.uv4, data.uv5, data.uv6, data.uv7);
     }
 
     void ReadTriangles(MeshData& data) const
@@ -304,12 +279,10 @@ private:
                 data.triangles.push_back(static_cast<std::uint32_t>(
                     std::min<std::size_t>(vertex, std::numeric_limits<std::uint32_t>::max())));
             };
-            SubMesh subMesh;
-            subMesh.indexStart = static_cast<std::uint32_t>(data.triangles.size());
+            const auto start = static_cast<std::uint32_t>(data.triangles.size());
             AddTriangles(topology, count, add);
-            subMesh.indexCount =
-                static_cast<std::uint32_t>(data.triangles.size()) - subMesh.indexStart;
-            data.subMeshes.push_back(subMesh);
+            data.subMeshes.push_back(
+                {start, static_cast<std::uint32_t>(data.triangles.size()) - start});
             if (data.triangles.size() > k_MostBytes)
             {
                 Fail(item, "the sub-meshes have more indices than limn takes");
@@ -322,16 +295,11 @@ private:
     {
         constexpr std::size_t k_Triangles = 0;
         constexpr std::size_t k_Quads = 2;
-        for (std::size_t i = 0; topology == k_Triangles && i + 3 <= count; i += 3)
+        constexpr std::size_t k_Corners[] = {0, 1, 2, 0, 2, 3}; // a triangle has the first three
+        const std::size_t corners = topology == k_Triangles ? 3 : topology == k_Quads ? 4 : 0;
+        for (std::size_t i = 0; corners > 0 && i + corners <= count; i += corners)
         {
-            for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2}))
-            {
-                add(i + corner);
-            }
-        }
-        for (std::size_t i = 0; topology == k_Quads && i + 4 <= count; i += 4)
-        {
-            for (const std::size_t corner : std::to_array<std::size_t>({0, 1, 2, 0, 2, 3}))
+            for (const std::size_t corner : std::span(k_Corners).first(corners == 4 ? 6 : 3))
             {
                 add(i + corner);
             }
@@ -397,11 +365,9 @@ private:
             for (int column = 0; column < 4; ++column)
             {
                 const std::string key = "e" + std::to_string(row) + std::to_string(column);
-                const std::string_view text = node[key].text();
                 float& value = matrix[column][row];
-                const auto [end, error] =
-                    std::from_chars(text.data(), text.data() + text.size(), value);
-                if (error != std::errc() || !std::isfinite(value))
+                value = NumberOf(node[key], std::numeric_limits<float>::quiet_NaN());
+                if (!std::isfinite(value))
                 {
                     Fail(node, "a bind pose has no number " + key);
                 }

@@ -65,8 +65,6 @@ void ReadObjects(const YamlNode& node, SceneLoader& loader);
 /// there is none.
 std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
                                      SceneLoader& loader);
-/// Looks for errors of a mesh that nothing draws. A file that exists is not read.
-void CheckMesh(const YamlNode& node, const std::string& subject, SceneLoader& loader);
 
 /// An item of a sequence, and its name in messages: "objects[2]".
 struct SceneItem
@@ -78,28 +76,29 @@ struct SceneItem
 std::vector<SceneItem> ReadItems(const YamlNode& node, const std::string& subject,
                                  AssetDiagnostics& diagnostics);
 
+/// Returns the items of the sequence behind a key, as above; none if the key is absent.
+std::vector<SceneItem> ReadItems(SceneMapReader& map, std::string_view key,
+                                 AssetDiagnostics& diagnostics);
+
+/// Reads a LayerMask or a RenderingLayerMask. It stays as it is if the key is absent or wrong.
+template <typename Mask>
+void ReadLayerMask(SceneMapReader& map, std::string_view key, const LayerKind& kind,
+                   AssetDiagnostics& diagnostics, Mask& mask)
+{
+    if (const YamlNode* node = map.Find(key))
+    {
+        mask =
+            Mask(ReadLayerBits(*node, map.SubjectOf(key), kind, diagnostics).value_or(mask.bits));
+    }
+}
+
 /// Reads `position`, `rotation` (Euler degrees) and `scale` (three numbers or one).
 void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics);
-
-/// Returns a material as scenes and material files write it, {shader: ..., _BaseColor: ...}.
-/// Returns null and adds an error if the shader cannot be used, since its properties are then
-/// unknown.
-std::shared_ptr<const Material> ReadMaterial(const std::string& name, const YamlNode& node,
-                                             References& references, AssetDiagnostics& diagnostics);
 
 /// Returns the material of a .material.yaml file. Relative paths in the file start at its folder.
 /// @throws AssetError with every problem of the file
 std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& path,
                                                  AssetContext& assets);
-
-/// Sets a material's texture property to the value in a file. The value is the name of a default
-/// texture; for a 2D property a .png file; for a 3D one or an array {slices: [.png files]}; for a
-/// cube or an array of cubes {faces: [.png files]}, six for each cube in the order +X -X +Y -Y +Z
-/// -Z, each as seen from the centre. A wrong value adds an error at its place, and the property
-/// stays as it was.
-void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
-                         const std::string& subject, Material& material, References& references,
-                         AssetDiagnostics& diagnostics);
 
 /// Loads a scene from a *.scene.yaml file, as LoadScene does.
 /// @throws AssetError  as LoadScene does

@@ -84,11 +84,13 @@ void ReadPipeline(SceneMapReader& map, SceneLoader& loader)
     }
     if (pipeline)
     {
-        const auto load = [&loader](const std::filesystem::path& path)
+        PipelineSettings& settings = asset;
+        const auto load = [&](const std::filesystem::path& path)
         {
-            return LoadUnityRenderPipeline(path, loader.references.assets());
+            return LoadUnityRenderPipeline(path, loader.references.assets(),
+                                           settings.pipelineVersion);
         };
-        Apply(loader.references.Read(*pipeline, "renderPipelineAsset", load), asset);
+        settings = loader.references.Read(*pipeline, "renderPipelineAsset", load);
     }
     const std::string problem = ScaledSizeProblem(asset);
     if (!problem.empty())
@@ -359,6 +361,13 @@ std::vector<SceneItem> ReadItems(const YamlNode& node, const std::string& subjec
         items.push_back({item, subject + "[" + std::to_string(items.size()) + "]"});
     }
     return items;
+}
+
+std::vector<SceneItem> ReadItems(SceneMapReader& map, std::string_view key,
+                                 AssetDiagnostics& diagnostics)
+{
+    const YamlNode* node = map.Find(key);
+    return node ? ReadItems(*node, map.SubjectOf(key), diagnostics) : std::vector<SceneItem>();
 }
 
 void ReadTransform(SceneMapReader& map, Transform& transform, AssetDiagnostics& diagnostics)

@@ -16,8 +16,7 @@ namespace
 {
 
 /// Disabled is as good as a limit of none.
-void ReadLightMode(const YamlNode& node, UnityRenderPipeline& pipeline,
-                   AssetDiagnostics& diagnostics)
+void ReadLightMode(const YamlNode& node, PipelineSettings& pipeline, AssetDiagnostics& diagnostics)
 {
     constexpr std::string_view k_Key = "m_AdditionalLightsRenderingMode";
     const std::optional<int> mode = ReadEnum(node, k_LightRenderingModes, k_Key, diagnostics);
@@ -32,20 +31,25 @@ void ReadLightMode(const YamlNode& node, UnityRenderPipeline& pipeline,
     }
 }
 
-} // namespace
-
-void Apply(const UnityRenderPipeline& pipeline, SceneAsset& scene)
+/// Returns the major version of URP by the k_AssetVersion of a UniversalRenderPipelineAsset, or
+/// nothing without that field. Unity raises k_AssetVersion when the asset's form changes; among
+/// versions of URP that share one, the last is returned.
+std::optional<int> PipelineVersionOf(const YamlNode& pipelineFields)
 {
-    scene.msaaSampleCount = pipeline.msaaSampleCount;
-    scene.supportsHDR = pipeline.supportsHDR;
-    scene.hdrColorBufferPrecision = pipeline.hdrColorBufferPrecision;
-    scene.renderScale = pipeline.renderScale;
-    scene.maxAdditionalLightsCount = pipeline.maxAdditionalLightsCount;
-    scene.shadows = pipeline.shadows;
-    scene.pipelineVersion = pipeline.pipelineVersion.value_or(scene.pipelineVersion);
+    const YamlNode* node = pipelineFields.Find("k_AssetVersion");
+    AssetDiagnostics ignored("");
+    const std::optional<int> version = node ? ReadInt(*node, "", ignored) : std::nullopt;
+    if (!version)
+    {
+        return std::nullopt;
+    }
+    return *version < 9 ? 11 : *version == 9 ? 12 : *version == 10 ? 13 : *version == 11 ? 14 : 17;
 }
 
-UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, AssetContext& assets)
+} // namespace
+
+PipelineSettings LoadUnityRenderPipeline(const std::filesystem::path& path, AssetContext& assets,
+                                         int pipelineVersion)
 {
     assets.Reach(path);
     const AssetContext::RootsFor roots(assets, path);
@@ -59,14 +63,13 @@ UnityRenderPipeline LoadUnityRenderPipeline(const std::filesystem::path& path, A
     AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<int> count =
         ReadEnum(*root->fields.Find("m_MSAA"), k_MsaaQualities, "m_MSAA", diagnostics);
-    UnityRenderPipeline pipeline;
+    PipelineSettings pipeline;
     pipeline.msaaSampleCount = count.value_or(1);
-    pipeline.pipelineVersion = ProjectPipelineVersion(path, assets);
-    if (!pipeline.pipelineVersion)
-    {
-        pipeline.pipelineVersion = PipelineVersionOf(root->fields);
-    }
-    pipeline.shadows.softShadowsSupported = false; // Unity's defaults
+    const std::optional<int> version = ProjectPipelineVersion(path, assets);
+    pipeline.pipelineVersion =
+        version ? *version : PipelineVersionOf(root->fields).value_or(pipelineVersion);
+    pipeline.hdrColorBufferPrecision = HDRColorBufferPrecision::_32Bits; // older than the key
+    pipeline.shadows.softShadowsSupported = false;                       // Unity's defaults
     pipeline.shadows.additionalLightShadowsSupported = false;
     YamlMapReader fields(root->fields, "", diagnostics); // it has many more
     fields.Read("m_SupportsHDR", pipeline.supportsHDR);
@@ -100,18 +103,6 @@ std::optional<int> ProjectPipelineVersion(const std::filesystem::path& file, Ass
     const bool isKnown = version && *version >= scene_keys::k_PipelineVersions.min &&
                          *version <= scene_keys::k_PipelineVersions.max;
     return isKnown ? version : std::nullopt;
-}
-
-std::optional<int> PipelineVersionOf(const YamlNode& pipelineFields)
-{
-    const YamlNode* node = pipelineFields.Find("k_AssetVersion");
-    AssetDiagnostics ignored("");
-    const std::optional<int> version = node ? ReadInt(*node, "", ignored) : std::nullopt;
-    if (!version)
-    {
-        return std::nullopt;
-    }
-    return *version < 9 ? 11 : *version == 9 ? 12 : *version == 10 ? 13 : *version == 11 ? 14 : 17;
 }
 
 } // namespace limn

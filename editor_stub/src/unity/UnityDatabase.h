@@ -51,6 +51,10 @@ public:
     /// Loads a text asset. Returns null and adds a note if there is none, it is broken or it is
     /// saved as binary.
     std::shared_ptr<const UnityFile> LoadFile(const std::filesystem::path& path);
+    /// Loads a text asset as LoadFile does, and returns its first object of a class; nothing if it
+    /// has none.
+    /// @throws AssetError as UnityTree
+    UnityNode FieldsOf(const std::filesystem::path& path, UnityClass classID);
 
 private:
     AssetContext& m_Assets;
@@ -58,8 +62,5 @@ private:
     UnityProject m_Project;
     std::map<std::filesystem::path, std::shared_ptr<const UnityFile>> m_Files;
 };
-
-/// Returns the first object of a class in a file, of any scope, or null if it has none.
-const UnityHeader* FindClass(const UnityFile& file, UnityClass classID);
 
 } // namespace limn

@@ -1,7 +1,6 @@
 #include "unity/UnityObjects.h"
 
 #include <algorithm>
-#include <charconv>
 
 namespace limn
 {
@@ -13,11 +12,28 @@ constexpr std::size_t k_MostObjects = 1'000'000;
 constexpr std::size_t k_DeepestPrefab = 64;
 constexpr std::int64_t k_WithoutSign = 0x7FFF'FFFF'FFFF'FFFF;
 
-std::int64_t ReadId(std::string_view text)
+constexpr std::pair<UnityClass, const char*> k_ClassNames[] = {
+    {UnityClass::GameObject, "GameObject"},
+    {UnityClass::Transform, "Transform"},
+    {UnityClass::Camera, "Camera"},
+    {UnityClass::MeshRenderer, "MeshRenderer"},
+    {UnityClass::MeshFilter, "MeshFilter"},
+    {UnityClass::Light, "Light"},
+    {UnityClass::MonoBehaviour, "MonoBehaviour"},
+    {UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer"},
+    {UnityClass::SpriteRenderer, "SpriteRenderer"},
+    {UnityClass::LODGroup, "LODGroup"},
+    {UnityClass::BoxCollider, "BoxCollider"},
+    {UnityClass::SphereCollider, "SphereCollider"},
+    {UnityClass::CapsuleCollider, "CapsuleCollider"},
+    {UnityClass::MeshCollider, "MeshCollider"},
+    {UnityClass::RenderSettings, "RenderSettings"}};
+
+/// Returns the value of a key, or that of the key that Unity had for it before 2018.3.
+UnityNode FindEither(const UnityNode& fields, std::string_view key, std::string_view older)
 {
-    std::int64_t id = 0;
-    std::from_chars(text.data(), text.data() + text.size(), id);
-    return id;
+    const UnityNode found = fields[key];
+    return found ? found : fields[older];
 }
 
 /// The id in a prefab file of an object that no stripped document names.
@@ -35,11 +51,9 @@ std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> StrippedIds(const 
         if (header.isStripped)
         {
             const UnityNode fields = file.Fields(header);
-            const UnityNode instance = fields["m_PrefabInstance"] ? fields["m_PrefabInstance"]
-                                                                  : fields["m_PrefabInternal"];
-            const UnityNode source = fields["m_CorrespondingSourceObject"]
-                                         ? fields["m_CorrespondingSourceObject"]
-                                         : fields["m_PrefabParentObject"];
+            const UnityNode instance = FindEither(fields, "m_PrefabInstance", "m_PrefabInternal");
+            const UnityNode source =
+                FindEither(fields, "m_CorrespondingSourceObject", "m_PrefabParentObject");
             ids[{ReadUnityReference(instance).fileID, ReadUnityReference(source).fileID}] =
                 header.fileID;
         }
@@ -49,9 +63,18 @@ std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t> StrippedIds(const 
 
 } // namespace
 
+std::string NameOf(UnityClass classID)
+{
+    const auto found =
+        std::ranges::find(k_ClassNames, classID, &std::pair<UnityClass, const char*>::first);
+    return found != std::end(k_ClassNames)
+               ? found->second
+               : "component " + std::to_string(static_cast<int>(classID));
+}
+
 UnityReference ReadUnityReference(const UnityNode& node)
 {
-    return {ReadId(node["fileID"].text()), std::string(node["guid"].text())};
+    return {NumberOf(node["fileID"], std::int64_t{0}), std::string(node["guid"].text())};
 }
 
 UnityFile::UnityFile(std::string text, std::string name) : m_Asset(std::move(text), std::move(name))
@@ -141,8 +164,8 @@ void UnityExpansion::AddInstance(
     const std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t>& stripped)
 {
     const UnityNode fields = scope.file->Fields(header);
-    const UnityReference prefab = ReadUnityReference(
-        fields["m_SourcePrefab"] ? fields["m_SourcePrefab"] : fields["m_ParentPrefab"]);
+    const UnityReference prefab =
+        ReadUnityReference(FindEither(fields, "m_SourcePrefab", "m_ParentPrefab"));
     if (prefab.isNull() || fields["m_IsPrefabAsset"].text() == "1")
     {
         return; // the file's own, as Unity wrote it before 2018.3
@@ -152,9 +175,11 @@ void UnityExpansion::AddInstance(
     {
         if (m_Missing.insert(prefab.guid).second)
         {
-            Note(scope, header.line,
-                 "a prefab is left out: the file with its guid " + prefab.guid +
-                     " is not in the project, or it cannot be read");
+            m_Notes.push_back({Severity::Note,
+                               scope.file->name(),
+                               {header.line, 1},
+                               "a prefab is left out: the file with its guid " + prefab.guid +
+                                   " is not in the project, or it cannot be read"});
         }
         return;
     }
@@ -168,16 +193,28 @@ void UnityExpansion::AddInstance(
     const UnityNode modification = fields["m_Modification"];
     for (const UnityNode entry : modification["m_Modifications"])
     {
-        Modify(entry, scope, inner);
+        // Unity, too, keeps what it says of objects that are gone.
+        if (UnityInstance* target = inner.Find(ReadUnityReference(entry["target"]).fileID))
+        {
+            target->overrides.push_back(
+                {std::string(entry["propertyPath"].text()), std::string(entry["value"].text()),
+                 ReadUnityReference(entry["objectReference"]), &scope, entry.line()});
+        }
     }
-    Remove(modification["m_RemovedComponents"], inner);
-    Remove(modification["m_RemovedGameObjects"], inner);
+    for (const char* list : {"m_RemovedComponents", "m_RemovedGameObjects"})
+    {
+        for (const UnityNode entry : modification[list])
+        {
+            if (UnityInstance* target = inner.Find(ReadUnityReference(entry).fileID))
+            {
+                target->isRemoved = true;
+            }
+        }
+    }
     // The source's root hangs where the instance says.
     for (const auto& [id, object] : inner.objects)
     {
-        const bool isTransform = object->classID == UnityClass::Transform ||
-                                 object->classID == UnityClass::RectTransform;
-        if (isTransform && ReadUnityReference(object->fields["m_Father"]).isNull() &&
+        if (object->isTransform() && ReadUnityReference(object->fields["m_Father"]).isNull() &&
             std::ranges::find(object->overrides, "m_Father", &UnityOverride::path) ==
                 object->overrides.end())
         {
@@ -188,36 +225,6 @@ void UnityExpansion::AddInstance(
                                          header.line});
         }
     }
-}
-
-void UnityExpansion::Modify(const UnityNode& modification, UnityScope& scope,
-                            const UnityScope& source)
-{
-    UnityInstance* target = source.Find(ReadUnityReference(modification["target"]).fileID);
-    if (target == nullptr)
-    {
-        return; // Unity, too, keeps what it says of objects that are gone
-    }
-    target->overrides.push_back({std::string(modification["propertyPath"].text()),
-                                 std::string(modification["value"].text()),
-                                 ReadUnityReference(modification["objectReference"]), &scope,
-                                 modification.line()});
-}
-
-void UnityExpansion::Remove(const UnityNode& list, const UnityScope& source)
-{
-    for (const UnityNode entry : list)
-    {
-        if (UnityInstance* target = source.Find(ReadUnityReference(entry).fileID))
-        {
-            target->isRemoved = true;
-        }
-    }
-}
-
-void UnityExpansion::Note(const UnityScope& scope, int line, std::string message)
-{
-    m_Notes.push_back({scope.file->name(), line, std::move(message)});
 }
 
 } // namespace limn

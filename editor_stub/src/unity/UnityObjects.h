@@ -39,6 +39,9 @@ enum class UnityClass : int
     PrefabInstance = 1001
 };
 
+/// Returns Unity's name of a class, "MeshRenderer", or "component 198" if limn knows none.
+std::string NameOf(UnityClass classID);
+
 /// A reference `{fileID: 11400000, guid: 185ced…, type: 2}`. If the guid is empty, it refers to an
 /// object of the file itself; if the fileID is 0, to nothing.
 struct UnityReference
@@ -47,7 +50,7 @@ struct UnityReference
     std::string guid;
 
     bool isNull() const { return fileID == 0; }
-    bool operator==(const UnityReference&) const = default;
+    auto operator<=>(const UnityReference&) const = default;
 };
 
 UnityReference ReadUnityReference(const UnityNode& node);
@@ -94,6 +97,12 @@ struct UnityInstance
     UnityNode fields;
     std::vector<UnityOverride> overrides; ///< later ones win
     bool isRemoved = false;
+
+    /// Returns whether it is a Transform, including one of the user interface.
+    bool isTransform() const
+    {
+        return classID == UnityClass::Transform || classID == UnityClass::RectTransform;
+    }
 };
 
 /// One use of a file: its objects by the ids in its text, including the objects of prefabs in it.
@@ -104,14 +113,6 @@ struct UnityScope
 
     /// Returns the object with this id, or null if there is none.
     UnityInstance* Find(std::int64_t fileID) const;
-};
-
-/// Something that an expansion left out, noted once for each cause.
-struct UnityNote
-{
-    std::string file;
-    int line = 0;
-    std::string message;
 };
 
 /// A scene or prefab with everything that its prefab instances stand for.
@@ -132,15 +133,13 @@ public:
     const UnityScope& root() const { return *m_Root; }
     /// Returns all objects that were not removed, in the order of the files.
     const std::vector<const UnityInstance*>& objects() const { return m_Objects; }
-    const std::vector<UnityNote>& notes() const { return m_Notes; }
+    /// Returns notes about what was left out, one for each cause.
+    const std::vector<Diagnostic>& notes() const { return m_Notes; }
 
 private:
     UnityScope& Expand(const std::shared_ptr<const UnityFile>& file);
     void AddInstance(UnityScope& scope, const UnityHeader& header,
                      const std::map<std::pair<std::int64_t, std::int64_t>, std::int64_t>& stripped);
-    void Modify(const UnityNode& modification, UnityScope& scope, const UnityScope& source);
-    void Remove(const UnityNode& list, const UnityScope& source);
-    void Note(const UnityScope& scope, int line, std::string message);
 
     FindPrefab m_Find;
     std::deque<UnityScope> m_Scopes;
@@ -148,7 +147,7 @@ private:
     std::vector<const UnityFile*> m_Stack; ///< files that are being expanded
     std::vector<const UnityInstance*> m_Objects;
     std::set<std::string> m_Missing; ///< guids that already have a note
-    std::vector<UnityNote> m_Notes;
+    std::vector<Diagnostic> m_Notes;
     UnityScope* m_Root = nullptr;
 };
 

@@ -1,6 +1,10 @@
 #include "unity/UnityProject.h"
 
-#include "unity/GuidIndex.h"
+#include <limn/base/ByteStream.h>
+#include <limn/base/FileCache.h>
+#include <limn/base/HashContent.h>
+#include <limn/base/ReadFile.h>
+#include <vector>
 
 namespace limn
 {
@@ -39,6 +43,138 @@ std::filesystem::path ImportedFrom(std::filesystem::path path)
     return isImported ? path : std::filesystem::path();
 }
 
+constexpr std::uintmax_t k_GuidIndexBytes = std::uintmax_t{64} << 20; ///< of all projects
+
+std::string ReadGuid(const std::filesystem::path& metaFile)
+{
+    constexpr std::string_view k_Key = "\nguid: ";
+    const std::string text = "\n" + TryReadFile(metaFile).bytes;
+    const std::size_t at = text.find(k_Key);
+    const std::size_t first = at + k_Key.size();
+    return at == text.npos ? "" : text.substr(first, text.find_first_of(" \r\n", first) - first);
+}
+
+/// The guids of a project's .meta files, cached across runs. A file is read again only if its size
+/// or the time of its last change differs.
+class GuidIndex
+{
+public:
+    /// @param root         the project's folder
+    /// @param cacheFolder  empty = nothing is cached
+    GuidIndex(const std::filesystem::path& root, const std::filesystem::path& cacheFolder)
+        : m_Cache(cacheFolder, ".limnguids", "limn guids 1\n", k_GuidIndexBytes),
+          m_Key("project-" + std::to_string(HashContent(root.generic_string())))
+    {
+        const std::optional<FileCache::Entry> kept = m_Cache.Load(m_Key);
+        if (!kept)
+        {
+            return;
+        }
+        try
+        {
+            std::vector<std::pair<std::string, Entry>> entries;
+            ByteReader reader(kept->payload());
+            reader.List(entries, [&](auto& entry) { Transfer(reader, entry); });
+            m_Kept =
+                Entries(std::move_iterator(entries.begin()), std::move_iterator(entries.end()));
+        }
+        catch (const std::out_of_range&)
+        {
+            // one of another format
+        }
+    }
+
+    /// Returns the guid that a .meta file has, or "" if it has none.
+    std::string GuidOf(const std::filesystem::directory_entry& metaFile)
+    {
+        std::error_code failure;
+        Entry entry;
+        entry.size = metaFile.file_size(failure);
+        const auto time =
+            failure ? std::filesystem::file_time_type::min() : metaFile.last_write_time(failure);
+        if (failure || !m_Cache.isEnabled())
+        {
+            return ReadGuid(metaFile.path());
+        }
+        entry.time = time.time_since_epoch().count();
+        std::string path = metaFile.path().generic_string();
+        const auto kept = m_Kept.find(path);
+        const bool isSame = kept != m_Kept.end() && kept->second.size == entry.size &&
+                            kept->second.time == entry.time;
+        entry.guid = isSame ? kept->second.guid : ReadGuid(metaFile.path());
+        // A file that has just been written may be written again within the same tick of the clock.
+        using namespace std::chrono_literals;
+        if (std::filesystem::file_time_type::clock::now() - time > 2s)
+        {
+            m_Found.emplace(std::move(path), entry);
+        }
+        return entry.guid;
+    }
+
+    /// Writes what was read to the cache, if the cache holds something else. Files that were not
+    /// asked for are forgotten.
+    void Store() const
+    {
+        if (!m_Cache.isEnabled() || m_Found == m_Kept)
+        {
+            return;
+        }
+        ByteWriter writer;
+        writer.List(std::vector<std::pair<std::string, Entry>>(m_Found.begin(), m_Found.end()),
+                    [&](const auto& entry) { Transfer(writer, entry); });
+        m_Cache.Store(m_Key, writer.bytes());
+    }
+
+private:
+    struct Entry
+    {
+        std::uint64_t size = 0;
+        std::int64_t time = 0; ///< the time of the last change
+        std::string guid;
+
+        bool operator==(const Entry&) const = default;
+    };
+    using Entries = std::map<std::string, Entry>; ///< by path
+
+    static void Transfer(auto& stream, auto& entry)
+    {
+        stream.Values(entry.first, entry.second.size, entry.second.time, entry.second.guid);
+    }
+
+    FileCache m_Cache;
+    std::string m_Key;
+    Entries m_Kept;
+    Entries m_Found;
+};
+
+/// Adds the files of a folder and of those below it.
+void ScanFolder(const std::filesystem::path& folder, GuidIndex& guids,
+                std::map<std::string, std::filesystem::path, std::less<>>& files)
+{
+    std::error_code ignored;
+    const auto options = std::filesystem::directory_options::skip_permission_denied;
+    std::filesystem::recursive_directory_iterator entry(folder, options, ignored);
+    for (; entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored))
+    {
+        const std::filesystem::path& path = entry->path();
+        if (IsPassedOver(path.filename().string()))
+        {
+            entry.disable_recursion_pending();
+            continue;
+        }
+        if (path.extension() == ".meta")
+        {
+            const std::filesystem::path described = path.parent_path() / path.stem();
+            const std::string guid = guids.GuidOf(*entry);
+            const auto [known, isNew] = files.emplace(guid, described);
+            if (!isNew && described < known->second)
+            {
+                known->second = described; // of two Unity keeps one
+            }
+        }
+    }
+}
+
 } // namespace
 
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
@@ -72,40 +208,14 @@ UnityProject::UnityProject(const std::filesystem::path& asset,
     std::error_code ignored;
     if (!std::filesystem::is_directory(m_Root / "Assets", ignored))
     {
-        ScanFolder(m_Root, guids);
+        ScanFolder(m_Root, guids, m_Files);
     }
     // The rest of Library is Unity's own, and may be larger than all assets.
     for (const char* folder : {"Assets", "Packages", "Library/PackageCache"})
     {
-        ScanFolder(m_Root / folder, guids);
+        ScanFolder(m_Root / folder, guids, m_Files);
     }
     guids.Store();
-}
-
-void UnityProject::ScanFolder(const std::filesystem::path& folder, GuidIndex& guids)
-{
-    std::error_code ignored;
-    const auto options = std::filesystem::directory_options::skip_permission_denied;
-    std::filesystem::recursive_directory_iterator entry(folder, options, ignored);
-    for (; entry != std::filesystem::recursive_directory_iterator(); entry.increment(ignored))
-    {
-        const std::filesystem::path& path = entry->path();
-        if (IsPassedOver(path.filename().string()))
-        {
-            entry.disable_recursion_pending();
-            continue;
-        }
-        if (path.extension() == ".meta")
-        {
-            const std::filesystem::path described = path.parent_path() / path.stem();
-            const std::string guid = guids.GuidOf(*entry);
-            const auto [known, isNew] = m_Files.emplace(guid, described);
-            if (!isNew && described < known->second)
-            {
-                known->second = described; // of two Unity keeps one
-            }
-        }
-    }
 }
 
 const std::filesystem::path* UnityProject::Find(std::string_view guid) const

@@ -15,8 +15,6 @@ namespace limn
 /// "" for other files.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
-class GuidIndex;
-
 /// The files of the Unity project around an asset, by guid.
 class UnityProject
 {
@@ -34,8 +32,6 @@ public:
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
-    void ScanFolder(const std::filesystem::path& folder, GuidIndex& guids);
-
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;
 };

@@ -39,14 +39,6 @@ void UnityNotes::Add(const std::string& file, int line, const std::string& messa
     }
 }
 
-void UnityNotes::Add(const std::vector<UnityNote>& notes)
-{
-    for (const UnityNote& note : notes)
-    {
-        Add(note.file, note.line, note.message);
-    }
-}
-
 void UnityNotes::Add(std::span<const Diagnostic> notes)
 {
     for (const Diagnostic& note : notes)
@@ -77,22 +69,7 @@ UnityNode UnityReader::Find(const std::string& path) const
             continue;
         }
         const auto element = ElementIn(step);
-        if (!element)
-        {
-            node = node[step];
-            continue;
-        }
-        UnityNode found;
-        std::size_t at = 0;
-        for (const UnityNode item : node)
-        {
-            if (at++ == *element)
-            {
-                found = item;
-                break;
-            }
-        }
-        node = found;
+        node = element ? node.At(*element) : node[step];
     }
     return node;
 }

@@ -17,7 +17,6 @@ class UnityNotes
 public:
     /// Adds a sentence, once.
     void Add(const std::string& file, int line, const std::string& message);
-    void Add(const std::vector<UnityNote>& notes);
     void Add(std::span<const Diagnostic> notes);
     /// Counts a thing of a kind that limn does not draw. Finish() makes one sentence for each kind.
     void Count(const std::string& kind) { ++m_Counts[kind]; }
@@ -54,8 +53,6 @@ public:
         : m_Object(object), m_Subject(std::move(subject)), m_Notes(notes)
     {
     }
-
-    const std::string& subject() const { return m_Subject; }
 
     void Read(const std::string& path, float& value) const;
     void Read(const std::string& path, int& value) const;

@@ -4,7 +4,6 @@
 #include "unity/UnityReader.h"
 
 #include <algorithm>
-#include <charconv>
 #include <limn/base/Case.h>
 #include <vector>
 
@@ -17,58 +16,27 @@ namespace
 constexpr const char* k_SimpleLit = "Universal Render Pipeline/Simple Lit";
 constexpr const char* k_Unlit = "Universal Render Pipeline/Unlit";
 
-struct BuiltInShader
+/// Returns a saved number; 0 if there is none.
+float SavedNumber(const UnityNode& saved, std::string_view name)
 {
-    std::string_view name;
-    const char* standIn;
-    std::map<std::string, float, std::less<>> values;
-};
-
-/// Values of Unlit that blend by alpha.
-const std::map<std::string, float, std::less<>> k_Blended = {
-    {"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}};
-
-const std::vector<BuiltInShader>& BuiltInShaders()
-{
-    static const std::vector<BuiltInShader> shaders = {
-        {"Standard", k_Lit, {}},
-        {"Standard (Specular setup)", k_Lit, {{"_WorkflowMode", 0}}},
-        {"Legacy Shaders/Diffuse", k_SimpleLit, {{"_SpecularHighlights", 0}}},
-        {"Unlit/Texture", k_Unlit, {}},
-        {"Unlit/Color", k_Unlit, {}},
-        {"Unlit/Transparent", k_Unlit, k_Blended},
-        {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
-    };
-    return shaders;
-}
-
-/// Returns a saved number; `otherwise` where there is none.
-float SavedNumber(const UnityNode& saved, std::string_view name, float otherwise)
-{
-    float number = otherwise;
-    ForEachProperty(saved["m_Floats"],
-                    [&](std::string_view property, const UnityNode& value)
-                    {
-                        if (property == name)
-                        {
-                            const std::string_view text = value.text();
-                            std::from_chars(text.data(), text.data() + text.size(), number);
-                        }
-                    });
+    float number = 0.0f;
+    for (const auto& [property, value] : PropertiesIn(saved["m_Floats"]))
+    {
+        number = property == name ? NumberOf(value, number) : number;
+    }
     return number;
 }
 
 std::vector<std::string> SavedTextures(const UnityNode& saved)
 {
     std::vector<std::string> names;
-    ForEachProperty(saved["m_TexEnvs"],
-                    [&](std::string_view name, const UnityNode& value)
-                    {
-                        if (!ReadUnityReference(value["m_Texture"]).isNull())
-                        {
-                            names.emplace_back(name);
-                        }
-                    });
+    for (const auto& [name, value] : PropertiesIn(saved["m_TexEnvs"]))
+    {
+        if (!ReadUnityReference(value["m_Texture"]).isNull())
+        {
+            names.emplace_back(name);
+        }
+    }
     return names;
 }
 
@@ -116,19 +84,36 @@ std::string MainOf(const std::vector<std::string>& names,
 std::vector<std::string> SavedColors(const UnityNode& saved)
 {
     std::vector<std::string> names;
-    ForEachProperty(saved["m_Colors"],
-                    [&](std::string_view name, const UnityNode&)
-                    {
-                        const std::string lower = ToLower(name);
-                        if (lower.find("color") != lower.npos || lower.find("tint") != lower.npos)
-                        {
-                            names.emplace_back(name);
-                        }
-                    });
+    for (const auto& [name, value] : PropertiesIn(saved["m_Colors"]))
+    {
+        const std::string lower = ToLower(name);
+        if (lower.find("color") != lower.npos || lower.find("tint") != lower.npos)
+        {
+            names.emplace_back(name);
+        }
+    }
     return names;
 }
 
 } // namespace
+
+std::vector<std::pair<std::string_view, UnityNode>> PropertiesIn(const UnityNode& list)
+{
+    std::vector<std::pair<std::string_view, UnityNode>> properties;
+    for (const UnityNode item : list)
+    {
+        if (item["first"])
+        {
+            properties.emplace_back(item["first"]["name"].text(), item["second"]);
+            continue;
+        }
+        for (const UnityNode property : item)
+        {
+            properties.emplace_back(property.key(), property);
+        }
+    }
+    return properties;
+}
 
 std::string MaterialStandIn::NameOf(std::string_view saved) const
 {
@@ -144,8 +129,26 @@ std::string MaterialStandIn::NameOf(std::string_view saved) const
 
 std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNode& saved)
 {
-    const auto found = std::ranges::find(BuiltInShaders(), shader, &BuiltInShader::name);
-    if (found == BuiltInShaders().end())
+    struct BuiltInShader
+    {
+        std::string_view name;
+        const char* standIn;
+        std::map<std::string, float, std::less<>> values;
+    };
+    static const BuiltInShader k_BuiltInShaders[] = {
+        {"Standard", k_Lit, {}},
+        {"Standard (Specular setup)", k_Lit, {{"_WorkflowMode", 0}}},
+        {"Legacy Shaders/Diffuse", k_SimpleLit, {{"_SpecularHighlights", 0}}},
+        {"Unlit/Texture", k_Unlit, {}},
+        {"Unlit/Color", k_Unlit, {}},
+        // Blends by alpha.
+        {"Unlit/Transparent",
+         k_Unlit,
+         {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
+        {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
+    };
+    const auto* const found = std::ranges::find(k_BuiltInShaders, shader, &BuiltInShader::name);
+    if (found == std::end(k_BuiltInShaders))
     {
         return std::nullopt;
     }
@@ -157,9 +160,9 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
         const bool isSpecular = found->values.contains("_WorkflowMode");
         // The inspector shows one of the two numbers: the map's scale where there is a map.
         const bool isScaled = Has(textures, isSpecular ? "_SpecGlossMap" : "_MetallicGlossMap") ||
-                              SavedNumber(saved, "_SmoothnessTextureChannel", 0.0f) == 1.0f;
+                              SavedNumber(saved, "_SmoothnessTextureChannel") == 1.0f;
         standIn.names[isScaled ? "_GlossMapScale" : "_Glossiness"] = "_Smoothness";
-        SetMode(SavedNumber(saved, "_Mode", 0.0f), standIn);
+        SetMode(SavedNumber(saved, "_Mode"), standIn);
     }
     return standIn;
 }

@@ -6,28 +6,15 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace limn
 {
 
-/// Calls `work` with the name and the value of each element of a list of m_SavedProperties. An
-/// element is a map of one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
-template <typename Work>
-void ForEachProperty(const UnityNode& list, const Work& work)
-{
-    for (const UnityNode item : list)
-    {
-        if (item["first"])
-        {
-            work(item["first"]["name"].text(), item["second"]);
-            continue;
-        }
-        for (const UnityNode property : item)
-        {
-            work(property.key(), property);
-        }
-    }
-}
+/// Returns the names and values in a list of m_SavedProperties. An element of the list is a map of
+/// one key, or before Unity 5 `data: {first: {name: X}, second: ...}`.
+std::vector<std::pair<std::string_view, UnityNode>> PropertiesIn(const UnityNode& list);
 
 /// A shader of URP in place of another shader, and the way it shows what a material has saved.
 struct MaterialStandIn

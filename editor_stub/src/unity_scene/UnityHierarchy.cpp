@@ -12,33 +12,7 @@ namespace
 /// object.
 constexpr std::size_t k_DeepestObject = 1000;
 
-constexpr std::pair<UnityClass, const char*> k_ClassNames[] = {
-    {UnityClass::GameObject, "GameObject"},
-    {UnityClass::Transform, "Transform"},
-    {UnityClass::Camera, "Camera"},
-    {UnityClass::MeshRenderer, "MeshRenderer"},
-    {UnityClass::MeshFilter, "MeshFilter"},
-    {UnityClass::Light, "Light"},
-    {UnityClass::MonoBehaviour, "MonoBehaviour"},
-    {UnityClass::SkinnedMeshRenderer, "SkinnedMeshRenderer"},
-    {UnityClass::SpriteRenderer, "SpriteRenderer"},
-    {UnityClass::LODGroup, "LODGroup"},
-    {UnityClass::BoxCollider, "BoxCollider"},
-    {UnityClass::SphereCollider, "SphereCollider"},
-    {UnityClass::CapsuleCollider, "CapsuleCollider"},
-    {UnityClass::MeshCollider, "MeshCollider"},
-    {UnityClass::RenderSettings, "RenderSettings"}};
-
 } // namespace
-
-std::string NameOf(UnityClass classID)
-{
-    const auto found =
-        std::ranges::find(k_ClassNames, classID, &std::pair<UnityClass, const char*>::first);
-    return found != std::end(k_ClassNames)
-               ? found->second
-               : "component " + std::to_string(static_cast<int>(classID));
-}
 
 const UnityInstance* UnityGameObject::Find(UnityClass classID) const
 {
@@ -84,14 +58,14 @@ void UnityHierarchy::Collect(const UnityExpansion& expansion, UnityNotes& notes)
             continue;
         }
         const UnityReader reader(*object, NameOf(object->classID), notes);
-        const auto owner = m_ByInstance.find(reader.Reference("m_GameObject").object);
-        if (owner == m_ByInstance.end() || owner->first == nullptr)
+        UnityGameObject* owner = Find(reader.Reference("m_GameObject").object);
+        if (owner == nullptr)
         {
             continue;
         }
-        owner->second->components.push_back(object);
-        owner->second->transform = IsTransform(*object) ? object : owner->second->transform;
-        m_ByInstance[object] = owner->second;
+        owner->components.push_back(object);
+        owner->transform = object->isTransform() ? object : owner->transform;
+        m_ByInstance[object] = owner;
     }
 }
 
@@ -104,16 +78,8 @@ void UnityHierarchy::Connect(UnityNotes& notes)
             continue;
         }
         const UnityReader reader(*object.transform, "Transform", notes);
-        const auto parent = m_ByInstance.find(reader.Reference("m_Father").object);
-        if (parent != m_ByInstance.end() && parent->first != nullptr)
-        {
-            object.parent = parent->second;
-            parent->second->children.push_back(&object);
-        }
-        else
-        {
-            m_Roots.push_back(&object);
-        }
+        object.parent = Find(reader.Reference("m_Father").object);
+        (object.parent != nullptr ? object.parent->children : m_Roots).push_back(&object);
     }
 }
 
@@ -187,10 +153,10 @@ void UnityHierarchy::NoteLost(UnityNotes& notes) const
     }
 }
 
-const UnityGameObject* UnityHierarchy::Find(const UnityInstance* object) const
+UnityGameObject* UnityHierarchy::Find(const UnityInstance* object) const
 {
     const auto found = m_ByInstance.find(object);
-    return found == m_ByInstance.end() || object == nullptr ? nullptr : found->second;
+    return found == m_ByInstance.end() ? nullptr : found->second;
 }
 
 } // namespace limn

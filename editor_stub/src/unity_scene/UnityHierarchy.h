@@ -34,7 +34,7 @@ public:
     const std::vector<UnityGameObject*>& objects() const { return m_Order; }
     /// Returns the GameObject that has a component or that is `object` itself, or null if there is
     /// none.
-    const UnityGameObject* Find(const UnityInstance* object) const;
+    UnityGameObject* Find(const UnityInstance* object) const;
 
 private:
     void Collect(const UnityExpansion& expansion, UnityNotes& notes);
@@ -47,14 +47,5 @@ private:
     std::vector<UnityGameObject*> m_Roots;
     std::vector<UnityGameObject*> m_Order;
 };
-
-/// Returns whether an instance is a Transform, including one of the user interface.
-inline bool IsTransform(const UnityInstance& object)
-{
-    return object.classID == UnityClass::Transform || object.classID == UnityClass::RectTransform;
-}
-
-/// Returns Unity's name of a class, "MeshRenderer", or "component 198" if limn knows none.
-std::string NameOf(UnityClass classID);
 
 } // namespace limn

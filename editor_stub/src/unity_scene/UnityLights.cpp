@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <optional>
 
 namespace limn
 {
@@ -31,10 +32,11 @@ void ReadTemperature(const UnityReader& reader, UnitySceneLoader& loader, Light&
     light.color = Color{color.r, color.g, color.b, light.color.a}.gamma();
 }
 
-/// @return whether it shines in a picture
-bool ReadLight(UnitySceneLoader& loader, const UnityGameObject& object,
-               const UnityInstance& component, Light& light)
+/// @return nothing if it does not shine in a picture
+std::optional<Light> ReadLight(UnitySceneLoader& loader, const UnityGameObject& object,
+                               const UnityInstance& component)
 {
+    Light light;
     const UnityReader reader = loader.ReaderOf(object, component);
     bool isEnabled = true;
     int type = 1;
@@ -48,7 +50,7 @@ bool ReadLight(UnitySceneLoader& loader, const UnityGameObject& object,
     }
     if (!isEnabled || type < 0 || type > 2 || baked == 2)
     {
-        return false;
+        return std::nullopt;
     }
     light.type = static_cast<LightType>(type);
     light.transform.localPosition = object.drawn->transform.position();
@@ -73,7 +75,7 @@ bool ReadLight(UnitySceneLoader& loader, const UnityGameObject& object,
     {
         loader.ReaderOf(object, *data).Read("m_UsePipelineSettings", light.usePipelineSettings);
     }
-    return true;
+    return light;
 }
 
 void SetMainLight(const Light& light, DirectionalLight& main)
@@ -117,30 +119,26 @@ void ReadUnityLights(UnitySceneLoader& loader, const UnityInstance* sun)
     for (const UnityGameObject* object : loader.hierarchy.objects())
     {
         const UnityInstance* component = object->Find(UnityClass::Light);
-        if (component == nullptr || !object->isActive)
+        std::optional<Light> light = component != nullptr && object->isActive
+                                         ? ReadLight(loader, *object, *component)
+                                         : std::nullopt;
+        if (!light)
         {
             continue;
         }
-        Light light;
-        if (!ReadLight(loader, *object, *component, light))
-        {
-            continue;
-        }
-        const bool isBrighter = light.type == LightType::Directional &&
+        const bool isBrighter = light->type == LightType::Directional &&
                                 (!main || component == sun ||
-                                 (!isSun && Luminance(light.color) * light.intensity >
+                                 (!isSun && Luminance(light->color) * light->intensity >
                                                 Luminance(main->color) * main->intensity));
-        if (!isBrighter)
+        if (isBrighter)
         {
-            loader.asset.scene.additionalLights.push_back(std::move(light));
-            continue;
+            isSun = component == sun;
+            main.swap(light);
         }
-        if (main)
+        if (light)
         {
-            loader.asset.scene.additionalLights.push_back(std::move(*main));
+            loader.asset.scene.additionalLights.push_back(std::move(*light));
         }
-        isSun = component == sun;
-        main = std::move(light);
     }
     if (main)
     {

@@ -1,12 +1,12 @@
 #include "unity_scene/UnityMaterials.h"
 
 #include "assets/PictureFile.h"
+#include "console/Texts.h"
 #include "models/TextMesh.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limn/base/Case.h>
 #include <limn/base/ReadFile.h>
@@ -20,9 +20,13 @@ namespace
 
 bool IsModelFile(const std::filesystem::path& path)
 {
-    const std::string ending = ToLower(path.extension().string());
-    return ending == ".fbx" || ending == ".obj" || ending == ".dae" || ending == ".3ds" ||
-           ending == ".ply" || ending == ".stl";
+    return IsIn(ToLower(path.extension().string()),
+                {".fbx", ".obj", ".dae", ".3ds", ".ply", ".stl"});
+}
+
+bool IsShaderGraph(const std::filesystem::path& path)
+{
+    return ToLower(path.extension().string()) == ".shadergraph";
 }
 
 /// Reads the numbers of a file's values. One that is not finite is 0, with a note.
@@ -33,15 +37,14 @@ public:
 
     float Number(const UnityNode& node) const
     {
-        float value = 0.0f;
-        const std::string_view text = node.text();
-        std::from_chars(text.data(), text.data() + text.size(), value);
-        if (!std::isfinite(value))
+        const float value = NumberOf(node, 0.0f);
+        if (std::isfinite(value))
         {
-            m_Notes.Add(m_File, node.line(), "'" + std::string(text) + "' is not finite; it is 0");
-            value = 0.0f;
+            return value;
         }
-        return value;
+        m_Notes.Add(m_File, node.line(),
+                    "'" + std::string(node.text()) + "' is not finite; it is 0");
+        return 0.0f;
     }
     glm::vec4 Vector(const UnityNode& node) const
     {
@@ -59,8 +62,7 @@ constexpr std::uintmax_t k_MaxGraphBytes = std::uintmax_t{1} << 26;
 /// they are off.
 void SetSavedKeywords(const UnityNode& fields, Material& material)
 {
-    const std::vector<std::string> initial = material.shader()->initialKeywords();
-    for (const std::string& keyword : initial)
+    for (const std::string& keyword : material.shader()->initialKeywords())
     {
         material.DisableKeyword(keyword);
     }
@@ -72,14 +74,9 @@ void SetSavedKeywords(const UnityNode& fields, Material& material)
         }
     }
     std::string_view words = fields["m_ShaderKeywords"].text();
-    while (!words.empty())
+    for (std::string_view word = TakeWord(words); !word.empty(); word = TakeWord(words))
     {
-        const std::size_t end = std::min(words.find(' '), words.size());
-        if (end > 0)
-        {
-            material.EnableKeyword(std::string(words.substr(0, end)));
-        }
-        words.remove_prefix(std::min(end + 1, words.size()));
+        material.EnableKeyword(std::string(word));
     }
 }
 
@@ -111,31 +108,40 @@ std::string AbsenceOf(const UnityReference& reference, const UnityDatabase& data
                : database.WhyNotFound(reference.guid, guid);
 }
 
+/// Notes why there is no mesh.
+/// @return null
+std::shared_ptr<const Mesh> NoMesh(const UnityReader& user, const std::string& why)
+{
+    user.Note("m_Mesh", why + ", so nothing is drawn");
+    return nullptr;
+}
+std::shared_ptr<const Mesh> NoMeshIn(const std::filesystem::path& file, std::int64_t fileID,
+                                     const UnityReader& user)
+{
+    return NoMesh(user,
+                  file.filename().string() + " has no mesh with the id " + std::to_string(fileID));
+}
+
 } // namespace
 
 const Model* UnityMaterials::LoadModelOf(const std::string& guid)
 {
-    const auto known = m_Models.find(guid);
-    if (known != m_Models.end())
+    const auto [known, isNew] = m_Models.try_emplace(guid);
+    std::optional<Model>& model = known->second;
+    const std::filesystem::path* path = isNew ? m_Database.Find(guid) : nullptr;
+    if (path != nullptr && IsModelFile(*path))
     {
-        return known->second ? &*known->second : nullptr;
-    }
-    std::optional<Model>& model = m_Models[guid];
-    const std::filesystem::path* path = m_Database.Find(guid);
-    if (path == nullptr || !IsModelFile(*path))
-    {
-        return nullptr;
-    }
-    try
-    {
-        const std::string meta = path->string() + ".meta";
-        const std::string text = ::limn::ReadFile(meta);
-        const UnityTree tree(text, meta, 1);
-        model = LoadModel(*path, ReadModelImport(tree.root()), m_Assets.importer());
-    }
-    catch (const AssetError& error)
-    {
-        m_Notes.Add(error.diagnostics());
+        try
+        {
+            const std::string meta = path->string() + ".meta";
+            const std::string text = limn::ReadFile(meta);
+            const UnityTree tree(text, meta, 1);
+            model = LoadModel(*path, ReadModelImport(tree.root()), m_Assets.importer());
+        }
+        catch (const AssetError& error)
+        {
+            m_Notes.Add(error.diagnostics());
+        }
     }
     return model ? &*model : nullptr;
 }
@@ -151,16 +157,13 @@ std::shared_ptr<const UnityFile> UnityMaterials::LoadPrefab(const std::string& g
     {
         return m_Database.LoadFile(*path);
     }
-    const auto known = m_Prefabs.find(guid);
-    if (known != m_Prefabs.end())
+    const auto [known, isNew] = m_Prefabs.try_emplace(guid);
+    if (const Model* model = isNew ? LoadModelOf(guid) : nullptr)
     {
-        return known->second;
+        known->second =
+            std::make_shared<const UnityFile>(PrefabTextOf(*model, guid), path->generic_string());
     }
-    const Model* model = LoadModelOf(guid);
-    return m_Prefabs[guid] = model != nullptr
-                                 ? std::make_shared<const UnityFile>(PrefabTextOf(*model, guid),
-                                                                     path->generic_string())
-                                 : nullptr;
+    return known->second;
 }
 
 std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityTarget& mesh,
@@ -172,8 +175,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityTarget& mesh,
     }
     if (mesh.object->classID != UnityClass::Mesh)
     {
-        user.Note("m_Mesh", "it refers to an object that is no mesh, so nothing is drawn");
-        return nullptr;
+        return NoMesh(user, "it refers to an object that is no mesh");
     }
     const std::string& file = mesh.object->scope->file->name();
     const auto [known, isNew] = m_TextMeshes.try_emplace({file, mesh.object->fileID});
@@ -218,36 +220,27 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadTextMesh(const std::filesystem::
     const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
     if (!file)
     {
-        NoteUnread(path, user);
-        return nullptr;
+        return Unread(path, user);
     }
-    const auto header = std::ranges::find_if(
-        file->headers(), [&](const UnityHeader& h)
-        { return h.fileID == fileID && h.classID == static_cast<int>(UnityClass::Mesh); });
-    if (header == file->headers().end())
+    const auto header = std::ranges::find(file->headers(), fileID, &UnityHeader::fileID);
+    if (header == file->headers().end() || header->classID != static_cast<int>(UnityClass::Mesh))
     {
-        user.Note("m_Mesh", path.filename().string() + " has no mesh with the id " +
-                                std::to_string(fileID) + ", so nothing is drawn");
-        return nullptr;
+        return NoMeshIn(path, fileID, user);
     }
     known->second = ReadMesh([&] { return file->Fields(*header); }, file->name());
-    if (!known->second.mesh)
-    {
-        NoteUnread(path, user);
-    }
-    return known->second.mesh;
+    return known->second.mesh ? known->second.mesh : Unread(path, user);
 }
 
 /// Notes at the first who refers to a mesh's file what comes of it that it cannot be read. Another
 /// note says what is wrong with the file.
-void UnityMaterials::NoteUnread(const std::filesystem::path& path, const UnityReader& user)
+/// @return null
+std::shared_ptr<const Mesh> UnityMaterials::Unread(const std::filesystem::path& path,
+                                                   const UnityReader& user)
 {
-    if (m_UnreadMeshes.insert(path).second)
-    {
-        user.Note("m_Mesh", path.filename().string() +
-                                " cannot be read, as the note about it explains, so nothing is "
-                                "drawn");
-    }
+    return m_UnreadMeshes.insert(path).second
+               ? NoMesh(user,
+                        path.filename().string() + " cannot be read, as the note about it explains")
+               : nullptr;
 }
 
 /// Returns the mesh. Adds a note and returns none if it is broken.
@@ -277,32 +270,22 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     const Model* model = path != nullptr ? LoadModelOf(mesh.guid) : nullptr;
     if (path == nullptr)
     {
-        user.Note("m_Mesh", AbsenceOf(mesh, m_Database) + ", so nothing is drawn");
-        return nullptr;
+        return NoMesh(user, AbsenceOf(mesh, m_Database));
     }
-    const std::string ending = ToLower(path->extension().string());
-    if (ending == ".asset" || ending == ".mesh" || ending == ".prefab")
+    if (IsIn(ToLower(path->extension().string()), {".asset", ".mesh", ".prefab"}))
     {
         return LoadTextMesh(*path, mesh.fileID, user);
     }
     if (!IsModelFile(*path))
     {
-        user.Note("m_Mesh",
-                  path->filename().string() + " is no model that limn reads, so nothing is drawn");
-        return nullptr;
+        return NoMesh(user, path->filename().string() + " is no model that limn reads");
     }
     if (model == nullptr)
     {
-        NoteUnread(*path, user);
-        return nullptr;
+        return Unread(*path, user);
     }
     std::shared_ptr<const Mesh> found = model->FindMesh(mesh.fileID);
-    if (!found && !model->isLaterPart(mesh.fileID))
-    {
-        user.Note("m_Mesh", path->filename().string() + " has no mesh with the id " +
-                                std::to_string(mesh.fileID) + ", so nothing is drawn");
-    }
-    return found;
+    return found || model->isLaterPart(mesh.fileID) ? found : NoMeshIn(*path, mesh.fileID, user);
 }
 
 std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& material,
@@ -313,7 +296,7 @@ std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& mater
     {
         return Magenta();
     }
-    std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
+    std::shared_ptr<const Material>& known = m_Materials[material];
     if (!known)
     {
         known = Read(material, user, path);
@@ -337,7 +320,7 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
         note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
         return nullptr;
     }
-    std::shared_ptr<const Material>& known = m_Materials[{material.guid, material.fileID}];
+    std::shared_ptr<const Material>& known = m_Materials[material];
     if (!known)
     {
         known = ReadFile(*path);
@@ -352,19 +335,12 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
 
 std::string UnityMaterials::GraphOf(const std::filesystem::path& material)
 {
-    const auto file = m_Database.LoadFile(material);
-    const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
-    if (header == nullptr)
-    {
-        return "";
-    }
     try
     {
-        const UnityReference shader = ReadUnityReference(file->Fields(*header)["m_Shader"]);
-        const std::filesystem::path* path = m_Database.Find(shader.guid);
-        const bool isGraph =
-            path != nullptr && ToLower(path->extension().string()) == ".shadergraph";
-        return isGraph ? path->filename().string() : "";
+        const UnityNode fields = m_Database.FieldsOf(material, UnityClass::Material);
+        const std::filesystem::path* path =
+            m_Database.Find(ReadUnityReference(fields["m_Shader"]).guid);
+        return path != nullptr && IsShaderGraph(*path) ? path->filename().string() : "";
     }
     catch (const AssetError&) // ReadFile notes what is wrong with the file
     {
@@ -389,29 +365,13 @@ std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference&
 std::shared_ptr<const Texture> UnityMaterials::LoadReflection(const UnityReference& cube,
                                                               const UnityReader& user)
 {
-    const std::string path = "m_CustomReflection";
-    const std::filesystem::path* file = m_Database.Find(cube.guid);
-    if (file == nullptr || !IsPictureFile(*file))
+    std::string problem;
+    auto texture = LoadPicture(cube, TextureDimension::Cube, "the cube's guid", "no cube", problem);
+    if (!problem.empty())
     {
-        user.Note(path,
-                  (file == nullptr ? AbsenceOf(cube, m_Database, "the cube's guid")
-                                   : file->filename().string() + " is no picture that limn reads") +
-                      ", so nothing is mirrored");
-        return nullptr;
+        user.Note("m_CustomReflection", problem + ", so nothing is mirrored");
     }
-    try
-    {
-        if (auto texture = m_Assets.LoadCubemap(*file))
-        {
-            return texture;
-        }
-        user.Note(path, file->filename().string() + " is no cube, so nothing is mirrored");
-    }
-    catch (const AssetError& error)
-    {
-        m_Notes.Add(error.diagnostics());
-    }
-    return nullptr;
+    return texture;
 }
 
 std::shared_ptr<const Material> UnityMaterials::Magenta()
@@ -459,27 +419,26 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
 
 std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::path& path)
 {
-    if (ToLower(path.extension().string()) == ".shadergraph")
+    if (IsShaderGraph(path))
     {
         // Unity imports a graph as a shader and a material of it.
         const UnityShader graph = ReadGraph(path, UnityNode(), path.generic_string());
         return std::make_shared<const Material>(graph.shader);
     }
-    const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
-    const UnityHeader* header = file ? FindClass(*file, UnityClass::Material) : nullptr;
-    if (header == nullptr)
-    {
-        if (file)
-        {
-            m_Notes.Add(file->name(), 0,
-                        "it holds no material, so the objects that have it are magenta");
-        }
-        return Magenta();
-    }
+    const std::string file = path.generic_string();
     try
     {
-        const UnityNode fields = file->Fields(*header);
-        const UnityShader shader = FindShader(fields, file->name());
+        const UnityNode fields = m_Database.FieldsOf(path, UnityClass::Material);
+        if (!fields)
+        {
+            if (m_Database.LoadFile(path))
+            {
+                m_Notes.Add(file, 0,
+                            "it holds no material, so the objects that have it are magenta");
+            }
+            return Magenta();
+        }
+        const UnityShader shader = FindShader(fields, file);
         if (!shader.shader)
         {
             return Magenta();
@@ -491,13 +450,13 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
             return Magenta();
         }
         auto material = std::make_shared<Material>(shader.shader);
-        SetValues(fields, file->name(), shader, *material);
+        SetValues(fields, file, shader, *material);
         return material;
     }
     catch (const AssetError& error)
     {
         m_Notes.Add(error.diagnostics());
-        m_Notes.Add(file->name(), 0,
+        m_Notes.Add(file, 0,
                     "its shader cannot be used, as the notes about the shader explain, so the "
                     "objects that have it are magenta");
         return Magenta();
@@ -531,7 +490,7 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
     {
         return {m_Assets.LoadShader(*path)};
     }
-    if (path != nullptr && ToLower(path->extension().string()) == ".shadergraph")
+    if (path != nullptr && IsShaderGraph(*path))
     {
         return ReadGraph(*path, saved, material);
     }
@@ -575,30 +534,28 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     };
     for (const char* list : {"m_Floats", "m_Ints"})
     {
-        ForEachProperty(saved[list],
-                        [&](std::string_view name, const UnityNode& value)
-                        {
-                            const ShaderPropertyId id = idOf(name);
-                            if (material.HasFloat(id))
-                            {
-                                material.SetFloat(id, read.Number(value));
-                            }
-                        });
+        for (const auto& [name, value] : PropertiesIn(saved[list]))
+        {
+            const ShaderPropertyId id = idOf(name);
+            if (material.HasFloat(id))
+            {
+                material.SetFloat(id, read.Number(value));
+            }
+        }
     }
-    ForEachProperty(saved["m_Colors"],
-                    [&](std::string_view name, const UnityNode& value)
-                    {
-                        const ShaderPropertyId id = idOf(name);
-                        const glm::vec4 numbers = read.Vector(value);
-                        if (material.HasColor(id))
-                        {
-                            material.SetColor(id, {numbers.r, numbers.g, numbers.b, numbers.a});
-                        }
-                        else if (material.HasVector(id))
-                        {
-                            material.SetVector(id, numbers);
-                        }
-                    });
+    for (const auto& [name, value] : PropertiesIn(saved["m_Colors"]))
+    {
+        const ShaderPropertyId id = idOf(name);
+        const glm::vec4 numbers = read.Vector(value);
+        if (material.HasColor(id))
+        {
+            material.SetColor(id, {numbers.r, numbers.g, numbers.b, numbers.a});
+        }
+        else if (material.HasVector(id))
+        {
+            material.SetVector(id, numbers);
+        }
+    }
     SetTextures(saved["m_TexEnvs"], file, shader, material);
     shader.standIn ? SetKeywordsOf(*shader.standIn, material) : SetSavedKeywords(fields, material);
     for (const UnityNode pass : fields["disabledShaderPasses"])
@@ -613,81 +570,83 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     }
 }
 
+std::shared_ptr<const Texture>
+UnityMaterials::LoadPicture(const UnityReference& picture, TextureDimension dimension,
+                            std::string_view guid, const char* otherwise, std::string& problem)
+{
+    const std::filesystem::path* path = m_Database.Find(picture.guid);
+    if (path == nullptr)
+    {
+        problem = AbsenceOf(picture, m_Database, guid);
+        return nullptr;
+    }
+    const std::string name = path->filename().string();
+    if (!IsPictureFile(*path))
+    {
+        problem = name + " is no picture that limn reads";
+        return nullptr;
+    }
+    std::shared_ptr<const Texture> texture;
+    try
+    {
+        if (dimension == TextureDimension::Tex2D)
+        {
+            return m_Assets.LoadTexture(*path);
+        }
+        if (dimension == TextureDimension::Cube)
+        {
+            texture = m_Assets.LoadCubemap(*path);
+        }
+        problem = texture ? "" : name + " is " + otherwise;
+    }
+    catch (const AssetError& error)
+    {
+        m_Notes.Add(error.diagnostics());
+    }
+    return texture;
+}
+
 /// Returns the dimension of a texture property; Tex2D if the shader declares no such property.
 static TextureDimension DimensionOf(const Shader& shader, const ShaderPropertyId& id)
 {
-    const int property = shader.FindPropertyIndex(id.name());
-    return property < 0
-               ? TextureDimension::Tex2D
-               : shader.document().properties[static_cast<std::size_t>(property)].dimension;
-}
-
-std::shared_ptr<const Texture> UnityMaterials::LoadPicture(const std::filesystem::path& path,
-                                                           TextureDimension dimension)
-{
-    switch (dimension)
-    {
-    case TextureDimension::Tex2D:
-        return m_Assets.LoadTexture(path);
-    case TextureDimension::Cube:
-        return m_Assets.LoadCubemap(path);
-    default:
-        return nullptr;
-    }
+    const auto& properties = shader.document().properties;
+    const auto property = std::ranges::find(properties, id.name(), &ShaderProperty::name);
+    return property == properties.end() ? TextureDimension::Tex2D : property->dimension;
 }
 
 void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
                                  const UnityShader& shader, Material& material)
 {
-    ForEachProperty(
-        list,
-        [&](std::string_view name, const UnityNode& value)
+    const NumberReader read(file, m_Notes);
+    for (const auto& [name, value] : PropertiesIn(list))
+    {
+        const ShaderPropertyId id(shader.standIn ? shader.standIn->NameOf(name)
+                                                 : std::string(name));
+        if (!material.HasTexture(id))
         {
-            const ShaderPropertyId id(shader.standIn ? shader.standIn->NameOf(name)
-                                                     : std::string(name));
-            if (!material.HasTexture(id))
-            {
-                return;
-            }
-            const NumberReader read(file, m_Notes);
-            const UnityNode scale = value["m_Scale"];
-            const UnityNode offset = value["m_Offset"];
-            material.SetTextureScale(id, {read.Number(scale["x"]), read.Number(scale["y"])});
-            material.SetTextureOffset(id, {read.Number(offset["x"]), read.Number(offset["y"])});
-            const UnityReference texture = ReadUnityReference(value["m_Texture"]);
-            if (texture.isNull())
-            {
-                return;
-            }
-            const std::filesystem::path* path = m_Database.Find(texture.guid);
-            if (path == nullptr || !IsPictureFile(*path))
-            {
-                m_Notes.Add(
-                    file, value.line(),
-                    std::string(name) + ": " +
-                        (path == nullptr
-                             ? AbsenceOf(texture, m_Database, "the texture's guid")
-                             : path->filename().string() + " is no picture that limn reads") +
-                        ", so the shader's own is used");
-                return;
-            }
-            try
-            {
-                if (auto picture = LoadPicture(*path, DimensionOf(*material.shader(), id)))
-                {
-                    material.SetTexture(id, std::move(picture));
-                    return;
-                }
-                m_Notes.Add(file, value.line(),
-                            std::string(name) + ": " + path->filename().string() +
-                                " is no cube, volume or array, which the shader takes, so the "
-                                "shader's own is used");
-            }
-            catch (const AssetError& error)
-            {
-                m_Notes.Add(error.diagnostics());
-            }
-        });
+            continue;
+        }
+        const UnityNode scale = value["m_Scale"];
+        const UnityNode offset = value["m_Offset"];
+        material.SetTextureScale(id, {read.Number(scale["x"]), read.Number(scale["y"])});
+        material.SetTextureOffset(id, {read.Number(offset["x"]), read.Number(offset["y"])});
+        const UnityReference texture = ReadUnityReference(value["m_Texture"]);
+        std::string problem;
+        auto picture =
+            texture.isNull()
+                ? nullptr
+                : LoadPicture(texture, DimensionOf(*material.shader(), id), "the texture's guid",
+                              "no cube, volume or array, which the shader takes", problem);
+        if (picture)
+        {
+            material.SetTexture(id, std::move(picture));
+        }
+        if (!problem.empty())
+        {
+            m_Notes.Add(file, value.line(),
+                        std::string(name) + ": " + problem + ", so the shader's own is used");
+        }
+    }
 }
 
 } // namespace limn

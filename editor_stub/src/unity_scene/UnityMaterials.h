@@ -54,7 +54,7 @@ private:
     std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);
     std::shared_ptr<const Mesh> LoadTextMesh(const std::filesystem::path& path, std::int64_t fileID,
                                              const UnityReader& user);
-    void NoteUnread(const std::filesystem::path& path, const UnityReader& user);
+    std::shared_ptr<const Mesh> Unread(const std::filesystem::path& path, const UnityReader& user);
     SkinnableMesh ReadMesh(const std::function<UnityNode()>& fields, const std::string& file);
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
@@ -67,9 +67,12 @@ private:
                    Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
                      Material& material);
-    /// Returns null if the file makes no texture of that dimension.
-    std::shared_ptr<const Texture> LoadPicture(const std::filesystem::path& path,
-                                               TextureDimension dimension);
+    /// Loads a picture. Returns null and adds a note if it is broken, or else sets `problem`.
+    /// @param guid       what the reference names: "the texture's guid"
+    /// @param otherwise  what a picture of another dimension is: "no cube"
+    std::shared_ptr<const Texture> LoadPicture(const UnityReference& picture,
+                                               TextureDimension dimension, std::string_view guid,
+                                               const char* otherwise, std::string& problem);
     /// Returns the name of the graph that is a material file's shader, or "" if it is none.
     std::string GraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();
@@ -82,7 +85,7 @@ private:
     std::map<std::string, std::optional<Model>> m_Models;
     std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
-    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_Materials;
+    std::map<UnityReference, std::shared_ptr<const Material>> m_Materials;
     std::shared_ptr<const Material> m_Magenta;
 };
 

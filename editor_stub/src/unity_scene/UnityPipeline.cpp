@@ -2,8 +2,6 @@
 #include "unity/RendererData.h"
 #include "unity_scene/UnitySceneLoader.h"
 
-#include <charconv>
-
 namespace limn
 {
 
@@ -14,55 +12,37 @@ namespace
 const std::filesystem::path* FindPipeline(const UnitySceneLoader& loader, float& lodBias)
 {
     const UnityNode quality = loader.ProjectSettings("QualitySettings.asset");
-    int current = 0;
-    const std::string_view text = quality["m_CurrentQuality"].text();
-    std::from_chars(text.data(), text.data() + text.size(), current);
-    int level = 0;
-    for (const UnityNode entry : quality["m_QualitySettings"])
+    const UnityNode graphics = loader.ProjectSettings("GraphicsSettings.asset");
+    const UnityNode level = quality["m_QualitySettings"].At(
+        static_cast<std::size_t>(NumberOf(quality["m_CurrentQuality"], 0)));
+    lodBias = NumberOf(level["lodBias"], lodBias);
+    for (const UnityNode& asset :
+         {level["customRenderPipeline"], graphics["m_CustomRenderPipeline"]})
     {
-        if (level++ == current)
-        {
-            const std::string_view bias = entry["lodBias"].text();
-            std::from_chars(bias.data(), bias.data() + bias.size(), lodBias);
-            const UnityReference asset = ReadUnityReference(entry["customRenderPipeline"]);
-            if (const auto* path = asset.isNull() ? nullptr : loader.database.Find(asset.guid))
-            {
-                return path;
-            }
-        }
-    }
-    const UnityReference asset = ReadUnityReference(
-        loader.ProjectSettings("GraphicsSettings.asset")["m_CustomRenderPipeline"]);
-    return asset.isNull() ? nullptr : loader.database.Find(asset.guid);
-}
-
-void ReadRenderer(UnitySceneLoader& loader, const std::filesystem::path& pipeline, int index)
-{
-    const auto file = loader.database.LoadFile(pipeline);
-    const UnityHeader* header = file ? FindClass(*file, UnityClass::MonoBehaviour) : nullptr;
-    const UnityNode fields = header != nullptr ? file->Fields(*header) : UnityNode();
-    if (index < 0)
-    {
-        const std::string_view text = fields["m_DefaultRendererIndex"].text();
-        index = 0;
-        std::from_chars(text.data(), text.data() + text.size(), index);
-    }
-    int at = 0;
-    for (const UnityNode entry : fields["m_RendererDataList"])
-    {
-        const UnityReference renderer = ReadUnityReference(entry);
-        const auto* path = at++ == index ? loader.database.Find(renderer.guid) : nullptr;
+        const UnityReference reference = ReadUnityReference(asset);
+        const auto* path = reference.isNull() ? nullptr : loader.database.Find(reference.guid);
         if (path != nullptr)
         {
-            const auto loadMaterial = [&loader](const UnityReference& material, const auto& note)
-            {
-                return loader.materials.LoadForFeature(material, note);
-            };
-            UnityRendererDataLoadResult result = LoadUnityRendererData(
-                *path, loader.assets, loader.database.project(), loadMaterial);
-            loader.asset.renderer = std::move(result.renderer);
-            loader.notes.Add(result.notes);
+            return path;
         }
+    }
+    return nullptr;
+}
+
+void ReadRenderer(UnitySceneLoader& loader, const UnityNode& pipeline, int index)
+{
+    index = index < 0 ? NumberOf(pipeline["m_DefaultRendererIndex"], 0) : index;
+    const UnityNode renderer = pipeline["m_RendererDataList"].At(static_cast<std::size_t>(index));
+    if (const auto* path = loader.database.Find(ReadUnityReference(renderer).guid))
+    {
+        const auto loadMaterial = [&loader](const UnityReference& material, const auto& note)
+        {
+            return loader.materials.LoadForFeature(material, note);
+        };
+        UnityRendererDataLoadResult result =
+            LoadUnityRendererData(*path, loader.assets, loader.database.project(), loadMaterial);
+        loader.asset.renderer = std::move(result.renderer);
+        loader.notes.Add(result.notes);
     }
 }
 
@@ -79,19 +59,19 @@ float ReadUnityPipeline(UnitySceneLoader& loader, int renderer)
                          "settings are used");
         return lodBias;
     }
-    const auto file = loader.database.LoadFile(*path);
-    const UnityHeader* header = file ? FindClass(*file, UnityClass::MonoBehaviour) : nullptr;
-    if (header != nullptr && !file->Fields(*header)["m_MSAA"])
+    const UnityNode pipeline = loader.database.FieldsOf(*path, UnityClass::MonoBehaviour);
+    if (pipeline && !pipeline["m_MSAA"])
     {
-        loader.notes.Add(file->name(), 0,
+        loader.notes.Add(path->generic_string(), 0,
                          "this pipeline is not the Universal Render Pipeline, but the High "
                          "Definition one or the project's own, so limn's own settings are used");
         return lodBias;
     }
     try
     {
-        Apply(LoadUnityRenderPipeline(*path, loader.assets), loader.asset);
-        ReadRenderer(loader, *path, renderer);
+        PipelineSettings& settings = loader.asset;
+        settings = LoadUnityRenderPipeline(*path, loader.assets, settings.pipelineVersion);
+        ReadRenderer(loader, pipeline, renderer);
     }
     catch (const AssetError& error)
     {

@@ -1,4 +1,5 @@
-#include "unity_scene/UnityRenderSettings.h"
+#include "console/Texts.h"
+#include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
 #include <bit>
@@ -24,11 +25,8 @@ void ReadMember(const UnityReader& reader, const char* path, std::initializer_li
         value = static_cast<Enum>(number);
         return;
     }
-    std::string known;
-    for (const Enum member : members)
-    {
-        known += (known.empty() ? "" : ", ") + std::to_string(static_cast<int>(member));
-    }
+    const std::string known =
+        Joined(members, ", ", [](Enum member) { return std::to_string(static_cast<int>(member)); });
     reader.Note(path, std::to_string(number) + " is none of " + known + ", so it is left at " +
                           std::to_string(static_cast<int>(value)));
 }

@@ -1,11 +1,10 @@
 #include "unity_scene/UnityScene.h"
 
+#include "console/Texts.h"
 #include "scene/Loader.h"
-#include "unity_scene/UnityRenderSettings.h"
 #include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
-#include <limn/base/NumberText.h>
 #include <limn/base/ReadFile.h>
 
 namespace limn
@@ -26,12 +25,12 @@ constexpr std::pair<int, const char*> k_NotDrawn[] = {{96, "trails"},
                                                       {102, "text meshes"}};
 
 /// Reads names, of which some may be empty, from the first on.
-void ReadNames(const UnityNode& list, int most, LayerNames& names)
+void ReadNames(const UnityNode& list, LayerNames& names)
 {
     int layer = 0;
     for (const UnityNode name : list)
     {
-        if (!name.text().empty() && layer < most)
+        if (!name.text().empty() && layer < 32)
         {
             names.SetName(layer, std::string(name.text()));
         }
@@ -44,18 +43,17 @@ void ReadNames(const UnityNode& list, int most, LayerNames& names)
 void ReadLayers(UnitySceneLoader& loader)
 {
     const UnityNode tags = loader.ProjectSettings("TagManager.asset");
-    ReadNames(tags["layers"], 32, loader.asset.layers);
-    ReadNames(tags["m_RenderingLayers"], 32, loader.asset.renderingLayers);
+    ReadNames(tags["layers"], loader.asset.layers);
+    ReadNames(tags["m_RenderingLayers"], loader.asset.renderingLayers);
     const UnityNode pipelines =
         loader.ProjectSettings("GraphicsSettings.asset")["m_SRPDefaultSettings"];
     const UnityReference settings =
         ReadUnityReference(pipelines["UnityEngine.Rendering.Universal.UniversalRenderPipeline"]);
     const auto* path = settings.isNull() ? nullptr : loader.database.Find(settings.guid);
-    const auto file = path != nullptr ? loader.database.LoadFile(*path) : nullptr;
-    const UnityHeader* header = file ? FindClass(*file, UnityClass::MonoBehaviour) : nullptr;
-    if (header != nullptr && !tags["m_RenderingLayers"])
+    if (path != nullptr && !tags["m_RenderingLayers"])
     {
-        ReadNames(file->Fields(*header)["m_RenderingLayerNames"], 32, loader.asset.renderingLayers);
+        const UnityNode fields = loader.database.FieldsOf(*path, UnityClass::MonoBehaviour);
+        ReadNames(fields["m_RenderingLayerNames"], loader.asset.renderingLayers);
     }
 }
 
@@ -97,7 +95,7 @@ bool IsOwnScript(const UnityInstance& component, const UnityProject& project)
 {
     const UnityNode script = component.fields["m_Script"];
     const auto* path = component.classID == UnityClass::MonoBehaviour
-                           ? project.Find(std::string(script["guid"].text()))
+                           ? project.Find(script["guid"].text())
                            : nullptr;
     return path != nullptr && path->extension() == ".cs";
 }
@@ -144,9 +142,7 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     const std::shared_ptr<const UnityFile> file = database.LoadFile(path);
     if (!file)
     {
-        const std::vector<Diagnostic> found = notes.Finish(path.generic_string());
-        throw AssetError(path.generic_string(), {},
-                         found.empty() ? "the scene cannot be read" : found.back().message);
+        throw AssetError(path.generic_string(), {}, notes.Finish("").back().message);
     }
     const UnityExpansion expansion(file, [&materials](const std::string& guid)
                                    { return materials.LoadPrefab(guid); });
@@ -188,8 +184,8 @@ UnityNode UnitySceneLoader::ProjectSettings(const char* name) const
 
 std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
 {
-    std::error_code unused;
-    if (!std::filesystem::is_directory(project / "Assets", unused))
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(project / "Assets", ignored))
     {
         throw AssetError(project.generic_string(), {},
                          "this folder is no Unity project, which has a folder Assets; name a scene "
@@ -203,7 +199,6 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
         for (const UnityNode scene : file.Fields(file.headers().front())["m_Scenes"])
         {
             const std::filesystem::path path = project / std::string(scene["path"].text());
-            std::error_code ignored;
             if (scene["enabled"].text() == "1" && std::filesystem::is_regular_file(path, ignored))
             {
                 return path;
@@ -211,7 +206,6 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
         }
     }
     std::vector<std::filesystem::path> scenes;
-    std::error_code ignored;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(
              project / "Assets", std::filesystem::directory_options::skip_permission_denied,
              ignored))
@@ -225,13 +219,12 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
     {
         return scenes.front();
     }
-    std::string paths;
     std::ranges::sort(scenes);
     const std::size_t named = std::min<std::size_t>(scenes.size(), 12);
-    for (const std::filesystem::path& scene : std::span(scenes).first(named))
-    {
-        paths += (paths.empty() ? "" : ", ") + scene.lexically_relative(project).generic_string();
-    }
+    const std::string paths = Joined(std::span(scenes).first(named), ", ",
+                                     [&project](const std::filesystem::path& scene) {
+                                         return scene.lexically_relative(project).generic_string();
+                                     });
     throw AssetError(project.generic_string(), {},
                      scenes.empty()
                          ? "the project has no scene: there is no .unity file in Assets"

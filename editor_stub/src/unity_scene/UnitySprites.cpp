@@ -1,16 +1,18 @@
 #include "assets/PictureFile.h"
 #include "unity/TextureImporter.h"
 #include "unity/UnityTree.h"
-#include "unity_scene/DefaultSprites.h"
 #include "unity_scene/UnitySceneLoader.h"
 
 #include <algorithm>
-#include <charconv>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <limn/base/ReadFile.h>
 #include <limn/core/Image.h>
 #include <limn/core/MaterialPropertyBlock.h>
+#include <span>
 
 namespace limn
 {
@@ -18,12 +20,100 @@ namespace limn
 namespace
 {
 
-template <typename Value>
-Value NumberOf(const UnityNode& node, Value value)
+constexpr float k_DefaultSpriteUnit = 256.0f; ///< texels a metre
+
+/// A shape holds all that lies within `radius` of a convex polygon, a line or a point. Its places
+/// are in texels from the middle of the picture, y upwards.
+struct Shape
 {
-    const std::string_view text = node.text();
-    std::from_chars(text.data(), text.data() + text.size(), value);
-    return value;
+    std::string_view guid;
+    const char* name;
+    glm::ivec2 size; ///< of the picture
+    float radius;
+    std::array<glm::vec2, 6> corners; ///< counterclockwise
+    std::size_t cornerCount;
+};
+
+constexpr Shape k_Shapes[] = {
+    {"311925a002f4447b3a28927169b83ea6",
+     "Square",
+     {256, 256},
+     0,
+     {{{-128, -128}, {128, -128}, {128, 128}, {-128, 128}}},
+     4},
+    {"a86470a33a6bf42c4b3595704624658b", "Circle", {256, 256}, 128, {{{0, 0}}}, 1},
+    {"207ee8102dd4143d288186ef0be518ee", "Capsule", {256, 512}, 128, {{{0, -128}, {0, 128}}}, 2},
+    {"19fb86013d8c24d6cb8410c0aadf30fa",
+     "Isometric Diamond",
+     {256, 128},
+     0,
+     {{{-128, 0}, {0, -64}, {128, 0}, {0, 64}}},
+     4},
+    {"b670ab75dde984907b8570040daa08c5",
+     "Hexagon Flat-Top",
+     {256, 226},
+     0,
+     {{{-128, 0}, {-64, -111}, {64, -111}, {128, 0}, {64, 111}, {-64, 111}}},
+     6},
+    {"5aa8b770bc43046bc8d993d0d5b7f4a5",
+     "Hexagon Pointed-Top",
+     {226, 256},
+     0,
+     {{{-111, -64}, {0, -128}, {111, -64}, {111, 64}, {0, 128}, {-111, 64}}},
+     6},
+    {"8884154dfe85442a3a3578be807dbcdf",
+     "9-Sliced",
+     {256, 256},
+     64,
+     {{{-64, -64}, {64, -64}, {64, 64}, {-64, 64}}},
+     4},
+};
+
+/// Returns the distance to the shape's rim in texels, below 0 inside.
+float DistanceTo(const Shape& shape, const glm::vec2& place)
+{
+    const std::span corners(shape.corners.data(), shape.cornerCount);
+    float nearest = std::numeric_limits<float>::max();
+    bool isInside = corners.size() > 2;
+    for (std::size_t i = 0; i < corners.size(); ++i)
+    {
+        const glm::vec2 side = corners[(i + 1) % corners.size()] - corners[i];
+        const glm::vec2 toPlace = place - corners[i];
+        const float length = std::max(glm::dot(side, side), 1.0f); // a point has no side
+        const float along = glm::clamp(glm::dot(toPlace, side) / length, 0.0f, 1.0f);
+        nearest = std::min(nearest, glm::distance(toPlace, along * side));
+        isInside = isInside && side.x * toPlace.y > side.y * toPlace.x;
+    }
+    return (isInside ? -nearest : nearest) - shape.radius;
+}
+
+/// Draws the picture of one of the shapes of Unity's menu "2D Object > Sprites": white, with the
+/// shape as its alpha, and no larger than it. They lie in Unity's own package, so that projects
+/// name them and do not have them. Returns null for every other guid.
+/// Unity: com.unity.2d.sprite 1.0 (2021.1), without the triangle.
+std::shared_ptr<const Texture2D> MakeDefaultSprite(std::string_view guid)
+{
+    const auto* const shape = std::ranges::find(k_Shapes, guid, &Shape::guid);
+    if (shape == std::end(k_Shapes))
+    {
+        return nullptr;
+    }
+    SamplerState sampler;
+    sampler.wrapModeU = sampler.wrapModeV = TextureWrapMode::Clamp;
+    std::vector<std::byte> texels;
+    for (int y = 0; y < shape->size.y; ++y)
+    {
+        for (int x = 0; x < shape->size.x; ++x)
+        {
+            const glm::vec2 place = glm::vec2(x, y) + 0.5f - 0.5f * glm::vec2(shape->size);
+            const float covered = glm::clamp(0.5f - DistanceTo(*shape, place), 0.0f, 1.0f);
+            texels.insert(texels.end(), 3, std::byte{255});
+            texels.push_back(static_cast<std::byte>(covered * 255.0f + 0.5f));
+        }
+    }
+    return std::make_shared<const Texture2D>(shape->name, shape->size.x, shape->size.y,
+                                             GraphicsFormat::R8G8B8A8_SRGB, std::move(texels),
+                                             sampler);
 }
 
 /// A part of a picture, as the TextureImporter of its .meta file cuts it out.
@@ -43,7 +133,7 @@ glm::vec2 PivotOf(const UnityNode& own, const UnityNode& custom)
     constexpr glm::vec2 k_Pivots[] = {{0.5f, 0.5f}, {0.0f, 1.0f}, {0.5f, 1.0f},
                                       {1.0f, 1.0f}, {0.0f, 0.5f}, {1.0f, 0.5f},
                                       {0.0f, 0.0f}, {0.5f, 0.0f}, {1.0f, 0.0f}};
-    const auto alignment = NumberOf<std::size_t>(own["alignment"], 0);
+    const std::size_t alignment = NumberOf(own["alignment"], std::size_t{0});
     return alignment < std::size(k_Pivots)
                ? k_Pivots[alignment]
                : glm::vec2(NumberOf(custom["x"], 0.5f), NumberOf(custom["y"], 0.5f));
@@ -65,7 +155,7 @@ bool CutOut(const UnityNode& importer, std::int64_t fileID, Sprite& sprite)
     std::int64_t index = 0;
     for (const UnityNode part : importer["spriteSheet"]["sprites"])
     {
-        const auto id = NumberOf<std::int64_t>(part["internalID"], 0);
+        const auto id = NumberOf(part["internalID"], std::int64_t{0});
         if (fileID == (id != 0 ? id : k_First + 2 * index))
         {
             const UnityNode rect = part["rect"];

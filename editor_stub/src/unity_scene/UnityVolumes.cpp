@@ -56,15 +56,16 @@ void AddColliders(const UnitySceneLoader& loader, const UnityGameObject& object,
 
 void ReadProfile(UnitySceneLoader& loader, const UnityReader& reader, Volume& volume)
 {
-    const UnityTarget target = reader.Reference("sharedProfile");
-    const auto* path = target.asset.isNull() ? nullptr : loader.database.Find(target.asset.guid);
+    const UnityReference profile = reader.Reference("sharedProfile").asset;
+    if (profile.isNull())
+    {
+        return;
+    }
+    const std::filesystem::path* path = loader.database.Find(profile.guid);
     if (path == nullptr)
     {
-        if (!target.asset.isNull())
-        {
-            reader.Note("sharedProfile", loader.database.WhyNotFound(target.asset.guid) +
-                                             ", so the volume does nothing");
-        }
+        reader.Note("sharedProfile",
+                    loader.database.WhyNotFound(profile.guid) + ", so the volume does nothing");
         return;
     }
     try

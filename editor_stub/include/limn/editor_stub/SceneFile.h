@@ -35,20 +35,24 @@ struct Turn
     glm::vec3 degreesPerSecond{0.0f};
 };
 
+/// The values that a scene gives to the members of UniversalRenderPipeline with these names.
+struct PipelineSettings
+{
+    int msaaSampleCount = 1;
+    bool supportsHDR = true;
+    HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits;
+    float renderScale = 1.0f;
+    int maxAdditionalLightsCount = 4;
+    ShadowSettings shadows;
+    int pipelineVersion = 14;
+};
+
 /// The content of a scene file, with everything that it refers to loaded.
-struct SceneAsset
+struct SceneAsset : PipelineSettings
 {
     std::filesystem::path path;
     int width = 1280; ///< of the picture, in pixels
     int height = 720;
-    int msaaSampleCount = 1; ///< UniversalRenderPipeline::msaaSampleCount
-    bool supportsHDR = true; ///< UniversalRenderPipeline::supportsHDR
-    /// The bits per pixel, see UniversalRenderPipeline::hdrColorBufferPrecision.
-    HDRColorBufferPrecision hdrColorBufferPrecision = HDRColorBufferPrecision::_64Bits;
-    float renderScale = 1.0f;         ///< UniversalRenderPipeline::renderScale
-    int maxAdditionalLightsCount = 4; ///< UniversalRenderPipeline::maxAdditionalLightsCount
-    ShadowSettings shadows;           ///< UniversalRenderPipeline::shadows
-    int pipelineVersion = 14;         ///< UniversalRenderPipeline::pipelineVersion
     Scene scene;
     Camera camera;
     LayerNames layers;
