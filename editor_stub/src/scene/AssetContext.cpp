@@ -332,14 +332,11 @@ void AssetContext::Forget(const std::filesystem::path& path)
         m_Databases.clear();
     }
     m_Meshes.erase(normal);
-    m_Textures.erase(normal);
-    m_Cubemaps.erase(normal);
+    const bool isMeta = normal.extension() == ".meta";
+    const std::filesystem::path picture = isMeta ? normal.parent_path() / normal.stem() : normal;
+    m_Textures.erase(picture);
+    m_Cubemaps.erase(picture);
     m_TexelBytes.erase(normal);
-    if (normal.extension() == ".meta")
-    {
-        m_Textures.erase(normal.parent_path() / normal.stem());
-        m_Cubemaps.erase(normal.parent_path() / normal.stem());
-    }
     m_Profiles.erase(normal);
     // Assets that refer to the file are quickly read again.
     m_Materials.clear();

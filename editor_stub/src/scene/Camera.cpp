@@ -85,16 +85,8 @@ void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
     ReadDirection(map, camera, diagnostics);
     ReadLens(map, camera, diagnostics);
     map.Read("renderPostProcessing", camera.renderPostProcessing);
-    for (const auto& [key, mask] : {std::pair("cullingMask", &camera.cullingMask),
-                                    std::pair("volumeLayerMask", &camera.volumeLayerMask)})
-    {
-        if (const YamlNode* layers = map.Find(key))
-        {
-            const auto bits =
-                ReadLayerBits(*layers, map.SubjectOf(key), loader.layers(), diagnostics);
-            *mask = LayerMask(bits.value_or(mask->bits));
-        }
-    }
+    ReadLayerMask(map, "cullingMask", loader.layers(), diagnostics, camera.cullingMask);
+    ReadLayerMask(map, "volumeLayerMask", loader.layers(), diagnostics, camera.volumeLayerMask);
     glm::vec3 trigger(0.0f);
     if (map.Read("volumeTrigger", trigger))
     {
@@ -103,9 +95,9 @@ void ReadView(SceneMapReader& map, Camera& camera, SceneLoader& loader)
     ReadSorting(map, camera, diagnostics);
 }
 
-void ReadStack(const YamlNode& node, SceneLoader& loader)
+void ReadStack(SceneMapReader& base, SceneLoader& loader)
 {
-    for (const auto& [item, place] : ReadItems(node, "camera.cameraStack", loader.diagnostics))
+    for (const auto& [item, place] : ReadItems(base, "cameraStack", loader.diagnostics))
     {
         SceneMapReader map(item, place, scene_keys::k_OverlayCamera, loader.diagnostics);
         const auto overlay = std::make_shared<Camera>();
@@ -131,10 +123,7 @@ void ReadCamera(const YamlNode& node, SceneLoader& loader)
     map.Read("antialiasing", k_AntialiasingModes, camera.antialiasing);
     map.Read("allowHDR", camera.allowHDR);
     map.Read("allowMSAA", camera.allowMSAA);
-    if (const YamlNode* stack = map.Find("cameraStack"))
-    {
-        ReadStack(*stack, loader);
-    }
+    ReadStack(map, loader);
     map.Finish();
 }
 

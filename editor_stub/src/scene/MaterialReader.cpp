@@ -18,62 +18,6 @@ namespace limn
 namespace
 {
 
-/// The sources that the reading of a material needs.
-struct MaterialSources
-{
-    References& references;
-    AssetDiagnostics& diagnostics;
-};
-
-void ReadNumberProperty(const ShaderProperty& property, const YamlNode& node,
-                        const std::string& subject, Material& material,
-                        AssetDiagnostics& diagnostics)
-{
-    const ShaderPropertyId id(property.name);
-    if (property.type == ShaderPropertyType::Integer)
-    {
-        material.SetInt(id, ReadInt(node, subject, diagnostics).value_or(0));
-        return;
-    }
-    const bool hasRange = property.type == ShaderPropertyType::Range;
-    const ValueRange range =
-        hasRange ? ValueRange{property.rangeMin, property.rangeMax} : ValueRange{};
-    material.SetFloat(id, ReadFloat(node, subject, diagnostics, range).value_or(0.0f));
-}
-
-void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& material,
-                  MaterialSources& sources)
-{
-    const YamlNode* node = map.Find(property.name);
-    if (!node)
-    {
-        return;
-    }
-    const std::string subject = map.SubjectOf(property.name);
-    const ShaderPropertyId id(property.name);
-    switch (property.type)
-    {
-    case ShaderPropertyType::Color:
-        material.SetColor(
-            id, ReadColor(*node, subject, sources.diagnostics, k_ColorChannels).value_or(Color{}));
-        break;
-    case ShaderPropertyType::Vector:
-        material.SetVector(
-            id, ReadVector(*node, 4, subject, sources.diagnostics).value_or(glm::vec4(0.0f)));
-        break;
-    case ShaderPropertyType::Texture:
-        ReadTextureProperty(property, *node, subject, material, sources.references,
-                            sources.diagnostics);
-        break;
-    case ShaderPropertyType::Float:
-    case ShaderPropertyType::Range:
-    case ShaderPropertyType::Int:
-    case ShaderPropertyType::Integer:
-        ReadNumberProperty(property, *node, subject, material, sources.diagnostics);
-        break;
-    }
-}
-
 /// Pictures of one size that make a texture together, sampled as the first one's .meta file says.
 using Slices = std::vector<std::shared_ptr<const Texture2D>>;
 
@@ -84,20 +28,13 @@ bool isCube(TextureDimension dimension)
 
 std::string ExpectedFor(TextureDimension dimension)
 {
-    switch (dimension)
-    {
-    case TextureDimension::Tex3D:
-    case TextureDimension::Tex2DArray:
-        return "{slices: [.png files]}";
-    case TextureDimension::Cube:
-        return "a picture that its .meta file makes a cube, {faces: [six .png files, +X -X +Y -Y "
-               "+Z -Z]}";
-    case TextureDimension::CubeArray:
-        return "{faces: [six .png files a cube, +X -X +Y -Y +Z -Z]}";
-    case TextureDimension::Tex2D:
-        break;
-    }
-    return "the path of a .png file";
+    return dimension == TextureDimension::Tex2D ? "the path of a .png file"
+           : dimension == TextureDimension::Cube
+               ? "a picture that its .meta file makes a cube, {faces: [six .png files, +X -X +Y -Y "
+                 "+Z -Z]}"
+           : dimension == TextureDimension::CubeArray
+               ? "{faces: [six .png files a cube, +X -X +Y -Y +Z -Z]}"
+               : "{slices: [.png files]}";
 }
 
 bool BeginsAsPng(const std::filesystem::path& path)
@@ -292,12 +229,98 @@ std::shared_ptr<const Texture> ReadSliced(const YamlNode& node, const std::strin
     return isCube(dimension) ? MakeCubes(slices, dimension) : MakeStack(slices, dimension);
 }
 
-} // namespace
+/// Sets a material's texture property to the value in a file. The value is the name of a default
+/// texture; for a 2D property a .png file; for a 3D one or an array {slices: [.png files]}; for a
+/// cube or an array of cubes {faces: [.png files]}, six for each cube in the order +X -X +Y -Y +Z
+/// -Z, each as seen from the centre. A wrong value adds an error at its place, and the property
+/// stays as it was.
+void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
+                         const std::string& subject, Material& material, References& references,
+                         AssetDiagnostics& diagnostics)
+{
+    const TextureDimension dimension = property.dimension;
+    const bool isFlat = dimension == TextureDimension::Tex2D;
+    std::shared_ptr<const Texture> texture = DefaultTexture(node.scalar(), dimension);
+    bool isExpected = true;
+    if (isFlat && std::filesystem::path(node.scalar()).extension() == ".png")
+    {
+        texture = ReadPicture(node, subject, references);
+    }
+    else if (dimension == TextureDimension::Cube && IsPictureFile(node.scalar()))
+    {
+        texture = references.Read(node, subject,
+                                  [&](const std::filesystem::path& path)
+                                  {
+                                      auto cube = references.assets().LoadCubemap(path);
+                                      isExpected = cube != nullptr;
+                                      return cube;
+                                  });
+    }
+    else if (!isFlat && node.isMap())
+    {
+        texture = ReadSliced(node, subject, dimension, references, diagnostics);
+    }
+    else
+    {
+        isExpected = texture->name() == node.scalar();
+    }
+    if (!isExpected)
+    {
+        diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
+                                               ExpectedFor(dimension) + ", or one of " +
+                                               Joined(DefaultTextureNames(), ", ") +
+                                               " is expected");
+        return;
+    }
+    if (texture)
+    {
+        material.SetTexture(ShaderPropertyId(property.name), std::move(texture));
+    }
+}
 
+void ReadProperty(const ShaderProperty& property, YamlMapReader& map, Material& material,
+                  References& references, AssetDiagnostics& diagnostics)
+{
+    const YamlNode* node = map.Find(property.name);
+    if (!node)
+    {
+        return;
+    }
+    const std::string subject = map.SubjectOf(property.name);
+    const ShaderPropertyId id(property.name);
+    const ValueRange range = property.type == ShaderPropertyType::Range
+                                 ? ValueRange{property.rangeMin, property.rangeMax}
+                                 : ValueRange{};
+    switch (property.type)
+    {
+    case ShaderPropertyType::Color:
+        material.SetColor(
+            id, ReadColor(*node, subject, diagnostics, k_ColorChannels).value_or(Color{}));
+        break;
+    case ShaderPropertyType::Vector:
+        material.SetVector(id,
+                           ReadVector(*node, 4, subject, diagnostics).value_or(glm::vec4(0.0f)));
+        break;
+    case ShaderPropertyType::Texture:
+        ReadTextureProperty(property, *node, subject, material, references, diagnostics);
+        break;
+    case ShaderPropertyType::Integer:
+        material.SetInt(id, ReadInt(*node, subject, diagnostics).value_or(0));
+        break;
+    case ShaderPropertyType::Float:
+    case ShaderPropertyType::Range:
+    case ShaderPropertyType::Int:
+        material.SetFloat(id, ReadFloat(*node, subject, diagnostics, range).value_or(0.0f));
+        break;
+    }
+}
+
+/// Returns a material as scenes and material files write it, {shader: ..., _BaseColor: ...}.
+/// Returns null and adds an error if the shader cannot be used, since its properties are then
+/// unknown.
 std::shared_ptr<const Material> ReadMaterial(const std::string& name, const YamlNode& node,
                                              References& references, AssetDiagnostics& diagnostics)
 {
-    MaterialSources sources{references, diagnostics};
     YamlMapReader map(node, "material '" + name + "'", diagnostics, "property");
     const YamlNode* shaderNode = map.Find("shader");
     const std::shared_ptr<const Shader> shader =
@@ -321,12 +344,28 @@ std::shared_ptr<const Material> ReadMaterial(const std::string& name, const Yaml
     }
     for (const ShaderProperty& property : shader->document().properties)
     {
-        ReadProperty(property, map, *material, sources);
+        ReadProperty(property, map, *material, references, diagnostics);
     }
     SetKeywordsOfValues(*material);
     map.Finish();
     return material;
 }
+
+/// Returns a material that the scene writes, or that of the .material.yaml file that it names.
+std::shared_ptr<const Material> ReadSceneMaterial(const std::string& name, const YamlNode& node,
+                                                  SceneLoader& loader)
+{
+    References& references = loader.references;
+    if (node.isScalar() && node.scalar().ends_with(".material.yaml"))
+    {
+        return references.Read(node, "material '" + name + "'",
+                               [&references](const std::filesystem::path& path)
+                               { return references.assets().LoadMaterial(path); });
+    }
+    return ReadMaterial(name, node, references, loader.diagnostics);
+}
+
+} // namespace
 
 std::shared_ptr<const Material> ReadMaterialFile(const std::filesystem::path& path,
                                                  AssetContext& assets)
@@ -354,20 +393,6 @@ void ReadMaterials(const YamlNode& node, SceneLoader& loader)
     {
         loader.materials.emplace(entry.key, SceneMaterial{&entry.value, false, nullptr});
     }
-}
-
-/// Returns a material that the scene writes, or that of the .material.yaml file that it names.
-static std::shared_ptr<const Material> ReadSceneMaterial(const std::string& name,
-                                                         const YamlNode& node, SceneLoader& loader)
-{
-    References& references = loader.references;
-    if (node.isScalar() && node.scalar().ends_with(".material.yaml"))
-    {
-        return references.Read(node, "material '" + name + "'",
-                               [&references](const std::filesystem::path& path)
-                               { return references.assets().LoadMaterial(path); });
-    }
-    return ReadMaterial(name, node, references, loader.diagnostics);
 }
 
 void CheckUnusedMaterials(SceneLoader& loader)
@@ -416,50 +441,6 @@ std::shared_ptr<const Material> ReadMaterialName(const YamlNode& node, const std
         found->material = ReadSceneMaterial(node.scalar(), *found->node, loader);
     }
     return found->material;
-}
-
-void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
-                         const std::string& subject, Material& material, References& references,
-                         AssetDiagnostics& diagnostics)
-{
-    const TextureDimension dimension = property.dimension;
-    const bool isFlat = dimension == TextureDimension::Tex2D;
-    std::shared_ptr<const Texture> texture = DefaultTexture(node.scalar(), dimension);
-    bool isExpected = true;
-    if (isFlat && std::filesystem::path(node.scalar()).extension() == ".png")
-    {
-        texture = ReadPicture(node, subject, references);
-    }
-    else if (dimension == TextureDimension::Cube && IsPictureFile(node.scalar()))
-    {
-        texture = references.Read(node, subject,
-                                  [&](const std::filesystem::path& path)
-                                  {
-                                      auto cube = references.assets().LoadCubemap(path);
-                                      isExpected = cube != nullptr;
-                                      return cube;
-                                  });
-    }
-    else if (!isFlat && node.isMap())
-    {
-        texture = ReadSliced(node, subject, dimension, references, diagnostics);
-    }
-    else
-    {
-        isExpected = texture->name() == node.scalar();
-    }
-    if (!isExpected)
-    {
-        diagnostics.Error(node.location(), subject + ": found " + node.Describe() + "; " +
-                                               ExpectedFor(dimension) + ", or one of " +
-                                               Joined(DefaultTextureNames(), ", ") +
-                                               " is expected");
-        return;
-    }
-    if (texture)
-    {
-        material.SetTexture(ShaderPropertyId(property.name), std::move(texture));
-    }
 }
 
 } // namespace limn

@@ -30,21 +30,16 @@ bool IsOnlyChecked(const Inherited& settings, const SceneLoader& loader)
     return !settings.active && loader.inactive == InactiveObjects::Check;
 }
 
-void CheckMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
+/// Returns a material by name. Returns null if it is only looked for, and as ReadMaterialName.
+std::shared_ptr<const Material> MaterialOf(const YamlNode& node, const std::string& subject,
+                                           const Inherited& settings, SceneLoader& loader)
 {
-    settings.materials.clear();
-    if (const YamlNode* one = map.Find("material"))
+    if (!IsOnlyChecked(settings, loader))
     {
-        FindMaterial(*one, map.SubjectOf("material"), loader);
+        return ReadMaterialName(node, subject, loader);
     }
-    if (const YamlNode* many = map.Find("materials"))
-    {
-        for (const auto& [item, place] :
-             ReadItems(*many, map.SubjectOf("materials"), loader.diagnostics))
-        {
-            FindMaterial(item, place, loader);
-        }
-    }
+    FindMaterial(node, subject, loader);
+    return nullptr;
 }
 
 void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
@@ -58,25 +53,23 @@ void ReadMaterialNames(SceneMapReader& map, Inherited& settings, SceneLoader& lo
                                                        "of 'material' and 'materials'");
         return;
     }
-    if (IsOnlyChecked(settings, loader))
-    {
-        CheckMaterialNames(map, settings, loader);
-        return;
-    }
     if (one)
     {
-        settings.materials = {ReadMaterialName(*one, map.SubjectOf("material"), loader)};
+        settings.materials = {MaterialOf(*one, map.SubjectOf("material"), settings, loader)};
         settings.isOneMaterial = true;
     }
     if (many)
     {
         settings.materials.clear();
         settings.isOneMaterial = false;
-        for (const auto& [item, place] :
-             ReadItems(*many, map.SubjectOf("materials"), loader.diagnostics))
+        for (const auto& [item, place] : ReadItems(map, "materials", loader.diagnostics))
         {
-            settings.materials.push_back(ReadMaterialName(item, place, loader));
+            settings.materials.push_back(MaterialOf(item, place, settings, loader));
         }
+    }
+    if (IsOnlyChecked(settings, loader))
+    {
+        settings.materials.clear();
     }
 }
 
@@ -119,24 +112,37 @@ void ReadLayersOf(SceneMapReader& map, Inherited& settings, SceneLoader& loader)
             ReadLayerIndex(*layer, map.SubjectOf("layer"), loader.layers(), loader.diagnostics)
                 .value_or(settings.layer);
     }
-    if (const YamlNode* mask = map.Find("renderingLayerMask"))
-    {
-        const auto bits = ReadLayerBits(*mask, map.SubjectOf("renderingLayerMask"),
-                                        loader.renderingLayers(), loader.diagnostics);
-        settings.renderingLayerMask =
-            RenderingLayerMask(bits.value_or(settings.renderingLayerMask.bits));
-    }
+    ReadLayerMask(map, "renderingLayerMask", loader.renderingLayers(), loader.diagnostics,
+                  settings.renderingLayerMask);
 }
 
+bool IsMeshFile(const YamlNode& node)
+{
+    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
+    return extension == ".gltf" || extension == ".glb";
+}
+
+/// Returns an object's mesh. Looks for errors alone, and returns null, if the object is only
+/// checked; a file that exists is then not read.
 std::shared_ptr<const Mesh> MeshOf(const YamlNode& node, const std::string& subject,
                                    const Inherited& settings, SceneLoader& loader)
 {
-    if (!IsOnlyChecked(settings, loader))
+    const bool isChecked = IsOnlyChecked(settings, loader);
+    if (!isChecked || !IsMeshFile(node))
     {
-        return ReadMesh(node, subject, loader);
+        std::shared_ptr<const Mesh> mesh = ReadMesh(node, subject, loader);
+        return isChecked ? nullptr : mesh;
     }
-    CheckMesh(node, subject, loader);
-    return nullptr;
+    AssetContext& assets = loader.references.assets();
+    return loader.references.Read(node, subject,
+                                  [&assets](const std::filesystem::path& path)
+                                  {
+                                      assets.Reach(path);
+                                      std::error_code ignored; // the reader says what is wrong
+                                      return std::filesystem::is_regular_file(path, ignored)
+                                                 ? nullptr
+                                                 : assets.LoadMesh(path);
+                                  });
 }
 
 void ReadObject(const YamlNode& node, const std::string& place, Inherited settings,
@@ -171,42 +177,14 @@ void ReadObject(const YamlNode& node, const std::string& place, Inherited settin
             MakeRenderer(MeshOf(*mesh, map.SubjectOf("mesh"), settings, loader), settings, loader);
     }
     settings.parent = &object.transform;
-    if (const YamlNode* children = map.Find("children"))
+    for (const auto& [child, childPlace] : ReadItems(map, "children", loader.diagnostics))
     {
-        for (const auto& [child, childPlace] :
-             ReadItems(*children, map.SubjectOf("children"), loader.diagnostics))
-        {
-            ReadObject(child, childPlace, settings, loader);
-        }
+        ReadObject(child, childPlace, settings, loader);
     }
     map.Finish();
 }
 
-bool IsMeshFile(const YamlNode& node)
-{
-    const std::string extension = std::filesystem::path(node.scalar()).extension().string();
-    return extension == ".gltf" || extension == ".glb";
-}
-
 } // namespace
-
-void CheckMesh(const YamlNode& node, const std::string& subject, SceneLoader& loader)
-{
-    if (!IsMeshFile(node))
-    {
-        ReadMesh(node, subject, loader);
-        return;
-    }
-    AssetContext& assets = loader.references.assets();
-    loader.references.Read(node, subject,
-                           [&assets](const std::filesystem::path& path)
-                           {
-                               assets.Reach(path);
-                               std::error_code ignored; // the reader says what is wrong
-                               const bool isThere = std::filesystem::is_regular_file(path, ignored);
-                               return isThere ? nullptr : assets.LoadMesh(path);
-                           });
-}
 
 std::shared_ptr<const Mesh> ReadMesh(const YamlNode& node, const std::string& subject,
                                      SceneLoader& loader)

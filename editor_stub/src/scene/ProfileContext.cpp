@@ -27,10 +27,10 @@ std::filesystem::path SceneProfileContext::FileOf(const AssetLocation& location)
     return found ? *found : std::filesystem::path();
 }
 
-template <typename Asset, typename Load>
-LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
-                                                 std::string_view extension, const char* noun,
-                                                 Load&& load) const
+template <typename Asset, typename Loaded>
+LoadedAsset<Asset> SceneProfileContext::LoadFile(
+    const AssetLocation& location, std::string_view extension, const char* noun,
+    std::shared_ptr<const Loaded> (AssetContext::*load)(const std::filesystem::path&)) const
 {
     const std::filesystem::path file = FileOf(location);
     if (file.empty())
@@ -61,25 +61,17 @@ LoadedAsset<Asset> SceneProfileContext::LoadFile(const AssetLocation& location,
         throw AssetError(file.generic_string(), {}, k_OutsideRoots);
     }
     m_HasLoaded = true;
-    return {load(file), {}};
+    return {(m_Assets.*load)(file), {}};
 }
 
 LoadedAsset<Texture> SceneProfileContext::LoadTexture(const AssetLocation& location) const
 {
-    const auto load = [this](const std::filesystem::path& file)
-    {
-        return m_Assets.LoadTexture(file);
-    };
-    return LoadFile<Texture>(location, ".png", "texture", load);
+    return LoadFile<Texture>(location, ".png", "texture", &AssetContext::LoadTexture);
 }
 
 LoadedAsset<Material> SceneProfileContext::LoadMaterial(const AssetLocation& location) const
 {
-    const auto load = [this](const std::filesystem::path& file)
-    {
-        return m_Assets.LoadMaterial(file);
-    };
-    return LoadFile<Material>(location, ".material.yaml", "material", load);
+    return LoadFile<Material>(location, ".material.yaml", "material", &AssetContext::LoadMaterial);
 }
 
 } // namespace limn

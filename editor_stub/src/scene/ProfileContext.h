@@ -35,9 +35,10 @@ public:
 
 private:
     std::filesystem::path FileOf(const AssetLocation& location) const;
-    template <typename Asset, typename Load>
-    LoadedAsset<Asset> LoadFile(const AssetLocation& location, std::string_view extension,
-                                const char* noun, Load&& load) const;
+    template <typename Asset, typename Loaded>
+    LoadedAsset<Asset> LoadFile(
+        const AssetLocation& location, std::string_view extension, const char* noun,
+        std::shared_ptr<const Loaded> (AssetContext::*load)(const std::filesystem::path&)) const;
 
     AssetContext& m_Assets;
     std::filesystem::path m_Profile;

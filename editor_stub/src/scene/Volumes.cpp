@@ -127,12 +127,9 @@ void ReadPlace(SceneMapReader& map, Volume& volume, const std::string& subject, 
     volume.position = transform.localPosition;
     volume.rotation = transform.localRotation;
     volume.scale = transform.localScale;
-    if (const YamlNode* colliders = map.Find("colliders"))
+    for (const auto& [item, place] : ReadItems(map, "colliders", diagnostics))
     {
-        for (const auto& [item, place] : ReadItems(*colliders, subject + ".colliders", diagnostics))
-        {
-            ReadCollider(item, place, volume, loader);
-        }
+        ReadCollider(item, place, volume, loader);
     }
     if (volume.isGlobal && !volume.colliders.empty())
     {
