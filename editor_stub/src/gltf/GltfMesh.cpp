@@ -247,7 +247,7 @@ void Append(std::vector<Vector>& to, std::size_t vertexCount, const std::vector<
     to.resize(vertexCount + addedCount, filler);
 }
 
-/// Walks a file's nodes and collects what they show. What cannot be used becomes an error.
+/// Walks a file's nodes and collects what they show. Parts that cannot be used become errors.
 class GltfCollector
 {
 public:
