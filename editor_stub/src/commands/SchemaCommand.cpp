@@ -8,10 +8,7 @@
 namespace limn
 {
 
-namespace
-{
-
-Json SchemaOf(const std::string& kind, std::span<const std::string> plugins)
+ExitCode RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console)
 {
     FeatureRegistry features;
     VolumeComponentRegistry components;
@@ -20,16 +17,9 @@ Json SchemaOf(const std::string& kind, std::span<const std::string> plugins)
     {
         LoadPlugin(plugin, features, components);
     }
-    return kind == "scene"      ? SceneSchema(features)
-           : kind == "material" ? MaterialFileSchema()
-                                : ProfileSchema(components);
-}
-
-} // namespace
-
-ExitCode RunSchema(const std::string& kind, std::span<const std::string> plugins, Console& console)
-{
-    console.Results(JsonText(SchemaOf(kind, plugins)));
+    console.Results(JsonText(kind == "scene"      ? SceneSchema(features)
+                             : kind == "material" ? RootSchema("limn material", MaterialSchema())
+                                                  : ProfileSchema(components)));
     return ExitCode::Done;
 }
 

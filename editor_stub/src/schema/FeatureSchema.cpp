@@ -13,14 +13,8 @@ namespace
 
 Json NameOf(std::span<const EnumEntry> entries, int value)
 {
-    for (const EnumEntry& entry : entries)
-    {
-        if (entry.value == value)
-        {
-            return std::string(entry.name);
-        }
-    }
-    return value;
+    const auto found = std::ranges::find(entries, value, &EnumEntry::value);
+    return found == entries.end() ? Json(value) : Json(found->name);
 }
 
 /// A schema, and the default that stands in it.
@@ -56,11 +50,8 @@ struct SchemaOfSetting
     {
         return {VectorSchema(4), Json{value->x, value->y, value->z, value->w}};
     }
-    SettingSchema operator()(const LayerMask* value) const
-    {
-        return {LayerMaskSchema(), value->bits};
-    }
-    SettingSchema operator()(const RenderingLayerMask* value) const
+    template <typename Tag>
+    SettingSchema operator()(const detail::BitMask32<Tag>* value) const
     {
         return {LayerMaskSchema(), value->bits};
     }
@@ -104,9 +95,8 @@ public:
     {
         const Group group = std::move(m_Groups.back());
         m_Groups.pop_back();
-        Json schema = group.schema;
-        schema["description"] = "Settings that belong together";
-        AddProperty(Map(), group.name, schema);
+        AddProperty(Map(), group.name,
+                    WithDescription(group.schema, "Settings that belong together"));
     }
     void Field(const FieldInfo& field, FieldValue value) override
     {
@@ -135,22 +125,14 @@ private:
     std::string m_Header;
 };
 
-Json WithDescription(Json schema, const char* text)
-{
-    schema["description"] = text;
-    return schema;
-}
-
 } // namespace
 
 Json FeatureSchema(const FeatureRegistry& features)
 {
-    Json types = Json::array();
     Json schema{{"type", "object"}, {"required", {"type"}}};
     for (const std::string_view type : features.names())
     {
         const std::string name(type);
-        types.push_back(name);
         Json map = MapSchema({{"type", {{"const", name}}},
                               {"name", WithDescription(TextSchema(), "A name, by which messages "
                                                                      "and `--set` call it")},
@@ -163,7 +145,7 @@ Json FeatureSchema(const FeatureRegistry& features)
         Json isThisType{{"properties", {{"type", {{"const", name}}}}}, {"required", {"type"}}};
         schema["allOf"].push_back({{"if", std::move(isThisType)}, {"then", std::move(map)}});
     }
-    schema["properties"]["type"] = {{"enum", std::move(types)},
+    schema["properties"]["type"] = {{"enum", features.names()},
                                     {"description", "The feature's class"}};
     return schema;
 }

@@ -1,7 +1,6 @@
+#include "console/Texts.h"
 #include "schema/Schemas.h"
 #include "settings/Keys.h"
-
-#include <algorithm>
 
 namespace limn
 {
@@ -17,25 +16,22 @@ Json TypeSchema(const VolumeParameter& parameter)
     std::string type(parameter.typeName());
     type = type.starts_with("NoInterp") ? type.substr(8) : type;
     const ValueRange range = parameter.range().value_or(ValueRange{});
-    const auto isOneOf = [&type](std::initializer_list<std::string_view> names)
-    {
-        return std::ranges::find(names, type) != names.end();
-    };
-    if (isOneOf({"Vector3", "Vector4"}))
+    if (IsIn(type, {"Vector3", "Vector4"}))
     {
         return VectorSchema(type == "Vector3" ? 3 : 4);
     }
-    return type == "Bool"                                               ? BoolSchema()
-           : isOneOf({"Int", "MinInt", "MaxInt", "ClampedInt"})         ? IntegerSchema(range)
-           : type == "UInt"                                             ? IntegerSchema(k_LayerBits)
-           : isOneOf({"Float", "MinFloat", "MaxFloat", "ClampedFloat"}) ? NumberSchema(range)
-           : type == "Color"                                            ? ColorSchema()
-           : isOneOf({"Vector2", "FloatRange"})                         ? VectorSchema(2)
-           : isOneOf({"LayerMask", "RenderingLayerMask"})               ? LayerMaskSchema()
+    return type == "Bool"                                          ? BoolSchema()
+           : IsIn(type, {"Int", "MinInt", "MaxInt", "ClampedInt"}) ? IntegerSchema(range)
+           : type == "UInt"                                        ? IntegerSchema(k_LayerBits)
+           : IsIn(type, {"Float", "MinFloat", "MaxFloat", "ClampedFloat"}) ? NumberSchema(range)
+           : type == "Color"                                               ? ColorSchema()
+           : IsIn(type, {"Vector2", "FloatRange"})                         ? VectorSchema(2)
+           : IsIn(type, {"LayerMask", "RenderingLayerMask"})               ? LayerMaskSchema()
            : type == "Enum"           ? EnumSchema(parameter.valueNames())
            : type == "AnimationCurve" ? AnimationCurveSchema()
            : type == "TextureCurve"   ? TextureCurveSchema()
-           : isOneOf({"Texture", "Texture2D", "Texture3D", "RenderTexture", "Cubemap", "Material"})
+           : IsIn(type,
+                  {"Texture", "Texture2D", "Texture3D", "RenderTexture", "Cubemap", "Material"})
                ? ReferenceSchema()
            // A type that a program declares itself: its loader knows more than a schema can say.
            : parameter.parameters().empty() ? Json::object()
@@ -72,9 +68,10 @@ Json ComponentSchema(const VolumeComponent& component)
 {
     Json schema = MapSchema(Json::object());
     schema["type"] = {"object", "null"};
-    schema["properties"]["active"] = BoolSchema();
-    schema["properties"]["active"]["default"] = true;
-    schema["properties"]["active"]["description"] = "Lets the component count; on unless it is set";
+    Json active = BoolSchema();
+    active["default"] = true;
+    schema["properties"]["active"] =
+        WithDescription(active, "Lets the component count; on unless it is set");
     for (const VolumeParameter* parameter : component.parameters())
     {
         AddProperty(schema, parameter->name(), ParameterSchema(*parameter));

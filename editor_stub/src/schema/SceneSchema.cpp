@@ -13,13 +13,6 @@ namespace limn
 namespace
 {
 
-Json LayerNamesSchema()
-{
-    return {{"type", "object"},
-            {"propertyNames", {{"pattern", "^([0-9]|[12][0-9]|3[01])$"}}},
-            {"additionalProperties", TextSchema()}};
-}
-
 Json ScaleSchema()
 {
     Json schema = VectorSchema(3);
@@ -27,35 +20,9 @@ Json ScaleSchema()
     return schema;
 }
 
-Json SizeSchema()
-{
-    return {{"type", "array"},
-            {"items", IntegerSchema(k_PictureSizes)},
-            {"minItems", 2},
-            {"maxItems", 2}};
-}
-
-Json MeshSchema()
-{
-    Json names = Json::array();
-    for (const std::string_view name : PrimitiveTypeNames())
-    {
-        names.push_back(std::string(name));
-    }
-    Json schema{{"anyOf", Json::array()}};
-    schema["anyOf"].push_back({{"enum", std::move(names)}});
-    schema["anyOf"].push_back({{"type", "string"}});
-    return schema;
-}
-
 Json ColliderTypeSchema()
 {
-    Json types = Json::array();
-    for (const ColliderShape& shape : scene_keys::k_ColliderShapes)
-    {
-        types.push_back(std::string(shape.type));
-    }
-    return {{"enum", std::move(types)}};
+    return {{"enum", JsonList(scene_keys::k_ColliderShapes, &ColliderShape::type)}};
 }
 
 /// Makes the schema of a map from its keys.
@@ -70,9 +37,7 @@ public:
         for (const SceneKey& key : keys)
         {
             const std::string name(key.name);
-            Json value = Value(key);
-            value["description"] = std::string(key.description);
-            schema["properties"][name] = std::move(value);
+            schema["properties"][name] = WithDescription(Value(key), key.description);
             if (key.isRequired)
             {
                 schema["required"].push_back(name);
@@ -84,7 +49,7 @@ public:
 private:
     Json Value(const SceneKey& key) const
     {
-        switch (key.value)
+        switch (key.type.value)
         {
         case SceneValue::Bool:
             return BoolSchema();
@@ -103,25 +68,22 @@ private:
         case SceneValue::Scale:
             return ScaleSchema();
         case SceneValue::Size:
-            return SizeSchema();
+            return {{"type", "array"},
+                    {"items", IntegerSchema(k_PictureSizes)},
+                    {"minItems", 2},
+                    {"maxItems", 2}};
         case SceneValue::Layer:
             return LayerIndexSchema();
         case SceneValue::Layers:
             return LayerMaskSchema();
         case SceneValue::LayerNames:
-            return LayerNamesSchema();
-        case SceneValue::ClearFlags:
-            return EnumSchema(k_ClearFlags);
-        case SceneValue::AntialiasingMode:
-            return EnumSchema(k_AntialiasingModes);
-        case SceneValue::TransparencySortMode:
-            return EnumSchema(k_TransparencySortModes);
-        case SceneValue::MsaaQuality:
-            return EnumSchema(k_MsaaQualities);
-        case SceneValue::HdrPrecision:
-            return EnumSchema(k_HdrBits);
+            return {{"type", "object"},
+                    {"propertyNames", {{"pattern", "^([0-9]|[12][0-9]|3[01])$"}}},
+                    {"additionalProperties", TextSchema()}};
+        case SceneValue::Enum:
+            return EnumSchema(key.type.entries);
         case SceneValue::Mesh:
-            return MeshSchema();
+            return AnyOf({{{"enum", PrimitiveTypeNames()}}, {{"type", "string"}}});
         case SceneValue::ColliderType:
             return ColliderTypeSchema();
         case SceneValue::Axis:
@@ -132,28 +94,12 @@ private:
             return ListSchema(Map(scene_keys::k_OverlayCamera));
         case SceneValue::Light:
             return Map(scene_keys::k_Light);
-        case SceneValue::LightType:
-            return EnumSchema(k_LightTypes);
         case SceneValue::Lights:
             return ListSchema(Map(scene_keys::k_AdditionalLight));
-        case SceneValue::LightShadows:
-            return EnumSchema(k_LightShadows);
-        case SceneValue::LightShadowQuality:
-            return EnumSchema(k_LightShadowQualities);
-        case SceneValue::ShadowResolutionTier:
-            return EnumSchema(k_ShadowResolutionTiers);
-        case SceneValue::ShadowCastingMode:
-            return EnumSchema(k_ShadowCastingModes);
         case SceneValue::Shadows:
             return Shadows();
         case SceneValue::RenderSettings:
             return Map(scene_keys::k_RenderSettings);
-        case SceneValue::AmbientMode:
-            return EnumSchema(k_AmbientModes);
-        case SceneValue::FogMode:
-            return EnumSchema(k_FogModes);
-        case SceneValue::DefaultReflectionMode:
-            return EnumSchema(k_DefaultReflectionModes);
         case SceneValue::Renderer:
             return Renderer();
         case SceneValue::Features:
@@ -200,8 +146,7 @@ private:
                           : std::is_same_v<Value, glm::vec2> ? VectorSchema(2, range)
                           : std::is_same_v<Value, glm::vec3> ? VectorSchema(3, range)
                                                              : EnumSchema(k_SoftShadowQualities);
-            schema["description"] = std::string(text);
-            AddProperty(map, name, schema);
+            AddProperty(map, name, WithDescription(schema, text));
         };
         VisitShadowSettings(settings, add);
         return map;
@@ -210,23 +155,19 @@ private:
     Json Renderer() const
     {
         Json schema = Map(scene_keys::k_Renderer);
-        schema["not"]["type"] = "object";
-        for (const SceneKey& key : scene_keys::k_Renderer)
-        {
-            schema["not"]["required"].push_back(std::string(key.name));
-        }
+        schema["not"] = {{"type", "object"},
+                         {"required", JsonList(scene_keys::k_Renderer, &SceneKey::name)}};
         schema["type"] = {"object", "string", "null"};
         return schema;
     }
 
     Json Collider() const
     {
-        Json type = ColliderTypeSchema();
-        type["description"] = std::string(scene_keys::k_Type.description);
-        Json schema{{"type", "object"}, {"properties", {{"type", std::move(type)}}}};
+        const Json type = WithDescription(ColliderTypeSchema(), scene_keys::k_Type.description);
+        Json schema{{"type", "object"}, {"properties", {{"type", type}}}};
         for (const ColliderShape& shape : scene_keys::k_ColliderShapes)
         {
-            Json isThis{{"properties", {{"type", {{"const", std::string(shape.type)}}}}}};
+            Json isThis{{"properties", {{"type", {{"const", shape.type}}}}}};
             if (&shape != scene_keys::k_ColliderShapes.begin())
             {
                 isThis["required"] = {"type"}; // a condition on a key that is not there holds
@@ -272,19 +213,13 @@ Json MaterialSchema()
                     SlicesSchema("slices", 1, "The slices of a 3D texture or an array")}},
                   {"description", "A property of the shader: a number, a colour, four numbers or "
                                   "a texture"}};
-    Json shader = TextSchema();
-    shader["description"] = "A shader's name or a .shader file";
-    Json renderQueue = IntegerSchema(k_RenderQueues);
-    renderQueue["description"] = "The place in the order of drawing; -1 takes the shader's own";
-    return {
-        {"type", {"object", "null"}},
-        {"properties", {{"shader", std::move(shader)}, {"renderQueue", std::move(renderQueue)}}},
-        {"additionalProperties", std::move(property)}};
-}
-
-Json MaterialFileSchema()
-{
-    return RootSchema("limn material", MaterialSchema());
+    return {{"type", {"object", "null"}},
+            {"properties",
+             {{"shader", WithDescription(TextSchema(), "A shader's name or a .shader file")},
+              {"renderQueue",
+               WithDescription(IntegerSchema(k_RenderQueues),
+                               "The place in the order of drawing; -1 takes the shader's own")}}},
+            {"additionalProperties", std::move(property)}};
 }
 
 } // namespace limn

@@ -22,9 +22,6 @@ Json FeatureSchema(const FeatureRegistry& features);
 /// Returns the schema of a material as scenes write it.
 Json MaterialSchema();
 
-/// Returns the schema of .material.yaml files: the same, on its own.
-Json MaterialFileSchema();
-
 /// Returns the schema of profiles in limn's own form, with every registered component and
 /// parameter.
 Json ProfileSchema(const VolumeComponentRegistry& registry);
@@ -58,6 +55,9 @@ Json RenderPassEventSchema();
 /// Returns the schema of a map that has these keys and no others.
 Json MapSchema(Json properties);
 Json ListSchema(Json items);
+Json WithDescription(Json schema, std::string_view text);
+/// Returns the schema of a value that has one of several forms.
+Json AnyOf(std::initializer_list<Json> schemas);
 
 /// Adds a key in Unity's and in the plain spelling. A file may use one of the two.
 void AddProperty(Json& map, std::string_view name, const Json& value);

@@ -1,10 +1,10 @@
 
+#include "console/Texts.h"
 #include "schema/Schemas.h"
 #include "settings/Keys.h"
 
 #include <cmath>
 #include <limn/volume/YamlMapReader.h>
-#include <limn/volume/YamlRead.h>
 
 namespace limn
 {
@@ -24,16 +24,6 @@ Json NumberOfType(const char* type, ValueRange range)
         schema["maximum"] = Json::parse(NumberText(range.max));
     }
     return schema;
-}
-
-Json AnyOf(std::initializer_list<Json> schemas)
-{
-    Json list = Json::array();
-    for (const Json& schema : schemas)
-    {
-        list.push_back(schema);
-    }
-    return {{"anyOf", std::move(list)}};
 }
 
 /// So many numbers in a list.
@@ -83,10 +73,15 @@ Json KeysSchema()
     return ListSchema(std::move(key));
 }
 
+/// One of the names, or a member's number.
+Json MemberSchema(Json names)
+{
+    return AnyOf({{{"enum", std::move(names)}}, {{"type", "integer"}}});
+}
+
 Json WrapModeSchema()
 {
-    return EnumSchema(
-        std::vector<std::string>{"Loop", "PingPong", "ClampForever", "Once", "Clamp", "Default"});
+    return MemberSchema({"Loop", "PingPong", "ClampForever", "Once", "Clamp", "Default"});
 }
 
 } // namespace
@@ -154,23 +149,14 @@ Json ReferenceSchema()
 
 Json EnumSchema(std::span<const std::string> names)
 {
-    Json list = Json::array();
-    for (const std::string& name : names)
-    {
-        list.push_back(name);
-    }
-    return AnyOf({{{"enum", std::move(list)}}, {{"type", "integer"}}});
+    return MemberSchema(JsonList(names, std::identity()));
 }
 
 Json EnumSchema(std::span<const EnumEntry> entries)
 {
-    std::vector<std::string> names;
-    for (const EnumEntry& entry : entries)
-    {
-        names.emplace_back(entry.name);
-    }
-    Json schema = EnumSchema(names);
-    if (std::ranges::find(names, "Everything") != names.end())
+    const Json names = JsonList(entries, &EnumEntry::name);
+    Json schema = MemberSchema(names);
+    if (std::ranges::find(entries, "Everything", &EnumEntry::name) != entries.end())
     {
         schema["anyOf"].push_back(ListSchema({{"enum", names}}));
     }
@@ -179,15 +165,9 @@ Json EnumSchema(std::span<const EnumEntry> entries)
 
 Json RenderPassEventSchema()
 {
-    std::vector<std::string> names;
-    std::string pattern;
-    for (const EnumEntry& entry : RenderPassEventEntries())
-    {
-        names.emplace_back(entry.name);
-        pattern += (pattern.empty() ? "^(" : "|") + std::string(entry.name);
-    }
-    Json schema = EnumSchema(names);
-    schema["anyOf"].push_back({{"type", "string"}, {"pattern", pattern + ") *[+-] *[0-9]+$"}});
+    const std::string names = Joined(RenderPassEventEntries(), "|", &EnumEntry::name);
+    Json schema = EnumSchema(RenderPassEventEntries());
+    schema["anyOf"].push_back({{"type", "string"}, {"pattern", "^(" + names + ") *[+-] *[0-9]+$"}});
     return schema;
 }
 
@@ -200,6 +180,17 @@ Json MapSchema(Json properties)
 Json ListSchema(Json items)
 {
     return {{"type", "array"}, {"items", std::move(items)}};
+}
+
+Json WithDescription(Json schema, std::string_view text)
+{
+    schema["description"] = text;
+    return schema;
+}
+
+Json AnyOf(std::initializer_list<Json> schemas)
+{
+    return {{"anyOf", Json::array_t(schemas)}};
 }
 
 void AddProperty(Json& map, std::string_view name, const Json& value)

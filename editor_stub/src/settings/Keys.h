@@ -13,6 +13,9 @@ inline constexpr ValueRange k_PictureSizes{1.0, 16384.0}; ///< pixels, of a side
 inline constexpr ValueRange k_RenderQueues{-1.0, 5000.0}; ///< -1: the shader's own
 inline constexpr ValueRange k_LayerIndices{0.0, 31.0};
 inline constexpr ValueRange k_LayerBits{0.0, 4294967295.0};
+inline constexpr ValueRange k_Shares{0.0, 1.0};
+inline constexpr ValueRange k_ShadowBiases{0.0, 10.0};    ///< texels
+inline constexpr ValueRange k_ShadowTexels{16.0, 8192.0}; ///< along a side
 inline constexpr EnumEntry k_ClearFlags[] = {
     {"Skybox", 1}, {"SolidColor", 2}, {"Depth", 3}, {"Nothing", 4}};
 
@@ -72,11 +75,7 @@ enum class SceneValue
     Layer,
     Layers, ///< a set of layers
     LayerNames,
-    ClearFlags,
-    AntialiasingMode,
-    TransparencySortMode,
-    MsaaQuality,
-    HdrPrecision,
+    Enum,
     Mesh,
     ColliderType,
     Axis,
@@ -84,17 +83,9 @@ enum class SceneValue
     Camera,
     CameraStack,
     Light,
-    LightType,
     Lights,
-    LightShadows,
-    LightShadowQuality,
-    ShadowResolutionTier,
-    ShadowCastingMode,
     Shadows,
     RenderSettings,
-    AmbientMode,
-    FogMode,
-    DefaultReflectionMode,
     Renderer,
     Features,
     Volumes,
@@ -102,10 +93,24 @@ enum class SceneValue
     Objects
 };
 
+/// The kind of value behind a key, with the members of an enum.
+struct SceneType
+{
+    constexpr SceneType(SceneValue kind) : value(kind) {}
+    template <std::size_t Count>
+    constexpr SceneType(const EnumEntry (&members)[Count])
+        : value(SceneValue::Enum), entries(members)
+    {
+    }
+
+    SceneValue value;
+    std::span<const EnumEntry> entries;
+};
+
 struct SceneKey
 {
     std::string_view name;
-    SceneValue value;
+    SceneType type;
     /// The text for readers and editors. A test requires one for each key.
     std::string_view description = "";
     ValueRange range = {}; ///< the range of a number, or of each number of a vector
@@ -150,11 +155,11 @@ inline constexpr SceneKey k_Scale{"scale", Scale,
 
 inline constexpr SceneKey k_Scene[] = {
     {"size", Size, "Width and height of the picture in pixels; 1280 and 720 unless it is set"},
-    {"msaaSampleCount", MsaaQuality,
+    {"msaaSampleCount", k_MsaaQualities,
      "The number of samples a pixel: 1, 2, 4 or 8, or these names; 1 unless it is set"},
     {"supportsHDR", Bool,
      "Lets cameras with allowHDR draw into an HDR colour; on unless it is set"},
-    {"hdrColorBufferPrecision", HdrPrecision,
+    {"hdrColorBufferPrecision", k_HdrBits,
      "The bits of a pixel of an HDR colour: 32 hold no alpha and fewer steps; 64 unless it is "
      "set"},
     {"renderScale", Number,
@@ -194,19 +199,19 @@ inline constexpr SceneKey k_Scene[] = {
 inline constexpr ValueRange k_Intensities{0.0, 8.0};
 
 inline constexpr SceneKey k_RenderSettings[] = {
-    {"ambientMode", AmbientMode,
+    {"ambientMode", k_AmbientModes,
      "Flat: one colour from all sides; Trilight: three colours by height; Skybox: the sky's light"},
     {"ambientEquatorColor", Color, "The colour of Trilight from the sides"},
     {"ambientGroundColor", Color, "The colour of Trilight from below"},
     {"ambientIntensity", Number, "A factor for the light of the sky", k_Intensities},
     {"fog", Bool, "Draws fog; off unless it is set"},
-    {"fogMode", FogMode, "The curve by which fog thickens; ExponentialSquared unless it is set"},
+    {"fogMode", k_FogModes, "The curve by which fog thickens; ExponentialSquared unless it is set"},
     {"fogColor", Color, "The colour of the fog"},
     {"fogDensity", Number, "The density of the exponential modes, in 1/metre", {0.0, 1e6}},
     {"fogStartDistance", Number, "The distance in metres at which Linear fog begins", k_Places},
     {"fogEndDistance", Number, "The distance in metres from which on Linear fog hides everything",
      k_Places},
-    {"defaultReflectionMode", DefaultReflectionMode,
+    {"defaultReflectionMode", k_DefaultReflectionModes,
      "Skybox: surfaces mirror the sky; they mirror nothing unless it is set"},
     {"defaultReflectionResolution",
      Integer,
@@ -244,7 +249,7 @@ inline constexpr SceneKey k_VolumeLayerMask{
 inline constexpr SceneKey k_VolumeTrigger{
     "volumeTrigger", Vector,
     "The point from which volumes are measured; the camera's position unless it is set"};
-inline constexpr SceneKey k_TransparencySortMode{"transparencySortMode", TransparencySortMode,
+inline constexpr SceneKey k_TransparencySortMode{"transparencySortMode", k_TransparencySortModes,
                                                  "The distance by which transparent objects are "
                                                  "sorted; Default follows the camera's projection"};
 inline constexpr SceneKey k_TransparencySortAxis{
@@ -260,12 +265,12 @@ inline constexpr SceneKey k_Camera[] = {
     k_FieldOfView,
     k_NearClipPlane,
     k_FarClipPlane,
-    {"clearFlags", ClearFlags,
+    {"clearFlags", k_ClearFlags,
      "The background behind all objects: the sky, the backgroundColor, or the picture so far; "
      "SolidColor unless it is set"},
     {"backgroundColor", Color, "The colour behind all objects"},
     {"renderPostProcessing", Bool, "Lets features add effects to the picture; on unless it is set"},
-    {"antialiasing", AntialiasingMode,
+    {"antialiasing", k_AntialiasingModes,
      "Smooths edges behind all effects; needs renderPostProcessing and a "
      "PostProcessRendererFeature"},
     {"allowHDR", Bool, "Draws into an HDR colour if the scene supportsHDR; on unless it is set"},
@@ -300,22 +305,20 @@ inline constexpr SceneKey k_LightColor{"color", Color, "The colour of the light"
 inline constexpr SceneKey k_LightIntensity{
     "intensity", Number, "A factor for the colour; 1 unless it is set", {0.0, 1e6}};
 inline constexpr SceneKey k_ShadowKind{
-    "shadows", LightShadows, "The kind of shadows that the light throws; None unless it is set"};
+    "shadows", k_LightShadows, "The kind of shadows that the light throws; None unless it is set"};
 inline constexpr SceneKey k_ShadowStrength{
-    "shadowStrength", Number, "The share of the light that its shadows take", {0.0, 1.0}};
+    "shadowStrength", Number, "The share of the light that its shadows take", k_Shares};
 inline constexpr SceneKey k_SoftShadowQuality{
-    "softShadowQuality", LightShadowQuality,
+    "softShadowQuality", k_LightShadowQualities,
     "The width of the rims of the light's soft shadows; UsePipelineSettings takes the scene's"};
 inline constexpr SceneKey k_UsePipelineSettings{
     "usePipelineSettings", Bool,
     "Takes the biases of the scene's shadows in place of those that follow; on unless it is set"};
 inline constexpr SceneKey k_ShadowBias{
-    "shadowBias", Number, "The bias along the light, in texels of the shadow map", {0.0, 10.0}};
+    "shadowBias", Number, "The bias along the light, in texels of the shadow map", k_ShadowBiases};
 inline constexpr SceneKey k_ShadowNormalBias{
-    "shadowNormalBias",
-    Number,
-    "The bias along the normal, in texels of the shadow map",
-    {0.0, 10.0}};
+    "shadowNormalBias", Number, "The bias along the normal, in texels of the shadow map",
+    k_ShadowBiases};
 
 inline constexpr SceneKey k_Light[] = {
     k_Rotation,        k_LightColor,        k_LightIntensity,      k_ShadowKind,
@@ -323,7 +326,7 @@ inline constexpr SceneKey k_Light[] = {
     k_ShadowNormalBias};
 
 inline constexpr SceneKey k_AdditionalLight[] = {
-    {"type", LightType, "The kind of light; Point unless it is set"},
+    {"type", k_LightTypes, "The kind of light; Point unless it is set"},
     k_Position,
     k_Rotation,
     k_LightColor,
@@ -341,12 +344,10 @@ inline constexpr SceneKey k_AdditionalLight[] = {
      Number,
      "The distance in metres from which on things throw shadows",
      {0.01, 10.0}},
-    {"additionalLightsShadowResolutionTier", ShadowResolutionTier,
+    {"additionalLightsShadowResolutionTier", k_ShadowResolutionTiers,
      "The tier of the scene's shadow resolutions that the light has; High unless it is set"},
-    {"shadowResolution",
-     Integer,
-     "The texels along a side of the shadow map of tier Custom",
-     {16.0, 8192.0}},
+    {"shadowResolution", Integer, "The texels along a side of the shadow map of tier Custom",
+     k_ShadowTexels},
     k_UsePipelineSettings,
     k_ShadowBias,
     k_ShadowNormalBias};
@@ -366,7 +367,7 @@ inline constexpr SceneKey k_Volume[] = {
     {"priority", Number,
      "The order of volumes: the one with the higher priority wins; 0 unless it "
      "is set"},
-    {"weight", Number, "A factor for the volume's effect; 1 unless it is set", {0.0, 1.0}},
+    {"weight", Number, "A factor for the volume's effect; 1 unless it is set", k_Shares},
     {"blendDistance", Number,
      "The distance in metres outside the colliders within which the effect fades; 0 unless it is "
      "set",
@@ -410,7 +411,7 @@ inline constexpr SceneKey k_Object[] = {
      "The rendering layers; children take them over; Default unless it is set"},
     {"material", Text, "The name of the material; children take it over"},
     {"materials", Texts, "A material's name for each sub-mesh, in place of `material`"},
-    {"shadowCastingMode", ShadowCastingMode,
+    {"shadowCastingMode", k_ShadowCastingModes,
      "The choice of throwing shadows and of being seen; On unless it is set"},
     {"bakeOutlineNormals", Bool,
      "Bakes smooth normals into the mesh, which hardened hulls such as TranslucentOutlineHull "

@@ -16,9 +16,6 @@ inline constexpr EnumEntry k_SoftShadowQualities[] = {{"Low", 1}, {"Medium", 2},
 template <typename Visitor>
 void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
 {
-    constexpr ValueRange k_Share{0.0, 1.0};
-    constexpr ValueRange k_Bias{0.0, 10.0};
-    constexpr ValueRange k_Tier{16.0, 8192.0};
     visit("m_MainLightShadowsSupported", s.mainLightShadowsSupported, ValueRange{},
           "Lets the main light throw shadows");
     visit("m_MainLightShadowmapResolution", s.mainLightShadowmapResolution,
@@ -29,26 +26,29 @@ void VisitShadowSettings(ShadowSettings& s, Visitor&& visit)
           ValueRange{64.0, 8192.0},
           "The texels along a side of the shadow map that spots and points share");
     visit("m_AdditionalLightsShadowResolutionTierLow", s.additionalLightsShadowResolutionTierLow,
-          k_Tier, "The texels along a side of the square of a light of tier Low on that map");
+          k_ShadowTexels,
+          "The texels along a side of the square of a light of tier Low on that map");
     visit("m_AdditionalLightsShadowResolutionTierMedium",
-          s.additionalLightsShadowResolutionTierMedium, k_Tier,
+          s.additionalLightsShadowResolutionTierMedium, k_ShadowTexels,
           "The texels along a side of the square of a light of tier Medium");
     visit("m_AdditionalLightsShadowResolutionTierHigh", s.additionalLightsShadowResolutionTierHigh,
-          k_Tier, "The texels along a side of the square of a light of tier High");
+          k_ShadowTexels, "The texels along a side of the square of a light of tier High");
     visit("m_ShadowDistance", s.shadowDistance, ValueRange{0.0, 1e9},
           "The distance in metres from the camera at which shadows end");
     visit("m_ShadowCascadeCount", s.shadowCascadeCount, ValueRange{1.0, 4.0},
           "The number of cascades: parts of the distance, each with a shadow map of its own");
-    visit("m_Cascade2Split", s.cascade2Split, k_Share,
+    visit("m_Cascade2Split", s.cascade2Split, k_Shares,
           "The end of the first of two cascades, as a share of the distance");
-    visit("m_Cascade3Split", s.cascade3Split, k_Share,
+    visit("m_Cascade3Split", s.cascade3Split, k_Shares,
           "The ends of the first two of three cascades");
-    visit("m_Cascade4Split", s.cascade4Split, k_Share,
+    visit("m_Cascade4Split", s.cascade4Split, k_Shares,
           "The ends of the first three of four cascades");
-    visit("m_CascadeBorder", s.cascadeBorder, k_Share,
+    visit("m_CascadeBorder", s.cascadeBorder, k_Shares,
           "The share of the distance over which shadows fade");
-    visit("m_ShadowDepthBias", s.shadowDepthBias, k_Bias, "The bias along the light, in texels");
-    visit("m_ShadowNormalBias", s.shadowNormalBias, k_Bias, "The bias along the normal, in texels");
+    visit("m_ShadowDepthBias", s.shadowDepthBias, k_ShadowBiases,
+          "The bias along the light, in texels");
+    visit("m_ShadowNormalBias", s.shadowNormalBias, k_ShadowBiases,
+          "The bias along the normal, in texels");
     visit("m_SoftShadowsSupported", s.softShadowsSupported, ValueRange{},
           "Lets shadows of lights with soft shadows be soft");
     visit("m_SoftShadowQuality", s.softShadowQuality, ValueRange{},
