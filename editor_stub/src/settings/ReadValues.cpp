@@ -12,14 +12,6 @@ namespace limn
 namespace
 {
 
-bool LooksLikeNumber(const YamlNode& node)
-{
-    const std::string& text = node.scalar();
-    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-    return !node.isQuoted() && text.size() > sign &&
-           text.find_first_not_of("0123456789", sign) == std::string::npos;
-}
-
 /// The number that a key of `layers` is; nothing unless it is 0...31.
 std::optional<int> LayerNumber(std::string_view text)
 {
@@ -76,8 +68,7 @@ std::optional<int> ParseInt(std::string_view text)
 
 const EnumEntry* FindEntry(std::span<const EnumEntry> entries, std::string_view name)
 {
-    const auto found = std::ranges::find_if(entries, [name](const EnumEntry& entry)
-                                            { return entry.name == name; });
+    const auto found = std::ranges::find(entries, name, &EnumEntry::name);
     return found == entries.end() ? nullptr : &*found;
 }
 
@@ -177,26 +168,17 @@ std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_vie
 
 std::optional<int> LayerNames::Find(std::string_view name) const
 {
-    for (std::size_t i = 0; i < m_Names.size(); ++i)
-    {
-        if (!name.empty() && m_Names[i] == name)
-        {
-            return static_cast<int>(i);
-        }
-    }
-    return std::nullopt;
+    const auto found = std::ranges::find(m_Names, name);
+    return name.empty() || found == m_Names.end()
+               ? std::nullopt
+               : std::optional(static_cast<int>(found - m_Names.begin()));
 }
 
 std::vector<std::string_view> LayerNames::names() const
 {
     std::vector<std::string_view> names;
-    for (const std::string& name : m_Names)
-    {
-        if (!name.empty())
-        {
-            names.push_back(name);
-        }
-    }
+    std::ranges::copy_if(m_Names, std::back_inserter(names),
+                         [](const std::string& name) { return !name.empty(); });
     return names;
 }
 
@@ -233,9 +215,7 @@ std::optional<int> ReadEnum(const YamlNode& node, std::span<const EnumEntry> ent
     {
         return *number & everything->value;
     }
-    const bool isMember = std::ranges::any_of(entries, [&number](const EnumEntry& entry)
-                                              { return entry.value == *number; });
-    if (!isMember)
+    if (std::ranges::find(entries, *number, &EnumEntry::value) == entries.end())
     {
         diagnostics.Error(node.location(), std::string(subject) + ": " + *text + " is none of " +
                                                Joined(entries, ", ", WithNumber));

@@ -34,20 +34,15 @@ std::string Text(detail::BitMask32<Tag> mask, const LayerNames& layers)
 std::string Text(RenderPassEvent event)
 {
     const int number = static_cast<int>(event);
-    const EnumEntry* nearest = nullptr;
-    for (const EnumEntry& entry : RenderPassEventEntries())
-    {
-        if (entry.value <= number && (!nearest || entry.value > nearest->value))
-        {
-            nearest = &entry;
-        }
-    }
-    if (!nearest)
+    const std::span<const EnumEntry> entries = RenderPassEventEntries(); // by ascending value
+    const auto later = std::ranges::upper_bound(entries, number, {}, &EnumEntry::value);
+    if (later == entries.begin())
     {
         return std::to_string(number);
     }
-    const int distance = number - nearest->value;
-    return std::string(nearest->name) + (distance > 0 ? " + " + std::to_string(distance) : "");
+    const EnumEntry& nearest = *(later - 1);
+    const int distance = number - nearest.value;
+    return std::string(nearest.name) + (distance > 0 ? " + " + std::to_string(distance) : "");
 }
 
 /// A setting's value as text for people.

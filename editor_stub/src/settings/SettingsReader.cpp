@@ -1,11 +1,9 @@
 #include "settings/SettingsReader.h"
 
 #include "plugins/LoadPlugin.h"
-#include "settings/ReadValues.h"
 
 #include <algorithm>
 #include <limn/volume/UnityAsset.h>
-#include <limn/volume/YamlMapReader.h>
 
 namespace limn
 {
@@ -174,10 +172,7 @@ public:
     {
         m_Groups.back().members.push_back({std::string(field.name)});
     }
-    void BeginGroup(std::string_view name) override
-    {
-        m_Groups.push_back({std::string(name), true});
-    }
+    void BeginGroup(std::string_view name) override { m_Groups.push_back({std::string(name)}); }
     void EndGroup() override
     {
         SettingName group = std::move(m_Groups.back());
@@ -188,9 +183,11 @@ public:
     SettingName Root() && { return std::move(m_Groups.front()); }
 
 private:
-    std::vector<SettingName> m_Groups{{"", true}}; ///< that are open, the outermost first
+    std::vector<SettingName> m_Groups{SettingName()}; ///< that are open, the outermost first
 };
 
+/// Adds the paths of everything below `owner` that is no member of `group` itself:
+/// "settings.width".
 void AddPaths(const SettingName& owner, const SettingName& group, const std::string& prefix,
               std::vector<std::string>& paths)
 {
@@ -316,7 +313,8 @@ void SettingsLevel::NoteUnknown(const YamlMapReader& map)
 
 void SettingsLevel::Finish(const SettingName& root)
 {
-    const std::vector<std::string> elsewhere = PathsOutside(root, m_Group);
+    std::vector<std::string> elsewhere;
+    AddPaths(root, m_Group, "", elsewhere);
     for (YamlMapReader* map : m_Maps)
     {
         if (m_UnityType.empty())
@@ -343,13 +341,6 @@ const SettingName* FindMember(const SettingName& group, std::string_view key)
         std::ranges::find_if(group.members, [key](const SettingName& member)
                              { return member.name == key || PlainSpelling(member.name) == key; });
     return found == group.members.end() ? nullptr : &*found;
-}
-
-std::vector<std::string> PathsOutside(const SettingName& root, const SettingName& group)
-{
-    std::vector<std::string> paths;
-    AddPaths(root, group, "", paths);
-    return paths;
 }
 
 } // namespace limn

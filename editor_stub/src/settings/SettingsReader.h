@@ -57,7 +57,6 @@ void TryCreate(ScriptableRendererFeature& feature, const std::shared_ptr<ShaderS
 struct SettingName
 {
     std::string name;
-    bool isGroup = false;
     std::vector<SettingName> members = {}; ///< the members of a group, in the order of Describe
 };
 
@@ -67,10 +66,6 @@ SettingName DescribedSettings(ScriptableRendererFeature& feature);
 /// Returns the member of a group that a key of a file stands for, in Unity's or the plain spelling,
 /// or null if the group has none.
 const SettingName* FindMember(const SettingName& group, std::string_view key);
-
-/// Returns the paths of everything below `root` that is no member of `group` itself:
-/// "settings.width".
-std::vector<std::string> PathsOutside(const SettingName& root, const SettingName& group);
 
 /// The maps of a file that hold the settings of one group: the group's own, and the settings
 /// classes within it that Describe left out.

@@ -9,14 +9,6 @@ namespace limn::detail
 namespace
 {
 
-bool LooksLikeNumber(const YamlNode& node)
-{
-    const std::string& text = node.scalar();
-    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
-    return !node.isQuoted() && text.size() > sign &&
-           text.find_first_not_of("0123456789", sign) == std::string::npos;
-}
-
 /// The index of a layer by its name or number; nothing, with an error, if there is none.
 std::optional<int> ReadLayer(const ValueSource& item, bool hasNames)
 {

@@ -97,6 +97,14 @@ std::optional<bool> ReadBool(const YamlNode& node, std::string_view subject,
     return std::nullopt;
 }
 
+bool LooksLikeNumber(const YamlNode& node)
+{
+    const std::string& text = node.scalar();
+    const std::size_t sign = !text.empty() && (text[0] == '-' || text[0] == '+') ? 1 : 0;
+    return !node.isQuoted() && text.size() > sign &&
+           text.find_first_not_of("0123456789", sign) == std::string::npos;
+}
+
 std::optional<std::int64_t> ReadInteger(const YamlNode& node, std::string_view subject,
                                         AssetDiagnostics& diagnostics, ValueRange range)
 {

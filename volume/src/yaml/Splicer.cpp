@@ -58,20 +58,6 @@ std::optional<std::string> HexColor(const std::string& old, const YamlNode& fres
     return hex;
 }
 
-/// Returns the text from the place of a node on.
-std::string_view TextFrom(std::string_view text, const YamlNode& node)
-{
-    const SourceLocation location = node.location();
-    std::size_t offset = 0;
-    for (int line = 1; line < location.line; ++line)
-    {
-        offset = text.find('\n', offset) + 1;
-    }
-    const bool isBehindMark = location.line == 1 && text.substr(0, 3) == "\xEF\xBB\xBF";
-    offset += static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
-    return text.substr(std::min(offset, text.size()));
-}
-
 /// Returns the offset of a part of a text.
 std::size_t OffsetIn(std::string_view text, std::string_view part)
 {
@@ -143,6 +129,19 @@ std::size_t CountDifferences(const YamlNode& one, const YamlNode& other)
 }
 
 } // namespace
+
+std::string_view TextFrom(std::string_view text, const YamlNode& node)
+{
+    const SourceLocation location = node.location();
+    std::size_t offset = 0;
+    for (int line = 1; line < location.line; ++line)
+    {
+        offset = text.find('\n', offset) + 1;
+    }
+    const bool isBehindMark = location.line == 1 && text.substr(0, 3) == "\xEF\xBB\xBF";
+    offset += static_cast<std::size_t>(location.column - 1) + (isBehindMark ? 3 : 0);
+    return text.substr(std::min(offset, text.size()));
+}
 
 YamlSplicer::YamlSplicer(std::string_view text, std::string subject, AssetDiagnostics& diagnostics)
     : m_Text(text), m_Subject(std::move(subject)), m_Diagnostics(diagnostics)

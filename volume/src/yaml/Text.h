@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstddef>
-#include <limn/base/Diagnostic.h>
+#include <limn/volume/YamlNode.h>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,10 +15,6 @@ std::optional<std::size_t> FindNonText(std::string_view text);
 
 /// Returns the place of a byte. Lines end with \n and are counted from `firstLine`.
 SourceLocation LocationOf(std::string_view text, std::size_t offset, int firstLine = 1);
-
-/// Returns the offset behind the quotes with which the text begins, npos if they are not closed, 0
-/// if there are none.
-std::size_t EndOfQuotes(std::string_view text);
 
 /// Returns whether the quoted scalar that begins at `offset`, perhaps with a tag or an anchor, ends
 /// in this text. Returns true if there are no quotes.

@@ -100,6 +100,10 @@ struct YamlLimits
 std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
                                 const YamlLimits& limits = {}, int firstLine = 1);
 
+/// Returns the offset behind the quotes with which a YAML text begins, npos if they are not closed,
+/// 0 if there are none.
+std::size_t EndOfQuotes(std::string_view text);
+
 /// Returns the bytes of a YAML file.
 /// @throws AssetError if the file is missing, unreadable, no regular file, or larger than 64 MiB
 std::string ReadYamlText(const std::filesystem::path& path);

@@ -20,6 +20,9 @@ namespace limn
 std::optional<bool> ReadBool(const YamlNode& node, std::string_view subject,
                              AssetDiagnostics& diagnostics);
 
+/// Returns true for decimal digits, maybe with a sign, that are not in quotes.
+bool LooksLikeNumber(const YamlNode& node);
+
 /// Reads a whole number in decimal digits.
 std::optional<std::int64_t> ReadInteger(const YamlNode& node, std::string_view subject,
                                         AssetDiagnostics& diagnostics, ValueRange range = {});

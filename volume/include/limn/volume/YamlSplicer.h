@@ -77,4 +77,7 @@ private:
     std::vector<Splice> m_Splices;
 };
 
+/// Returns the text from the place of one of its nodes on.
+std::string_view TextFrom(std::string_view text, const YamlNode& node);
+
 } // namespace limn
