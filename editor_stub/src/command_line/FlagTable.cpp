@@ -1,5 +1,6 @@
 #include "command_line/FlagTable.h"
 
+#include "console/FitLines.h"
 #include "console/Texts.h"
 
 #include <algorithm>

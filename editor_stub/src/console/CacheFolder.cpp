@@ -1,30 +1,14 @@
 #include "console/CacheFolder.h"
 
+#include <algorithm>
+#include <array>
 #include <charconv>
 #include <cstdlib>
 #include <limn/base/Diagnostic.h>
-#include <optional>
 #include <string_view>
 
 namespace limn
 {
-
-namespace
-{
-
-/// Returns the shift that the unit "", "K", "M" or "G" stands for, or nothing for other text.
-std::optional<int> UnitShift(std::string_view unit)
-{
-    static constexpr std::string_view k_Units = "KMG";
-    const std::size_t place = unit.size() == 1 ? k_Units.find(unit[0]) : k_Units.npos;
-    if (place != k_Units.npos)
-    {
-        return 10 * (static_cast<int>(place) + 1);
-    }
-    return unit.empty() ? std::optional(0) : std::nullopt;
-}
-
-} // namespace
 
 std::filesystem::path DefaultCacheFolder()
 {
@@ -42,6 +26,7 @@ std::filesystem::path DefaultCacheFolder()
 std::uintmax_t CacheLimit(std::uintmax_t otherwise)
 {
     static constexpr const char* k_Variable = "LIMN_CACHE_LIMIT";
+    static constexpr std::array<std::string_view, 4> k_Units{"", "K", "M", "G"};
     const char* variable = std::getenv(k_Variable);
     if (!variable)
     {
@@ -50,16 +35,17 @@ std::uintmax_t CacheLimit(std::uintmax_t otherwise)
     const std::string_view text = variable;
     std::uintmax_t number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const std::optional<int> shift =
-        UnitShift(text.substr(static_cast<std::size_t>(end - text.data())));
-    if (error != std::errc() || !shift || number > (UINTMAX_MAX >> *shift))
+    const std::string_view unit = text.substr(static_cast<std::size_t>(end - text.data()));
+    const auto found = std::ranges::find(k_Units, unit);
+    const auto shift = 10 * (found - k_Units.begin());
+    if (error != std::errc() || found == k_Units.end() || number > (UINTMAX_MAX >> shift))
     {
         throw AssetError(k_Variable, {},
                          "'" + std::string(text) +
                              "' is no size of a cache; write a number of bytes, with K, M or G "
                              "behind it if need be, such as 512M, or 0 for no limit");
     }
-    return number << *shift;
+    return number << shift;
 }
 
 std::string MakeFolder(const std::filesystem::path& folder)

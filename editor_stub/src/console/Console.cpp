@@ -49,16 +49,6 @@ void Console::Configure(const ConsoleOptions& options)
     m_ShowsProgress = isTerminal(m_Err) && !isDumbTerminal() && !options.isQuiet;
 }
 
-bool Console::isOutTerminal() const
-{
-    return isTerminal(m_Out);
-}
-
-std::size_t Console::outWidth() const
-{
-    return TerminalWidth(m_Out);
-}
-
 void Console::CollectResults()
 {
     m_IsCollecting = isOutTerminal();
@@ -109,11 +99,6 @@ void Console::Data(std::string_view lines)
     out() << SeveralLines(lines);
 }
 
-void Console::Print(const Diagnostic& diagnostic)
-{
-    Print(diagnostic, "");
-}
-
 void Console::Print(const Diagnostic& diagnostic, const std::string& source)
 {
     if (!isShown(diagnostic.severity))
@@ -121,12 +106,11 @@ void Console::Print(const Diagnostic& diagnostic, const std::string& source)
         return;
     }
     std::string text = ToString(diagnostic);
-    const std::string word = std::string(": ") + SeverityName(diagnostic.severity) + ": ";
-    const std::size_t at = text.find(word);
+    const std::string word(SeverityName(diagnostic.severity));
+    const std::size_t at = text.find(": " + word + ": ");
     if (at != std::string::npos)
     {
-        text.replace(at + 2, word.size() - 4,
-                     Colored(diagnostic.severity, SeverityName(diagnostic.severity)));
+        text.replace(at + 2, word.size(), Colored(diagnostic.severity, word));
     }
     Write(Fitted(text) + source); // a caret stands below its character only in a whole line
 }
@@ -152,11 +136,6 @@ void Console::PrintWithSource(const std::vector<Diagnostic>& diagnostics)
         Print(diagnostic,
               ToStringWithSource(diagnostic, entry->second).substr(ToString(diagnostic).size()));
     }
-}
-
-bool Console::isOnTerminal() const
-{
-    return isTerminal(m_Err);
 }
 
 void Console::Note(std::string_view sentence)

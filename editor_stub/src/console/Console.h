@@ -45,14 +45,18 @@ public:
     void Data(std::string_view lines); ///< lines for programs, such as JSON, which stay whole
     /// Returns the stream for text without words of files, and for bytes.
     std::ostream& out() { return m_IsCollecting ? m_Collected : m_Out; }
-    bool isOutTerminal() const;   ///< true if people read the results at once
-    std::size_t outWidth() const; ///< the columns of the results' terminal
+    /// Returns true if people read the results at once.
+    bool isOutTerminal() const { return isTerminal(m_Out); }
+    /// Returns the columns of the results' terminal.
+    std::size_t outWidth() const { return TerminalWidth(m_Out); }
 
-    void Print(const Diagnostic& diagnostic);
+    /// @param source  a text that is printed behind it as it is
+    void Print(const Diagnostic& diagnostic, const std::string& source = "");
     void Print(const std::vector<Diagnostic>& diagnostics);
     /// Prints each with its line of the file and a caret, if the file can be read.
     void PrintWithSource(const std::vector<Diagnostic>& diagnostics);
-    bool isOnTerminal() const;               ///< true if people read what goes to `err`
+    /// Returns true if people read what goes to `err`.
+    bool isOnTerminal() const { return isTerminal(m_Err); }
     void Note(std::string_view sentence);    ///< "note: sentence"
     void Warning(std::string_view sentence); ///< "warning: sentence"
     void Error(std::string_view text);       ///< "error: text", which may have several lines
@@ -64,7 +68,6 @@ public:
     void Progress(std::string_view text);
 
 private:
-    void Print(const Diagnostic& diagnostic, const std::string& source);
     void Say(Severity severity, std::string_view text);
     void Write(std::string_view text);
     std::string Fitted(std::string_view text) const;

@@ -169,6 +169,13 @@ std::string FitLines(std::string_view text, std::size_t width)
     return fitted;
 }
 
+std::string Wrapped(std::string_view words, std::size_t column, std::size_t hang, std::size_t width)
+{
+    Filler filler(column, hang, width);
+    filler.Add({0, words});
+    return filler.Text().substr(column) + "\n";
+}
+
 std::string CutLine(std::string_view line, std::size_t width)
 {
     if (ColumnsOf(line) <= width || width == 0)

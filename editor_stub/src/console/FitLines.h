@@ -18,6 +18,12 @@ std::size_t ColumnsOf(std::string_view line);
 /// whole, so that they can be copied.
 std::string FitLines(std::string_view text, std::size_t width);
 
+/// Returns the words in lines of `width` columns, with an end of line. All lines but the first
+/// begin with `hang` blanks.
+/// @param column  the column at which the first line begins
+std::string Wrapped(std::string_view words, std::size_t column, std::size_t hang,
+                    std::size_t width);
+
 /// Returns the beginning of a line that takes at most `width` columns, with "…" where it ends if it
 /// is not the whole line.
 std::string CutLine(std::string_view line, std::size_t width);

@@ -67,6 +67,15 @@ inline std::string Replaced(std::string text, std::string_view what, std::string
     return text;
 }
 
+/// Adds the text if it is not in the list already.
+inline void AddOnce(const std::string& text, std::vector<std::string>& texts)
+{
+    if (std::ranges::find(texts, text) == texts.end())
+    {
+        texts.push_back(text);
+    }
+}
+
 /// Returns the texts between the separators, one more than there are separators.
 inline std::vector<std::string> SplitText(const std::string& text, char separator)
 {
@@ -77,28 +86,6 @@ inline std::vector<std::string> SplitText(const std::string& text, char separato
         parts.push_back(text.substr(begin, end - begin));
     }
     return parts;
-}
-
-/// Returns the words in lines of `width` columns. All lines but the first begin with `indent`
-/// blanks.
-/// @param column  the column at which the first line begins
-inline std::string Wrapped(const std::string& words, std::size_t column, std::size_t indent,
-                           std::size_t width)
-{
-    std::string text;
-    bool isFirst = true;
-    for (const std::string& word : SplitText(words, ' '))
-    {
-        const auto columns =
-            word.size() - static_cast<std::size_t>(std::ranges::count_if(word, isInsideCharacter));
-        const bool fits = isFirst || column + 1 + columns <= width;
-        column = !fits ? indent : column + (isFirst ? 0 : 1);
-        text += !fits ? "\n" + std::string(indent, ' ') : isFirst ? "" : " ";
-        isFirst = false;
-        text += word;
-        column += columns;
-    }
-    return text + "\n";
 }
 
 } // namespace limn

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -15,7 +16,7 @@ struct SourceLocation
     int line = 0;
     int column = 0; ///< in bytes
 
-    bool operator==(const SourceLocation&) const = default;
+    auto operator<=>(const SourceLocation&) const = default;
 };
 
 enum class Severity
