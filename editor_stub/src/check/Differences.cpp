@@ -1,8 +1,8 @@
 #include "check/Differences.h"
 
 #include "check/Expectations.h"
+#include "console/Texts.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limn/base/Diagnostic.h>
@@ -23,7 +23,7 @@ void AddMissing(const ObjectNames& objects, const RendererSet& missing, const Re
     {
         if (missing[i])
         {
-            AddOnce(reasons, facts.reasons[i]);
+            AddOnce(facts.reasons[i], reasons);
         }
     }
     for (const std::string& reason : reasons)
@@ -42,9 +42,9 @@ void AddMissing(const ObjectNames& objects, const RendererSet& missing, const Re
     }
 }
 
-/// The names of one list, each with whether it is among those that both lists have in one order.
-std::vector<bool> CommonSubsequence(const std::vector<std::string>& a,
-                                    const std::vector<std::string>& b, std::vector<bool>& inB)
+/// Returns how many names both lists have in one order, from each pair of places on.
+std::vector<std::vector<std::size_t>> CommonLengths(const std::vector<std::string>& a,
+                                                    const std::vector<std::string>& b)
 {
     std::vector<std::vector<std::size_t>> length(a.size() + 1,
                                                  std::vector<std::size_t>(b.size() + 1));
@@ -56,21 +56,7 @@ std::vector<bool> CommonSubsequence(const std::vector<std::string>& a,
                                         : std::max(length[i + 1][j], length[i][j + 1]);
         }
     }
-    std::vector<bool> inA(a.size());
-    inB.assign(b.size(), false);
-    for (std::size_t i = 0, j = 0; i < a.size() && j < b.size();)
-    {
-        if (a[i] == b[j])
-        {
-            inA[i++] = true;
-            inB[j++] = true;
-        }
-        else
-        {
-            length[i + 1][j] >= length[i][j + 1] ? ++i : ++j;
-        }
-    }
-    return inA;
+    return length;
 }
 
 bool IsAbout(const std::string& item, const LeftOut& one)
@@ -127,28 +113,27 @@ NameDifference CompareNames(const std::vector<std::string>& items,
                             const std::vector<std::string>& actual, const NameWords& words)
 {
     NameDifference result;
-    std::vector<bool> inActual;
-    const std::vector<bool> inItems = CommonSubsequence(items, actual, inActual);
+    const auto common = CommonLengths(items, actual);
     for (std::size_t i = 0, j = 0; i < items.size() || j < actual.size();)
     {
-        if (i < items.size() && !inItems[i])
+        if (i < items.size() && j < actual.size() && items[i] == actual[j])
+        {
+            result.truth.push_back(items[i]);
+            ++i;
+            ++j;
+        }
+        else if (j == actual.size() || (i < items.size() && common[i + 1][j] >= common[i][j + 1]))
         {
             const std::string hint =
                 std::ranges::count(actual, items[i]) > 0 ? "" : NearestHint(items[i], actual);
             result.lines.push_back("- " + items[i++] + "  " + words.missing + hint);
         }
-        else if (j < actual.size() && !inActual[j])
+        else
         {
             if (words.kind == ListKind::Exact)
             {
                 result.lines.push_back("+ " + actual[j] + "  " + words.extra);
             }
-            ++j;
-        }
-        else
-        {
-            result.truth.push_back(items[i]);
-            ++i;
             ++j;
         }
     }
@@ -163,7 +148,7 @@ NameDifference CompareLeftOut(const std::vector<std::string>& items,
     std::vector<std::string> passes;
     for (const LeftOut& one : actual)
     {
-        AddOnce(passes, one.pass);
+        AddOnce(one.pass, passes);
     }
     for (const std::string& item : items)
     {
@@ -191,7 +176,7 @@ NameDifference CompareLeftOut(const std::vector<std::string>& items,
         {
             result.lines.push_back("+ " + one.pass + (one.pass.empty() ? "" : ": ") + one.reason +
                                    "  left out, but not expected");
-            AddOnce(named, one.pass.empty() ? one.reason : one.pass);
+            AddOnce(one.pass.empty() ? one.reason : one.pass, named);
         }
     }
     result.truth.insert(result.truth.end(), named.begin(), named.end());

@@ -1,7 +1,7 @@
 #include "check/Expectations.h"
 
 #include "check/Differences.h"
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 #include "scene/ProfileContext.h"
 
 #include <algorithm>
@@ -20,13 +20,6 @@ struct ListItem
     std::string text;
     SourceLocation location;
 };
-
-std::vector<std::string> TextsOf(const std::vector<ListItem>& items)
-{
-    std::vector<std::string> texts;
-    std::ranges::transform(items, std::back_inserter(texts), &ListItem::text);
-    return texts;
-}
 
 class Comparer
 {
@@ -50,12 +43,7 @@ public:
         {
             m_Diagnostics.Error(root.location(), "the file expects nothing; see 'limn help check'");
         }
-        const auto isBefore = [](const Expectation& a, const Expectation& b)
-        {
-            return std::pair(a.location.line, a.location.column) <
-                   std::pair(b.location.line, b.location.column);
-        };
-        std::ranges::stable_sort(m_Results, isBefore);
+        std::ranges::stable_sort(m_Results, {}, &Expectation::location);
         return std::move(m_Results);
     }
 
@@ -84,19 +72,19 @@ private:
         return isKnown;
     }
 
-    Expectation& Add(std::string name, const YamlMapReader& map, std::string_view key)
+    Expectation& Add(std::string name, const YamlEntry& entry)
     {
         Expectation& result = m_Results.emplace_back();
         result.name = std::move(name);
-        for (const YamlEntry& entry : map.node().entries())
-        {
-            if (entry.key == key)
-            {
-                result.location = entry.keyLocation;
-                result.value = entry.value;
-            }
-        }
+        result.location = entry.keyLocation;
+        result.value = entry.value;
         return result;
+    }
+
+    Expectation& Add(std::string name, const YamlMapReader& map, std::string_view key)
+    {
+        const std::span<const YamlEntry> entries = map.node().entries();
+        return Add(std::move(name), *std::ranges::find(entries, key, &YamlEntry::key));
     }
 
     /// Returns the texts of a list, or nothing where there is no such key or it is wrong.
@@ -140,7 +128,7 @@ private:
             const char* key = keys[static_cast<std::size_t>(kind)];
             if (const auto items = read(key))
             {
-                AddList(prefix + key, map, key, compare(TextsOf(*items), kind));
+                AddList(prefix + key, map, key, compare(LinesOf(*items, &ListItem::text), kind));
             }
         }
     }
@@ -304,10 +292,7 @@ private:
         {
             return;
         }
-        Expectation& result = m_Results.emplace_back();
-        result.name = subject + "." + entry.key;
-        result.location = entry.keyLocation;
-        result.value = entry.value;
+        Expectation& result = Add(subject + "." + entry.key, entry);
         result.truth = {actual->ValueText()};
         if (!IsSameValue(wanted->ValueText(), actual->ValueText(), tolerance))
         {
@@ -353,7 +338,7 @@ private:
     {
         if (const auto items = List(map, key))
         {
-            AddList(key, map, key, CompareNames(TextsOf(*items), actual, words));
+            AddList(key, map, key, CompareNames(LinesOf(*items, &ListItem::text), actual, words));
         }
     }
 
@@ -381,15 +366,12 @@ private:
     void Texture(const YamlEntry& entry)
     {
         const std::vector<ExplainedTexture>& all = m_Facts.explanation().frame.textures;
-        std::vector<std::string> names;
-        std::ranges::transform(all, std::back_inserter(names), &ExplainedTexture::name);
+        const std::vector<std::string> names = LinesOf(all, &ExplainedTexture::name);
         YamlMapReader map(entry.value, "textures." + entry.key, m_Diagnostics);
         const auto check = [&](const char* key, const auto& textOf)
         {
-            const YamlNode* node = map.Find(key);
-            const auto wanted = node ? ReadString(*node, map.SubjectOf(key), m_Diagnostics)
-                                     : std::optional<std::string>();
-            if (!wanted)
+            std::string wanted;
+            if (!map.Read(key, wanted))
             {
                 return;
             }
@@ -406,9 +388,9 @@ private:
                 result.diff = {"- " + entry.key + "  the frame has no texture of this name" +
                                NearestHint(entry.key, names)};
             }
-            else if (std::ranges::find(result.truth, *wanted) == result.truth.end())
+            else if (std::ranges::find(result.truth, wanted) == result.truth.end())
             {
-                result.diff = {"- " + *wanted + "  expected",
+                result.diff = {"- " + wanted + "  expected",
                                "+ " + Joined(result.truth, ", ") + "  found"};
             }
         };

@@ -6,6 +6,7 @@
 #include <limn/base/Diagnostic.h>
 #include <optional>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 namespace limn
@@ -28,8 +29,10 @@ struct ObjectNames::Node
     std::vector<std::string> path; ///< the names from the top down; empty: the scene
     std::vector<std::unique_ptr<Node>> children;
     std::unordered_map<std::string, Node*> childOf;
-    std::vector<std::size_t> own; ///< its renderers; one at most once the tree is finished
+    std::vector<std::size_t> own; ///< its renderer; none of several, which have nodes below it
     std::vector<std::size_t> all; ///< and those below it
+    int count = 0;                ///< of the renderers of its path
+    int numbered = 0;             ///< of these, how many have nodes
 
     Node& Child(const std::string& name)
     {
@@ -42,23 +45,6 @@ struct ObjectNames::Node
             child->path.push_back(name);
         }
         return *child;
-    }
-
-    /// Gives each of several renderers a node of its own.
-    void Split()
-    {
-        if (own.size() < 2)
-        {
-            return;
-        }
-        const std::vector<std::size_t> several = std::move(own);
-        own.clear();
-        for (std::size_t i = 0; i < several.size(); ++i)
-        {
-            Node& part = Child("#" + std::to_string(i + 1));
-            part.own.push_back(several[i]);
-            part.all.push_back(several[i]);
-        }
     }
 
     std::string PathText() const
@@ -187,21 +173,19 @@ ObjectNames::ObjectNames(const std::vector<ExplainedObject>& objects)
             place = &place->Child(name);
             place->all.push_back(i);
         }
-        place->own.push_back(i);
+        ++place->count;
         places.push_back(place);
-    }
-    for (Node* place : places)
-    {
-        place->Split();
     }
     for (std::size_t i = 0; i < objects.size(); ++i)
     {
-        const auto part =
-            std::ranges::find_if(places[i]->children, [i](const auto& child)
-                                 { return child->own == std::vector<std::size_t>{i}; });
-        m_Paths.push_back(places[i]->own.empty() && part != places[i]->children.end()
-                              ? (*part)->PathText()
-                              : places[i]->PathText());
+        Node* place = places[i];
+        if (place->count > 1)
+        {
+            place = &place->Child("#" + std::to_string(++place->numbered));
+            place->all.push_back(i);
+        }
+        place->own.push_back(i);
+        m_Paths.push_back(place->PathText());
     }
 }
 
@@ -267,21 +251,13 @@ std::string ObjectNames::UnknownSentence(std::string_view item) const
     {
         known.insert(each);
     }
-    const auto slashes = std::ranges::count(name, '/');
+    const auto slashes = static_cast<std::size_t>(std::ranges::count(name, '/'));
     for (const std::string& path : m_Paths) // all that have as many names as this one
     {
-        for (std::size_t begin = 1; slashes > 0 && begin < path.size();
-             begin = path.find('/', begin) + 1)
+        const std::vector<std::string> names = SplitText(path.substr(1), '/'); // the last is ""
+        for (std::size_t i = 0; slashes > 0 && i + slashes + 1 < names.size(); ++i)
         {
-            std::size_t end = path.find('/', begin);
-            for (auto i = slashes; i > 0 && end != std::string::npos; --i)
-            {
-                end = path.find('/', end + 1);
-            }
-            if (end != std::string::npos)
-            {
-                known.insert(path.substr(begin, end - begin));
-            }
+            known.insert(Joined(std::span(names).subspan(i, slashes + 1), "/"));
         }
     }
     if (NearestName(name, {known.begin(), known.end()}).empty())

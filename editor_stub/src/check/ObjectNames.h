@@ -27,8 +27,6 @@ public:
     ObjectNames& operator=(const ObjectNames&) = delete;
     ~ObjectNames();
 
-    std::size_t count() const { return m_Paths.size(); }
-
     /// Returns the renderers that one item of a list is about, or none for an unknown name.
     std::vector<std::size_t> Find(std::string_view item) const;
     /// Returns the renderers that a list stands for.

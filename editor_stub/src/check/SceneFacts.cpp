@@ -1,6 +1,6 @@
 #include "check/SceneFacts.h"
 
-#include "console/Texts.h"
+#include "explain/TextLines.h"
 
 namespace limn
 {
@@ -13,7 +13,7 @@ std::vector<std::string> FeatureNames(const SceneAsset& asset)
     std::vector<std::string> names;
     for (const std::unique_ptr<ScriptableRendererFeature>& feature : asset.renderer.features)
     {
-        AddOnce(names, feature->name);
+        AddOnce(feature->name, names);
     }
     return names;
 }
@@ -43,10 +43,8 @@ SceneFacts::SceneFacts(SceneAsset asset, AssetContext& assets)
 
 std::vector<std::string> SceneFacts::ExecutedPasses() const
 {
-    std::vector<std::string> passes;
-    std::ranges::transform(m_Explanation.report.passes, std::back_inserter(passes),
-                           [](const ExecutedPassReport& pass) { return pass.name.name(); });
-    return passes;
+    return LinesOf(m_Explanation.report.passes,
+                   [](const ExecutedPassReport& pass) { return pass.name.name(); });
 }
 
 std::vector<std::string> SceneFacts::PassesOf(const std::optional<std::string>& feature) const
@@ -60,7 +58,7 @@ std::vector<std::string> SceneFacts::PassesOf(const std::optional<std::string>& 
             if (!feature || (filter.feature < report.features.size() &&
                              report.features[filter.feature].name.name() == *feature))
             {
-                AddOnce(passes, filter.pass.name());
+                AddOnce(filter.pass.name(), passes);
             }
         }
     }

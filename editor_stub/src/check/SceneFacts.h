@@ -2,7 +2,6 @@
 
 #include "check/ObjectNames.h"
 
-#include <algorithm>
 #include <limn/editor_stub/AssetContext.h>
 #include <limn/editor_stub/SceneFile.h>
 #include <limn/volume/VolumeManager.h>
@@ -10,15 +9,6 @@
 
 namespace limn
 {
-
-/// Adds a name to a list that does not have it.
-inline void AddOnce(std::vector<std::string>& names, const std::string& name)
-{
-    if (std::ranges::find(names, name) == names.end())
-    {
-        names.push_back(name);
-    }
-}
 
 /// The verdicts of one or several filters on the renderers of a scene.
 struct DrawnFacts

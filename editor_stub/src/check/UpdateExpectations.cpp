@@ -3,8 +3,9 @@
 #include "check/Differences.h"
 #include "console/Texts.h"
 
-#include <algorithm>
 #include <limn/base/TerminalText.h>
+#include <limn/volume/YamlSplicer.h>
+#include <set>
 
 namespace limn
 {
@@ -68,12 +69,7 @@ std::string FlowList(const std::vector<std::string>& items, std::size_t column, 
 
 std::string BlockList(const std::vector<std::string>& items, std::size_t indent)
 {
-    std::string text;
-    for (const std::string& item : items)
-    {
-        text += (text.empty() ? "- " : "\n" + std::string(indent, ' ') + "- ") + Quoted(item);
-    }
-    return text;
+    return "- " + Joined(items, "\n" + std::string(indent, ' ') + "- ", Quoted);
 }
 
 /// A part of the file's text.
@@ -92,64 +88,34 @@ public:
     /// Returns where a value stands, or nothing if its place is not that of its first character.
     std::optional<Extent> Find(const YamlNode& node) const
     {
-        const std::optional<std::size_t> begin = OffsetOf(node.location());
-        if (!begin || *begin >= m_Text.size())
+        const std::string_view rest = TextFrom(m_Text, node);
+        if (rest.empty())
         {
             return std::nullopt;
         }
-        const char first = m_Text[*begin];
+        const std::size_t begin = m_Text.size() - rest.size();
+        const char first = rest.front();
         if (node.isScalar())
         {
-            return Extent{*begin,
-                          first == '"' || first == '\'' ? EndOfQuote(*begin) : EndOfPlain(*begin)};
+            return Extent{begin,
+                          first == '"' || first == '\'' ? EndOfQuote(begin) : EndOfPlain(begin)};
         }
-        return first == '[' || first == '{'        ? Extent{*begin, EndOfFlow(*begin)}
+        return first == '[' || first == '{'        ? Extent{begin, EndOfFlow(begin)}
                : node.isSequence() && first != '-' ? std::optional<Extent>()
-                                                   : Extent{*begin, EndOfBlock(*begin)};
+                                                   : Extent{begin, EndOfBlock(begin)};
     }
 
     std::size_t ColumnOf(std::size_t offset) const
     {
-        const std::size_t line = offset == 0 ? std::string::npos : m_Text.rfind('\n', offset - 1);
-        return offset - (line == std::string::npos ? 0 : line + 1);
+        const std::string_view before = std::string_view(m_Text).substr(0, offset);
+        return offset - (before.rfind('\n') + 1); // of -1 as well
     }
 
 private:
-    std::optional<std::size_t> OffsetOf(SourceLocation location) const
-    {
-        std::size_t begin = 0;
-        for (int line = 1; line < location.line; ++line)
-        {
-            begin = m_Text.find('\n', begin);
-            if (begin == std::string::npos)
-            {
-                return std::nullopt;
-            }
-            ++begin;
-        }
-        return begin + static_cast<std::size_t>(location.column - 1);
-    }
-
     std::size_t EndOfQuote(std::size_t begin) const
     {
-        const char quote = m_Text[begin];
-        for (std::size_t i = begin + 1; i < m_Text.size(); ++i)
-        {
-            if (quote == '"' && m_Text[i] == '\\')
-            {
-                ++i;
-            }
-            else if (m_Text[i] == quote)
-            {
-                const bool isDoubled = quote == '\'' && m_Text.compare(i, 2, "''") == 0;
-                if (!isDoubled)
-                {
-                    return i + 1;
-                }
-                ++i;
-            }
-        }
-        return m_Text.size();
+        const std::string_view rest = std::string_view(m_Text).substr(begin);
+        return begin + std::min(EndOfQuotes(rest), rest.size());
     }
 
     /// Returns the end of a word in brackets or behind a key, on one line.
@@ -237,70 +203,51 @@ private:
     const std::string& m_Text;
 };
 
-/// Writes the sections of a file.
-class FullWriter
+/// A key with its list, as a line or more.
+std::string ListText(const std::string& indent, const std::string& key,
+                     const std::vector<std::string>& items)
 {
-public:
-    explicit FullWriter(SceneFacts& facts) : m_Facts(facts) {}
+    const std::string start = indent + key + ": ";
+    return start + FlowList(items, start.size(), indent.size() + 2) + "\n";
+}
 
-    std::string Write()
+std::string FeaturesText(const SceneFacts& facts)
+{
+    std::string text = facts.features().empty() ? "" : "features:\n";
+    for (const std::string& feature : facts.features())
     {
-        Features();
-        Values();
-        List("", "order", m_Facts.ExecutedPasses());
-        Textures();
-        List("", "leftOut",
-             CompareLeftOut({}, m_Facts.explanation().frame.leftOut, ListKind::Exact).truth);
-        return std::move(m_Text);
+        const DrawnFacts drawn = facts.Drawn(feature, std::nullopt);
+        text += "  " + Quoted(feature) + ":\n" +
+                ListText("    ", "drawn", facts.objects().Fix({}, drawn.drawn));
     }
+    return text;
+}
 
-private:
-    void List(const std::string& indent, const std::string& key,
-              const std::vector<std::string>& items)
+std::string ValuesText(const std::vector<VolumeParameterTrace>& values)
+{
+    std::string text = values.empty() ? "" : "values:\n  - at: camera\n";
+    for (const VolumeParameterTrace& one : values)
     {
-        const std::string start = indent + key + ": ";
-        m_Text += start + FlowList(items, start.size(), indent.size() + 2) + "\n";
+        text += "    " + one.component + "." + one.parameter + ": " + one.valueText() + "\n";
     }
+    return text;
+}
 
-    void Features()
+std::string DrawnTexturesText(const std::vector<ExplainedTexture>& textures)
+{
+    std::string text;
+    std::set<std::string> known;
+    for (const ExplainedTexture& texture : textures)
     {
-        m_Text += m_Facts.features().empty() ? "" : "features:\n";
-        for (const std::string& feature : m_Facts.features())
+        if (texture.isDrawn && known.insert(texture.name).second)
         {
-            const DrawnFacts facts = m_Facts.Drawn(feature, std::nullopt);
-            m_Text += "  " + Quoted(feature) + ":\n";
-            List("    ", "drawn", m_Facts.objects().Fix({}, facts.drawn));
+            text += (text.empty() ? "textures:\n  " : "  ") + Quoted(texture.name) +
+                    ": {size: " + texture.size + ", format: " + texture.format +
+                    ", samples: " + std::to_string(texture.samples) + "}\n";
         }
     }
-
-    void Values()
-    {
-        const std::vector<VolumeParameterTrace>& all = m_Facts.explanation().volumes.parameters;
-        m_Text += all.empty() ? "" : "values:\n  - at: camera\n";
-        for (const VolumeParameterTrace& one : all)
-        {
-            m_Text += "    " + one.component + "." + one.parameter + ": " + one.valueText() + "\n";
-        }
-    }
-
-    void Textures()
-    {
-        std::vector<std::string> known;
-        for (const ExplainedTexture& texture : m_Facts.explanation().frame.textures)
-        {
-            if (texture.isDrawn && std::ranges::find(known, texture.name) == known.end())
-            {
-                m_Text += (known.empty() ? "textures:\n  " : "  ") + Quoted(texture.name) +
-                          ": {size: " + texture.size + ", format: " + texture.format +
-                          ", samples: " + std::to_string(texture.samples) + "}\n";
-                known.push_back(texture.name);
-            }
-        }
-    }
-
-    SceneFacts& m_Facts;
-    std::string m_Text;
-};
+    return text;
+}
 
 } // namespace
 
@@ -324,10 +271,7 @@ std::string UpdateExpectations(const std::string& text, const std::string& file,
             continue;
         }
         const std::optional<Extent> extent = finder.Find(one.value);
-        const SourceLocation value = one.value.location();
-        const bool isBefore =
-            std::pair(value.line, value.column) < std::pair(one.location.line, one.location.column);
-        if (!extent || extent->begin < done || isBefore)
+        if (!extent || extent->begin < done || one.value.location() < one.location)
         {
             diagnostics.Error(
                 one.location,
@@ -349,7 +293,13 @@ std::string UpdateExpectations(const std::string& text, const std::string& file,
 
 std::string FullExpectations(SceneFacts& facts, const std::string& head)
 {
-    return "# " + OneLine(head) + "\n" + FullWriter(facts).Write();
+    const Explanation& explanation = facts.explanation();
+    const std::vector<std::string> leftOut =
+        CompareLeftOut({}, explanation.frame.leftOut, ListKind::Exact).truth;
+    return "# " + OneLine(head) + "\n" + FeaturesText(facts) +
+           ValuesText(explanation.volumes.parameters) +
+           ListText("", "order", facts.ExecutedPasses()) +
+           DrawnTexturesText(explanation.frame.textures) + ListText("", "leftOut", leftOut);
 }
 
 } // namespace limn
