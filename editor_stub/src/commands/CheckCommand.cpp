@@ -13,12 +13,6 @@ namespace limn
 namespace
 {
 
-bool IsThere(const std::string& file)
-{
-    std::error_code ignored;
-    return std::filesystem::exists(file, ignored);
-}
-
 void WriteFull(const CheckOptions& options, SceneFacts& facts, Console& console)
 {
     const std::string text =
@@ -62,7 +56,8 @@ ExitCode RunCheck(const CheckOptions& options, Console& console)
     const RenderOptions& rendering = options.rendering;
     RequireKind(rendering.scene, {FileKind::Scene, FileKind::UnityScene}, "check");
     AssetContext assets(ChooseCompilerOptions(rendering, console));
-    const bool isNew = options.isUpdate && !IsThere(options.expectations);
+    std::error_code ignored;
+    const bool isNew = options.isUpdate && !std::filesystem::exists(options.expectations, ignored);
     const std::string text = isNew ? "" : ReadYamlText(options.expectations);
     SceneAsset asset = LoadForRendering(rendering, assets);
     console.Print(asset.notes);

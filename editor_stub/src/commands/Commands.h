@@ -5,6 +5,7 @@
 
 #include <limn/editor_stub/RunLimn.h>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -91,8 +92,8 @@ struct ReportCommandOptions
     bool isFull = false; ///< tries every combination of extreme inputs
     bool hasStability = false;
     std::vector<std::string> techniques;
-    double budget = 0.0; ///< milliseconds; 0 = none
-    int shard = 1;       ///< 1...shards
+    std::optional<double> budget; ///< milliseconds
+    int shard = 1;                ///< 1...shards
     int shards = 1;
     bool isMerge = false;
     bool isCompare = false;

@@ -52,42 +52,37 @@ CacheFacts FindCache()
     return facts;
 }
 
-/// Opens the device, without and with the validation layer.
-void FindChoice(const std::string& name, VulkanFacts& facts)
+/// Returns what Vulkan lacks to try something; "" for nothing.
+template <typename Try>
+std::string ProblemOf(const Try& attempt)
 {
-    VulkanDeviceOptions options;
-    options.device = name;
     try
     {
-        facts.choice = VulkanDevice(options).ChoiceSentence();
+        attempt();
+        return "";
     }
     catch (const VulkanError& error)
     {
-        facts.noChoice = error.what();
-        return;
-    }
-    options.validation = true;
-    try
-    {
-        const VulkanDevice device(options);
-    }
-    catch (const VulkanError& error)
-    {
-        facts.noLayer = error.what();
+        return error.what();
     }
 }
 
+/// Opens the device, without and with the validation layer.
 VulkanFacts FindVulkan(const std::string& device)
 {
     VulkanFacts facts;
-    try
+    facts.problem = ProblemOf([&] { facts.devices = EnumerateVulkanDevices(); });
+    const auto open = [&](bool validation)
     {
-        facts.devices = EnumerateVulkanDevices();
-        FindChoice(device, facts);
+        return VulkanDevice({device, validation, {}}).ChoiceSentence();
+    };
+    if (facts.problem.empty())
+    {
+        facts.noChoice = ProblemOf([&] { facts.choice = open(false); });
     }
-    catch (const VulkanError& error)
+    if (!facts.choice.empty())
     {
-        facts.problem = error.what();
+        facts.noLayer = ProblemOf([&] { open(true); });
     }
     return facts;
 }

@@ -8,7 +8,6 @@
 #include "explain/pixel/PixelHistory.h"
 #include "selection/SceneSelection.h"
 #include "shaders/UsedShaders.h"
-#include "view/RenderOptions.h"
 
 #include <algorithm>
 #include <chrono>

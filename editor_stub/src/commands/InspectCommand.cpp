@@ -3,6 +3,7 @@
 #include "assets/FileKind.h"
 #include "explain/InspectReport.h"
 
+#include <algorithm>
 #include <limn/editor_stub/UnityRendererData.h>
 
 namespace limn
@@ -91,10 +92,7 @@ InspectReport InspectFile(const InspectOptions& options, Console& console)
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
     AssetContext assets(std::move(compilerOptions));
     assets.AddRootsAround(file);
-    for (const std::string& plugin : options.plugins)
-    {
-        assets.LoadPlugin(plugin);
-    }
+    std::ranges::for_each(options.plugins, [&](const auto& each) { assets.LoadPlugin(each); });
     if (MayBeName(file))
     {
         return InspectName(file, assets);

@@ -9,7 +9,6 @@
 #include <limn/base/WriteFile.h>
 #include <limn/editor_stub/AssetContext.h>
 #include <limn/features/Features.h>
-#include <map>
 
 namespace limn
 {
@@ -95,13 +94,6 @@ ExitCode NewFeature(const NewOptions& options, Console& console)
     return ExitCode::Done;
 }
 
-/// Returns "a/hero.scene.yaml" for "a/hero" and for itself.
-std::string WithEnding(std::string name, const std::string& kind)
-{
-    const std::string ending = "." + kind + ".yaml";
-    return name.ends_with(ending) ? name : name + ending;
-}
-
 void RequireAbsent(const std::string& file)
 {
     std::error_code ignored;
@@ -161,24 +153,23 @@ ExitCode NewYamlFile(const NewOptions& options, Console& console)
         return ExitCode::WrongUsage;
     }
     AssetContext assets;
-    const std::string file = WithEnding(options.name, options.kind);
+    const std::string ending = "." + options.kind + ".yaml"; // which the name may have
+    const std::size_t size = options.name.ends_with(ending) ? ending.size() : 0;
+    const std::string stem = options.name.substr(0, options.name.size() - size);
     std::vector<NewFile> files;
     if (options.kind == "material")
     {
-        files.push_back({file, MaterialText(options.contents, assets)});
+        files.push_back({stem + ending, MaterialText(options.contents, assets)});
     }
     else
     {
-        const bool isScene = options.kind == "scene";
-        const std::string profile =
-            isScene
-                ? file.substr(0, file.size() - std::string("scene.yaml").size()) + "profile.yaml"
-                : file;
+        const std::string profile = stem + ".profile.yaml";
         const VolumeComponentRegistry& known = assets.volumeComponents();
         files.push_back({profile, NewProfile(ComponentsOf(options.contents, known), known)});
-        if (isScene)
+        if (options.kind == "scene")
         {
-            files.push_back({file, NewScene(std::filesystem::path(profile).filename().string())});
+            const std::string name = std::filesystem::path(profile).filename().string();
+            files.push_back({stem + ending, NewScene(name)});
         }
     }
     for (const NewFile& newFile : files)

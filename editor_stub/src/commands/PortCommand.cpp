@@ -2,13 +2,12 @@
 
 #include "assets/FeatureFolder.h"
 #include "assets/FileKind.h"
+#include "console/Texts.h"
 #include "port/PortFolder.h"
 
 #include <algorithm>
 #include <array>
 #include <limn/base/ReadFile.h>
-#include <set>
-#include <utility>
 
 namespace limn
 {
@@ -109,23 +108,17 @@ void PrintUse(const UsedMember& use, Console& console)
 /// "#if X is left out", "is read", once each.
 void NoteConditions(const ReadCSharpFiles& read, Console& console)
 {
-    std::set<std::string> said;
-    std::string text;
+    std::vector<std::string> said;
     for (const auto& file : read.files)
     {
         for (const CSharpCondition& condition : file->tokens.conditions)
         {
-            const std::string one =
-                "'" + condition.text + "' is " + (condition.isTrue ? "true" : "false");
-            if (said.insert(one).second)
-            {
-                text += (text.empty() ? "" : ", ") + one;
-            }
+            AddOnce("'" + condition.text + "' is " + (condition.isTrue ? "true" : "false"), said);
         }
     }
     if (!said.empty())
     {
-        console.Note("the C# is read for " + read.target.name() + ": " + text);
+        console.Note("the C# is read for " + read.target.name() + ": " + Joined(said, ", "));
     }
 }
 

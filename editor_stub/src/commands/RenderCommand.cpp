@@ -5,9 +5,9 @@
 #include "explain/RenderReports.h"
 #include "scene/SceneView.h"
 #include "shaders/UsedShaders.h"
-#include "view/RenderOptions.h"
 #include "view/VolumeGizmos.h"
 
+#include <algorithm>
 #include <future>
 #include <limn/vulkan/VulkanDevice.h>
 #include <thread>
@@ -40,14 +40,6 @@ Image RenderFrames(const RenderOptions& options, SceneView& view, GraphicsDevice
     measurements.gpuPasses = device.LastFrameTimings();
     device.SetTimeline(nullptr);
     return image;
-}
-
-void PrintNotes(const RenderReport& report, Console& console)
-{
-    for (const std::string& note : NotesOf(report))
-    {
-        console.Note(note);
-    }
 }
 
 ExitCode PrintValidation(const std::vector<ValidationMessage>& messages, Console& console)
@@ -118,7 +110,8 @@ ExitCode RunRender(const RenderOptions& options, Console& console)
     Image image = RenderFrames(options, *view, device, measurements);
     measurements.shaders = assets.compiler()->statistics();
     measurements.memory = device.statistics();
-    PrintNotes(measurements.lastFrame.report, console);
+    std::ranges::for_each(NotesOf(measurements.lastFrame.report),
+                          [&](const auto& each) { console.Note(each); });
     MakeOpaque(image);
     if (options.showsVolumes &&
         DrawVolumes(image, view->asset().camera, view->asset().volumes) == 0)

@@ -5,13 +5,11 @@
 #include "console/Texts.h"
 #include "report/StudyPlan.h"
 #include "report/extremes/Stability.h"
-#include "report/figures/Numbers.h"
 #include "report/figures/TimeLeft.h"
 #include "report/measure/StudyBench.h"
 #include "report/measure/StudyFiles.h"
 #include "report/measure/StudyScene.h"
 #include "report/pages/WriteReport.h"
-#include "view/RenderOptions.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -20,7 +18,6 @@
 #include <limn/base/HashContent.h>
 #include <limn/base/ReadFile.h>
 #include <limn/features/Version.h>
-#include <span>
 #include <sstream>
 #include <thread>
 
@@ -127,17 +124,14 @@ public:
     {
         const std::vector<std::vector<CellId>> units = UnitsOf(study.planned);
         std::vector<std::vector<CellId>> mine;
+        double work = 0.0;
         for (std::size_t i = 0; i < units.size(); ++i)
         {
             if (static_cast<int>(i % static_cast<std::size_t>(shards)) + 1 == shard)
             {
                 mine.push_back(units[i]);
+                work += WorkOf(units[i]);
             }
-        }
-        double work = 0.0;
-        for (const auto& unit : mine)
-        {
-            work += WorkOf(unit);
         }
         TimeLeft left(mine.size(), work);
         for (const auto& unit : mine)
@@ -215,16 +209,6 @@ void PrintReport(const ReportFiles& report, Console& console)
     console.Line(report.recommendation);
 }
 
-ReportOptions PageOptions(const ReportCommandOptions& options)
-{
-    ReportOptions pages;
-    if (options.budget > 0.0)
-    {
-        pages.budgetMilliseconds = options.budget;
-    }
-    return pages;
-}
-
 ExitCode Merge(const ReportCommandOptions& options, Console& console)
 {
     std::vector<Study> parts;
@@ -241,7 +225,7 @@ ExitCode Merge(const ReportCommandOptions& options, Console& console)
         const std::filesystem::path folder =
             merged.size() == 1 ? std::filesystem::path(options.output)
                                : std::filesystem::path(options.output) / std::to_string(i + 1);
-        ReportOptions pages = PageOptions(options);
+        ReportOptions pages{options.budget, {}};
         for (const std::string& name : part.missing)
         {
             console.Warning(folder.string() + ": missing: " + name); // pages say it by themselves
@@ -345,7 +329,7 @@ ExitCode RunReport(RenderOptions render, const ReportCommandOptions& options, Co
                      : console.Result(options.output);
         return ExitCode::Done;
     }
-    const ReportFiles report = WriteReport(study, options.output, PageOptions(options));
+    const ReportFiles report = WriteReport(study, options.output, {options.budget, {}});
     options.json ? console.Data(JsonText(ReportJson(report))) : PrintReport(report, console);
     return ExitCode::Done;
 }

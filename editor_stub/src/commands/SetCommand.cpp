@@ -5,6 +5,7 @@
 #include "console/Json.h"
 #include "scene/SettingsEdit.h"
 
+#include <algorithm>
 #include <limn/base/FileCache.h>
 #include <limn/base/HashContent.h>
 #include <limn/base/WriteFile.h>
@@ -44,12 +45,6 @@ void KeepForUndo(const std::string& file, const FileEdit& edit)
         Changes().Store(FileKey(file),
                         Json({{"before", edit.before}, {"after", edit.after}}).dump());
     }
-}
-
-void PrintUndone(const SetOptions& options, Console& console)
-{
-    options.json ? console.Data(JsonText({{"file", options.file}, {"undone", true}}))
-                 : console.Result("the last change is undone; --undo once more brings it back");
 }
 
 /// @throws AssetError if no change is kept, or the file has been changed since
@@ -104,14 +99,12 @@ ExitCode RunSet(const SetOptions& options, Console& console)
     if (options.undo)
     {
         Undo(options.file);
-        PrintUndone(options, console);
+        options.json ? console.Data(JsonText({{"file", options.file}, {"undone", true}}))
+                     : console.Result("the last change is undone; --undo once more brings it back");
         return ExitCode::Done;
     }
     AssetContext assets;
-    for (const std::string& plugin : options.plugins)
-    {
-        assets.LoadPlugin(plugin);
-    }
+    std::ranges::for_each(options.plugins, [&](const auto& each) { assets.LoadPlugin(each); });
     std::vector<ValueAssignment> edits;
     for (const std::string& text : options.edits)
     {

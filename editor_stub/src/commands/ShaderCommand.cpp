@@ -1,7 +1,6 @@
 #include "commands/Commands.h"
 
 #include "assets/FileKind.h"
-#include "console/CacheFolder.h"
 #include "shader_reports/ShaderDescription.h"
 #include "shader_reports/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
@@ -10,14 +9,11 @@
 #include <atomic>
 #include <future>
 #include <limn/base/TerminalText.h>
-#include <limn/base/WorkerProcess.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 #include <limn/shaderlab/ShaderDatabase.h>
 #include <limn/shaderlab/ShaderLabParser.h>
-#include <map>
-#include <mutex>
 #include <set>
 #include <thread>
 
@@ -127,17 +123,24 @@ public:
     ParallelCheck(std::vector<std::filesystem::path> files, const ShaderOptions& options)
         : m_Files(std::move(files)),
           m_Folders(FindFolders(options.paths)),
-          m_Compiler(MakeCompiler(options)),
-          m_Promises(m_Files.size())
+          m_Compiler(MakeCompiler(options))
     {
         m_Options.compile = !options.parseOnly && !options.variants;
+        // Read when it is needed first: that takes its time in a large project.
+        m_Shaders = std::async(std::launch::deferred, [this] { return FindShaders(m_Folders); });
         m_Options.shaders = [this]() -> const ShaderDatabase&
         {
-            return Shaders();
+            return m_Shaders.get();
         };
         if (!options.keywords.empty())
         {
             m_Options.keywords = options.keywords;
+        }
+        for (const std::filesystem::path& file : m_Files)
+        {
+            m_Tasks.emplace_back([this, &file]
+                                 { return CheckShader(file, m_Options, *m_Compiler); });
+            m_Checks.push_back(m_Tasks.back().get_future());
         }
         const std::size_t wanted = options.jobs > 0 ? static_cast<std::size_t>(options.jobs)
                                                     : std::thread::hardware_concurrency();
@@ -157,38 +160,24 @@ public:
     const std::filesystem::path& file(std::size_t index) const { return m_Files[index]; }
 
     /// Once for each index.
-    ShaderCheck Take(std::size_t index) { return m_Promises[index].get_future().get(); }
+    ShaderCheck Take(std::size_t index) { return m_Checks[index].get(); }
 
 private:
     void Work()
     {
-        for (std::size_t i = m_Next++; i < m_Files.size(); i = m_Next++)
+        for (std::size_t i = m_Next++; i < m_Tasks.size(); i = m_Next++)
         {
-            try
-            {
-                m_Promises[i].set_value(CheckShader(m_Files[i], m_Options, *m_Compiler));
-            }
-            catch (...)
-            {
-                m_Promises[i].set_exception(std::current_exception());
-            }
+            m_Tasks[i]();
         }
-    }
-
-    /// Read when it is needed first: that takes its time in a large project.
-    const ShaderDatabase& Shaders()
-    {
-        std::call_once(m_ShadersOnce, [this] { m_Shaders = FindShaders(m_Folders); });
-        return m_Shaders;
     }
 
     std::vector<std::filesystem::path> m_Files;
     std::vector<std::filesystem::path> m_Folders; ///< that UsePass and Fallback look in
-    std::once_flag m_ShadersOnce;
-    ShaderDatabase m_Shaders;
+    std::shared_future<ShaderDatabase> m_Shaders;
     std::shared_ptr<ShaderCompiler> m_Compiler;
     ShaderCheckOptions m_Options;
-    std::vector<std::promise<ShaderCheck>> m_Promises;
+    std::vector<std::packaged_task<ShaderCheck()>> m_Tasks; ///< one for each file
+    std::vector<std::future<ShaderCheck>> m_Checks;         ///< their results
     std::atomic<std::size_t> m_Next{0};
     std::vector<std::future<void>> m_Threads; ///< last, so that they end first
 };
@@ -216,57 +205,34 @@ void Emit(ShaderCheck& check, const ShaderOptions& options, EmittedStems& stems,
     }
 }
 
-/// Prints what is found in the files. A note on a whole file, without a place, which other files
-/// have as well, is said of the first one; then, how many there are.
-class FindingsPrinter
+/// Prints what is found in a file. A note on a whole file, without a place, which other files have
+/// as well, is said of the first one.
+/// @param files  counts the files with each note
+void PrintFindings(std::vector<Diagnostic> diagnostics, std::map<std::string, int>& files,
+                   Console& console)
 {
-public:
-    explicit FindingsPrinter(Console& console) : m_Console(console) {}
-
-    void Print(const std::vector<Diagnostic>& diagnostics)
+    const auto isSaid = [&files](const Diagnostic& diagnostic)
     {
-        std::vector<Diagnostic> fresh;
-        for (const Diagnostic& diagnostic : diagnostics)
-        {
-            const bool isOfFile =
-                diagnostic.severity == Severity::Note && diagnostic.location.line == 0;
-            if (!isOfFile || ++m_Files[diagnostic.message] == 1)
-            {
-                fresh.push_back(diagnostic);
-            }
-        }
-        m_Console.PrintWithSource(fresh);
-    }
-
-    void Finish()
-    {
-        for (const auto& [message, count] : m_Files)
-        {
-            if (count > 1)
-            {
-                m_Console.Note("in " + std::to_string(count - 1) + " more file" +
-                               (count == 2 ? ": " : "s: ") + message);
-            }
-        }
-    }
-
-private:
-    Console& m_Console;
-    std::map<std::string, int> m_Files; ///< how many have a note
-};
+        const bool isOfFile =
+            diagnostic.severity == Severity::Note && diagnostic.location.line == 0;
+        return isOfFile && ++files[diagnostic.message] > 1;
+    };
+    std::erase_if(diagnostics, isSaid);
+    console.PrintWithSource(diagnostics);
+}
 
 std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& options,
                                   Console& console)
 {
     std::vector<ShaderCheck> checks;
-    FindingsPrinter findings(console);
+    std::map<std::string, int> notes;
     EmittedStems stems;
     for (std::size_t i = 0; i < running.size(); ++i)
     {
         console.Progress(std::to_string(i + 1) + " of " + std::to_string(running.size()) + ": " +
                          running.file(i).string());
         ShaderCheck check = running.Take(i);
-        findings.Print(check.diagnostics);
+        PrintFindings(check.diagnostics, notes, console);
         if (!options.emit.empty())
         {
             Emit(check, options, stems, console);
@@ -274,7 +240,14 @@ std::vector<ShaderCheck> CheckAll(ParallelCheck& running, const ShaderOptions& o
         checks.push_back(std::move(check));
     }
     console.Progress("");
-    findings.Finish();
+    for (const auto& [message, count] : notes)
+    {
+        if (count > 1)
+        {
+            console.Note("in " + std::to_string(count - 1) + " more file" +
+                         (count == 2 ? ": " : "s: ") + message);
+        }
+    }
     return checks;
 }
 

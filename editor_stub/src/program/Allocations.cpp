@@ -8,24 +8,19 @@
 namespace
 {
 
-void* Allocate(std::size_t size) noexcept
-{
-    if (limn::Allocations::isAsked.load(std::memory_order_relaxed))
-    {
-        limn::Allocations::soFar.fetch_add(1, std::memory_order_relaxed);
-    }
-    return std::malloc(size == 0 ? 1 : size);
-}
-
 [[maybe_unused]] const bool s_AreCounted = limn::Allocations::areCounted = true;
 
 } // namespace
 
 void* operator new(std::size_t size)
 {
+    if (limn::Allocations::isAsked.load(std::memory_order_relaxed))
+    {
+        limn::Allocations::soFar.fetch_add(1, std::memory_order_relaxed);
+    }
     for (;;)
     {
-        if (void* memory = Allocate(size))
+        if (void* memory = std::malloc(size == 0 ? 1 : size))
         {
             return memory;
         }
