@@ -1,11 +1,9 @@
-#include "command_line/Candidates.h"
-
+#include "command_line/SharedFlags.h"
 #include "console/Texts.h"
 #include "explain/Explanation.h"
 #include "explain/InspectReport.h"
 
 #include <algorithm>
-#include <limn/features/Features.h>
 #include <set>
 #include <sstream>
 
@@ -14,12 +12,6 @@ namespace limn
 
 namespace
 {
-
-bool EndsWithAny(const std::string& name, const std::vector<std::string>& endings)
-{
-    return std::ranges::any_of(endings,
-                               [&](const std::string& ending) { return name.ends_with(ending); });
-}
 
 /// Returns what `limn inspect` knows of a file, or nothing if the file is wrong: a person who is
 /// typing is not told yet.
@@ -78,7 +70,9 @@ Candidates FileCandidates(const std::string& word, const std::vector<std::string
         std::error_code ignored;
         const bool isFolder = entry->is_directory(ignored);
         const bool isHidden = name.starts_with('.') && !begin.starts_with('.');
-        if (name.starts_with(begin) && !isHidden && (isFolder || EndsWithAny(name, endings)))
+        const bool isOfKind = std::ranges::any_of(endings, [&](const std::string& ending)
+                                                  { return name.ends_with(ending); });
+        if (name.starts_with(begin) && !isHidden && (isFolder || isOfKind))
         {
             candidates.push_back(folder + name + (isFolder ? "/" : ""));
         }
@@ -101,14 +95,11 @@ Candidates SettingCandidates(const std::string& word, const InspectOptions& file
         AddGroup(candidates, word, feature.name, feature);
         AddGroup(candidates, word, feature.type, feature);
     }
-    const auto begins = [&word](const std::string& candidate)
+    if (std::ranges::none_of(candidates, [&word](const std::string& candidate)
+                             { return candidate.starts_with(word); }))
     {
-        return candidate.starts_with(word);
-    };
-    if (std::ranges::none_of(candidates, begins))
-    {
-        VolumeComponentRegistry known;
-        RegisterVolumeComponents(known);
+        const AssetContext assets;
+        const VolumeComponentRegistry& known = assets.volumeComponents();
         InspectReport all;
         VolumeProfile profile;
         for (const auto& entry : known.entries())
@@ -138,10 +129,7 @@ Candidates ObjectCandidates(const RenderOptions& scene)
 Candidates TechniqueCandidates(const std::vector<std::string>& plugins)
 {
     AssetContext assets;
-    for (const std::string& plugin : plugins)
-    {
-        assets.LoadPlugin(plugin);
-    }
+    std::ranges::for_each(plugins, [&](const auto& each) { assets.LoadPlugin(each); });
     Candidates names;
     std::ranges::transform(assets.features().techniques(), std::back_inserter(names),
                            &Technique::name);
@@ -156,9 +144,8 @@ Candidates NameCandidates()
 
 Candidates ComponentCandidates()
 {
-    VolumeComponentRegistry known;
-    RegisterVolumeComponents(known);
-    const std::vector<std::string_view> names = known.names();
+    const AssetContext assets;
+    const std::vector<std::string_view> names = assets.volumeComponents().names();
     return {names.begin(), names.end()};
 }
 

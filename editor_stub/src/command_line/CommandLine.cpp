@@ -1,11 +1,5 @@
-#include "command_line/CommandLine.h"
-
 #include "assets/FileKind.h"
-#include "command_line/Candidates.h"
-#include "command_line/FlagTable.h"
 #include "command_line/SharedFlags.h"
-#include "command_line/Values.h"
-#include "commands/Commands.h"
 #include "console/Texts.h"
 
 #include <filesystem>
@@ -71,7 +65,7 @@ std::vector<Flag> DrawingFlags(RenderOptions& options, const char* outputHelp, C
     return {
         SceneArgument(options.scene),
         SceneFlag(options),
-        {"output", "FILE", outputHelp, Into(options.output, check), Once, {}, 'o'},
+        WithLetter('o', {"output", "FILE", outputHelp, Into(options.output, check), Once}),
         SizeFlag(options),
         {"time", "SECONDS", "The value of _Time in the first frame, in seconds",
          IntoTime(options.time)},
@@ -157,11 +151,7 @@ Verb ExplainVerb(ExplainOptions& options)
             {SceneArgument(options.rendering.scene),
              SceneFlag(options.rendering),
              {"object", "NAME", "Explain only the objects of this name and their children",
-              Into(options.object), AtMostOnce,
-              [&options](const std::string&)
-              {
-                  return ObjectCandidates(options.rendering);
-              }},
+              Into(options.object), AtMostOnce, Objects(options.rendering)},
              {"pixel", "X,Y",
               "Show what is drawn at this pixel, counted from the top left, and which test rejects "
               "the rest; this draws the scene, so it needs a device",
@@ -216,6 +206,11 @@ Verb CheckVerb(CheckOptions& options)
 
 Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
 {
+    Flag output = WithLetter(
+        'o', {"output", "DIR",
+              "The folder for the report; what an interrupted run left there is taken over",
+              Into(options.output, CheckOutput), Once});
+    output.unless = "compare";
     return {
         "report",
         "Measure the error and the cost of every outline technique in a scene",
@@ -223,14 +218,7 @@ Verb ReportVerb(RenderOptions& render, ReportCommandOptions& options)
         {Argument("SCENE|DIR",
                   "A scene, as for 'limn render'; for --merge and --compare folders of reports",
                   Into(options.paths), AtLeastOnce, Files({".scene.yaml", ".unity"})),
-         {"output",
-          "DIR",
-          "The folder for the report; what an interrupted run left there is taken over",
-          Into(options.output, CheckOutput),
-          Once,
-          {},
-          'o',
-          "compare"},
+         std::move(output),
          Switch("quick", "Fewer widths, shapes and sizes: within a minute", options.isQuick),
          Switch("stability",
                 "Only test the techniques with extreme inputs, in all pairs, under the Vulkan "
@@ -316,13 +304,8 @@ Verb ShaderVerb(ShaderOptions& options)
         [&options](Console& console) { return RunShader(options, console); },
         {Argument("FILE|DIR", "Files, and folders with .shader files below them; or .compute files",
                   Into(options.paths), AtLeastOnce, Files({".shader", ".compute"})),
-         {"output",
-          "DIR",
-          "Where --emit writes",
-          Into(options.outputFolder, CheckFolder),
-          AtMostOnce,
-          {},
-          'o'},
+         WithLetter('o', {"output", "DIR", "Where --emit writes",
+                          Into(options.outputFolder, CheckFolder)}),
          {"emit", "spirv|glsl|glsles|msl|hlsl", "Write the compiled programs", Into(options.emit)},
          Switch("print", "Print the files as canonical ShaderLab text; compile nothing",
                 options.print),
@@ -330,13 +313,9 @@ Verb ShaderVerb(ShaderOptions& options)
          Switch("variants", "Count variants; compile nothing", options.variants),
          {"keywords", "A,B", "Compile with these keywords, not with those of a new material",
           IntoWords(options.keywords), Any},
-         {"jobs",
-          "N",
-          "The number of files to check at a time; without it one per core",
-          IntoNumber(options.jobs, 256),
-          AtMostOnce,
-          {},
-          'j'},
+         WithLetter('j',
+                    {"jobs", "N", "The number of files to check at a time; without it one per core",
+                     IntoNumber(options.jobs, 256)}),
          Switch("json", "Print {files: [...], summary: {...}}: what was parsed, compiled, refused",
                 options.json),
          PackageFlag(options.packages),

@@ -3,85 +3,22 @@
 #include "console/Texts.h"
 
 #include <exception>
+#include <limn/base/EmbeddedFile.h>
 #include <limn/base/TerminalText.h>
 
 namespace limn
 {
 
+namespace embedded
+{
+// Bash makes words of their own of '=' and ':', which its script puts together again. What is
+// offered must then lack what stands before the last of them, and have its blanks quoted unless the
+// person has begun with a quote.
+std::span<const EmbeddedFile> CompletionScripts();
+} // namespace embedded
+
 namespace
 {
-
-// Bash makes words of their own of '=' and ':', which are put together again. What is offered must
-// then lack what stands before the last of them, and have its blanks quoted unless the person has
-// begun with a quote.
-constexpr const char* k_Bash = R"sh(_limn()
-{
-    local words=() word typed line i
-    for ((i = 1; i <= COMP_CWORD; i++)); do
-        word=${COMP_WORDS[i]}
-        [[ $word == [\"\']* ]] && word=${word:1}
-        word=${word//\\/}
-        if ((i > 1)) && [[ ${COMP_WORDS[i]} == [=:]* || ${COMP_WORDS[i - 1]} == *[=:] ]]; then
-            words[${#words[@]} - 1]+=$word
-        else
-            words+=("$word")
-        fi
-    done
-    typed=$word
-    [[ $typed == [=:]* ]] && typed=
-    local before=${words[${#words[@]} - 1]%"$typed"}
-    local limn=${BASH_ALIASES[${COMP_WORDS[0]}]:-${COMP_WORDS[0]}}
-    limn=${limn/#\~/$HOME}
-    COMPREPLY=()
-    while IFS= read -r line; do
-        line=${line%%$'\t'*}
-        line=${line#"$before"}
-        [[ ${COMP_WORDS[COMP_CWORD]} == [\"\']* || $line != *[\ \'\"\(\)\&]* ]] ||
-            printf -v line %q "$line"
-        COMPREPLY+=("$line")
-    done < <("$limn" complete -- "${words[@]}" 2>/dev/null)
-    # A folder, a component and a parameter go on.
-    [[ ${#COMPREPLY[@]} != 1 || $COMPREPLY != *[/.=] ]] || compopt -o nospace 2>/dev/null
-}
-complete -o default -F _limn limn
-)sh";
-
-constexpr const char* k_Zsh = R"sh(#compdef limn
-_limn()
-{
-    local -a lines ends opens
-    local line
-    lines=("${(@f)$("${(Q)words[1]/#\~/$HOME}" complete -- "${(@Q)words[2,CURRENT]}" 2>/dev/null)}")
-    for line in $lines; do
-        # A folder, a component and a parameter go on.
-        case $line in
-            *[/.=]) opens+=("$line") ;;
-            *$'\t'*) ends+=("${${line%%$'\t'*}//:/\\:}:${line#*$'\t'}") ;;
-            *) ends+=("${line//:/\\:}") ;;
-        esac
-    done
-    if (( $#ends + $#opens == 0 )); then
-        _files
-        return
-    fi
-    (( $#opens )) && compadd -S '' -a opens
-    (( $#ends )) && _describe value ends
-}
-# It is sourced, or it is the body of a function that zsh loads at the first Tab.
-if [ "$funcstack[1]" = _limn ]; then _limn; else compdef _limn limn; fi
-)sh";
-
-constexpr const char* k_Fish = R"sh(function __limn_complete
-    set -l words (commandline -opc)
-    set -l found ($words[1] complete -- $words[2..] (commandline -ct) 2>/dev/null)
-    if test (count $found) -gt 0
-        printf '%s\n' $found
-    else
-        __fish_complete_path (commandline -ct)
-    end
-end
-complete -c limn -f -a '(__limn_complete)'
-)sh";
 
 /// Returns a line for each candidate that begins as the word does, with `before` in front.
 std::string LinesOf(const std::vector<std::string>& candidates, const std::string& word,
@@ -173,7 +110,8 @@ std::string CompletionText(const FlagTable& table, std::span<const std::string> 
 
 std::string CompletionScript(const std::string& shell)
 {
-    return shell == "bash" ? k_Bash : shell == "zsh" ? k_Zsh : k_Fish;
+    const auto scripts = embedded::CompletionScripts();
+    return std::string(std::ranges::find(scripts, "limn." + shell, &EmbeddedFile::path)->text);
 }
 
 } // namespace limn

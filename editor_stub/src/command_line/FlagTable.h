@@ -92,6 +92,9 @@ struct ParsedFlags
     const Flag* next = nullptr;
 };
 
+/// Parses the arguments and runs the verb; errors come as exceptions.
+ExitCode RunCommandLine(std::span<const std::string> args, Console& console);
+
 /// Reads `[FLAGS] VERB [FLAGS|ARGUMENTS]` and stores every value, even behind a wrong word.
 ParsedFlags ParseFlags(std::span<const std::string> words, const FlagTable& table);
 

@@ -1,9 +1,8 @@
-#include "command_line/CommandLine.h"
+#include "command_line/FlagTable.h"
 
 #include <filesystem>
 #include <limn/core/Debug.h>
 #include <limn/core/DrawError.h>
-#include <limn/editor_stub/RunLimn.h>
 #include <limn/vulkan/VulkanError.h>
 #include <new>
 
@@ -21,27 +20,21 @@ public:
     explicit FeatureLog(Console& console)
     {
         s_Console = &console;
-        SetLogSink(&Print);
+        SetLogSink(
+            [](const LogMessage& message)
+            {
+                if (!message.isNoted)
+                {
+                    message.type == LogType::Log ? s_Console->Note(message.text)
+                                                 : s_Console->Warning(message.text);
+                }
+            });
     }
-    ~FeatureLog()
-    {
-        SetLogSink(nullptr);
-        s_Console = nullptr;
-    }
+    ~FeatureLog() { SetLogSink(nullptr); }
     FeatureLog(const FeatureLog&) = delete;
     FeatureLog& operator=(const FeatureLog&) = delete;
 
 private:
-    static void Print(const LogMessage& message)
-    {
-        if (message.isNoted)
-        {
-            return;
-        }
-        message.type == LogType::Log ? s_Console->Note(message.text)
-                                     : s_Console->Warning(message.text);
-    }
-
     static inline Console* s_Console = nullptr;
 };
 

@@ -32,6 +32,20 @@ GetCandidates FilesOr(std::vector<std::string> endings, Candidates (*names)())
     };
 }
 
+GetCandidates Objects(const RenderOptions& scene)
+{
+    return [&scene](const std::string&)
+    {
+        return ObjectCandidates(scene);
+    };
+}
+
+Flag WithLetter(char letter, Flag flag)
+{
+    flag.letter = letter;
+    return flag;
+}
+
 Flag SceneArgument(std::string& scene)
 {
     return Argument(
@@ -133,10 +147,7 @@ Flag SelectFlag(RenderOptions& options)
             "get the rendering layer that outline features look for; \"\" selects nothing",
             IntoSelection(options.selection, SelectionStep::Kind::Select),
             Any,
-            [&options](const std::string&)
-            {
-                return ObjectCandidates(options);
-            }};
+            Objects(options)};
 }
 
 } // namespace limn

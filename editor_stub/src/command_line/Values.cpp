@@ -68,12 +68,12 @@ StoreValue IntoTime(double& seconds)
     };
 }
 
-StoreValue IntoBudget(double& milliseconds)
+StoreValue IntoBudget(std::optional<double>& milliseconds)
 {
     return [&milliseconds](const std::string& text)
     {
-        milliseconds = ParseWhole<double>(text).value_or(0.0);
-        return Unless(milliseconds > 0.0 && std::isfinite(milliseconds), text,
+        milliseconds = ParseWhole<double>(text);
+        return Unless(milliseconds > 0.0 && std::isfinite(*milliseconds), text,
                       "is no time; milliseconds above 0 are expected: 2.5");
     };
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -42,10 +43,10 @@ StoreValue Into(Kept& kept, CheckText check = nullptr)
 
 StoreValue IntoNumber(int& number, int most); ///< from 1 to `most`
 StoreValue IntoSize(int& width, int& height);
-StoreValue IntoTime(double& seconds);                  ///< a time that a shader's float holds
-StoreValue IntoBudget(double& milliseconds);           ///< above 0
-StoreValue IntoPart(int& index, int& count);           ///< "I/N"
-StoreValue IntoWords(std::vector<std::string>& words); ///< "A,B"
+StoreValue IntoTime(double& seconds);                       ///< a time that a shader's float holds
+StoreValue IntoBudget(std::optional<double>& milliseconds); ///< above 0
+StoreValue IntoPart(int& index, int& count);                ///< "I/N"
+StoreValue IntoWords(std::vector<std::string>& words);      ///< "A,B"
 /// Stores folders by the names of packages: `NAME=DIR`, or a folder that is a package or holds
 /// some.
 StoreValue IntoPackages(std::map<std::string, std::string>& packages);
