@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limn/core/PluginCallSite.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn

@@ -2,7 +2,6 @@
 
 #include "blending/Components.h"
 
-#include <algorithm>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -24,6 +23,16 @@ void SetOverrideStates(std::span<VolumeParameter* const> parameters, bool state)
 }
 
 } // namespace
+
+VolumeParameter* FindParameter(std::span<VolumeParameter* const> parameters, std::string_view name)
+{
+    const auto isNamed = [name](const VolumeParameter* parameter)
+    {
+        return parameter->name() == name || PlainSpelling(parameter->name()) == name;
+    };
+    const auto found = std::ranges::find_if(parameters, isNamed);
+    return found == parameters.end() ? nullptr : *found;
+}
 
 void VolumeComponent::Override(VolumeComponent& state, float interpFactor) const
 {
@@ -47,21 +56,6 @@ void VolumeComponent::Override(VolumeComponent& state, float interpFactor) const
 void VolumeComponent::SetAllOverridesTo(bool state)
 {
     SetOverrideStates(m_Parameters, state);
-}
-
-VolumeParameter* VolumeComponent::FindParameter(std::string_view name)
-{
-    const auto found = std::find_if(m_Parameters.begin(), m_Parameters.end(),
-                                    [name](const VolumeParameter* parameter) {
-                                        return parameter->name() == name ||
-                                               PlainSpelling(parameter->name()) == name;
-                                    });
-    return found == m_Parameters.end() ? nullptr : *found;
-}
-
-const VolumeParameter* VolumeComponent::FindParameter(std::string_view name) const
-{
-    return const_cast<VolumeComponent*>(this)->FindParameter(name);
 }
 
 void VolumeComponent::Register(VolumeParameter& parameter)

@@ -37,26 +37,19 @@ VolumeProfile VolumeProfile::Clone(const VolumeComponentRegistry& registry) cons
 
 VolumeComponent* VolumeProfile::Find(const std::type_info& type) const
 {
-    for (const std::unique_ptr<VolumeComponent>& owned : m_Components)
+    const auto isOfType = [&type](const std::unique_ptr<VolumeComponent>& owned)
     {
-        VolumeComponent& component = *owned;
-        if (typeid(component) == type)
-        {
-            return &component;
-        }
-    }
-    return nullptr;
+        const VolumeComponent& component = *owned;
+        return typeid(component) == type;
+    };
+    const auto found = std::ranges::find_if(m_Components, isOfType);
+    return found == m_Components.end() ? nullptr : found->get();
 }
 
 void VolumeProfile::Remove(const std::type_info& type)
 {
-    m_Components.erase(std::remove_if(m_Components.begin(), m_Components.end(),
-                                      [&type](const std::unique_ptr<VolumeComponent>& owned)
-                                      {
-                                          const VolumeComponent& component = *owned;
-                                          return typeid(component) == type;
-                                      }),
-                       m_Components.end());
+    std::erase_if(m_Components,
+                  [found = Find(type)](const auto& owned) { return owned.get() == found; });
 }
 
 VolumeProfile& Volume::profile(const VolumeComponentRegistry& registry)

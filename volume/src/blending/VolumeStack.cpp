@@ -13,8 +13,7 @@ VolumeStack::VolumeStack(const VolumeComponentRegistry& registry,
     {
         m_Slots.push_back({entry->type, entry->create(), entry->defaults.get()});
     }
-    std::sort(m_Slots.begin(), m_Slots.end(),
-              [](const Slot& a, const Slot& b) { return a.type < b.type; });
+    std::ranges::sort(m_Slots, {}, &Slot::type);
 }
 
 const VolumeStack& VolumeStack::Defaults()
@@ -26,9 +25,7 @@ const VolumeStack& VolumeStack::Defaults()
 
 VolumeComponent* VolumeStack::Find(std::type_index type) const
 {
-    const auto slot =
-        std::lower_bound(m_Slots.begin(), m_Slots.end(), type,
-                         [](const Slot& s, std::type_index wanted) { return s.type < wanted; });
+    const auto slot = std::ranges::lower_bound(m_Slots, type, {}, &Slot::type);
     return slot != m_Slots.end() && slot->type == type ? slot->state.get() : nullptr;
 }
 

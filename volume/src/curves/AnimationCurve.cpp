@@ -11,11 +11,6 @@ namespace limn
 namespace
 {
 
-bool IsEarlier(const Keyframe& a, const Keyframe& b)
-{
-    return a.time < b.time;
-}
-
 /// 0 between keys of one time. In double: the difference of two floats need not be one.
 double SlopeBetween(const Keyframe& left, const Keyframe& right)
 {
@@ -88,12 +83,12 @@ float EvaluateBezier(const Keyframe& left, const Keyframe& right, float time)
 void AnimationCurve::SetKeys(std::vector<Keyframe> keys)
 {
     m_Keys = std::move(keys);
-    std::stable_sort(m_Keys.begin(), m_Keys.end(), IsEarlier);
+    std::ranges::stable_sort(m_Keys, {}, &Keyframe::time);
 }
 
 int AnimationCurve::AddKey(const Keyframe& key)
 {
-    const auto place = std::lower_bound(m_Keys.begin(), m_Keys.end(), key, IsEarlier);
+    const auto place = std::ranges::lower_bound(m_Keys, key.time, {}, &Keyframe::time);
     if (place != m_Keys.end() && place->time == key.time)
     {
         return -1;
@@ -160,9 +155,7 @@ float AnimationCurve::Evaluate(float time) const
     {
         return m_Keys.front().value;
     }
-    const auto right =
-        std::upper_bound(m_Keys.begin(), m_Keys.end(), time,
-                         [](float wanted, const Keyframe& key) { return wanted < key.time; });
+    const auto right = std::ranges::upper_bound(m_Keys, time, {}, &Keyframe::time);
     if (right == m_Keys.end())
     {
         return m_Keys.back().value;

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <limn/volume/AnimationCurve.h>
 #include <limn/volume/CurveParameters.h>
-#include <limn/volume/ValueParameters.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -14,41 +12,31 @@ namespace
 {
 
 /// A slope may be infinite, as Unity writes it.
-bool ReadTangent(YamlMapReader& map, std::string_view key, AssetDiagnostics& diagnostics,
-                 float& value)
+void ReadTangent(YamlMapReader& map, std::string_view key, float& value)
 {
     const YamlNode* node = map.Find(key);
-    if (!node)
-    {
-        return false;
-    }
-    const bool isNegative = node->scalar() == "-Infinity" || node->scalar() == "-.inf";
-    if (isNegative || node->scalar() == "Infinity" || node->scalar() == ".inf")
+    const std::string_view text = node ? std::string_view(node->scalar()) : "";
+    const bool isNegative = text == "-Infinity" || text == "-.inf";
+    if (isNegative || text == "Infinity" || text == ".inf")
     {
         const float infinity = std::numeric_limits<float>::infinity();
         value = isNegative ? -infinity : infinity;
-        return true;
+        return;
     }
-    const auto read = ReadFloat(*node, map.SubjectOf(key), diagnostics);
-    value = read.value_or(value);
-    return read.has_value();
+    map.Read(key, value);
 }
 
 Keyframe ReadKey(const ValueSource& source)
 {
     Keyframe key;
     YamlMapReader map(source.node, std::string(source.subject), source.diagnostics);
-    if (map.Require("time"))
-    {
-        map.Read("time", key.time);
-    }
-    if (map.Require("value"))
-    {
-        map.Read("value", key.value);
-    }
+    map.Require("time");
+    map.Read("time", key.time);
+    map.Require("value");
+    map.Read("value", key.value);
     const bool isUnitys = source.node.Find("inSlope") || source.node.Find("outSlope");
-    ReadTangent(map, isUnitys ? "inSlope" : "inTangent", source.diagnostics, key.inTangent);
-    ReadTangent(map, isUnitys ? "outSlope" : "outTangent", source.diagnostics, key.outTangent);
+    ReadTangent(map, isUnitys ? "inSlope" : "inTangent", key.inTangent);
+    ReadTangent(map, isUnitys ? "outSlope" : "outTangent", key.outTangent);
     map.Read("inWeight", key.inWeight);
     map.Read("outWeight", key.outWeight);
     int mode = 0;

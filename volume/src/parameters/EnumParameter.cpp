@@ -42,8 +42,7 @@ std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subj
 
 std::string EnumText(std::int64_t value, const EnumNames& names)
 {
-    const auto found = std::find_if(names.begin(), names.end(),
-                                    [value](const auto& entry) { return entry.value == value; });
+    const auto found = std::ranges::find(names, value, &EnumNames::value_type::value);
     return found == names.end() ? std::to_string(value) : found->name;
 }
 

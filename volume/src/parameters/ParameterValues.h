@@ -4,7 +4,6 @@
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
-#include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
 #include <limn/volume/ProfileContext.h>
 #include <limn/volume/TextureCurve.h>
@@ -36,14 +35,12 @@ struct ValueSource
 };
 
 // Each returns whether it set the value; if not, there is an error.
-bool ReadValue(const ValueSource& source, bool& value);
-bool ReadValue(const ValueSource& source, int& value);
-bool ReadValue(const ValueSource& source, std::uint32_t& value);
-bool ReadValue(const ValueSource& source, float& value);
-bool ReadValue(const ValueSource& source, Color& value);
+template <typename T>
+bool ReadValue(const ValueSource& source, T& value)
+{
+    return limn::ReadValue(source.node, source.subject, source.diagnostics, value, source.range);
+}
 bool ReadValue(const ValueSource& source, glm::vec2& value);
-bool ReadValue(const ValueSource& source, glm::vec3& value);
-bool ReadValue(const ValueSource& source, glm::vec4& value);
 bool ReadValue(const ValueSource& source, LayerMask& value);
 bool ReadValue(const ValueSource& source, RenderingLayerMask& value);
 bool ReadValue(const ValueSource& source, AssetLocation& value);

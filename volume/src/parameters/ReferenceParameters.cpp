@@ -50,13 +50,10 @@ bool TextureParameter::ReadNode(const YamlNode& node, std::string_view subject,
                                 AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     const TextureReference before = m_Value;
-    if (!ValueParameter::ReadNode(node, subject, diagnostics, context))
+    const bool isRead = ValueParameter::ReadNode(node, subject, diagnostics, context);
+    if (!isRead || m_Value.location.isNull() || !context.loadsAssets())
     {
-        return false;
-    }
-    if (m_Value.location.isNull() || !context.loadsAssets())
-    {
-        return true;
+        return isRead;
     }
     if (!isLoadable())
     {
@@ -76,13 +73,10 @@ bool MaterialParameter::ReadNode(const YamlNode& node, std::string_view subject,
                                  AssetDiagnostics& diagnostics, const ProfileContext& context)
 {
     const MaterialReference before = m_Value;
-    if (!ValueParameter::ReadNode(node, subject, diagnostics, context))
+    const bool isRead = ValueParameter::ReadNode(node, subject, diagnostics, context);
+    if (!isRead || m_Value.location.isNull() || !context.loadsAssets())
     {
-        return false;
-    }
-    if (m_Value.location.isNull() || !context.loadsAssets())
-    {
-        return true;
+        return isRead;
     }
     return LoadReference(node, std::string(subject), diagnostics, m_Value, before,
                          [&context](const AssetLocation& location)

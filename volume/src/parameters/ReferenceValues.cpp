@@ -92,11 +92,8 @@ bool ReadValue(const ValueSource& source, AssetLocation& value)
     {
         const std::size_t before = source.diagnostics.errorCount();
         YamlMapReader map(node, std::string(source.subject), source.diagnostics);
-        if (const YamlNode* fileID = map.Require("fileID"))
-        {
-            read.fileID =
-                ReadInteger(*fileID, map.SubjectOf("fileID"), source.diagnostics).value_or(0);
-        }
+        map.Require("fileID");
+        map.Read("fileID", read.fileID);
         map.Read("guid", read.guid);
         map.Read("type", read.type);
         map.Finish();

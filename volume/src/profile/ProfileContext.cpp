@@ -22,8 +22,7 @@ constexpr std::array<NamedLayer, 5> k_BuiltInLayers{
 
 std::optional<int> ProfileContext::FindLayer(std::string_view name) const
 {
-    const auto named = std::find_if(k_BuiltInLayers.begin(), k_BuiltInLayers.end(),
-                                    [name](const NamedLayer& layer) { return layer.name == name; });
+    const auto named = std::ranges::find(k_BuiltInLayers, name, &NamedLayer::name);
     return named == k_BuiltInLayers.end() ? std::nullopt : std::optional(named->index);
 }
 

@@ -26,15 +26,6 @@ public:
     }
 };
 
-VolumeParameter* FindNamed(std::span<VolumeParameter* const> parameters, const std::string& name)
-{
-    const auto found =
-        std::find_if(parameters.begin(), parameters.end(),
-                     [&name](const VolumeParameter* p)
-                     { return p->name() == name || PlainSpelling(p->name()) == name; });
-    return found == parameters.end() ? nullptr : *found;
-}
-
 /// The parameters along a path, from the component's own to the innermost; shorter than the path
 /// where a name is unknown.
 std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
@@ -44,7 +35,7 @@ std::vector<VolumeParameter*> FindAlong(VolumeComponent& component,
     std::span<VolumeParameter* const> known = component.parameters();
     for (const std::string& name : path)
     {
-        VolumeParameter* parameter = FindNamed(known, name);
+        VolumeParameter* parameter = FindParameter(known, name);
         if (!parameter)
         {
             break;
@@ -115,8 +106,7 @@ private:
         const std::size_t rest = wanted.keys.size() - found.size();
         const std::vector<std::string> members =
             parameter ? MembersOfValue(parameter->ValueText()) : std::vector<std::string>();
-        if (rest == 1 &&
-            std::find(members.begin(), members.end(), wanted.keys.back()) != members.end())
+        if (rest == 1 && std::ranges::find(members, wanted.keys.back()) != members.end())
         {
             m_Member = wanted.keys.back();
         }

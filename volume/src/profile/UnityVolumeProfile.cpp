@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limn/base/WordList.h>
-#include <limn/volume/UnityAsset.h>
 #include <set>
 #include <unordered_map>
 
@@ -140,9 +139,7 @@ void ReadComponent(const UnityObject& object, VolumeComponent& component,
         }
         const std::string subject = object.name + "." + entry.key;
         const std::span<VolumeParameter* const> parameters = component.parameters();
-        const auto parameter =
-            std::find_if(parameters.begin(), parameters.end(),
-                         [&entry](const VolumeParameter* p) { return p->name() == entry.key; });
+        const auto parameter = std::ranges::find(parameters, entry.key, &VolumeParameter::name);
         if (parameter == parameters.end())
         {
             NoteUnknownParameter(object, entry, undrawn, diagnostics);

@@ -2,7 +2,6 @@
 
 #include "profile/UnityVolumeProfile.h"
 
-#include <limn/volume/UnityAsset.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn

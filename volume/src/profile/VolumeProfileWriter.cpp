@@ -1,9 +1,11 @@
 #include <limn/volume/VolumeProfileLoader.h>
 
+#include "yaml/Text.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <limn/base/HashContent.h>
-#include <set>
+#include <limn/base/Text.h>
 #include <vector>
 
 namespace limn
@@ -14,49 +16,21 @@ namespace
 
 constexpr std::int64_t k_ProfileFileID = 11400000;
 
-bool IsWordCharacter(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-/// A character within double quotes.
-std::string Escaped(char c)
-{
-    switch (c)
-    {
-    case '\n':
-        return "\\n";
-    case '\r':
-        return "\\r";
-    case '\t':
-        return "\\t";
-    case '"':
-    case '\\':
-        return {'\\', c};
-    default:
-        return {c};
-    }
-}
-
 /// Text that YAML reads back as this text: as it is where that is safe, else in double quotes.
 std::string Quoted(const std::string& text)
 {
-    const auto isPlain = [](char c)
+    const auto isWord = [](char c)
     {
-        return IsWordCharacter(c) || c == '-' || c == ' ' || c == '.';
+        return isLetter(c) || isDigit(c);
     };
-    const std::set<std::string> nulls{"null", "Null", "NULL"};
-    if (!text.empty() && IsWordCharacter(text.front()) && text.back() != ' ' &&
-        std::all_of(text.begin(), text.end(), isPlain) && nulls.count(text) == 0)
+    const auto isPlain = [&](char c)
     {
-        return text;
-    }
-    std::string quoted = "\"";
-    for (const char c : text)
-    {
-        quoted += Escaped(c);
-    }
-    return quoted + '"';
+        return isWord(c) || c == '-' || c == ' ' || c == '.';
+    };
+    const bool isNull = text == "null" || text == "Null" || text == "NULL";
+    const bool isSafe = !text.empty() && isWord(text.front()) && text.back() != ' ' && !isNull &&
+                        std::ranges::all_of(text, isPlain);
+    return isSafe ? text : InQuotes(text, '"');
 }
 
 const std::string& NameOf(const VolumeComponent& component, const VolumeComponentRegistry& registry)
@@ -127,8 +101,7 @@ std::string UnityComponent(const VolumeComponent& component, const std::string& 
 std::int64_t FileIDOf(const std::string& name, const std::vector<std::int64_t>& used)
 {
     auto fileID = static_cast<std::int64_t>(HashContent(name));
-    while (fileID == 0 || fileID == k_ProfileFileID ||
-           std::find(used.begin(), used.end(), fileID) != used.end())
+    while (fileID == 0 || fileID == k_ProfileFileID || std::ranges::count(used, fileID) > 0)
     {
         fileID = fileID / 2 + 1;
     }

@@ -1,7 +1,7 @@
 #include <limn/volume/AssetDiagnostics.h>
 
 #include <algorithm>
-#include <tuple>
+#include <utility>
 
 namespace limn
 {
@@ -42,10 +42,8 @@ void AssetDiagnostics::ThrowWithoutPlaces() const
 
 std::size_t AssetDiagnostics::errorCount() const
 {
-    const auto count =
-        std::count_if(m_Diagnostics.begin(), m_Diagnostics.end(),
-                      [](const Diagnostic& d) { return d.severity == Severity::Error; });
-    return static_cast<std::size_t>(count);
+    return static_cast<std::size_t>(
+        std::ranges::count(m_Diagnostics, Severity::Error, &Diagnostic::severity));
 }
 
 std::vector<Diagnostic> AssetDiagnostics::Sorted(Severity severity) const
@@ -53,12 +51,9 @@ std::vector<Diagnostic> AssetDiagnostics::Sorted(Severity severity) const
     std::vector<Diagnostic> sorted;
     std::copy_if(m_Diagnostics.begin(), m_Diagnostics.end(), std::back_inserter(sorted),
                  [severity](const Diagnostic& d) { return d.severity == severity; });
-    std::stable_sort(sorted.begin(), sorted.end(),
-                     [](const Diagnostic& a, const Diagnostic& b)
-                     {
-                         return std::tie(a.location.line, a.location.column) <
-                                std::tie(b.location.line, b.location.column);
-                     });
+    std::ranges::stable_sort(sorted, {},
+                             [](const Diagnostic& d)
+                             { return std::pair(d.location.line, d.location.column); });
     return sorted;
 }
 

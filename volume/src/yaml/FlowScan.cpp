@@ -48,7 +48,7 @@ private:
         }
         else if (m_CanBegin && (c == '"' || c == '\''))
         {
-            SkipQuoted(c);
+            SkipQuoted();
         }
         else if (m_CanBegin && (c == '&' || c == '!'))
         {
@@ -80,13 +80,9 @@ private:
         ++m_At;
     }
 
-    void SkipQuoted(char quote)
+    void SkipQuoted()
     {
-        for (++m_At; m_At < m_Text.size() && m_Text[m_At] != quote; ++m_At)
-        {
-            m_At += quote == '"' && m_Text[m_At] == '\\' ? 1 : 0;
-        }
-        ++m_At;
+        m_At += std::min(EndOfQuotes(m_Text.substr(m_At)), m_Text.size() - m_At);
         m_CanBegin = false;
     }
 

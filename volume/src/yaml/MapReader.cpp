@@ -9,17 +9,6 @@ namespace limn
 namespace
 {
 
-/// Returns whether there was something to put into the value.
-template <typename Read, typename Value>
-bool Take(const std::optional<Read>& read, Value& value)
-{
-    if (read)
-    {
-        value = Value(*read);
-    }
-    return read.has_value();
-}
-
 bool HasSerializedPrefix(std::string_view name)
 {
     return name.size() > 2 && name.starts_with("m_");
@@ -156,67 +145,6 @@ void YamlMapReader::Finish(std::span<const std::string> elsewhere)
 std::string YamlMapReader::SubjectOf(std::string_view key) const
 {
     return m_Subject + "." + std::string(key);
-}
-
-bool YamlMapReader::Read(std::string_view key, bool& value)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadBool(*node, SubjectOf(key), m_Diagnostics) : std::nullopt, value);
-}
-
-bool YamlMapReader::Read(std::string_view key, int& value, ValueRange range)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadInt(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt, value);
-}
-
-bool YamlMapReader::Read(std::string_view key, std::uint32_t& value, ValueRange range)
-{
-    range.min = std::max(range.min, 0.0);
-    range.max = std::min(range.max, 4294967295.0);
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadInteger(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt,
-                value);
-}
-
-bool YamlMapReader::Read(std::string_view key, float& value, ValueRange range)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadFloat(*node, SubjectOf(key), m_Diagnostics, range) : std::nullopt,
-                value);
-}
-
-bool YamlMapReader::Read(std::string_view key, std::string& value)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadString(*node, SubjectOf(key), m_Diagnostics) : std::nullopt, value);
-}
-
-bool YamlMapReader::Read(std::string_view key, Color& value)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadColor(*node, SubjectOf(key), m_Diagnostics, k_ColorChannels)
-                     : std::nullopt,
-                value);
-}
-
-bool YamlMapReader::Read(std::string_view key, glm::vec2& value)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadVector(*node, 2, SubjectOf(key), m_Diagnostics) : std::nullopt, value);
-}
-
-bool YamlMapReader::Read(std::string_view key, glm::vec3& value, ValueRange range)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadVector(*node, 3, SubjectOf(key), m_Diagnostics, range) : std::nullopt,
-                value);
-}
-
-bool YamlMapReader::Read(std::string_view key, glm::vec4& value)
-{
-    const YamlNode* node = Find(key);
-    return Take(node ? ReadVector(*node, 4, SubjectOf(key), m_Diagnostics) : std::nullopt, value);
 }
 
 } // namespace limn

@@ -59,8 +59,7 @@ std::span<const YamlEntry> YamlNode::entries() const
 const YamlNode* YamlNode::Find(std::string_view key) const
 {
     const std::vector<YamlEntry>& entries = m_Content->entries;
-    const auto found = std::find_if(entries.begin(), entries.end(),
-                                    [key](const YamlEntry& entry) { return entry.key == key; });
+    const auto found = std::ranges::find(entries, key, &YamlEntry::key);
     return found == entries.end() ? nullptr : &found->value;
 }
 

@@ -1,5 +1,3 @@
-#include <limn/volume/YamlNode.h>
-
 #include "yaml/Text.h"
 #include "yaml/TreeBuilder.h"
 
@@ -219,9 +217,7 @@ std::vector<YamlNode> ParseYaml(std::string_view text, const std::string& file,
         ReportSyntaxError(e, builder, text, firstLine, diagnostics);
     }
     diagnostics.ThrowIfErrors();
-    const bool isEmpty = std::all_of(builder.documents.begin(), builder.documents.end(),
-                                     [](const YamlNode& document) { return document.isNull(); });
-    if (isEmpty)
+    if (std::ranges::all_of(builder.documents, &YamlNode::isNull))
     {
         throw AssetError(file, {}, "the file is empty; write a name and a colon first, 'name:'");
     }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <limn/base/NumberText.h>
 
 namespace limn
 {

@@ -1,5 +1,4 @@
 #include <limn/volume/YamlMapReader.h>
-#include <limn/volume/YamlRead.h>
 
 #include <array>
 #include <charconv>

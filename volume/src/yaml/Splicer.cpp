@@ -177,7 +177,7 @@ void YamlSplicer::Replace(const YamlNode& old, const YamlNode& fresh, const std:
     }
     else if (old.isScalar() && fresh.isMap())
     {
-        ReplaceHex(old, fresh, freshText);
+        Add(old, HexColor(old.scalar(), fresh).value_or(freshText));
     }
     else if (old.isScalar() && fresh.isScalar())
     {
@@ -231,12 +231,6 @@ void YamlSplicer::ReplaceSequence(const YamlNode& old, const YamlNode& fresh)
     {
         Replace(olds[i], items[i], FlowText(items[i]));
     }
-}
-
-void YamlSplicer::ReplaceHex(const YamlNode& old, const YamlNode& fresh,
-                             const std::string& freshText)
-{
-    Add(old, HexColor(old.scalar(), fresh).value_or(freshText));
 }
 
 void YamlSplicer::ReplaceScalar(const YamlNode& old, const YamlNode& fresh)
@@ -426,8 +420,7 @@ void YamlSplicer::RequireNoOtherChange(std::span<const YamlNode> before,
 std::string YamlSplicer::Result() const
 {
     std::vector<Splice> splices = m_Splices;
-    std::sort(splices.begin(), splices.end(),
-              [](const Splice& a, const Splice& b) { return a.begin < b.begin; });
+    std::ranges::sort(splices, {}, &Splice::begin);
     std::string result;
     std::size_t at = 0;
     for (const Splice& splice : splices)

@@ -101,12 +101,15 @@ std::string_view WithoutMarks(std::string_view text)
 
 std::string InQuotes(const std::string& text, char quote)
 {
+    constexpr std::string_view k_Control = "\n\r\t";
     std::string quoted(1, quote);
     for (const char c : text)
     {
-        const bool isSpecial = c == quote || (quote == '"' && c == '\\');
+        const std::size_t control = quote == '"' ? k_Control.find(c) : k_Control.npos;
+        const bool isSpecial =
+            c == quote || (quote == '"' && c == '\\') || control != k_Control.npos;
         quoted += isSpecial ? std::string(1, quote == '"' ? '\\' : c) : std::string();
-        quoted += c;
+        quoted += control != k_Control.npos ? "nrt"[control] : c;
     }
     return quoted + quote;
 }

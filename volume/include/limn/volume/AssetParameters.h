@@ -2,7 +2,6 @@
 
 #include <concepts>
 #include <limn/core/Texture.h>
-#include <limn/shaderlab/ShaderProgram.h>
 #include <limn/volume/ProfileContext.h>
 #include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
@@ -50,32 +49,31 @@ private:
     std::optional<TextureDimension> m_Dimension;
 };
 
+namespace detail
+{
+
+/// A parameter of textures of one dimension.
+template <TextureDimension itsDimension>
+class TextureParameterOf : public TextureParameter
+{
+public:
+    using TextureParameter::TextureParameter;
+    std::optional<TextureDimension> dimension() const override { return itsDimension; }
+};
+
+} // namespace detail
+
 /// The same as TextureParameter, whose value also switches instead of blending.
 /// Unity: NoInterpTextureParameter (URP 14).
-class NoInterpTextureParameter : public TextureParameter
-{
-public:
-    using TextureParameter::TextureParameter;
-    std::string_view typeName() const override { return "NoInterpTexture"; }
-};
+using NoInterpTextureParameter = detail::NamedParameter<TextureParameter, "NoInterpTexture">;
 
 /// A flat texture. Unity: Texture2DParameter (URP 14).
-class Texture2DParameter : public TextureParameter
-{
-public:
-    using TextureParameter::TextureParameter;
-    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex2D; }
-    std::string_view typeName() const override { return "Texture2D"; }
-};
+using Texture2DParameter =
+    detail::NamedParameter<detail::TextureParameterOf<TextureDimension::Tex2D>, "Texture2D">;
 
 /// A volume texture. Unity: Texture3DParameter (URP 14).
-class Texture3DParameter : public TextureParameter
-{
-public:
-    using TextureParameter::TextureParameter;
-    std::optional<TextureDimension> dimension() const override { return TextureDimension::Tex3D; }
-    std::string_view typeName() const override { return "Texture3D"; }
-};
+using Texture3DParameter =
+    detail::NamedParameter<detail::TextureParameterOf<TextureDimension::Tex3D>, "Texture3D">;
 
 /// A texture that is drawn into. Unity: RenderTextureParameter (URP 14).
 class RenderTextureParameter : public TextureParameter
@@ -89,30 +87,16 @@ public:
 
 /// The same as RenderTextureParameter, whose value also switches instead of blending.
 /// Unity: NoInterpRenderTextureParameter (URP 14).
-class NoInterpRenderTextureParameter : public RenderTextureParameter
-{
-public:
-    using RenderTextureParameter::RenderTextureParameter;
-    std::string_view typeName() const override { return "NoInterpRenderTexture"; }
-};
+using NoInterpRenderTextureParameter =
+    detail::NamedParameter<RenderTextureParameter, "NoInterpRenderTexture">;
 
 /// A cubemap. Unity: CubemapParameter (URP 14).
-class CubemapParameter : public TextureParameter
-{
-public:
-    using TextureParameter::TextureParameter;
-    std::optional<TextureDimension> dimension() const override { return TextureDimension::Cube; }
-    std::string_view typeName() const override { return "Cubemap"; }
-};
+using CubemapParameter =
+    detail::NamedParameter<detail::TextureParameterOf<TextureDimension::Cube>, "Cubemap">;
 
 /// The same as CubemapParameter, whose value also switches instead of blending.
 /// Unity: NoInterpCubemapParameter (URP 14).
-class NoInterpCubemapParameter : public CubemapParameter
-{
-public:
-    using CubemapParameter::CubemapParameter;
-    std::string_view typeName() const override { return "NoInterpCubemap"; }
-};
+using NoInterpCubemapParameter = detail::NamedParameter<CubemapParameter, "NoInterpCubemap">;
 
 class Material;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
@@ -48,6 +49,24 @@ public:
     using ValueParameter<T>::Interp;
 
     void Interp(const T& from, const T& to, float t) final;
+};
+
+/// A text as an argument of a template.
+template <std::size_t Size>
+struct FixedText
+{
+    constexpr FixedText(const char (&text)[Size]) { std::copy_n(text, Size, characters); }
+
+    char characters[Size] = {};
+};
+
+/// A parameter like its base, under a type's name of its own.
+template <typename Base, FixedText type>
+class NamedParameter : public Base
+{
+public:
+    using Base::Base;
+    std::string_view typeName() const override { return type.characters; }
 };
 
 /// @throws ContractError about the parameter `name` unless min <= max
@@ -112,88 +131,44 @@ public:
 
 /// A colour, blended linearly per channel (also alpha), in the colour space of its values.
 /// Unity: ColorParameter (URP 14).
-class ColorParameter : public detail::ColorHints<detail::LerpParameter<Color>>
-{
-public:
-    using ColorHints::ColorHints;
-    std::string_view typeName() const override { return "Color"; }
-};
+using ColorParameter =
+    detail::NamedParameter<detail::ColorHints<detail::LerpParameter<Color>>, "Color">;
 
 /// A colour; blending switches as soon as t > 0. Unity: NoInterpColorParameter (URP 14).
-class NoInterpColorParameter : public detail::ColorHints<detail::ValueParameter<Color>>
-{
-public:
-    using ColorHints::ColorHints;
-    std::string_view typeName() const override { return "NoInterpColor"; }
-};
+using NoInterpColorParameter =
+    detail::NamedParameter<detail::ColorHints<detail::ValueParameter<Color>>, "NoInterpColor">;
 
 /// Two numbers, each blended linearly. Unity: Vector2Parameter (URP 14).
-class Vector2Parameter : public detail::LerpParameter<glm::vec2>
-{
-public:
-    using LerpParameter::LerpParameter;
-    std::string_view typeName() const override { return "Vector2"; }
-};
+using Vector2Parameter = detail::NamedParameter<detail::LerpParameter<glm::vec2>, "Vector2">;
 
 /// Two numbers; blending switches as soon as t > 0. Unity: NoInterpVector2Parameter (URP 14).
-class NoInterpVector2Parameter : public detail::ValueParameter<glm::vec2>
-{
-public:
-    using ValueParameter::ValueParameter;
-    std::string_view typeName() const override { return "NoInterpVector2"; }
-};
+using NoInterpVector2Parameter =
+    detail::NamedParameter<detail::ValueParameter<glm::vec2>, "NoInterpVector2">;
 
 /// Three numbers, each blended linearly. Unity: Vector3Parameter (URP 14).
-class Vector3Parameter : public detail::LerpParameter<glm::vec3>
-{
-public:
-    using LerpParameter::LerpParameter;
-    std::string_view typeName() const override { return "Vector3"; }
-};
+using Vector3Parameter = detail::NamedParameter<detail::LerpParameter<glm::vec3>, "Vector3">;
 
 /// Three numbers; blending switches as soon as t > 0. Unity: NoInterpVector3Parameter (URP 14).
-class NoInterpVector3Parameter : public detail::ValueParameter<glm::vec3>
-{
-public:
-    using ValueParameter::ValueParameter;
-    std::string_view typeName() const override { return "NoInterpVector3"; }
-};
+using NoInterpVector3Parameter =
+    detail::NamedParameter<detail::ValueParameter<glm::vec3>, "NoInterpVector3">;
 
 /// Four numbers, each blended linearly. Unity: Vector4Parameter (URP 14).
-class Vector4Parameter : public detail::LerpParameter<glm::vec4>
-{
-public:
-    using LerpParameter::LerpParameter;
-    std::string_view typeName() const override { return "Vector4"; }
-};
+using Vector4Parameter = detail::NamedParameter<detail::LerpParameter<glm::vec4>, "Vector4">;
 
 /// Four numbers; blending switches as soon as t > 0. Unity: NoInterpVector4Parameter (URP 14).
-class NoInterpVector4Parameter : public detail::ValueParameter<glm::vec4>
-{
-public:
-    using ValueParameter::ValueParameter;
-    std::string_view typeName() const override { return "NoInterpVector4"; }
-};
+using NoInterpVector4Parameter =
+    detail::NamedParameter<detail::ValueParameter<glm::vec4>, "NoInterpVector4">;
 
 /// A set of layers; blending switches as soon as t > 0. YAML has the bits as one number, "Nothing",
 /// "Everything", a list of indices or of Unity's built-in layers' names ("Default", "UI"), or
 /// {m_Bits: 5}. A profile does not know the names that a scene gives its layers.
 /// Unity: LayerMaskParameter (URP 14).
-class LayerMaskParameter : public detail::ValueParameter<LayerMask>
-{
-public:
-    using ValueParameter::ValueParameter;
-    std::string_view typeName() const override { return "LayerMask"; }
-};
+using LayerMaskParameter = detail::NamedParameter<detail::ValueParameter<LayerMask>, "LayerMask">;
 
 /// A set of rendering layers; blending switches as soon as t > 0. It is written in YAML like a
 /// LayerMask, but the list has no names. Unity: RenderingLayerMaskParameter (URP 17).
-class RenderingLayerMaskParameter : public detail::ValueParameter<RenderingLayerMask>
-{
-public:
-    using ValueParameter::ValueParameter;
-    std::string_view typeName() const override { return "RenderingLayerMask"; }
-};
+using RenderingLayerMaskParameter =
+    detail::NamedParameter<detail::ValueParameter<RenderingLayerMask>, "RenderingLayerMask">;
 
 /// A value of an enum and its name in files.
 template <typename T>

@@ -28,11 +28,7 @@ public:
     VolumePlace& operator=(const VolumePlace&) noexcept { return *this; }
     VolumePlace& operator=(VolumePlace&& other) noexcept
     {
-        if (this != &other)
-        {
-            Leave();
-            Take(other);
-        }
+        Take(other);
         return *this;
     }
     ~VolumePlace() { Leave(); }
@@ -42,7 +38,9 @@ private:
 
     void Take(VolumePlace& other) noexcept
     {
-        m_Address = std::move(other.m_Address);
+        const auto address = std::move(other.m_Address);
+        Leave();
+        m_Address = address;
         if (m_Address)
         {
             *m_Address = this;

@@ -9,6 +9,10 @@
 namespace limn
 {
 
+/// Returns the parameter with that serialised or plain name ("m_OutlineWidth", "outlineWidth"), or
+/// null if there is none.
+VolumeParameter* FindParameter(std::span<VolumeParameter* const> parameters, std::string_view name);
+
 /// A group of parameters that belong to one effect. A subclass declares them as members:
 ///
 ///     ClampedFloatParameter m_OutlineWidth{this, "m_OutlineWidth", 3.0f, 1.0f, 10.0f};
@@ -45,10 +49,15 @@ public:
     std::span<VolumeParameter* const> parameters() { return m_Parameters; }
     std::span<const VolumeParameter* const> parameters() const { return m_Parameters; }
 
-    /// Returns the parameter with that serialised or plain name ("m_OutlineWidth", "outlineWidth"),
-    /// or null if there is none.
-    VolumeParameter* FindParameter(std::string_view name);
-    const VolumeParameter* FindParameter(std::string_view name) const;
+    /// Returns one of the parameters as the other FindParameter does.
+    VolumeParameter* FindParameter(std::string_view name)
+    {
+        return limn::FindParameter(m_Parameters, name);
+    }
+    const VolumeParameter* FindParameter(std::string_view name) const
+    {
+        return limn::FindParameter(m_Parameters, name);
+    }
 
 private:
     friend class VolumeParameter;

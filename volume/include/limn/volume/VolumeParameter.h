@@ -2,7 +2,6 @@
 
 #include <limn/volume/ProfileContext.h>
 #include <limn/volume/YamlRead.h>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>

@@ -37,15 +37,13 @@ public:
     const YamlNode* Require(std::string_view key);
 
     /// Sets `value` if the map has the key with a valid value, and returns whether it did.
-    bool Read(std::string_view key, bool& value);
-    bool Read(std::string_view key, int& value, ValueRange range = {});
-    bool Read(std::string_view key, std::uint32_t& value, ValueRange range = {});
-    bool Read(std::string_view key, float& value, ValueRange range = {});
-    bool Read(std::string_view key, std::string& value);
-    bool Read(std::string_view key, Color& value);
-    bool Read(std::string_view key, glm::vec2& value);
-    bool Read(std::string_view key, glm::vec3& value, ValueRange range = {});
-    bool Read(std::string_view key, glm::vec4& value);
+    template <typename T>
+    bool Read(std::string_view key, T& value, ValueRange range = {})
+    {
+        const YamlNode* node = Find(key);
+        return node && ReadValue(*node, SubjectOf(key), m_Diagnostics, value, range);
+    }
+    bool Read(std::string_view key, Color& value) { return Read(key, value, k_ColorChannels); }
 
     /// Reports every key that was not asked for, with the nearest key that was.
     /// @param elsewhere  paths of keys in other maps, such as "settings.width"; the report names

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec4.hpp>
+#include <limits>
+#include <limn/base/NumberText.h>
 #include <limn/core/Color.h>
 #include <limn/core/ValueRange.h>
 #include <limn/volume/AssetDiagnostics.h>
@@ -9,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace limn
 {
@@ -50,8 +54,49 @@ inline constexpr ValueRange k_ColorChannels{-1e9, 1e9};
 std::optional<Color> ReadColor(const YamlNode& node, std::string_view subject,
                                AssetDiagnostics& diagnostics, ValueRange range = {});
 
-/// Returns a number as a person writes it, without trailing zeros: "3", "0.25".
-std::string NumberText(double number);
+/// Reads a value of the type of `value`: bool, a whole number, float, std::string, Color or a
+/// vector.
+/// @return false, with one error and `value` as it was, if it cannot be read
+template <typename T>
+bool ReadValue(const YamlNode& node, std::string_view subject, AssetDiagnostics& diagnostics,
+               T& value, ValueRange range = {})
+{
+    const auto read = [&]
+    {
+        if constexpr (std::is_same_v<T, bool>)
+        {
+            return ReadBool(node, subject, diagnostics);
+        }
+        else if constexpr (std::is_integral_v<T>)
+        {
+            range.min = std::max(range.min, static_cast<double>(std::numeric_limits<T>::min()));
+            range.max = std::min(range.max, static_cast<double>(std::numeric_limits<T>::max()));
+            return ReadInteger(node, subject, diagnostics, range);
+        }
+        else if constexpr (std::is_same_v<T, float>)
+        {
+            return ReadFloat(node, subject, diagnostics, range);
+        }
+        else if constexpr (std::is_same_v<T, std::string>)
+        {
+            return ReadString(node, subject, diagnostics);
+        }
+        else if constexpr (std::is_same_v<T, Color>)
+        {
+            return ReadColor(node, subject, diagnostics, range);
+        }
+        else
+        {
+            return ReadVector(node, T::length(), subject, diagnostics, range);
+        }
+    }();
+    if (read)
+    {
+        value = static_cast<T>(*read);
+    }
+    return read.has_value();
+}
+
 /// Returns the text of a range: "[1, 10]".
 std::string RangeText(ValueRange range);
 

@@ -53,7 +53,6 @@ private:
     void Refuse(const YamlNode& node, const std::string& problem);
     void ReplaceMap(const YamlNode& old, const YamlNode& fresh);
     void ReplaceSequence(const YamlNode& old, const YamlNode& fresh);
-    void ReplaceHex(const YamlNode& old, const YamlNode& fresh, const std::string& freshText);
     void ReplaceScalar(const YamlNode& old, const YamlNode& fresh);
     /// Returns the characters of a scalar, its quotes included; empty if it is not on one line.
     std::string_view Extent(const YamlNode& scalar) const;
