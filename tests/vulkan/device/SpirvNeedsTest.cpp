@@ -1,6 +1,6 @@
 #include "Mentions.h"
 #include "core/ThrownMessage.h"
-#include <device/SpirvNeeds.h>
+#include <device/DeviceFeatures.h>
 #include <gmock/gmock.h>
 #include <limn/core/DrawError.h>
 
@@ -70,7 +70,8 @@ TEST(SpirvNeeds, OfWaveOperationsAreThoseOfTheStageThatUsesThem)
 
 TEST(SpirvNeeds, AreNamedBeforeTheDriverIsGivenTheModule)
 {
-    const auto missing = MissingCapabilities(FeatureChain{OptionalExtensions{}}, 0);
+    FeatureChain chain{OptionalExtensions{}};
+    const auto missing = MissingCapabilities(chain, 0);
     EXPECT_NO_THROW(RequireCapabilities(Module({k_Shader}), missing));
     EXPECT_NO_THROW(RequireCapabilities(Module({k_Geometry}), {}));
     EXPECT_THAT(ThrownMessage<DrawError>(

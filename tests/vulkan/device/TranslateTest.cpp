@@ -127,10 +127,7 @@ TEST(Translate, PutsTheViewportsTopAtClipSpaceUp)
 
 TEST(Translate, ClipsAViewportToThePass)
 {
-    CompiledRenderPass pass;
-    pass.width = 100;
-    pass.height = 50;
-    const VkRect2D rect = ClipToPass({-10, 40, 30, 40}, pass);
+    const VkRect2D rect = ClipTo({{0, 0}, {100, 50}}, {-10, 40, 30, 40});
     EXPECT_EQ(0, rect.offset.x);
     EXPECT_EQ(40, rect.offset.y);
     EXPECT_EQ(20u, rect.extent.width);
@@ -140,10 +137,7 @@ TEST(Translate, ClipsAViewportToThePass)
 TEST(Translate, TakesAViewportThatEndsBeyondTheLargestInt)
 {
     constexpr int k_Most = std::numeric_limits<int>::max();
-    CompiledRenderPass pass;
-    pass.width = 100;
-    pass.height = 50;
-    const VkRect2D rect = ClipToPass({10, 20, k_Most, k_Most}, pass);
+    const VkRect2D rect = ClipTo({{0, 0}, {100, 50}}, {10, 20, k_Most, k_Most});
     EXPECT_EQ(10, rect.offset.x);
     EXPECT_EQ(20, rect.offset.y);
     EXPECT_EQ(90u, rect.extent.width);

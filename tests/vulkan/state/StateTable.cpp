@@ -2,7 +2,7 @@
 
 #include <device/Translate.h>
 #include <frame/DynamicState.h>
-#include <programs/PipelineBuilder.h>
+#include <programs/ProgramPool.h>
 #include <resolve/ResolveState.h>
 
 namespace limn::test
@@ -56,7 +56,7 @@ VulkanValues ToValues(const PipelineState& state, const TargetFormats& formats)
                            {"depthBiasSlope", fixed.depthBiasSlope},
                            {"depthClamp", key.depthClamp},
                            {"alphaToCoverage", key.alphaToMask},
-                           {"conservative", ToVkConservative(key.conservative)},
+                           {"conservative", key.conservative},
                            {"logicOp", key.logicOp ? static_cast<int>(*key.logicOp) : -1},
                            {"stencilTest", fixed.stencilTest}};
     AddStencilFace(values, "front", fixed.stencilFront);

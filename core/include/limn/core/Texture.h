@@ -26,7 +26,7 @@ struct SamplerState
     int anisoLevel = 1;
     float mipMapBias = 0.0f; ///< added to the mip level. Unity: Texture.mipMapBias
 
-    bool operator==(const SamplerState&) const = default;
+    auto operator<=>(const SamplerState&) const = default;
 };
 
 /// The size of a texture. `slices` is the depth of a 3D texture, the number of elements of an

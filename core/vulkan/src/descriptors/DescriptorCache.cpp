@@ -1,6 +1,7 @@
 #include "descriptors/DescriptorCache.h"
 
 #include <array>
+#include <limn/base/HashContent.h>
 
 namespace limn::vulkan
 {
@@ -13,8 +14,7 @@ constexpr std::uint32_t k_SetsPerPool = 512;
 VkResult TryAllocate(VkDevice device, VkDescriptorPool pool, VkDescriptorSetLayout layout,
                      VkDescriptorSet& set)
 {
-    VkDescriptorSetAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO;
+    auto info = Make<VkDescriptorSetAllocateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO);
     info.descriptorPool = pool;
     info.descriptorSetCount = 1;
     info.pSetLayouts = &layout;
@@ -74,8 +74,7 @@ void DescriptorAllocator::AddPool()
         {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, k_SetsPerPool},
         {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, k_SetsPerPool},
     }};
-    VkDescriptorPoolCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO;
+    auto info = Make<VkDescriptorPoolCreateInfo>(VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO);
     info.maxSets = k_SetsPerPool;
     info.poolSizeCount = static_cast<std::uint32_t>(sizes.size());
     info.pPoolSizes = sizes.data();
@@ -111,8 +110,7 @@ void SetContent::AddImage(std::uint32_t binding, VkDescriptorType type,
 void SetContent::Add(std::uint32_t binding, VkDescriptorType type)
 {
     m_Key.push_back((std::uint64_t{binding} << 32U) | static_cast<std::uint32_t>(type));
-    VkWriteDescriptorSet write{};
-    write.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET;
+    auto write = Make<VkWriteDescriptorSet>(VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET);
     write.dstBinding = binding;
     write.descriptorCount = 1;
     write.descriptorType = type;
@@ -141,13 +139,7 @@ void SetContent::WriteTo(VkDevice device, VkDescriptorSet set)
 
 std::size_t DescriptorCache::Hash::operator()(const std::vector<std::uint64_t>& key) const
 {
-    std::uint64_t hash = 0;
-    for (const std::uint64_t number : key)
-    {
-        hash = (hash ^ number) * 0x9E3779B97F4A7C15U;
-        hash ^= hash >> 32U;
-    }
-    return hash;
+    return HashContent({reinterpret_cast<const char*>(key.data()), key.size() * sizeof(key[0])});
 }
 
 void DescriptorCache::Begin(std::uint64_t destroyed)

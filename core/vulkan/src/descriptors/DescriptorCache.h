@@ -66,7 +66,6 @@ public:
 
     VkDescriptorSet Get(SetContent& content);
 
-    std::size_t size() const { return m_Sets.size(); }
     std::uint64_t writeCount() const { return m_WriteCount; } ///< since construction
 
 private:

@@ -1,6 +1,5 @@
 #include "device/Check.h"
 
-#include <algorithm>
 #include <limn/vulkan/VulkanError.h>
 
 namespace limn

@@ -15,6 +15,15 @@ std::string ResultName(VkResult result);
 /// @throws VulkanError if `result` is an error; VK_INCOMPLETE and the like are none
 void Check(VkResult result, const char* call, const std::string& object = {});
 
+/// Returns a structure of Vulkan with zeros behind its type.
+template <typename Structure>
+Structure Make(VkStructureType type)
+{
+    Structure structure{};
+    structure.sType = type;
+    return structure;
+}
+
 /// Fills a list with two calls, the first for the number of elements, the second for the elements;
 /// repeats them if the number grew in between.
 /// @param call  takes the count and the elements; the elements are null the first time

@@ -7,14 +7,12 @@ namespace limn::vulkan
 
 Commands::Commands(const VulkanContext& context) : m_Device(context.device())
 {
-    VkCommandPoolCreateInfo poolInfo{};
-    poolInfo.sType = VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO;
+    auto poolInfo = Make<VkCommandPoolCreateInfo>(VK_STRUCTURE_TYPE_COMMAND_POOL_CREATE_INFO);
     poolInfo.flags = VK_COMMAND_POOL_CREATE_TRANSIENT_BIT;
     poolInfo.queueFamilyIndex = context.queueFamily();
     m_Pool = UniqueCommandPool{m_Device, vkCreateCommandPool, poolInfo, "vkCreateCommandPool"};
 
-    VkCommandBufferAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO;
+    auto info = Make<VkCommandBufferAllocateInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO);
     info.commandPool = m_Pool.get();
     info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
     info.commandBufferCount = 1;
@@ -24,8 +22,7 @@ Commands::Commands(const VulkanContext& context) : m_Device(context.device())
 void Commands::Begin(VkCommandBufferUsageFlags usage)
 {
     Check(vkResetCommandPool(m_Device, m_Pool.get(), 0), "vkResetCommandPool");
-    VkCommandBufferBeginInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO;
+    auto info = Make<VkCommandBufferBeginInfo>(VK_STRUCTURE_TYPE_COMMAND_BUFFER_BEGIN_INFO);
     info.flags = usage;
     Check(vkBeginCommandBuffer(m_Handle, &info), "vkBeginCommandBuffer");
 }
@@ -42,8 +39,7 @@ void RecordBarriers(VkCommandBuffer commands, std::span<const VkImageMemoryBarri
     {
         return;
     }
-    VkDependencyInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO;
+    auto info = Make<VkDependencyInfo>(VK_STRUCTURE_TYPE_DEPENDENCY_INFO);
     info.imageMemoryBarrierCount = static_cast<std::uint32_t>(images.size());
     info.pImageMemoryBarriers = images.data();
     info.memoryBarrierCount = static_cast<std::uint32_t>(memory.size());

@@ -1,7 +1,8 @@
 #include "device/DeviceFeatures.h"
 
 #include "device/Check.h"
-#include <algorithm>
+#include "device/Spirv.h"
+#include <limn/core/DrawError.h>
 
 namespace limn::vulkan
 {
@@ -15,6 +16,8 @@ struct Feature
     const char* name; ///< Vulkan's
     VkBool32& (*in)(FeatureChain& chain);
     const char* meaning;
+    std::uint32_t capability = 0;      ///< SPIR-V's that needs it; 0 = none
+    std::uint32_t otherCapability = 0; ///< likewise
 };
 
 #define LIMN_FEATURE(structure, feature)                                                           \
@@ -37,41 +40,41 @@ constexpr Feature k_OptionalFeatures[] = {
     {LIMN_FEATURE(core.features, depthClamp), "ZClip False is refused"},
     {LIMN_FEATURE(core.features, logicOp), "logical BlendOps are refused"},
     {LIMN_FEATURE(core.features, geometryShader),
-     "geometry functions and SV_PrimitiveID in fragment functions are refused"},
+     "geometry functions and SV_PrimitiveID in fragment functions are refused", 2},
     {LIMN_FEATURE(core.features, tessellationShader),
-     "shaders that ask for tessellation (#pragma target 4.6 and 5.0) use their next SubShader"},
-    {LIMN_FEATURE(core.features, imageCubeArray), "arrays of cubemaps are refused"},
+     "shaders that ask for tessellation (#pragma target 4.6 and 5.0) use their next SubShader", 3},
+    {LIMN_FEATURE(core.features, imageCubeArray), "arrays of cubemaps are refused", 34, 45},
     {LIMN_FEATURE(core.features, samplerAnisotropy), "anisoLevel has no effect"},
     {LIMN_FEATURE(core.features, sampleRateShading),
-     "fragment functions that run once a sample are refused"},
-    {LIMN_FEATURE(core.features, shaderClipDistance), "SV_ClipDistance is refused"},
-    {LIMN_FEATURE(core.features, shaderCullDistance), "SV_CullDistance is refused"},
+     "fragment functions that run once a sample are refused", 35},
+    {LIMN_FEATURE(core.features, shaderClipDistance), "SV_ClipDistance is refused", 32},
+    {LIMN_FEATURE(core.features, shaderCullDistance), "SV_CullDistance is refused", 33},
     {LIMN_FEATURE(core.features, shaderImageGatherExtended),
-     "Gather with an offset that is not constant is refused"},
+     "Gather with an offset that is not constant is refused", 25},
     {LIMN_FEATURE(core.features, vertexPipelineStoresAndAtomics),
      "vertex and geometry functions that write to buffers or textures are refused"},
     {LIMN_FEATURE(core.features, fragmentStoresAndAtomics),
      "fragment functions that write to buffers or textures are refused"},
     {LIMN_FEATURE(core.features, shaderUniformBufferArrayDynamicIndexing),
-     "arrays of constant buffers are refused where the index is not constant"},
+     "arrays of constant buffers are refused where the index is not constant", 28},
     {LIMN_FEATURE(core.features, shaderSampledImageArrayDynamicIndexing),
-     "arrays of textures are refused where the index is not constant"},
+     "arrays of textures are refused where the index is not constant", 29},
     {LIMN_FEATURE(core.features, shaderStorageBufferArrayDynamicIndexing),
-     "arrays of structured buffers are refused where the index is not constant"},
+     "arrays of structured buffers are refused where the index is not constant", 30},
     {LIMN_FEATURE(core.features, shaderStorageImageReadWithoutFormat),
-     "kernels that read a writable texture cost a pipeline for each format"},
-    {LIMN_FEATURE(core.features, shaderStorageImageWriteWithoutFormat), "kernels are refused"},
+     "kernels that read a writable texture cost a pipeline for each format", 55},
+    {LIMN_FEATURE(core.features, shaderStorageImageWriteWithoutFormat), "kernels are refused", 56},
     {LIMN_FEATURE(core.features, shaderStorageImageExtendedFormats),
-     "writable textures of rarer formats are refused"},
-    {LIMN_FEATURE(core.features, shaderInt16), "integers of 16 bits are refused"},
-    {LIMN_FEATURE(core.features, shaderInt64), "integers of 64 bits are refused"},
-    {LIMN_FEATURE(v11, shaderDrawParameters), "SV_StartInstanceLocation is refused"},
+     "writable textures of rarer formats are refused", 49},
+    {LIMN_FEATURE(core.features, shaderInt16), "integers of 16 bits are refused", 22},
+    {LIMN_FEATURE(core.features, shaderInt64), "integers of 64 bits are refused", 11},
+    {LIMN_FEATURE(v11, shaderDrawParameters), "SV_StartInstanceLocation is refused", 4427},
     {LIMN_FEATURE(v12, samplerMirrorClampToEdge), "TextureWrapMode.MirrorOnce is drawn as Clamp"},
     {LIMN_FEATURE(v12, scalarBlockLayout),
      "kernels and structured buffers whose elements Direct3D packs more tightly are refused"},
-    {LIMN_FEATURE(v12, shaderFloat16), "half is of 32 bits always"},
+    {LIMN_FEATURE(v12, shaderFloat16), "half is of 32 bits always", 9},
     {LIMN_FEATURE(v12, shaderOutputLayer),
-     "SV_RenderTargetArrayIndex is refused but in geometry functions"},
+     "SV_RenderTargetArrayIndex is refused but in geometry functions", 69},
     {LIMN_FEATURE(v12, shaderBufferInt64Atomics), "atomics of 64 bits on buffers are refused"},
     {LIMN_FEATURE(v12, shaderSharedInt64Atomics),
      "atomics of 64 bits on groupshared variables are refused"},
@@ -186,11 +189,9 @@ std::vector<std::string> MissingFeatures(FeatureChain& offered)
     std::vector<std::string> missing;
     for (const Feature& feature : k_NeededFeatures)
     {
-        if (feature.in(offered) == VK_FALSE)
-        {
-            missing.push_back(std::string("it lacks the feature ") + feature.name +
-                              ", needed for " + feature.meaning);
-        }
+        missing.insert(missing.end(), feature.in(offered) == VK_TRUE ? 0 : 1,
+                       std::string("it lacks the feature ") + feature.name + ", needed for " +
+                           feature.meaning);
     }
     return missing;
 }
@@ -229,10 +230,7 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
     std::vector<std::string> missing;
     for (const auto& [name, isThere] : features)
     {
-        if (!isThere)
-        {
-            missing.emplace_back(name);
-        }
+        missing.insert(missing.end(), isThere ? 0 : 1, name);
     }
     constexpr std::pair<const char*, VkSubgroupFeatureFlagBits> k_Operations[] = {
         {"quadshuffle", VK_SUBGROUP_FEATURE_QUAD_BIT},
@@ -250,6 +248,70 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
     }
     std::ranges::sort(missing);
     return missing;
+}
+
+VkSubgroupFeatureFlags SubgroupOperations(const VkPhysicalDeviceSubgroupProperties& device,
+                                          VkShaderStageFlagBits stage)
+{
+    constexpr VkShaderStageFlags k_WithQuads =
+        VK_SHADER_STAGE_FRAGMENT_BIT | VK_SHADER_STAGE_COMPUTE_BIT;
+    if ((device.supportedStages & stage) == 0)
+    {
+        return 0;
+    }
+    return device.quadOperationsInAllStages == VK_TRUE || (stage & k_WithQuads) != 0
+               ? device.supportedOperations
+               : device.supportedOperations & ~VkFlags{VK_SUBGROUP_FEATURE_QUAD_BIT};
+}
+
+std::vector<MissingCapability> MissingCapabilities(FeatureChain& enabled,
+                                                   VkSubgroupFeatureFlags subgroup)
+{
+    // limn asks no device for these two.
+    std::vector<MissingCapability> missing = {{10, "shaderFloat64"},
+                                              {31, "shaderStorageImageArrayDynamicIndexing"}};
+    for (const Feature& feature : k_OptionalFeatures)
+    {
+        for (const std::uint32_t capability : {feature.capability, feature.otherCapability})
+        {
+            const bool isMissing = capability != 0 && feature.in(enabled) == VK_FALSE;
+            missing.insert(missing.end(), isMissing ? 1 : 0, {capability, feature.name});
+        }
+    }
+    constexpr std::pair<MissingCapability, VkSubgroupFeatureFlagBits> k_Operations[] = {
+        {{61, "wave operations"}, VK_SUBGROUP_FEATURE_BASIC_BIT},
+        {{62, "wave votes"}, VK_SUBGROUP_FEATURE_VOTE_BIT},
+        {{63, "wave arithmetic"}, VK_SUBGROUP_FEATURE_ARITHMETIC_BIT},
+        {{64, "wave ballots"}, VK_SUBGROUP_FEATURE_BALLOT_BIT},
+        {{65, "wave shuffles"}, VK_SUBGROUP_FEATURE_SHUFFLE_BIT},
+        {{68, "quad operations"}, VK_SUBGROUP_FEATURE_QUAD_BIT},
+    };
+    for (const auto& [need, operation] : k_Operations)
+    {
+        missing.insert(missing.end(), (subgroup & operation) == 0 ? 1 : 0, need);
+    }
+    return missing;
+}
+
+void RequireCapabilities(const std::vector<std::uint32_t>& spirv,
+                         std::span<const MissingCapability> missing)
+{
+    const MissingCapability* found = nullptr;
+    EachInstruction(spirv,
+                    [&](std::uint32_t op, std::span<const std::uint32_t> words)
+                    {
+                        const auto known = op == OpCapability
+                                               ? std::ranges::find(missing, words[1],
+                                                                   &MissingCapability::capability)
+                                               : missing.end();
+                        found = known == missing.end() ? found : &*known;
+                    });
+    if (found != nullptr)
+    {
+        throw DrawError(std::string("a program needs ") + found->feature +
+                        ", which the device lacks; a compiler that is given the device's "
+                        "missingShaderFeatures() takes the shader's next SubShader instead");
+    }
 }
 
 std::vector<std::string> Lacks(FeatureChain& offered, const OptionalExtensions& extensions,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan.h>
@@ -52,6 +54,27 @@ std::vector<std::string> MissingShaderFeatures(const FeatureChain& enabled,
                                                const VkPhysicalDeviceLimits& limits,
                                                VkSubgroupFeatureFlags fragments,
                                                VkSubgroupFeatureFlags kernels);
+
+/// A capability of SPIR-V that a device does not accept, and the feature that it would need.
+struct MissingCapability
+{
+    std::uint32_t capability = 0; ///< the operand of OpCapability
+    const char* feature = "";     ///< Vulkan's name
+};
+
+/// Returns the subgroup operations that programs of a stage can use, 0 if none.
+VkSubgroupFeatureFlags SubgroupOperations(const VkPhysicalDeviceSubgroupProperties& device,
+                                          VkShaderStageFlagBits stage);
+
+/// Lists the capabilities that HLSL can lead to and that a device made with these features does not
+/// accept. Source: the SPIR-V environment of Vulkan 1.3's specification.
+/// @param subgroup  see SubgroupOperations
+std::vector<MissingCapability> MissingCapabilities(FeatureChain& enabled,
+                                                   VkSubgroupFeatureFlags subgroup);
+
+/// @throws DrawError with the name of the feature, if the module declares one of the capabilities
+void RequireCapabilities(const std::vector<std::uint32_t>& spirv,
+                         std::span<const MissingCapability> missing);
 
 /// Returns one sentence for each feature, extension and limit of which the device has less than
 /// limn can use. It says what the device lacks and what that costs.

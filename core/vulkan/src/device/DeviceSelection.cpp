@@ -2,7 +2,6 @@
 
 #include "device/DeviceFeatures.h"
 #include "device/VulkanInstance.h"
-#include <algorithm>
 #include <functional>
 #include <limn/base/Case.h>
 #include <limn/base/ParseWhole.h>

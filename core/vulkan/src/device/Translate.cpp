@@ -104,19 +104,16 @@ VkFormat ToVkFormat(GraphicsFormat format)
 
 VkCompareOp ToReversedDepthCompare(CompareFunction function)
 {
-    switch (function)
-    {
-    case CompareFunction::Less:
-        return VK_COMPARE_OP_GREATER;
-    case CompareFunction::LessEqual:
-        return VK_COMPARE_OP_GREATER_OR_EQUAL;
-    case CompareFunction::Greater:
-        return VK_COMPARE_OP_LESS;
-    case CompareFunction::GreaterEqual:
-        return VK_COMPARE_OP_LESS_OR_EQUAL;
-    default:
-        return ToStencilCompare(function);
-    }
+    static constexpr VkCompareOp k_Reversed[] = {VK_COMPARE_OP_ALWAYS,
+                                                 VK_COMPARE_OP_NEVER,
+                                                 VK_COMPARE_OP_GREATER,
+                                                 VK_COMPARE_OP_EQUAL,
+                                                 VK_COMPARE_OP_GREATER_OR_EQUAL,
+                                                 VK_COMPARE_OP_LESS,
+                                                 VK_COMPARE_OP_NOT_EQUAL,
+                                                 VK_COMPARE_OP_LESS_OR_EQUAL,
+                                                 VK_COMPARE_OP_ALWAYS};
+    return At(k_Reversed, "CompareFunction", function);
 }
 
 VkCompareOp ToStencilCompare(CompareFunction function)
@@ -185,12 +182,6 @@ VkLogicOp ToVkLogicOp(BlendOp op)
         VK_LOGIC_OP_AND_REVERSE,   VK_LOGIC_OP_AND_INVERTED, VK_LOGIC_OP_OR_REVERSE,
         VK_LOGIC_OP_OR_INVERTED};
     return At(k_Logical, "logical BlendOp", op, BlendOp::LogicalClear);
-}
-
-VkConservativeRasterizationModeEXT ToVkConservative(bool conservative)
-{
-    return conservative ? VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT
-                        : VK_CONSERVATIVE_RASTERIZATION_MODE_DISABLED_EXT;
 }
 
 VkPrimitiveTopology ToVkTopology(MeshTopology topology)

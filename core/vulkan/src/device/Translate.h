@@ -33,7 +33,6 @@ constexpr bool isAdvanced(BlendOp op)
 VkBlendOp ToVkBlendOp(BlendOp op);
 /// @param op  must be a logical one
 VkLogicOp ToVkLogicOp(BlendOp op);
-VkConservativeRasterizationModeEXT ToVkConservative(bool conservative);
 
 VkCullModeFlags ToVkCullMode(CullMode mode);
 /// @pre the device supports the topology

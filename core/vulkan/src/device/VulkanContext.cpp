@@ -1,7 +1,6 @@
 #include "device/VulkanContext.h"
 
 #include "device/Check.h"
-#include "device/DeviceFeatures.h"
 #include "device/DeviceSelection.h"
 #include "device/Translate.h"
 
@@ -60,14 +59,12 @@ void VulkanContext::CreateDevice(const OptionalExtensions& extensions)
     FindMissing(wanted);
 
     const float priority = 1.0f;
-    VkDeviceQueueCreateInfo queue{};
-    queue.sType = VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO;
+    auto queue = Make<VkDeviceQueueCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO);
     queue.queueFamilyIndex = m_QueueFamily;
     queue.queueCount = 1;
     queue.pQueuePriorities = &priority;
     const std::vector<const char*> names = extensions.Names();
-    VkDeviceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO;
+    auto info = Make<VkDeviceCreateInfo>(VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO);
     info.pNext = &wanted.core;
     info.queueCreateInfoCount = 1;
     info.pQueueCreateInfos = &queue;
@@ -89,7 +86,7 @@ void VulkanContext::ReadCapabilities()
         QueueFamilies(m_PhysicalDevice)[m_QueueFamily].timestampValidBits;
 }
 
-void VulkanContext::FindMissing(const FeatureChain& enabled)
+void VulkanContext::FindMissing(FeatureChain& enabled)
 {
     const auto subgroup = ReadProperties<VkPhysicalDeviceSubgroupProperties>(
         m_PhysicalDevice, VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_SUBGROUP_PROPERTIES);
@@ -107,10 +104,8 @@ void VulkanContext::FindMissing(const FeatureChain& enabled)
 
 bool VulkanContext::ReadsWithoutFormat(GraphicsFormat format) const
 {
-    VkFormatProperties3 more{};
-    more.sType = VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_3;
-    VkFormatProperties2 properties{};
-    properties.sType = VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_2;
+    auto more = Make<VkFormatProperties3>(VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_3);
+    auto properties = Make<VkFormatProperties2>(VK_STRUCTURE_TYPE_FORMAT_PROPERTIES_2);
     properties.pNext = &more;
     vkGetPhysicalDeviceFormatProperties2(m_PhysicalDevice, ToVkFormat(format), &properties);
     return (more.optimalTilingFeatures & VK_FORMAT_FEATURE_2_STORAGE_READ_WITHOUT_FORMAT_BIT) != 0;
@@ -147,8 +142,8 @@ void VulkanContext::SetObjectName(VkObjectType type, std::uint64_t handle,
     {
         return;
     }
-    VkDebugUtilsObjectNameInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT;
+    auto info =
+        Make<VkDebugUtilsObjectNameInfoEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_OBJECT_NAME_INFO_EXT);
     info.objectType = type;
     info.objectHandle = handle;
     info.pObjectName = name.c_str();

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "device/DeviceFeatures.h"
-#include "device/SpirvNeeds.h"
 #include "device/VulkanInstance.h"
 #include <limn/core/GraphicsFormat.h>
 #include <map>
@@ -74,7 +73,7 @@ private:
     void ChoosePhysicalDevice(const std::string& request);
     void CreateDevice(const OptionalExtensions& extensions);
     void ReadCapabilities();
-    void FindMissing(const FeatureChain& enabled);
+    void FindMissing(FeatureChain& enabled);
     void LoadFunctions();
     void SetObjectName(VkObjectType type, std::uint64_t handle, const std::string& name) const;
 

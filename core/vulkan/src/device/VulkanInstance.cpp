@@ -33,8 +33,8 @@ catch (...)
 
 VkDebugUtilsMessengerCreateInfoEXT MessengerInfo(ValidationLog& log)
 {
-    VkDebugUtilsMessengerCreateInfoEXT info{};
-    info.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+    auto info = Make<VkDebugUtilsMessengerCreateInfoEXT>(
+        VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT);
     info.messageSeverity = VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT |
                            VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
     // Not GENERAL: there the loader talks about drivers of absent hardware.
@@ -133,22 +133,19 @@ VulkanInstance::~VulkanInstance()
 
 void VulkanInstance::Create(bool validation)
 {
-    VkApplicationInfo application{};
-    application.sType = VK_STRUCTURE_TYPE_APPLICATION_INFO;
+    auto application = Make<VkApplicationInfo>(VK_STRUCTURE_TYPE_APPLICATION_INFO);
     application.pApplicationName = "limn";
     application.pEngineName = "limn";
     application.apiVersion = VK_API_VERSION_1_3;
 
     constexpr std::array enabled = {VK_VALIDATION_FEATURE_ENABLE_SYNCHRONIZATION_VALIDATION_EXT};
-    VkValidationFeaturesEXT features{};
-    features.sType = VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT;
+    auto features = Make<VkValidationFeaturesEXT>(VK_STRUCTURE_TYPE_VALIDATION_FEATURES_EXT);
     features.enabledValidationFeatureCount = static_cast<std::uint32_t>(enabled.size());
     features.pEnabledValidationFeatures = enabled.data();
     VkDebugUtilsMessengerCreateInfoEXT messenger = MessengerInfo(m_Log);
     messenger.pNext = &features;
 
-    VkInstanceCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO;
+    auto info = Make<VkInstanceCreateInfo>(VK_STRUCTURE_TYPE_INSTANCE_CREATE_INFO);
     info.pApplicationInfo = &application;
     std::vector<const char*> extensions;
     if (m_DebugUtils)

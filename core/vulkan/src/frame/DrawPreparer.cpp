@@ -1,6 +1,5 @@
 #include "frame/DrawPreparer.h"
 
-#include "programs/PipelineBuilder.h"
 #include <algorithm>
 #include <limn/core/ComputeShader.h>
 #include <limn/core/DrawError.h>
@@ -164,7 +163,7 @@ void DrawPreparer::Add(const DispatchCommand& dispatch)
         m_Resources.programs.KernelPipeline(program, *setup.program, FormatsFor(setup));
     if (HasBindings(setup.program->layout))
     {
-        prepared.set = m_Descriptors.Get(dispatch, program, m_Number);
+        prepared.set = m_Descriptors.Get(dispatch, program);
     }
     prepared.arguments = ArgumentsOf(setup.bindings.get());
     m_Frame.dispatches.push_back(prepared);
@@ -173,9 +172,8 @@ void DrawPreparer::Add(const DispatchCommand& dispatch)
 PreparedArguments DrawPreparer::ArgumentsOf(const DrawBindings* bindings)
 {
     const BufferSlot* slot = bindings != nullptr ? bindings->arguments() : nullptr;
-    return slot != nullptr
-               ? PreparedArguments{m_Descriptors.Use(slot->buffer, m_Number), slot->offset}
-               : PreparedArguments();
+    return slot != nullptr ? PreparedArguments{m_Descriptors.Use(slot->buffer), slot->offset}
+                           : PreparedArguments();
 }
 
 /// Returns the formats of the textures that the kernel both reads and writes, for those that the
@@ -259,7 +257,7 @@ void DrawPreparer::AddRuns(const DrawCommand& draw)
         }
         else if (m_HasBindings)
         {
-            run.set = m_Descriptors.Get(draw, *m_Program, run.instances.piece, m_Number);
+            run.set = m_Descriptors.Get(draw, *m_Program, run.instances.piece);
         }
         m_Frame.runs.push_back(run);
         m_LastRun = run;

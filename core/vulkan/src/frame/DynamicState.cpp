@@ -1,7 +1,6 @@
 #include "frame/DynamicState.h"
 
 #include "device/Translate.h"
-#include "programs/PipelineBuilder.h"
 #include <algorithm>
 #include <limn/base/NumberText.h>
 #include <limn/core/DrawError.h>

@@ -176,11 +176,12 @@ std::uint32_t PieceElements(const VkPhysicalDeviceLimits& limits)
 
 FrameDescriptors::FrameDescriptors(const VulkanContext& context, DeviceResources& resources,
                                    FrameSlot& slot, const CompiledFrame& frame,
-                                   DescriptorLists& lists)
+                                   DescriptorLists& lists, std::uint64_t number)
     : m_Resources(resources),
       m_Slot(slot),
       m_Frame(frame),
       m_Lists(lists),
+      m_Number(number),
       m_PieceElements(PieceElements(context.capabilities().limits))
 {
     FrameRecording& recording = slot.recording();
@@ -244,68 +245,66 @@ InstanceRun FrameDescriptors::RunFrom(const DrawCommand& draw, std::uint32_t ski
 }
 
 VkDescriptorSet FrameDescriptors::Get(const DrawCommand& draw, const ProgramObjects& pass,
-                                      std::size_t piece, std::uint64_t number)
+                                      std::size_t piece)
 {
     const DrawSetup& setup = m_Frame.Setup(draw);
     return Get(setup.program->layout, setup.bindings ? *setup.bindings : k_NoBindings, pass,
-               draw.drawsObjects, piece, number);
+               draw.drawsObjects, piece);
 }
 
-VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
-                                      std::uint64_t number)
+VkDescriptorSet FrameDescriptors::Get(const DispatchCommand& dispatch, const ProgramObjects& kernel)
 {
     const DispatchSetup& setup = m_Frame.Setup(dispatch);
-    return Get(setup.program->layout, *setup.bindings, kernel, false, 0, number);
+    return Get(setup.program->layout, *setup.bindings, kernel, false, 0);
 }
 
 VkDescriptorSet FrameDescriptors::Get(const PropertyLayout& layout, const DrawBindings& bindings,
                                       const ProgramObjects& program, bool readsObjects,
-                                      std::size_t piece, std::uint64_t number)
+                                      std::size_t piece)
 {
     VkDescriptorSet& set = m_Lists.sets[{&bindings, program.setLayout.get(), readsObjects, piece}];
     if (set == VK_NULL_HANDLE)
     {
         if (readsObjects)
         {
-            UseObjects(number);
+            UseObjects();
         }
-        Use(bindings, number);
+        Use(bindings);
         set = Create(layout, bindings, program.setLayout.get(),
-                     m_Lists.pieces[readsObjects ? 1 : 0], piece, number);
+                     m_Lists.pieces[readsObjects ? 1 : 0], piece);
     }
     return set;
 }
 
-void FrameDescriptors::Use(const DrawBindings& bindings, std::uint64_t number)
+void FrameDescriptors::Use(const DrawBindings& bindings)
 {
     for (const TextureSlot& slot : bindings.textures)
     {
-        m_Resources.images.UseResolved(slot.texture, number);
+        m_Resources.images.UseResolved(slot.texture, m_Number);
     }
     for (const StorageTextureSlot& slot : bindings.storageTextures)
     {
-        m_Resources.images.Use(slot.texture, number);
+        m_Resources.images.Use(slot.texture, m_Number);
     }
     for (const BufferSlot& slot : bindings.buffers)
     {
-        m_Resources.buffers.Use(slot.buffer, number, m_Slot.uploads());
+        m_Resources.buffers.Use(slot.buffer, m_Number, m_Slot.uploads());
     }
 }
 
-VkBuffer FrameDescriptors::Use(const std::shared_ptr<const GraphicsBuffer>& buffer,
-                               std::uint64_t number)
+VkBuffer FrameDescriptors::Use(const std::shared_ptr<const GraphicsBuffer>& buffer)
 {
-    return m_Resources.buffers.Use(buffer, number, m_Slot.uploads()).buffer.handle.get();
+    return m_Resources.buffers.Use(buffer, m_Number, m_Slot.uploads()).buffer.handle.get();
 }
 
-void FrameDescriptors::UseObjects(std::uint64_t number)
+void FrameDescriptors::UseObjects()
 {
     FrameRecording& recording = m_Slot.recording();
     if (!m_Frame.objects || recording.objects != VK_NULL_HANDLE)
     {
         return;
     }
-    recording.objects = m_Resources.objects.Update(m_Frame.objects, number, m_Slot.uploads());
+    recording.objects = m_Resources.objects.Update(m_Frame.objects, m_Number, m_Slot.uploads());
     recording.objectCount = m_Frame.objects->count();
     for (VkDescriptorBufferInfo& piece : m_Lists.pieces[1])
     {
@@ -316,11 +315,11 @@ void FrameDescriptors::UseObjects(std::uint64_t number)
 VkDescriptorSet FrameDescriptors::Create(const PropertyLayout& layout, const DrawBindings& bindings,
                                          VkDescriptorSetLayout setLayout,
                                          const std::vector<VkDescriptorBufferInfo>& pieces,
-                                         std::size_t piece, std::uint64_t number)
+                                         std::size_t piece)
 {
     m_Lists.content.Clear(setLayout);
     AddUniforms(m_Lists.content, layout, bindings, m_Data->uniforms(), m_Resources);
-    AddTextures(m_Lists.content, layout, bindings, m_Resources, number);
+    AddTextures(m_Lists.content, layout, bindings, m_Resources, m_Number);
     AddStorageTextures(m_Lists.content, layout, bindings, m_Resources);
     for (const StorageBufferBinding& buffer : layout.storageBuffers)
     {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "submit/DeviceResources.h"
 #include "submit/FrameSlot.h"
 #include <memory_resource>
 
@@ -35,8 +34,9 @@ class FrameDescriptors
 public:
     /// Writes the frame's uniform and per-draw data to the slot's recording.
     /// @lifetime keeps `frame` and `lists` by reference
+    /// @param number  the number of the frame's submission
     FrameDescriptors(const VulkanContext& context, DeviceResources& resources, FrameSlot& slot,
-                     const CompiledFrame& frame, DescriptorLists& lists);
+                     const CompiledFrame& frame, DescriptorLists& lists, std::uint64_t number);
 
     /// Returns the longest run that begins with the draw's instance `skipped`, counted from 0. All
     /// instances are one run if the shader reads no per-draw data.
@@ -44,34 +44,30 @@ public:
 
     /// @param piece  the piece of the per-draw data
     /// @throws ContractError with the name of what the shader reads and the draw does not bind
-    /// @param number  the number of the frame's submission, which uses the draw's textures
-    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece,
-                        std::uint64_t number);
-    VkDescriptorSet Get(const DispatchCommand& dispatch, const ProgramObjects& kernel,
-                        std::uint64_t number);
+    VkDescriptorSet Get(const DrawCommand& draw, const ProgramObjects& pass, std::size_t piece);
+    VkDescriptorSet Get(const DispatchCommand& dispatch, const ProgramObjects& kernel);
     /// Returns the device's buffer for a GraphicsBuffer that no set binds, with the data set until
     /// now.
-    VkBuffer Use(const std::shared_ptr<const GraphicsBuffer>& buffer, std::uint64_t number);
+    VkBuffer Use(const std::shared_ptr<const GraphicsBuffer>& buffer);
 
 private:
     VkDescriptorSet Get(const PropertyLayout& layout, const DrawBindings& bindings,
-                        const ProgramObjects& program, bool readsObjects, std::size_t piece,
-                        std::uint64_t number);
-    void Use(const DrawBindings& bindings, std::uint64_t number);
+                        const ProgramObjects& program, bool readsObjects, std::size_t piece);
+    void Use(const DrawBindings& bindings);
     /// Updates the buffer of the objects, if a draw has any, before all passes.
-    void UseObjects(std::uint64_t number);
+    void UseObjects();
     void AddPieces(VkBuffer buffer, VkDeviceSize offset, std::size_t count,
                    std::vector<VkDescriptorBufferInfo>& pieces) const;
     void RequireInstances(const DrawCommand& draw) const;
     VkDescriptorSet Create(const PropertyLayout& layout, const DrawBindings& bindings,
                            VkDescriptorSetLayout setLayout,
-                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece,
-                           std::uint64_t number);
+                           const std::vector<VkDescriptorBufferInfo>& pieces, std::size_t piece);
 
     DeviceResources& m_Resources;
     FrameSlot& m_Slot;
     const CompiledFrame& m_Frame;
     DescriptorLists& m_Lists;
+    std::uint64_t m_Number;
     const FrameData* m_Data = nullptr;
     std::uint32_t m_PieceElements; ///< elements of per-draw data per piece, except the last one
 };

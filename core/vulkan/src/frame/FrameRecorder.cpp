@@ -152,15 +152,14 @@ private:
 
     void Run(const SetViewportCommand& viewport)
     {
-        m_Scissor = ClipToPass(viewport.rect, m_Pass);
+        m_Scissor = ClipTo(AreaOf(m_Pass), viewport.rect);
         m_Bound.SetViewport(ToVkViewport(viewport.rect));
     }
 
     void Run(const DrawCommand& draw)
     {
         const PreparedDraw& prepared = m_Frame.draws[m_NextDraw++];
-        m_Bound.SetScissor(draw.scissor ? Common(ClipToPass(*draw.scissor, m_Pass), m_Scissor)
-                                        : m_Scissor);
+        m_Bound.SetScissor(draw.scissor ? ClipTo(m_Scissor, *draw.scissor) : m_Scissor);
         m_Bound.BindPipeline(prepared, m_Frame.states[prepared.state]);
         m_Bound.BindMesh(prepared);
         for (std::size_t i = 0; i < prepared.runCount; ++i)
@@ -234,8 +233,7 @@ private:
     {
         if (m_Context.functions().beginLabel != nullptr)
         {
-            VkDebugUtilsLabelEXT label{};
-            label.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT;
+            auto label = Make<VkDebugUtilsLabelEXT>(VK_STRUCTURE_TYPE_DEBUG_UTILS_LABEL_EXT);
             label.pLabelName = name.c_str();
             m_Context.functions().beginLabel(m_Commands, &label);
         }
@@ -294,7 +292,8 @@ bool FrameRecorder::Prepare(const CompiledFrame& frame)
     m_Prepared.passes.resize(frame.passes.size());
     m_Prepared.usesReversedZBuffer = frame.usesReversedZBuffer;
     m_Resources.images.Place(frame.placed, m_Number);
-    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, m_Prepared.descriptors};
+    FrameDescriptors descriptors{m_Context, m_Resources, m_Slot, frame, m_Prepared.descriptors,
+                                 m_Number};
     DrawPreparer draws{m_Context, m_Resources, descriptors, frame, m_Number, m_Prepared};
     for (std::size_t i = 0; i < frame.passes.size(); ++i)
     {

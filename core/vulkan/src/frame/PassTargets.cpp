@@ -108,8 +108,7 @@ void RequireCount(const CompiledRenderPass& pass, const VkPhysicalDeviceLimits& 
 VkRenderingAttachmentInfo Attachment(VkImageView view, VkImageLayout layout, LoadOp load,
                                      StoreOp store, VkClearValue clear)
 {
-    VkRenderingAttachmentInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO;
+    auto info = Make<VkRenderingAttachmentInfo>(VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO);
     info.imageView = view;
     info.imageLayout = layout;
     info.loadOp = ToVkLoadOp(load);
@@ -142,16 +141,14 @@ VkClearColorValue ColorClearValue(const Color& color, GraphicsFormat format)
 {
     VkClearColorValue value{{color.r, color.g, color.b, color.a}};
     const std::array<double, 4> values{color.r, color.g, color.b, color.a};
-    switch (ComponentType(format))
+    const UniformType type = ComponentType(format);
+    if (type == UniformType::Int)
     {
-    case UniformType::Int:
         SetIntegers(value.int32, values);
-        break;
-    case UniformType::UInt:
+    }
+    else if (type == UniformType::UInt)
+    {
         SetIntegers(value.uint32, values);
-        break;
-    default:
-        break;
     }
     return value;
 }
@@ -223,10 +220,8 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
         }
         colors.at(count++) = target;
     }
-    VkRenderingInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_RENDERING_INFO;
-    info.renderArea.extent = {static_cast<std::uint32_t>(pass.width),
-                              static_cast<std::uint32_t>(pass.height)};
+    auto info = Make<VkRenderingInfo>(VK_STRUCTURE_TYPE_RENDERING_INFO);
+    info.renderArea = AreaOf(pass);
     info.layerCount = 1;
     info.colorAttachmentCount = count;
     info.pColorAttachments = colors.data();
@@ -279,33 +274,27 @@ void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
     }
 }
 
-VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass)
+VkRect2D AreaOf(const CompiledRenderPass& pass)
+{
+    return {{0, 0},
+            {static_cast<std::uint32_t>(pass.width), static_cast<std::uint32_t>(pass.height)}};
+}
+
+VkRect2D ClipTo(const VkRect2D& area, const ViewportRect& rect)
 {
     const auto clip = [](std::int64_t value, int least, int most)
     {
         return static_cast<int>(std::clamp<std::int64_t>(value, least, most));
     };
-    const int left = clip(rect.x, 0, pass.width);
-    const int top = clip(rect.y, 0, pass.height);
-    const int right = clip(Right(rect), left, pass.width);
-    const int bottom = clip(Bottom(rect), top, pass.height);
+    const auto& [offset, extent] = area;
+    const int endX = offset.x + static_cast<int>(extent.width);
+    const int endY = offset.y + static_cast<int>(extent.height);
+    const int left = clip(rect.x, offset.x, endX);
+    const int top = clip(rect.y, offset.y, endY);
+    const int right = clip(Right(rect), left, endX);
+    const int bottom = clip(Bottom(rect), top, endY);
     return {{left, top},
             {static_cast<std::uint32_t>(right - left), static_cast<std::uint32_t>(bottom - top)}};
-}
-
-VkRect2D Common(const VkRect2D& a, const VkRect2D& b)
-{
-    const auto end = [](std::int32_t begin, std::uint32_t size)
-    {
-        return begin + static_cast<std::int32_t>(size);
-    };
-    const int left = std::max(a.offset.x, b.offset.x);
-    const int top = std::max(a.offset.y, b.offset.y);
-    const int right = std::min(end(a.offset.x, a.extent.width), end(b.offset.x, b.extent.width));
-    const int bottom = std::min(end(a.offset.y, a.extent.height), end(b.offset.y, b.extent.height));
-    return {{left, top},
-            {static_cast<std::uint32_t>(std::max(right - left, 0)),
-             static_cast<std::uint32_t>(std::max(bottom - top, 0))}};
 }
 
 VkViewport ToVkViewport(const ViewportRect& rect)

@@ -33,10 +33,9 @@ void RecordBeginRendering(VkCommandBuffer commands, const CompiledRenderPass& pa
 void RequireViewport(const ViewportRect& rect, const CompiledRenderPass& pass,
                      const VkPhysicalDeviceLimits& limits);
 
-/// Returns the part of the pass's area that `rect` covers.
-VkRect2D ClipToPass(const ViewportRect& rect, const CompiledRenderPass& pass);
-/// Returns the texels that are in both rectangles.
-VkRect2D Common(const VkRect2D& a, const VkRect2D& b);
+VkRect2D AreaOf(const CompiledRenderPass& pass);
+/// Returns the part of the area that `rect` covers.
+VkRect2D ClipTo(const VkRect2D& area, const ViewportRect& rect);
 
 /// Converts a viewport. Clip y = +1 is the rectangle's first row, and clip z is the depth.
 VkViewport ToVkViewport(const ViewportRect& rect);

@@ -3,6 +3,7 @@
 #include "device/Check.h"
 #include <algorithm>
 #include <limn/vulkan/VulkanError.h>
+#include <numeric>
 
 namespace limn::vulkan
 {
@@ -142,22 +143,15 @@ void MemoryAllocator::Sweep()
 
 VkDeviceSize MemoryAllocator::allocatedBytes() const
 {
-    VkDeviceSize total = 0;
-    for (const auto& block : m_Blocks)
-    {
-        total += block->size;
-    }
-    return total;
+    return std::accumulate(m_Blocks.begin(), m_Blocks.end(), VkDeviceSize{0},
+                           [](VkDeviceSize sum, const auto& block) { return sum + block->size; });
 }
 
 VkDeviceSize MemoryAllocator::usedBytes() const
 {
-    VkDeviceSize total = 0;
-    for (const auto& block : m_Blocks)
-    {
-        total += block->ranges.usedBytes();
-    }
-    return total;
+    return std::accumulate(m_Blocks.begin(), m_Blocks.end(), VkDeviceSize{0},
+                           [](VkDeviceSize sum, const auto& block)
+                           { return sum + block->ranges.usedBytes(); });
 }
 
 /// The best first.
@@ -184,8 +178,7 @@ std::vector<std::uint32_t> MemoryAllocator::MemoryTypes(std::uint32_t allowed, M
 UniqueMemory MemoryAllocator::TryAllocate(VkDeviceSize size, std::uint32_t type,
                                           const std::string& name)
 {
-    VkMemoryAllocateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO;
+    auto info = Make<VkMemoryAllocateInfo>(VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO);
     info.allocationSize = size;
     info.memoryTypeIndex = type;
     VkDeviceMemory memory = VK_NULL_HANDLE;
@@ -210,21 +203,15 @@ MemoryAllocator::Block& MemoryAllocator::NewBlock(UniqueMemory memory, VkDeviceS
                                                   std::uint32_t type, MemoryUse use,
                                                   MemoryContent content, const std::string& name)
 {
-    auto block = std::make_unique<Block>();
-    block->memory = std::move(memory);
+    void* mapped = nullptr;
     if (isMapped(use))
     {
-        void* mapped = nullptr;
-        Check(vkMapMemory(m_Device, block->memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped),
-              "vkMapMemory", name);
-        block->mapped = static_cast<std::byte*>(mapped);
+        Check(vkMapMemory(m_Device, memory.get(), 0, VK_WHOLE_SIZE, 0, &mapped), "vkMapMemory",
+              name);
     }
-    block->size = size;
-    block->type = type;
-    block->use = use;
-    block->content = content;
-    block->ranges = RangeAllocator{size};
-    m_Blocks.push_back(std::move(block));
+    m_Blocks.push_back(
+        std::make_unique<Block>(Block{std::move(memory), static_cast<std::byte*>(mapped), size,
+                                      type, use, content, RangeAllocator{size}}));
     return *m_Blocks.back();
 }
 
@@ -238,8 +225,7 @@ Buffer::Buffer(VkDevice device, MemoryAllocator& allocator, VkDeviceSize bytes,
                VkBufferUsageFlags usage, MemoryUse use, const std::string& name)
     : size(bytes)
 {
-    VkBufferCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO;
+    auto info = Make<VkBufferCreateInfo>(VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO);
     info.size = bytes;
     info.usage = usage;
     handle = UniqueBuffer{device, vkCreateBuffer, info, "vkCreateBuffer", name};

@@ -1,4 +1,4 @@
-#include "programs/PipelineBuilder.h"
+#include "programs/ProgramPool.h"
 
 #include "device/Check.h"
 #include "device/Translate.h"
@@ -102,7 +102,8 @@ void DescribeRasterization(PipelineParts& parts, const PipelineKey& key)
     {
         parts.conservative.sType =
             VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_CONSERVATIVE_STATE_CREATE_INFO_EXT;
-        parts.conservative.conservativeRasterizationMode = ToVkConservative(true);
+        parts.conservative.conservativeRasterizationMode =
+            VK_CONSERVATIVE_RASTERIZATION_MODE_OVERESTIMATE_EXT;
         parts.rasterization.pNext = &parts.conservative;
     }
     parts.multisample.sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO;
@@ -169,8 +170,7 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
     parts.dynamic.dynamicStateCount = static_cast<std::uint32_t>(parts.dynamicStates.size());
     parts.dynamic.pDynamicStates = parts.dynamicStates.data();
 
-    VkGraphicsPipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO;
+    auto info = Make<VkGraphicsPipelineCreateInfo>(VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO);
     info.pNext = &parts.rendering;
     info.stageCount = static_cast<std::uint32_t>(parts.stages.size());
     info.pStages = parts.stages.data();
@@ -192,8 +192,7 @@ UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache
 UniquePipeline BuildComputePipeline(const VulkanContext& context, VkPipelineCache cache,
                                     VkShaderModule kernel, VkPipelineLayout layout)
 {
-    VkComputePipelineCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO;
+    auto info = Make<VkComputePipelineCreateInfo>(VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO);
     info.stage = Stage(VK_SHADER_STAGE_COMPUTE_BIT, kernel);
     info.layout = layout;
     VkPipeline pipeline = VK_NULL_HANDLE;

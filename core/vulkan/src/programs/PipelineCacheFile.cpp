@@ -106,8 +106,7 @@ PipelineCacheFile::PipelineCacheFile(const VulkanContext& context,
             payload.clear();
         }
     }
-    VkPipelineCacheCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO;
+    auto info = Make<VkPipelineCacheCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_CACHE_CREATE_INFO);
     info.initialDataSize = payload.size();
     info.pInitialData = payload.data();
     m_Cache = UniquePipelineCache{context.device(), vkCreatePipelineCache, info,

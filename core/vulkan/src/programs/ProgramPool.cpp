@@ -2,10 +2,8 @@
 
 #include "device/Check.h"
 #include "device/Translate.h"
-#include "programs/PipelineBuilder.h"
 #include <algorithm>
 #include <atomic>
-
 #include <limn/core/DrawError.h>
 #include <thread>
 
@@ -31,12 +29,6 @@ VertexFetch FetchFor(const VertexInput& input)
             k_FetchFormats[found == known.end() ? 4 : found->components]};
 }
 
-VkDescriptorSetLayoutBinding Binding(std::uint32_t binding, VkDescriptorType type,
-                                     ShaderStage stages)
-{
-    return {binding, type, 1, ToVkStages(stages), nullptr};
-}
-
 void RequireOneSample(const TextureBinding& texture)
 {
     if (texture.multisampled)
@@ -50,34 +42,25 @@ void RequireOneSample(const TextureBinding& texture)
 std::vector<VkDescriptorSetLayoutBinding> Bindings(const PropertyLayout& layout)
 {
     std::vector<VkDescriptorSetLayoutBinding> bindings;
-    for (const UniformBuffer& buffer : layout.buffers)
+    const auto add = [&bindings](VkDescriptorType type, const auto& binding)
     {
-        bindings.push_back(
-            Binding(buffer.binding, VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, buffer.stages));
-    }
+        bindings.push_back({binding.binding, type, 1, ToVkStages(binding.stages), nullptr});
+    };
+    const auto addAll = [&add](VkDescriptorType type, const auto& list)
+    {
+        std::ranges::for_each(list, [&](const auto& binding) { add(type, binding); });
+    };
+    addAll(VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, layout.buffers);
     for (const TextureBinding& texture : layout.textures)
     {
         RequireOneSample(texture);
-        bindings.push_back(Binding(texture.binding,
-                                   texture.combinedSampler
-                                       ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
-                                       : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
-                                   texture.stages));
+        add(texture.combinedSampler ? VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER
+                                    : VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE,
+            texture);
     }
-    for (const SamplerBinding& sampler : layout.samplers)
-    {
-        bindings.push_back(Binding(sampler.binding, VK_DESCRIPTOR_TYPE_SAMPLER, sampler.stages));
-    }
-    for (const StorageBufferBinding& buffer : layout.storageBuffers)
-    {
-        bindings.push_back(
-            Binding(buffer.binding, VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, buffer.stages));
-    }
-    for (const StorageTextureBinding& texture : layout.storageTextures)
-    {
-        bindings.push_back(
-            Binding(texture.binding, VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, texture.stages));
-    }
+    addAll(VK_DESCRIPTOR_TYPE_SAMPLER, layout.samplers);
+    addAll(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, layout.storageBuffers);
+    addAll(VK_DESCRIPTOR_TYPE_STORAGE_IMAGE, layout.storageTextures);
     return bindings;
 }
 
@@ -366,8 +349,7 @@ UniqueShaderModule ProgramPool::CreateModule(const std::vector<std::uint32_t>& s
                                              VkShaderStageFlagBits stage) const
 {
     RequireCapabilities(spirv, m_Context.capabilities().missingCapabilities.at(stage));
-    VkShaderModuleCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO;
+    auto info = Make<VkShaderModuleCreateInfo>(VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO);
     info.codeSize = spirv.size() * sizeof(std::uint32_t);
     info.pCode = spirv.data();
     return {m_Context.device(), vkCreateShaderModule, info, "vkCreateShaderModule"};
@@ -389,8 +371,7 @@ void ProgramPool::CreateLayouts(ProgramObjects& objects, const PropertyLayout& l
 
     static_assert(sizeof(DrawConstants) <= 128); // which every device has
     const VkPushConstantRange constants{objects.pushStages, 0, sizeof(DrawConstants)};
-    VkPipelineLayoutCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO;
+    auto info = Make<VkPipelineLayoutCreateInfo>(VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO);
     info.setLayoutCount = 1;
     info.pSetLayouts = &set;
     info.pushConstantRangeCount = objects.pushStages != 0 ? 1 : 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "device/VulkanContext.h"
 #include "programs/PipelineCacheFile.h"
 #include "programs/RewriteSpirv.h"
 #include "resources/MeshPool.h"
@@ -74,6 +73,17 @@ struct ProgramObjects
     std::deque<std::pair<PipelineKey, UniquePipeline>> pipelines;
     std::uint64_t lastUse = 0;
 };
+
+/// Returns Vulkan's blend state of target `index`. A target that the fragment function does not
+/// write keeps its contents, because the written values would be undefined.
+VkPipelineColorBlendAttachmentState ToBlendAttachment(const RenderTargetBlendState& blend,
+                                                      std::size_t index, int colorOutputs);
+
+UniquePipeline BuildPipeline(const VulkanContext& context, VkPipelineCache cache,
+                             const ProgramObjects& pass, int colorOutputs, const PipelineKey& key);
+
+UniquePipeline BuildComputePipeline(const VulkanContext& context, VkPipelineCache cache,
+                                    VkShaderModule kernel, VkPipelineLayout layout);
 
 /// The pipelines of all passes. A pipeline is compiled by the first FinishPipelines after its first
 /// use and freed when its ShaderProgram is gone.

@@ -1,7 +1,5 @@
 #include "resources/BufferPool.h"
 
-#include <algorithm>
-
 namespace limn::vulkan
 {
 

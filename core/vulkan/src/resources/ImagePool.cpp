@@ -250,16 +250,6 @@ void ImagePool::Retire(std::uint64_t id, std::uint64_t number)
     }
 }
 
-std::size_t ImagePool::sharedSize() const
-{
-    std::size_t size = 0;
-    for (const auto& [kind, shared] : m_Shared)
-    {
-        size += shared.size;
-    }
-    return size;
-}
-
 PooledImage& ImagePool::UseResolved(const std::shared_ptr<const Texture>& texture,
                                     std::uint64_t number)
 {
@@ -424,8 +414,7 @@ void ImagePool::CreateViews(ImageObjects& objects, const Texture& texture) const
 UniqueImageView ImagePool::CreateView(VkImage image, const Texture& texture,
                                       VkImageAspectFlags aspects, int mipCount) const
 {
-    VkImageViewCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO;
+    auto info = Make<VkImageViewCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO);
     info.image = image;
     info.viewType = ViewType(texture.dimension());
     info.format = ToVkFormat(texture.graphicsFormat());

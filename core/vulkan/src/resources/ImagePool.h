@@ -108,7 +108,6 @@ public:
     std::size_t size() const { return m_Images.size(); }
     /// Returns a count that grows whenever an image is destroyed or moved.
     std::uint64_t changeCount() const { return m_Changes; }
-    std::size_t sharedSize() const; ///< bytes of memory that textures share
 
 private:
     struct Upload

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <limn/core/DrawError.h>
+#include <optional>
 
 namespace limn::vulkan
 {
@@ -38,6 +39,22 @@ bool isCube(const Texture& texture)
 {
     return texture.dimension() == TextureDimension::Cube ||
            texture.dimension() == TextureDimension::CubeArray;
+}
+
+/// Returns the greatest image of that kind that the device makes; nullopt if it makes none.
+std::optional<VkImageFormatProperties>
+FindSupport(const VulkanContext& context, const VkImageCreateInfo& info, const Texture& texture)
+{
+    VkImageFormatProperties can{};
+    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+        context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage, info.flags,
+        &can);
+    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
+    {
+        return std::nullopt;
+    }
+    Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
+    return can;
 }
 
 /// @param can  what the device makes of that kind
@@ -177,8 +194,7 @@ VkImageViewType ViewType(TextureDimension dimension)
 
 VkImageCreateInfo Describe(const Texture& texture, std::uint32_t samples)
 {
-    VkImageCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO;
+    auto info = Make<VkImageCreateInfo>(VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO);
     if (isCube(texture))
     {
         info.flags = VK_IMAGE_CREATE_CUBE_COMPATIBLE_BIT;
@@ -223,15 +239,8 @@ int SupportedSampleCount(const VulkanContext& context, const RenderTexture& text
 {
     const std::uint32_t most = SampleCount(texture);
     const VkImageCreateInfo info = Describe(texture, most);
-    VkImageFormatProperties can{};
-    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage, info.flags,
-        &can);
-    if (result != VK_ERROR_FORMAT_NOT_SUPPORTED) // which is an answer: no sample counts
-    {
-        Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
-    }
-    const VkSampleCountFlags counts = result == VK_SUCCESS ? can.sampleCounts : 0;
+    const auto can = FindSupport(context, info, texture);
+    const VkSampleCountFlags counts = can ? can->sampleCounts : 0;
     return static_cast<int>(std::bit_floor(std::max(1U, counts & (most * 2U - 1U))));
 }
 
@@ -244,19 +253,15 @@ void RequireSupport(const VulkanContext& context, const VkImageCreateInfo& info,
     {
         throw DrawError(subject + "the device has no arrays of cubes");
     }
-    VkImageFormatProperties can{};
-    const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-        context.physicalDevice(), info.format, info.imageType, info.tiling, info.usage, info.flags,
-        &can);
-    if (result == VK_ERROR_FORMAT_NOT_SUPPORTED)
+    const auto can = FindSupport(context, info, texture);
+    if (!can)
     {
         throw DrawError(subject + "the device cannot use format " +
                         limn::ToString(texture.graphicsFormat()) + " for it" + InsteadOf(texture));
     }
-    Check(result, "vkGetPhysicalDeviceImageFormatProperties", texture.name());
-    RequireFits(texture, can);
+    RequireFits(texture, *can);
     RequireMips(context, info, texture);
-    if ((can.sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
+    if ((can->sampleCounts & static_cast<VkSampleCountFlags>(info.samples)) == 0)
     {
         throw DrawError(subject + "the device does not support " +
                         std::to_string(static_cast<int>(info.samples)) + " samples of " +

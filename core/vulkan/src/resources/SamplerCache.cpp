@@ -10,15 +10,6 @@ namespace limn::vulkan
 namespace
 {
 
-SamplerKey Pack(const SamplerState& state)
-{
-    const int bits = static_cast<int>(state.filterMode) + 4 * static_cast<int>(state.wrapModeU) +
-                     16 * static_cast<int>(state.wrapModeV) +
-                     64 * static_cast<int>(state.wrapModeW) + (state.comparison ? 256 : 0) +
-                     (state.standardZ ? 512 : 0) + 1024 * state.anisoLevel;
-    return {bits, state.mipMapBias};
-}
-
 VkSamplerAddressMode ToAddressMode(TextureWrapMode mode, bool mirrorOnce)
 {
     switch (mode)
@@ -57,7 +48,7 @@ void RequireSupport(const SamplerState& state, const DeviceCapabilities& can)
 
 VkSampler SamplerCache::Get(const SamplerState& state, std::uint64_t number)
 {
-    if (Entry* found = FindPooled(m_Samplers, Pack(state)))
+    if (Entry* found = FindPooled(m_Samplers, state))
     {
         found->lastUse = number;
         return found->sampler.get();
@@ -70,7 +61,7 @@ VkSampler SamplerCache::Get(const SamplerState& state, std::uint64_t number)
                         "device has; share samplers between textures");
     }
     Entry entry{Create(state), number};
-    return m_Samplers.emplace(Pack(state), std::move(entry)).first->second.sampler.get();
+    return m_Samplers.emplace(state, std::move(entry)).first->second.sampler.get();
 }
 
 void SamplerCache::Sweep(std::uint64_t finished)
@@ -89,8 +80,7 @@ UniqueSampler SamplerCache::Create(const SamplerState& state) const
     const VkFilter filter =
         state.filterMode == FilterMode::Point ? VK_FILTER_NEAREST : VK_FILTER_LINEAR;
     const bool mirrorOnce = m_Context.capabilities().mirrorOnce;
-    VkSamplerCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO;
+    auto info = Make<VkSamplerCreateInfo>(VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO);
     info.magFilter = filter;
     info.minFilter = filter;
     info.mipmapMode = state.filterMode == FilterMode::Trilinear ? VK_SAMPLER_MIPMAP_MODE_LINEAR

@@ -8,9 +8,6 @@
 namespace limn::vulkan
 {
 
-/// The packed fields of a state, and its bias.
-using SamplerKey = std::pair<int, float>;
-
 /// Keeps one sampler for each way of reading a texture. Mostly there are a few dozen. If a bias is
 /// animated, each frame needs others, and those that no frame in flight uses are freed.
 class SamplerCache
@@ -40,7 +37,7 @@ private:
     UniqueSampler Create(const SamplerState& state) const;
 
     const VulkanContext& m_Context;
-    std::map<SamplerKey, Entry> m_Samplers;
+    std::map<SamplerState, Entry> m_Samplers;
     std::uint64_t m_Freed = 0;
 };
 

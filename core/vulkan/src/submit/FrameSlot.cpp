@@ -87,8 +87,7 @@ void FrameSlot::ReserveQueries(std::size_t passCount)
     const auto needed = static_cast<std::uint32_t>(2 * passCount);
     if (needed > m_QueryCapacity)
     {
-        VkQueryPoolCreateInfo info{};
-        info.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO;
+        auto info = Make<VkQueryPoolCreateInfo>(VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO);
         info.queryType = VK_QUERY_TYPE_TIMESTAMP;
         info.queryCount = std::max(needed, 64U);
         m_Queries =

@@ -8,15 +8,9 @@ namespace
 
 GraphicsFormat CopiedFormat(GraphicsFormat format, VkImageAspectFlagBits aspect)
 {
-    switch (aspect)
-    {
-    case VK_IMAGE_ASPECT_DEPTH_BIT:
-        return GraphicsFormat::D32_SFloat;
-    case VK_IMAGE_ASPECT_STENCIL_BIT:
-        return GraphicsFormat::R8_UNorm;
-    default:
-        return format;
-    }
+    return aspect == VK_IMAGE_ASPECT_DEPTH_BIT     ? GraphicsFormat::D32_SFloat
+           : aspect == VK_IMAGE_ASPECT_STENCIL_BIT ? GraphicsFormat::R8_UNorm
+                                                   : format;
 }
 
 constexpr UsageScope k_CopiedFrom{VK_PIPELINE_STAGE_2_COPY_BIT, VK_ACCESS_2_TRANSFER_READ_BIT};

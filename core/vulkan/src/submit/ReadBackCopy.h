@@ -1,7 +1,5 @@
 #pragma once
 
-#include "resources/BufferPool.h"
-#include "resources/ImagePool.h"
 #include "submit/FrameSlot.h"
 #include <limn/core/AsyncGPUReadback.h>
 

@@ -9,11 +9,9 @@ namespace limn::vulkan
 
 SubmitQueue::SubmitQueue(const VulkanContext& context) : m_Context(context)
 {
-    VkSemaphoreTypeCreateInfo type{};
-    type.sType = VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO;
+    auto type = Make<VkSemaphoreTypeCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_TYPE_CREATE_INFO);
     type.semaphoreType = VK_SEMAPHORE_TYPE_TIMELINE;
-    VkSemaphoreCreateInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO;
+    auto info = Make<VkSemaphoreCreateInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_CREATE_INFO);
     info.pNext = &type;
     m_Timeline = UniqueSemaphore{context.device(), vkCreateSemaphore, info, "vkCreateSemaphore",
                                  "frame timeline"};
@@ -55,13 +53,11 @@ void SubmitQueue::Submit(VkCommandBuffer before, VkCommandBuffer commands)
             buffers.at(count++).commandBuffer = buffer;
         }
     }
-    VkSemaphoreSubmitInfo signal{};
-    signal.sType = VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO;
+    auto signal = Make<VkSemaphoreSubmitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_SUBMIT_INFO);
     signal.semaphore = m_Timeline.get();
     signal.value = nextNumber();
     signal.stageMask = VK_PIPELINE_STAGE_2_ALL_COMMANDS_BIT;
-    VkSubmitInfo2 info{};
-    info.sType = VK_STRUCTURE_TYPE_SUBMIT_INFO_2;
+    auto info = Make<VkSubmitInfo2>(VK_STRUCTURE_TYPE_SUBMIT_INFO_2);
     info.commandBufferInfoCount = count;
     info.pCommandBufferInfos = buffers.data();
     info.signalSemaphoreInfoCount = 1;
@@ -73,8 +69,7 @@ void SubmitQueue::Submit(VkCommandBuffer before, VkCommandBuffer commands)
 void SubmitQueue::Wait(std::uint64_t number) const
 {
     const VkSemaphore semaphore = m_Timeline.get();
-    VkSemaphoreWaitInfo info{};
-    info.sType = VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO;
+    auto info = Make<VkSemaphoreWaitInfo>(VK_STRUCTURE_TYPE_SEMAPHORE_WAIT_INFO);
     info.semaphoreCount = 1;
     info.pSemaphores = &semaphore;
     info.pValues = &number;

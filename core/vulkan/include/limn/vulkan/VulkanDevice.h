@@ -76,11 +76,9 @@ struct VulkanDeviceStatistics
 {
     std::uint64_t allocatedBytes = 0; ///< taken from the driver
     std::uint64_t usedBytes = 0;      ///< the part of these that images and buffers use
-    std::uint64_t sharedBytes = 0;    ///< the part of these that several textures share in turn
     std::size_t images = 0;
     std::size_t meshes = 0;
     std::size_t pipelines = 0;
-    std::size_t descriptorSets = 0;
     std::uint64_t descriptorWrites = 0; ///< sets written since construction
     std::uint64_t meshUploads = 0;      ///< since construction; grows by one for each mesh written
     /// The number of frames recorded since construction; the other frames reused the commands of an
