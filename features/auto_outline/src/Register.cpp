@@ -1,6 +1,5 @@
 #include <limn/features/AutoOutlineRendererFeature.h>
-#include <limn/features/FeatureRegistry.h>
-#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/features/Features.h>
 
 namespace limn::auto_outline
 {

@@ -1,4 +1,4 @@
-#include <limn/features/ColorEdgesPass.h>
+#include <limn/features/ColorEdgesRendererFeature.h>
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,6 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/ColorEdgesRendererFeature.h>
 #include <limn/features/OutlineRegion.h>
 
 namespace limn
@@ -65,14 +63,6 @@ void ColorEdgesSettings::Describe(Inspector& inspector)
         "On: lines are drawn only where a filtered object is seen; off: all over the picture");
 }
 
-ColorEdgesPass::ColorEdgesPass(const std::string& featureName, const ColorEdgesSettings& settings,
-                               std::shared_ptr<const Shader> shader)
-    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
-{
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
-}
-
 std::string ColorEdgesPass::Setup(const ColorEdges& component, const RenderingData& renderingData)
 {
     const CameraData& camera = renderingData.cameraData;
@@ -105,27 +95,13 @@ void ColorEdgesPass::SetMaterial(const ColorEdges& component, const glm::vec4& t
     m_Material->SetFloat(_ColorEdgesReach, std::max(taps.z, taps.w));
     m_Material->SetVector(_ColorEdgesRamp, {component.m_Threshold.value(), 1.0f / ramp, 0, 0});
     m_Material->SetColor(_ColorEdgesColor, component.m_OutlineColor.value());
-    SetOperator(component.m_Operator.value());
+    EnableOneOf(k_ColorEdgesKeywords, static_cast<std::size_t>(component.m_Operator.value()),
+                "ColorEdges.m_Operator", "Roberts 0, Sobel 1 or Prewitt 2");
     const bool hasMiddle = component.m_Operator.value() != EdgeOperator::Roberts;
     const glm::vec2 middle = 0.5f * (glm::vec2(taps.x, taps.y) + glm::vec2(taps.z, taps.w));
     const bool isWhole = taps == glm::floor(taps) && (!hasMiddle || middle == glm::floor(middle));
     isWhole ? m_Material->DisableKeyword("_BETWEEN_TEXELS")
             : m_Material->EnableKeyword("_BETWEEN_TEXELS");
-}
-
-void ColorEdgesPass::SetOperator(EdgeOperator edgeOperator)
-{
-    const auto chosen = static_cast<std::size_t>(edgeOperator);
-    if (chosen >= std::size(k_ColorEdgesKeywords))
-    {
-        throw ContractError("ColorEdges.m_Operator is " + std::to_string(chosen) +
-                            "; it must be Roberts 0, Sobel 1 or Prewitt 2");
-    }
-    for (const char* keyword : k_ColorEdgesKeywords)
-    {
-        m_Material->DisableKeyword(keyword);
-    }
-    m_Material->EnableKeyword(k_ColorEdgesKeywords[chosen]);
 }
 
 void ColorEdgesPass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData)
@@ -156,11 +132,7 @@ void ColorEdgesPass::DrawMask(ScriptableRenderContext& context,
                                renderingData.cameraData.renderer->cameraDepthTargetHandle(),
                                ClearFlag::Color, Color::clear);
     context.ExecuteCommandBuffer(*cmd);
-    DrawingSettings drawing =
-        CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
-    drawing.overrideMaterial = m_Material;
-    drawing.overrideMaterialPassIndex = k_ColorEdgesMask;
-    context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
+    DrawFiltered(context, renderingData, m_Settings.filtering(), k_ColorEdgesMask);
 }
 
 void ColorEdgesPass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)

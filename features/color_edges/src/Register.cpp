@@ -1,7 +1,5 @@
-#include <limn/features/ColorEdges.h>
 #include <limn/features/ColorEdgesRendererFeature.h>
-#include <limn/features/FeatureRegistry.h>
-#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/features/Features.h>
 
 namespace limn::color_edges
 {

@@ -1,8 +1,4 @@
-#include <limn/features/DepthNormalsOutlinePass.h>
-
-#include <limn/core/CoreUtils.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/OutlinedObjects.h>
+#include <limn/features/DepthNormalsOutlineRendererFeature.h>
 
 namespace limn
 {
@@ -36,10 +32,8 @@ int PassOf(DepthNormalsTechnique technique)
 DepthNormalsOutlinePass::DepthNormalsOutlinePass(const std::string& featureName,
                                                  const OutlineSettings& settings,
                                                  std::shared_ptr<const Shader> shader)
-    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
+    : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
 {
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
     ConfigureInput(ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Normal);
 }
 
@@ -62,11 +56,7 @@ std::string DepthNormalsOutlinePass::Setup(const DepthNormalsOutline& component,
 void DepthNormalsOutlinePass::Execute(ScriptableRenderContext& context,
                                       RenderingData& renderingData)
 {
-    DrawingSettings drawing =
-        CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
-    drawing.overrideMaterial = m_Material;
-    drawing.overrideMaterialPassIndex = m_MaterialPass;
-    context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
+    DrawFiltered(context, renderingData, m_Settings.filtering(), m_MaterialPass);
 }
 
 } // namespace limn

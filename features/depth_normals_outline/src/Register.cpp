@@ -1,7 +1,5 @@
-#include <limn/features/DepthNormalsOutline.h>
 #include <limn/features/DepthNormalsOutlineRendererFeature.h>
-#include <limn/features/FeatureRegistry.h>
-#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/features/Features.h>
 
 namespace limn::depth_normals_outline
 {

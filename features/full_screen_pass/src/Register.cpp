@@ -1,6 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::full_screen_pass
 {

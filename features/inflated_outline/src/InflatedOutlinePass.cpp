@@ -1,12 +1,6 @@
-#include <limn/features/InflatedOutlinePass.h>
-
-#include <algorithm>
-#include <glm/geometric.hpp>
-#include <limn/core/Camera.h>
-#include <limn/core/CoreUtils.h>
-#include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
 #include <limn/features/InflatedOutlineRendererFeature.h>
+
+#include <limn/core/Inspector.h>
 
 namespace limn
 {
@@ -16,17 +10,6 @@ namespace
 
 const ShaderPropertyId _InflatedColor{"_InflatedColor"};
 const ShaderPropertyId _InflatedWidth{"_InflatedWidth"};
-
-/// Returns the distance of the nearest object along the view axis, to the middle of its bounds.
-double DepthOf(std::span<const OutlinedObject> objects, const glm::dmat4& view)
-{
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const OutlinedObject& object : objects)
-    {
-        nearest = std::min(nearest, -(view * glm::dvec4(object.item.boundsCenter, 1.0)).z);
-    }
-    return nearest;
-}
 
 /// Draws the item with its own material, as DrawRenderers does.
 void DrawForward(CommandBuffer& cmd, const RendererItem& item)
@@ -49,15 +32,6 @@ void InflatedOutlineSettings::Describe(Inspector& inspector)
     DescribeGrouping(inspector, m_Grouping);
 }
 
-InflatedOutlinePass::InflatedOutlinePass(const std::string& featureName,
-                                         const InflatedOutlineSettings& settings,
-                                         std::shared_ptr<const Shader> shader)
-    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
-{
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
-}
-
 std::string InflatedOutlinePass::Setup(const InflatedOutline& component,
                                        const RenderingData& renderingData)
 {
@@ -76,20 +50,7 @@ std::string InflatedOutlinePass::Setup(const InflatedOutline& component,
     {
         return m_Found.why;
     }
-    m_Groups.clear();
-    const glm::dmat4 view = renderingData.cameraData.camera->viewMatrix();
-    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
-    {
-        const auto end = std::find_if(first, m_Found.objects.end(),
-                                      [&](const OutlinedObject& object)
-                                      { return object.group != first->group; });
-        const std::span<const OutlinedObject> objects(first, end);
-        m_Groups.push_back({objects, DepthOf(objects, view)});
-        first = end;
-    }
-    std::ranges::sort(
-        m_Groups, [](const Group& a, const Group& b)
-        { return a.depth != b.depth ? a.depth > b.depth : a.objects.data() < b.objects.data(); });
+    FindGroupsByDepth(m_Found, renderingData.cameraData.viewMatrix, m_Groups);
     const RenderTextureDescriptor& camera = renderingData.cameraData.cameraTargetDescriptor;
     m_Material->SetColor(_InflatedColor, component.m_OutlineColor.value());
     m_Material->SetFloat(_InflatedWidth, m_HullPass == 0
@@ -101,7 +62,7 @@ std::string InflatedOutlinePass::Setup(const InflatedOutline& component,
 void InflatedOutlinePass::Execute(ScriptableRenderContext& context, RenderingData&)
 {
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
-    for (const Group& group : m_Groups)
+    for (const OutlinedGroup& group : m_Groups)
     {
         for (const OutlinedObject& object : group.objects)
         {

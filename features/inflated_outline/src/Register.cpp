@@ -1,7 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
-#include <limn/features/InflatedOutline.h>
+#include <limn/features/Features.h>
 #include <limn/features/InflatedOutlineRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::inflated_outline
 {

@@ -1,12 +1,9 @@
-#include <limn/features/MaskDifferenceOutlinePass.h>
+#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/MaskDifferenceOutlineRendererFeature.h>
 
 namespace limn
 {
@@ -70,10 +67,8 @@ void MaskDifferenceOutlineSettings::Describe(Inspector& inspector)
 MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureName,
                                                      const MaskDifferenceOutlineSettings& settings,
                                                      std::shared_ptr<const Shader> shader)
-    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(shader))
+    : OutlinePass(featureName, settings, shader), m_Settings(settings)
 {
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
     if (shader->usesReversedZBuffer())
     {
         m_Material->EnableKeyword("USE_REVERSED_Z");
@@ -88,10 +83,10 @@ MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureN
 std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& component,
                                              const RenderingData& renderingData)
 {
-    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Objects);
-    if (m_Objects.objects.empty())
+    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    if (m_Found.objects.empty())
     {
-        return m_Objects.why;
+        return m_Found.why;
     }
     const float threshold = MaskDifferenceThreshold(component, *renderingData.cameraData.camera);
     if (threshold <= 0.0f)
@@ -99,7 +94,7 @@ std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& compon
         return "every depth is clipped";
     }
     const auto region =
-        FindOutlineRegion(m_Objects.objects, renderingData.cameraData, component.reach());
+        FindOutlineRegion(m_Found.objects, renderingData.cameraData, component.reach());
     if (!region)
     {
         return "no line reaches the picture";
@@ -124,17 +119,14 @@ std::string MaskDifferenceOutlinePass::Setup(const MaskDifferenceOutline& compon
 void MaskDifferenceOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData& renderingData)
 {
     const bool tellsApart = m_Settings.m_Grouping != OutlineGrouping::Together;
-    RenderingUtils::ReAllocateIfNeeded(
-        m_Mask,
-        m_Region.Descriptor(tellsApart ? GraphicsFormat::R32G32B32A32_SFloat
-                                       : GraphicsFormat::R16G16B16A16_SFloat),
-        FilterMode::Point, TextureWrapMode::Clamp, "t_tex0");
+    m_Region.Allocate(m_Mask,
+                      tellsApart ? GraphicsFormat::R32G32B32A32_SFloat
+                                 : GraphicsFormat::R16G16B16A16_SFloat,
+                      "t_tex0");
     m_Material->SetTexture(k_MaskDifference.t_tex0, m_Mask.rt());
     if (tellsApart) // the nearest of several is the one that counts
     {
-        RenderingUtils::ReAllocateIfNeeded(m_MaskDepth,
-                                           m_Region.Descriptor(GraphicsFormat::D32_SFloat),
-                                           FilterMode::Point, TextureWrapMode::Clamp, "MaskDepth");
+        m_Region.Allocate(m_MaskDepth, GraphicsFormat::D32_SFloat, "MaskDepth");
     }
     if (!m_Settings.m_FramebufferFetch)
     {
@@ -154,7 +146,7 @@ void MaskDifferenceOutlinePass::DrawMask(CommandBuffer& cmd, const CameraData& c
     SetRegionProjection(cmd, m_Region, camera);
     const glm::vec4 color = m_Color.linear().vector();
     m_Properties.Clear();
-    for (const OutlinedObject& object : m_Objects.objects)
+    for (const OutlinedObject& object : m_Found.objects)
     {
         const glm::vec3 rgb =
             m_Settings.m_ColorByGroup ? ColorOfGroup(object.group) : glm::vec3(color);

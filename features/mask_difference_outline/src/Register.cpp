@@ -1,6 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/MaskDifferenceOutlineRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::mask_difference_outline
 {

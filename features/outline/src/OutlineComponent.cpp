@@ -12,20 +12,25 @@ float OutlineComponent::WidthWithin(const glm::ivec2& picture) const
                                                                  static_cast<float>(picture.y))));
 }
 
-std::string WhyInactive(const OutlineComponent* component, std::string_view name)
+std::string WhyOff(const BoolParameter* enable, bool isActive, std::string_view name)
 {
-    if (component == nullptr)
+    if (enable == nullptr)
     {
         return std::string(name) + " was not registered when the camera's volume stack was made";
     }
-    if (!component->m_Enable.overrideState() && !component->m_Enable.value())
+    return isActive                  ? ""
+           : enable->overrideState() ? "a volume sets " + std::string(name) + ".m_Enable to false"
+                                     : "no volume at the camera sets " + std::string(name) +
+                                           ".m_Enable, which is false by default";
+}
+
+std::string WhyInactive(const OutlineComponent* component, std::string_view name)
+{
+    const bool isActive = component != nullptr && component->IsActive();
+    std::string off = WhyOff(component != nullptr ? &component->m_Enable : nullptr, isActive, name);
+    if (!isActive)
     {
-        return "no volume at the camera sets " + std::string(name) +
-               ".m_Enable, which is false by default";
-    }
-    if (!component->IsActive())
-    {
-        return "a volume sets " + std::string(name) + ".m_Enable to false";
+        return off;
     }
     if (component->reach() <= 0.0f)
     {

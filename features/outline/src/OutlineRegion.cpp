@@ -53,6 +53,16 @@ int RoundUp(int value)
 
 } // namespace
 
+void OutlineRegion::Allocate(RTHandle& handle, GraphicsFormat format, const char* name,
+                             int samples) const
+{
+    RenderTextureDescriptor descriptor(size.x, size.y, format);
+    descriptor.msaaSamples = samples;
+    descriptor.memoryless = RenderTextureMemoryless::Color;
+    RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Point,
+                                       TextureWrapMode::Clamp, name);
+}
+
 glm::mat4 OutlineRegion::Projection(const glm::mat4& gpuProjection) const
 {
     const glm::dvec2 scale = glm::dvec2(picture) / glm::dvec2(size);

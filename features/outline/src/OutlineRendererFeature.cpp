@@ -1,3 +1,4 @@
+#include <limn/core/CoreUtils.h>
 #include <limn/features/OutlineRendererFeature.h>
 
 namespace limn
@@ -12,6 +13,38 @@ std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& rend
         throw ContractError("the renderer has no shader compiler; UniversalRenderer has one");
     }
     return FindShippedShader(name, compiler);
+}
+
+OutlinePass::OutlinePass(const std::string& featureName, const OutlineSettings& settings,
+                         std::shared_ptr<const Shader> shader)
+    : m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
+{
+    profilingSampler = ProfilingSampler(featureName);
+    renderPassEvent = settings.m_RenderPassEvent;
+}
+
+void OutlinePass::DrawFiltered(ScriptableRenderContext& context, const RenderingData& renderingData,
+                               const FilteringSettings& filtering, int shaderPass) const
+{
+    DrawingSettings drawing =
+        CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
+    drawing.overrideMaterial = m_Material;
+    drawing.overrideMaterialPassIndex = shaderPass;
+    context.DrawRenderers(renderingData.cullResults, drawing, filtering);
+}
+
+void OutlinePass::EnableOneOf(std::span<const char* const> keywords, std::size_t chosen,
+                              const std::string& setting, const std::string& choices) const
+{
+    if (chosen >= keywords.size())
+    {
+        throw ContractError(setting + " is " + std::to_string(chosen) + "; it must be " + choices);
+    }
+    for (const char* keyword : keywords)
+    {
+        m_Material->DisableKeyword(keyword);
+    }
+    m_Material->EnableKeyword(keywords[chosen]);
 }
 
 } // namespace limn

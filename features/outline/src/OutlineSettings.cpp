@@ -11,6 +11,8 @@ namespace
 constexpr EnumEntry k_OutlineQueueRanges[] = {{"All", 0}, {"Opaque", 1}, {"Transparent", 2}};
 constexpr EnumEntry k_Groupings[] = {{"Together", 0}, {"PerGroup", 1}, {"PerObject", 2}};
 
+} // namespace
+
 RenderQueueRange ToRenderQueueRange(OutlineRenderQueueRange range)
 {
     switch (range)
@@ -26,25 +28,28 @@ RenderQueueRange ToRenderQueueRange(OutlineRenderQueueRange range)
                         "; it must be All 0, Opaque 1 or Transparent 2");
 }
 
-} // namespace
-
 void OutlineSettings::Describe(Inspector& inspector)
 {
     inspector.Header("Basic Settings");
     inspector.Field("m_RenderPassEvent", m_RenderPassEvent,
                     "The event of the frame at which the outline is drawn");
-
-    inspector.Header("Filtering Settings");
-    inspector.Field("m_RenderQueueRange", m_RenderQueueRange, k_OutlineQueueRanges,
-                    "The render queues of the objects that are outlined");
-    inspector.Field("m_LayerMask", m_LayerMask, "The layers of the objects that are outlined");
-    inspector.RenderingLayerIndex("m_RenderingLayerMask", m_RenderingLayerMask,
-                                  "The rendering layer that marks an object as selected");
+    DescribeFilter(inspector, m_RenderQueueRange, m_LayerMask, m_RenderingLayerMask);
 }
 
 FilteringSettings OutlineSettings::filtering() const
 {
     return FilteringSettings(ToRenderQueueRange(m_RenderQueueRange), m_LayerMask, renderingLayer());
+}
+
+void DescribeFilter(Inspector& inspector, OutlineRenderQueueRange& renderQueueRange,
+                    LayerMask& layerMask, int& renderingLayerMask)
+{
+    inspector.Header("Filtering Settings");
+    inspector.Field("m_RenderQueueRange", renderQueueRange, k_OutlineQueueRanges,
+                    "The render queues of the objects that are outlined");
+    inspector.Field("m_LayerMask", layerMask, "The layers of the objects that are outlined");
+    inspector.RenderingLayerIndex("m_RenderingLayerMask", renderingLayerMask,
+                                  "The rendering layer that marks an object as selected");
 }
 
 void DescribeGrouping(Inspector& inspector, OutlineGrouping& grouping)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <limn/features/OutlinedObjects.h>
 
 namespace limn
@@ -28,8 +29,7 @@ const void* GroupOf(const GameObject* object, OutlineGrouping grouping)
 
 /// Numbers the groups in the order of their first objects, and sorts the objects by their group, in
 /// their order before within each.
-/// @return the number of groups
-int SortIntoGroups(std::vector<OutlinedObject>& objects, OutlineGrouping grouping)
+void SortIntoGroups(std::vector<OutlinedObject>& objects, OutlineGrouping grouping)
 {
     struct Member
     {
@@ -57,16 +57,15 @@ int SortIntoGroups(std::vector<OutlinedObject>& objects, OutlineGrouping groupin
     }
     std::ranges::sort(members, [](const Member& a, const Member& b)
                       { return a.first != b.first ? a.first < b.first : a.place < b.place; });
-    int count = 0;
+    int group = -1;
     sorted.clear();
     for (const Member& member : members)
     {
-        count += member.place == member.first ? 1 : 0;
-        sorted.push_back({objects[member.place].item, count - 1});
+        group += member.place == member.first ? 1 : 0;
+        sorted.push_back({objects[member.place].item, group});
     }
     objects.swap(sorted);
     sorted.clear();
-    return count;
 }
 
 } // namespace
@@ -94,8 +93,28 @@ void FindOutlinedObjects(const RenderingData& renderingData, const OutlineSettin
     {
         found.objects.push_back({item, 0});
     }
-    found.groupCount = SortIntoGroups(found.objects, grouping);
+    SortIntoGroups(found.objects, grouping);
     found.why = found.objects.empty() ? Describe(judged.counts, filtering) : "";
+}
+
+void FindGroupsByDepth(const OutlinedObjects& found, const glm::dmat4& viewMatrix,
+                       std::vector<OutlinedGroup>& groups)
+{
+    groups.clear();
+    ForEachGroup(found.objects,
+                 [&](std::span<const OutlinedObject> objects)
+                 {
+                     double depth = std::numeric_limits<double>::infinity();
+                     for (const OutlinedObject& object : objects)
+                     {
+                         const glm::dvec4 middle(object.item.boundsCenter, 1.0);
+                         depth = std::min(depth, -(viewMatrix * middle).z);
+                     }
+                     groups.push_back({objects, depth});
+                 });
+    std::ranges::sort(
+        groups, [](const OutlinedGroup& a, const OutlinedGroup& b)
+        { return a.depth != b.depth ? a.depth > b.depth : a.objects.data() < b.objects.data(); });
 }
 
 } // namespace limn

@@ -1,5 +1,4 @@
-#include <limn/features/FeatureRegistry.h>
-#include <limn/volume/VolumeComponentRegistry.h>
+#include <limn/features/Features.h>
 
 namespace limn::outline
 {

@@ -1,10 +1,9 @@
 #include <limn/features/Bloom.h>
 #include <limn/features/ColorAdjustments.h>
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/Tonemapping.h>
 #include <limn/features/Vignette.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::post_process
 {

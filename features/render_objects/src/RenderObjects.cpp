@@ -123,8 +123,6 @@ void RenderObjectsSettings::Describe(Inspector& inspector)
     DescribeCamera(cameraSettings, inspector);
 }
 
-RenderObjects::RenderObjects() : RenderObjects(RenderObjectsSettings()) {}
-
 RenderObjects::RenderObjects(RenderObjectsSettings renderObjectsSettings)
     : settings(std::move(renderObjectsSettings))
 {

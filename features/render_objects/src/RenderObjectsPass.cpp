@@ -12,16 +12,8 @@ namespace
 
 std::vector<ShaderTagId> ToTags(const std::vector<std::string>& names)
 {
-    if (names.empty())
-    {
-        return ForwardShaderTags();
-    }
-    std::vector<ShaderTagId> tags;
-    for (const std::string& name : names)
-    {
-        tags.emplace_back(name);
-    }
-    return tags;
+    return names.empty() ? ForwardShaderTags()
+                         : std::vector<ShaderTagId>(names.begin(), names.end());
 }
 
 } // namespace

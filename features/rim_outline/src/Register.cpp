@@ -1,7 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
-#include <limn/features/RimOutline.h>
+#include <limn/features/Features.h>
 #include <limn/features/RimOutlineRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::rim_outline
 {

@@ -1,6 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::screen_space_ambient_occlusion
 {

@@ -1,7 +1,6 @@
 #include "ScreenSpaceAmbientOcclusionPass.h"
 
 #include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
 #include <limn/features/OutlineRendererFeature.h>
 
 namespace limn
@@ -66,11 +65,6 @@ void ScreenSpaceAmbientOcclusionSettings::Describe(Inspector& inspector)
         "The distance in metres from the camera at which the occlusion ends; 0 draws nothing");
     inspector.Field("SampleCount", SampleCount, ValueRange{-1.0, 64.0},
                     "The setting that files of URP 12 have in place of Samples; others have -1");
-}
-
-ScreenSpaceAmbientOcclusion::ScreenSpaceAmbientOcclusion()
-    : ScreenSpaceAmbientOcclusion(ScreenSpaceAmbientOcclusionSettings())
-{
 }
 
 ScreenSpaceAmbientOcclusion::ScreenSpaceAmbientOcclusion(

@@ -3,7 +3,6 @@
 #include "BlueNoise.h"
 
 #include <algorithm>
-#include <array>
 #include <glm/matrix.hpp>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/ScriptableRenderer.h>

@@ -22,21 +22,6 @@ constexpr int kCompositePassIndex = 2;
 const ShaderPropertyId _OutlineWidth = Shader::PropertyToID("_OutlineWidth");
 const ShaderPropertyId _OutlineColor = Shader::PropertyToID("_OutlineColor");
 
-RenderQueueRange ToRenderQueueRange(ScreenSpaceOutlineSettings::RenderQueueRange range)
-{
-    switch (range)
-    {
-    case ScreenSpaceOutlineSettings::RenderQueueRange::All:
-        return RenderQueueRange::all;
-    case ScreenSpaceOutlineSettings::RenderQueueRange::Opaque:
-        return RenderQueueRange::opaque;
-    case ScreenSpaceOutlineSettings::RenderQueueRange::Transparent:
-        return RenderQueueRange::transparent;
-    }
-    throw ContractError("m_RenderQueueRange is " + std::to_string(static_cast<int>(range)) +
-                        "; it must be All 0, Opaque 1 or Transparent 2");
-}
-
 } // namespace
 
 OutlineDrawingRenderPass::OutlineDrawingRenderPass(const std::string& featureName,

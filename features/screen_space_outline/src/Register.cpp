@@ -1,7 +1,6 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::screen_space_outline
 {

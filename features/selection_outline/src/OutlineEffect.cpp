@@ -1,13 +1,9 @@
-#include "HighlightLayer.h"
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/CoreUtils.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/OutlineEffect.h>
-#include <limn/features/SelectionOutline.h>
+#include <limn/core/Inspector.h>
+#include <limn/features/SelectionOutlineRendererFeature.h>
 #include <numbers>
 
 namespace limn
@@ -22,7 +18,9 @@ namespace
 constexpr int k_StencilPass = 0;
 constexpr int k_BlurPass = 1;
 constexpr int k_CompositePass = 2;
-constexpr int k_CopyPass = 0; // of CoreBlit.shader
+constexpr int k_CopyPass = 0;            // of CoreBlit.shader
+constexpr float k_ArticlesWidth = 14.0f; // seven blurs of two pixels
+constexpr EnumEntry k_Stencils[] = {{"DrawRenderer", 0}, {"HighlightLayer", 1}};
 
 const ShaderPropertyId _Time{"_Time"};
 const ShaderPropertyId _StartTime{"_StartTime"};
@@ -39,8 +37,106 @@ double WrapTime(double seconds)
     return std::fmod(seconds, 40.0 * std::numbers::pi);
 }
 
+/// Objects in another layer until the scope ends.
+class InAnotherLayer
+{
+public:
+    InAnotherLayer(const Scene& scene, const std::vector<const GameObject*>& objects, int layer)
+    {
+        m_Layers.reserve(objects.size());
+        for (const auto& object : scene.objects())
+        {
+            if (std::ranges::binary_search(objects, object.get()))
+            {
+                m_Layers.emplace_back(object.get(), object->layer);
+                object->layer = layer;
+            }
+        }
+    }
+    ~InAnotherLayer()
+    {
+        for (const auto& [object, layer] : m_Layers)
+        {
+            object->layer = layer;
+        }
+    }
+    InAnotherLayer(const InAnotherLayer&) = delete;
+    InAnotherLayer& operator=(const InAnotherLayer&) = delete;
+
+private:
+    std::vector<std::pair<GameObject*, int>> m_Layers;
+};
+
+/// Returns what a second camera sees that looks only at one layer, into which the objects are moved
+/// meanwhile.
+/// @param objects  sorted
+/// @throws ContractError if there is no scene to cull
+CullingResults CullInLayer(const RenderingData& renderingData,
+                           const std::vector<const GameObject*>& objects, int layer)
+{
+    if (renderingData.scene == nullptr)
+    {
+        throw ContractError("HighlightLayer: there is no scene that a second camera could cull");
+    }
+    const auto& target = renderingData.cameraData.cameraTargetDescriptor;
+    const float aspect = static_cast<float>(target.width) / static_cast<float>(target.height);
+    Camera camera = *renderingData.cameraData.camera;
+    camera.cullingMask = LayerMask::FromIndex(layer);
+    CullingResults seen;
+    {
+        const InAnotherLayer moved(*renderingData.scene, objects, layer);
+        seen = Cull(*renderingData.scene, camera, aspect);
+    }
+    // The first camera culls by the layers as they are now.
+    Cull(*renderingData.scene, *renderingData.cameraData.camera, aspect);
+    return seen;
+}
+
 } // namespace
 } // namespace selection_outline
+
+SelectionOutline::SelectionOutline()
+{
+    m_OutlineWidth.SetValue(selection_outline::k_ArticlesWidth);
+}
+
+float SelectionOutline::tapOffset() const
+{
+    return offsetScale.value() > 0.0f ? offsetScale.value()
+                                      : m_OutlineWidth.value() / static_cast<float>(blurCount());
+}
+
+SelectionOutlineSettings::SelectionOutlineSettings()
+    : startTimes(std::make_shared<std::unordered_map<const Transform*, double>>())
+{
+    m_RenderPassEvent = RenderPassEvent::BeforeRenderingPostProcessing;
+}
+
+void SelectionOutlineSettings::Describe(Inspector& inspector)
+{
+    OutlineSettings::Describe(inspector);
+    DescribeGrouping(inspector, m_Grouping);
+    inspector.Field("m_PhaseStep", m_PhaseStep,
+                    "The seconds between the colours of one object and the next, for objects "
+                    "without a start time");
+
+    inspector.Header("Stencil");
+    inspector.Field("m_Stencil", m_Stencil, selection_outline::k_Stencils,
+                    "The way to draw the selected objects: by the pass itself, or by a second "
+                    "camera that sees one layer");
+    inspector.Field("m_HighlightingLayer", m_HighlightingLayer, ValueRange{0, 31},
+                    "The layer of that camera, into which the objects are moved meanwhile");
+    inspector.Field("m_OnlySelected", m_OnlySelected,
+                    "On: other objects of that layer are left out; off: they get an edge, too");
+
+    inspector.Header("Shaders");
+    inspector.Field("m_StencilShader", m_StencilShader,
+                    "A shader for the mask in place of limn's own");
+    inspector.Field("m_BlurShader", m_BlurShader, "A shader for the blur in place of limn's own");
+    inspector.Field(
+        "m_CompositeShader", m_CompositeShader,
+        "A shader for the composite in place of limn's own, which needs no copy of the picture");
+}
 
 OutlineEffect::OutlineEffect(const std::string& featureName,
                              const SelectionOutlineSettings& settings,
@@ -76,7 +172,7 @@ std::string OutlineEffect::Setup(const SelectionOutline& volumeComponent,
     {
         return m_Found.why;
     }
-    FindGroups(renderingData);
+    FindGroupsByDepth(m_Found, renderingData.cameraData.viewMatrix, m_Groups);
 
     m_Width = renderingData.cameraData.cameraTargetDescriptor.width;
     m_Height = renderingData.cameraData.cameraTargetDescriptor.height;
@@ -92,28 +188,6 @@ std::string OutlineEffect::Setup(const SelectionOutline& volumeComponent,
     m_CompositeStep.material->SetFloat(selection_outline::_OutlineStrength,
                                        volumeComponent.outlineStrength.value());
     return "";
-}
-
-void OutlineEffect::FindGroups(const RenderingData& renderingData)
-{
-    m_Groups.clear();
-    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
-    {
-        const auto end = std::find_if(first, m_Found.objects.end(),
-                                      [&](const OutlinedObject& object)
-                                      { return object.group != first->group; });
-        double depth = std::numeric_limits<double>::infinity();
-        for (const OutlinedObject& object : std::span(first, end))
-        {
-            const glm::dvec4 place(object.item.boundsCenter, 1.0);
-            depth = std::min(depth, -(renderingData.cameraData.viewMatrix * place).z);
-        }
-        m_Groups.push_back({std::span(first, end), depth});
-        first = end;
-    }
-    std::ranges::sort(
-        m_Groups, [](const Group& a, const Group& b)
-        { return a.depth != b.depth ? a.depth > b.depth : a.objects.data() < b.objects.data(); });
 }
 
 void OutlineEffect::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
@@ -136,7 +210,7 @@ void OutlineEffect::Execute(ScriptableRenderContext& context, RenderingData& ren
     }
 }
 
-void OutlineEffect::RenderStencil(ScriptableRenderContext& context, const Group& group,
+void OutlineEffect::RenderStencil(ScriptableRenderContext& context, const OutlinedGroup& group,
                                   RenderingData& renderingData)
 {
     m_StencilTex = renderingData.temporaryTextures->GetTemporary(
@@ -150,19 +224,26 @@ void OutlineEffect::RenderStencil(ScriptableRenderContext& context, const Group&
         context.ExecuteCommandBuffer(*cmd);
         return;
     }
-    const HighlightLayer layer(renderingData, group.objects, m_Settings.m_HighlightingLayer);
+    std::vector<const GameObject*> moved;
+    for (const OutlinedObject& object : group.objects)
+    {
+        moved.push_back(object.item.object);
+    }
+    std::ranges::sort(moved);
+    const CullingResults seen =
+        selection_outline::CullInLayer(renderingData, moved, m_Settings.m_HighlightingLayer);
     if (!m_Settings.m_OnlySelected)
     {
         context.ExecuteCommandBuffer(*cmd);
         cmd->Clear();
-        context.DrawRenderers(layer.seen(),
+        context.DrawRenderers(seen,
                               CreateDrawingSettings(ForwardShaderTags(), renderingData,
                                                     SortingCriteria::CommonOpaque),
                               FilteringSettings());
     }
-    for (const RendererItem& item : layer.seen().items)
+    for (const RendererItem& item : seen.items)
     {
-        if (layer.wasMoved(*item.object))
+        if (std::ranges::binary_search(moved, item.object))
         {
             DrawStencil(*cmd, item, renderingData.time);
         }
@@ -259,6 +340,20 @@ void OutlineEffect::OnCameraCleanup(CommandBuffer&)
     m_BlurTex.Release();
     m_Groups.clear();
     m_Found.objects.clear();
+}
+
+void SelectionOutlineRendererFeature::SetStartTime(const GameObject& object, double seconds)
+{
+    if (!std::isfinite(seconds))
+    {
+        throw ContractError(name + ": the start time of '" + object.name + "' is not finite");
+    }
+    (*settings().startTimes)[&object.transform] = seconds;
+}
+
+void SelectionOutlineRendererFeature::ClearStartTimes()
+{
+    settings().startTimes->clear();
 }
 
 } // namespace limn

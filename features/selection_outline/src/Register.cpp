@@ -1,6 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/SelectionOutlineRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::selection_outline
 {

@@ -1,6 +1,5 @@
-#include <limn/features/FeatureRegistry.h>
+#include <limn/features/Features.h>
 #include <limn/features/StrokeOutlineRendererFeature.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 
 namespace limn::stroke_outline
 {

@@ -1,6 +1,5 @@
 #include "Silhouette.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>

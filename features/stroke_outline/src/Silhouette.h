@@ -3,7 +3,6 @@
 #include "WeldedMesh.h"
 
 #include <glm/mat4x4.hpp>
-#include <limn/core/Mesh.h>
 #include <map>
 #include <memory>
 #include <vector>

@@ -3,7 +3,6 @@
 #include "Silhouette.h"
 
 #include <glm/vec4.hpp>
-#include <limn/core/RTHandle.h>
 #include <limn/features/OutlineRegion.h>
 #include <span>
 #include <vector>

@@ -4,8 +4,7 @@
 #include <limn/base/NumberText.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/StrokeOutlinePass.h>
+#include <limn/features/StrokeOutlineRendererFeature.h>
 #include <numeric>
 
 namespace limn
@@ -73,12 +72,10 @@ void StrokeOutlineSettings::Describe(Inspector& inspector)
 StrokeOutlinePass::StrokeOutlinePass(const std::string& featureName,
                                      const StrokeOutlineSettings& settings,
                                      std::shared_ptr<const Shader> shader)
-    : m_Settings(settings),
-      m_Material(CoreUtils::CreateEngineMaterial(std::move(shader))),
+    : OutlinePass(featureName, settings, std::move(shader)),
+      m_Settings(settings),
       m_Finder(std::make_unique<SilhouetteFinder>())
 {
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
     if (settings.m_Occlusion != OutlineOcclusion::All)
     {
         ConfigureInput(ScriptableRenderPassInput::Depth);
@@ -111,27 +108,24 @@ std::string StrokeOutlinePass::Setup(const StrokeOutline& volumeComponent,
 
     const glm::dmat4 viewProjection = camera.reversedViewProjection();
     std::size_t used = 0;
-    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
-    {
-        const auto last = std::find_if(first, m_Found.objects.end(),
-                                       [&](const OutlinedObject& object)
-                                       { return object.group != first->group; });
-        m_Strokes.clear();
-        for (const OutlinedObject& object : std::span(first, last))
-        {
-            const GameObject& gameObject = *object.item.object;
-            m_Finder->Append(gameObject.renderer->mesh, object.item.subMesh,
-                             viewProjection * gameObject.transform.worldMatrix(), picture,
-                             m_Strokes);
-        }
-        if (used == m_Groups.size())
-        {
-            m_Groups.push_back(std::make_unique<StrokeDraws>());
-        }
-        m_Groups[used]->objects = std::span(first, last);
-        used += m_Groups[used]->Assign(m_Strokes, width, picture);
-        first = last;
-    }
+    ForEachGroup(m_Found.objects,
+                 [&](std::span<const OutlinedObject> objects)
+                 {
+                     m_Strokes.clear();
+                     for (const OutlinedObject& object : objects)
+                     {
+                         const GameObject& gameObject = *object.item.object;
+                         m_Finder->Append(gameObject.renderer->mesh, object.item.subMesh,
+                                          viewProjection * gameObject.transform.worldMatrix(),
+                                          picture, m_Strokes);
+                     }
+                     if (used == m_Groups.size())
+                     {
+                         m_Groups.push_back(std::make_unique<StrokeDraws>());
+                     }
+                     m_Groups[used]->objects = objects;
+                     used += m_Groups[used]->Assign(m_Strokes, width, picture);
+                 });
     m_Groups.resize(used);
     return used > 0 ? "" : "no silhouette of the objects is within reach of the picture";
 }
@@ -140,19 +134,15 @@ void StrokeOutlinePass::OnCameraSetup(CommandBuffer&, RenderingData&)
 {
     for (const auto& group : m_Groups)
     {
-        RenderTextureDescriptor depth = group->region.Descriptor(GraphicsFormat::D32_SFloat);
-        RenderingUtils::ReAllocateIfNeeded(group->depth, depth, FilterMode::Point,
-                                           TextureWrapMode::Clamp, "_StrokeDepth");
-        RenderingUtils::ReAllocateIfNeeded(
-            group->coverage, group->region.Descriptor(GraphicsFormat::R16G16B16A16_SFloat),
-            FilterMode::Point, TextureWrapMode::Clamp, "_StrokeCoverage");
+        const OutlineRegion& region = group->region;
+        region.Allocate(group->depth, GraphicsFormat::D32_SFloat, "_StrokeDepth");
+        region.Allocate(group->coverage, GraphicsFormat::R16G16B16A16_SFloat, "_StrokeCoverage");
         // Red is what edges correct, alpha what is covered by what is seen.
         const bool hasOcclusion = m_Settings.m_Occlusion != OutlineOcclusion::All;
-        RenderingUtils::ReAllocateIfNeeded(
-            group->edges,
-            group->region.Descriptor(hasOcclusion ? GraphicsFormat::R16G16B16A16_SFloat
-                                                  : GraphicsFormat::R16_SFloat),
-            FilterMode::Point, TextureWrapMode::Clamp, "_StrokeEdges");
+        region.Allocate(group->edges,
+                        hasOcclusion ? GraphicsFormat::R16G16B16A16_SFloat
+                                     : GraphicsFormat::R16_SFloat,
+                        "_StrokeEdges");
     }
 }
 

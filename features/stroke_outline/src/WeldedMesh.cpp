@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -38,10 +39,7 @@ std::vector<std::uint32_t> WeldPoints(const std::vector<glm::vec3>& vertices,
                                       std::vector<glm::vec3>& points)
 {
     std::vector<std::uint32_t> order(vertices.size());
-    for (std::uint32_t i = 0; i < order.size(); ++i)
-    {
-        order[i] = i;
-    }
+    std::iota(order.begin(), order.end(), 0u);
     std::ranges::sort(order, {}, [&](std::uint32_t i) { return PositionOrder(vertices[i]); });
     std::vector<std::uint32_t> pointOf(vertices.size());
     for (const std::uint32_t vertex : order)

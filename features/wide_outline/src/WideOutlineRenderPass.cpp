@@ -4,8 +4,7 @@
 #include <limn/base/NumberText.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
-#include <limn/core/ScriptableRenderer.h>
-#include <limn/features/WideOutlineRenderPass.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 
 namespace limn
 {
@@ -81,6 +80,25 @@ MaterialPropertyBlock CutoutOf(const Material& material)
 
 } // namespace
 
+float WideOutline::reach() const
+{
+    const float width = m_OutlineWidth.value();
+    if (width <= 0.0f)
+    {
+        return 0.0f;
+    }
+    switch (m_Side.value())
+    {
+    case WideOutlineSide::Outer:
+        return m_Gap.value() + width;
+    case WideOutlineSide::Centred:
+        return m_Gap.value() + 0.5f * width;
+    case WideOutlineSide::Inner:
+        break;
+    }
+    return 1.0f; // what is smoothed at the edge
+}
+
 void WideOutlineSettings::Describe(Inspector& inspector)
 {
     OutlineSettings::Describe(inspector);
@@ -95,10 +113,8 @@ void WideOutlineSettings::Describe(Inspector& inspector)
 WideOutlineRenderPass::WideOutlineRenderPass(const std::string& featureName,
                                              const WideOutlineSettings& settings,
                                              std::shared_ptr<const Shader> shader)
-    : m_Settings(settings), m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
+    : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
 {
-    profilingSampler = ProfilingSampler(featureName);
-    renderPassEvent = settings.m_RenderPassEvent;
     const bool isCut = settings.m_Occlusion == WideOutlineOcclusion::Visible;
     ConfigureInput(isCut ? ScriptableRenderPassInput::Depth : ScriptableRenderPassInput::None);
     // The camera's depth is one value a pixel: where an object hides a part of another one, samples
@@ -124,18 +140,15 @@ std::string WideOutlineRenderPass::Setup(const WideOutline& component, Rendering
     }
     m_Groups.clear();
     glm::ivec2 size(0);
-    for (auto first = m_Found.objects.begin(); first != m_Found.objects.end();)
-    {
-        const auto end = std::find_if(first, m_Found.objects.end(),
-                                      [&](const OutlinedObject& object)
-                                      { return object.group != first->group; });
-        if (const auto region = FindOutlineRegion(std::span(first, end), camera, m_Farthest))
-        {
-            m_Groups.push_back({std::span(first, end), *region});
-            size = glm::max(size, region->size);
-        }
-        first = end;
-    }
+    ForEachGroup(m_Found.objects,
+                 [&](std::span<const OutlinedObject> objects)
+                 {
+                     if (const auto region = FindOutlineRegion(objects, camera, m_Farthest))
+                     {
+                         m_Groups.push_back({objects, *region});
+                         size = glm::max(size, region->size);
+                     }
+                 });
     // One size for all, so that the groups share their textures.
     for (Group& group : m_Groups)
     {
@@ -185,24 +198,16 @@ void WideOutlineRenderPass::SetBand(const WideOutline& component, const glm::ive
 void WideOutlineRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&)
 {
     const OutlineRegion& region = m_Groups.front().region;
-    const auto allocate =
-        [&](RTHandle& handle, GraphicsFormat format, const char* name, int samples = 1)
-    {
-        RenderTextureDescriptor descriptor = region.Descriptor(format);
-        descriptor.msaaSamples = samples;
-        RenderingUtils::ReAllocateIfNeeded(handle, descriptor, FilterMode::Point,
-                                           TextureWrapMode::Clamp, name);
-    };
-    allocate(m_Mask, GraphicsFormat::R8_UNorm, "_WideOutlineMask", k_WideMaskSamples);
-    allocate(m_Seeds, GraphicsFormat::R16G16B16A16_UNorm, "_WideOutlineSeeds");
+    region.Allocate(m_Mask, GraphicsFormat::R8_UNorm, "_WideOutlineMask", k_WideMaskSamples);
+    region.Allocate(m_Seeds, GraphicsFormat::R16G16B16A16_UNorm, "_WideOutlineSeeds");
     if (m_Method == WideOutlineMethod::JumpFlood)
     {
-        allocate(m_FloodA, GraphicsFormat::R16G16_UNorm, "_WideOutlineFloodA");
-        allocate(m_FloodB, GraphicsFormat::R16G16_UNorm, "_WideOutlineFloodB");
+        region.Allocate(m_FloodA, GraphicsFormat::R16G16_UNorm, "_WideOutlineFloodA");
+        region.Allocate(m_FloodB, GraphicsFormat::R16G16_UNorm, "_WideOutlineFloodB");
     }
     else
     {
-        allocate(m_Columns, GraphicsFormat::R16G16B16A16_UNorm, "_WideOutlineColumns");
+        region.Allocate(m_Columns, GraphicsFormat::R16G16B16A16_UNorm, "_WideOutlineColumns");
     }
     const glm::vec2 size(region.size);
     m_Material->SetVector(_WideOutlineSize, {1.0f / size, size});
@@ -252,11 +257,7 @@ void WideOutlineRenderPass::DrawMask(ScriptableRenderContext& context, CommandBu
     {
         context.ExecuteCommandBuffer(cmd);
         cmd.Clear();
-        DrawingSettings drawing = CreateDrawingSettings(ForwardShaderTags(), renderingData,
-                                                        SortingCriteria::CommonOpaque);
-        drawing.overrideMaterial = m_Material;
-        drawing.overrideMaterialPassIndex = WideOutlineShaderPass::Mask;
-        context.DrawRenderers(renderingData.cullResults, drawing, m_Settings.filtering());
+        DrawFiltered(context, renderingData, m_Settings.filtering(), WideOutlineShaderPass::Mask);
     }
     else
     {

@@ -1,19 +1,46 @@
 #pragma once
 
-#include <limn/core/ScriptableRendererFeature.h>
+#include <limn/core/PooledAllocator.h>
 #include <limn/features/AutoOutline.h>
-#include <limn/features/OutlineSettings.h>
-#include <limn/features/OutlineTechnique.h>
-#include <limn/features/OutlinedObjects.h>
-#include <memory>
+#include <limn/features/StrokeOutlineRendererFeature.h>
+#include <limn/features/WideOutlineRendererFeature.h>
 
 namespace limn
 {
 
-class StrokeOutlinePass;
-class WideOutlineRenderPass;
-class StrokeOutline;
-class WideOutline;
+/// A way to draw outlines of a given width.
+enum class OutlineTechnique
+{
+    Auto,      ///< the cheapest of those that are right for the objects
+    Strokes,   ///< StrokeOutlinePass
+    Separable, ///< WideOutlineRenderPass, two passes that look as far as the width
+    JumpFlood  ///< WideOutlineRenderPass, a pass for each doubling of the width
+};
+
+const char* ToString(OutlineTechnique technique);
+
+/// The data by which a technique is chosen.
+struct OutlineWork
+{
+    double width = 0.0; ///< pixels
+    int edgeCount = 0;  ///< silhouette edges that are drawn
+    /// The area of their strokes, in pixels; pixels that several strokes cover are counted several
+    /// times.
+    double strokeArea = 0.0;
+    double regionArea = 0.0;    ///< pixels that the outline can touch, of all groups
+    bool isAlphaTested = false; ///< a material cuts holes that the mesh does not have
+};
+
+struct OutlineChoice
+{
+    OutlineTechnique technique = OutlineTechnique::Strokes; ///< not Auto
+    PooledString why;                                       ///< for people
+};
+
+/// Chooses strokes if the mesh defines the silhouette and they do not cost several times as much as
+/// a distance transform, which is less exact. Otherwise chooses the cheaper one of the two
+/// transforms.
+OutlineChoice ChooseOutlineTechnique(const OutlineWork& work);
 
 struct AutoOutlineSettings : OutlineSettings
 {
@@ -31,9 +58,7 @@ public:
     using Component = AutoOutline;
     using Settings = AutoOutlineSettings;
 
-    AutoOutlineRendererFeature();
-    explicit AutoOutlineRendererFeature(AutoOutlineSettings settings);
-    ~AutoOutlineRendererFeature() override;
+    explicit AutoOutlineRendererFeature(AutoOutlineSettings settings = {});
 
     void Create() override;
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;
@@ -52,9 +77,9 @@ private:
     void MakeStrokes(const ScriptableRenderer& renderer);
 
     AutoOutlineSettings m_Settings;
-    std::unique_ptr<StrokeOutline> m_StrokeValues;
+    StrokeOutline m_StrokeValues;
     std::unique_ptr<StrokeOutlinePass> m_Strokes;
-    std::unique_ptr<WideOutline> m_WideValues;
+    WideOutline m_WideValues;
     std::unique_ptr<WideOutlineRenderPass> m_Wide[2]; ///< separable, jump flood
 };
 

@@ -1,11 +1,7 @@
 #pragma once
 
 #include <limn/core/UniversalRenderPipeline.h>
-#include <limn/core/UniversalRenderer.h>
-#include <limn/volume/Volume.h>
-#include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeManager.h>
-#include <limn/volume/VolumeStack.h>
 #include <memory>
 #include <string_view>
 #include <utility>

@@ -3,7 +3,6 @@
 #include <glm/vec2.hpp>
 #include <limn/core/ShaderId.h>
 #include <limn/volume/NumberParameters.h>
-#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn
@@ -42,6 +41,11 @@ public:
     /// Returns the width, limited to the picture's diagonal; a greater width changes nothing.
     float WidthWithin(const glm::ivec2& picture) const;
 };
+
+/// Returns why a blended component leaves its effect off, or "" if it is active.
+/// @param enable  its m_Enable; null = the component is not registered
+/// @param name    its name in profiles
+std::string WhyOff(const BoolParameter* enable, bool isActive, std::string_view name);
 
 /// Returns why the blended component draws nothing, or "" if it draws.
 /// @param component  null = not registered

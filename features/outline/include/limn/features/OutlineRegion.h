@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/core/CommandBuffer.h>
-#include <limn/core/RenderingData.h>
+#include <limn/core/RTHandle.h>
 #include <limn/features/OutlinedObjects.h>
 #include <optional>
 #include <span>
@@ -23,14 +23,8 @@ struct OutlineRegion
     glm::ivec2 objectsBegin{0};
     glm::ivec2 objectsEnd{0};
 
-    /// Returns the descriptor of a texture of this size, with one sample per texel unless it is
-    /// changed.
-    RenderTextureDescriptor Descriptor(GraphicsFormat format) const
-    {
-        RenderTextureDescriptor descriptor(size.x, size.y, format);
-        descriptor.memoryless = RenderTextureMemoryless::Color; // no next frame reads it
-        return descriptor;
-    }
+    /// Makes a texture of this size, which no next frame reads, unless the handle has it already.
+    void Allocate(RTHandle& handle, GraphicsFormat format, const char* name, int samples = 1) const;
     /// Returns the projection with which to draw into such a texture in place of the camera's.
     glm::mat4 Projection(const glm::mat4& gpuProjection) const;
     /// Returns the part that lies in the picture, which is the viewport for compositing; its size

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <limn/core/Material.h>
 #include <limn/core/PluginCallSite.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/Features.h>
 #include <limn/features/OutlineComponent.h>
-#include <limn/features/OutlineSettings.h>
+#include <limn/features/OutlinedObjects.h>
 #include <limn/volume/VolumeStack.h>
 
 namespace limn
@@ -15,9 +16,31 @@ namespace limn
 std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& renderer,
                                                   std::string_view name);
 
+/// The pass of a technique that draws with one material.
+class OutlinePass : public ScriptableRenderPass
+{
+protected:
+    OutlinePass(const std::string& featureName, const OutlineSettings& settings,
+                std::shared_ptr<const Shader> shader);
+
+    /// Draws the objects that pass the filter with a pass of the material in place of their own.
+    void DrawFiltered(ScriptableRenderContext& context, const RenderingData& renderingData,
+                      const FilteringSettings& filtering, int shaderPass) const;
+    /// Enables the material's keyword of a choice, and disables those of the other choices.
+    /// @param setting  "RimOutline.m_Variant"
+    /// @param choices  "Soft 0, Threshold 1 or Pixels 2"
+    /// @throws ContractError if there is no keyword of that number
+    void EnableOneOf(std::span<const char* const> keywords, std::size_t chosen,
+                     const std::string& setting, const std::string& choices) const;
+
+    std::shared_ptr<Material> m_Material;
+    OutlinedObjects m_Found; ///< of this frame, kept for its memory
+};
+
 /// The feature of a technique. It draws with its pass while a volume switches its component on, and
 /// otherwise reports why it does not draw.
-/// @tparam ItsComponent  derives from OutlineComponent; registered under the name of its class
+/// @tparam ItsComponent  derives from OutlineComponent; registered under the name of its class,
+///     which the feature's default name begins with
 /// @tparam ItsSettings   derives from OutlineSettings
 /// @tparam Pass       a ScriptableRenderPass with
 ///                    static constexpr const char* k_Shader: the name of its shader;
@@ -32,16 +55,17 @@ public:
     using Component = ItsComponent;
     using Settings = ItsSettings;
 
-    OutlineRendererFeature() = default;
-    explicit OutlineRendererFeature(Settings settings) : m_Settings(std::move(settings)) {}
+    explicit OutlineRendererFeature(Settings settings = {}) : m_Settings(std::move(settings))
+    {
+        name = ComponentName() + "RendererFeature";
+    }
 
     void Create() override { m_Pass.reset(); }
 
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override
     {
         const auto* component = renderingData.volumeStack->template GetComponent<Component>();
-        static const std::string type = TypeName(typeid(Component));
-        std::string why = WhyInactive(component, type);
+        std::string why = WhyInactive(component, ComponentName());
         if (why.empty())
         {
             if (!m_Pass)
@@ -72,6 +96,12 @@ public:
     const Pass* pass() const { return m_Pass.get(); }
 
 private:
+    static const std::string& ComponentName()
+    {
+        static const std::string type = TypeName(typeid(Component));
+        return type;
+    }
+
     Settings m_Settings;
     std::unique_ptr<Pass> m_Pass;
 };

@@ -15,6 +15,9 @@ enum class OutlineRenderQueueRange
     Transparent
 };
 
+/// @throws ContractError for any other number
+RenderQueueRange ToRenderQueueRange(OutlineRenderQueueRange range);
+
 /// The grouping of objects; the objects of a group have one common silhouette.
 enum class OutlineGrouping
 {
@@ -45,6 +48,9 @@ struct OutlineSettings
     FilteringSettings filtering() const;
 };
 
+/// Describes the settings that select the outlined objects to an inspector.
+void DescribeFilter(Inspector& inspector, OutlineRenderQueueRange& renderQueueRange,
+                    LayerMask& layerMask, int& renderingLayerMask);
 /// Describes a setting of this type to an inspector.
 void DescribeGrouping(Inspector& inspector, OutlineGrouping& grouping);
 

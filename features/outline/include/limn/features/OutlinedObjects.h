@@ -2,6 +2,7 @@
 
 #include <limn/core/RenderingData.h>
 #include <limn/features/OutlineSettings.h>
+#include <span>
 #include <vector>
 
 namespace limn
@@ -22,7 +23,6 @@ bool IsAlphaTested(const Material& material);
 struct OutlinedObjects
 {
     std::vector<OutlinedObject> objects;
-    int groupCount = 0;
     std::string why; ///< if there are no objects: what happened to the renderers
 };
 
@@ -32,5 +32,32 @@ struct OutlinedObjects
 /// @throws ContractError as OutlineSettings::filtering
 void FindOutlinedObjects(const RenderingData& renderingData, const OutlineSettings& settings,
                          OutlineGrouping grouping, OutlinedObjects& found);
+
+/// Calls `function` with the objects of each group.
+/// @param objects  ordered by group
+template <typename Function>
+void ForEachGroup(std::span<const OutlinedObject> objects, const Function& function)
+{
+    for (std::size_t first = 0, end = 0; first < objects.size(); first = end)
+    {
+        while (end < objects.size() && objects[end].group == objects[first].group)
+        {
+            ++end;
+        }
+        function(objects.subspan(first, end - first));
+    }
+}
+
+/// The objects of one group and their depth.
+struct OutlinedGroup
+{
+    std::span<const OutlinedObject> objects;
+    double depth = 0.0; ///< of the nearest middle of an object, in metres before the camera
+};
+
+/// Finds the groups and orders them, the farthest first.
+/// @param groups  receives the groups in place of what it has; its memory is used again
+void FindGroupsByDepth(const OutlinedObjects& found, const glm::dmat4& viewMatrix,
+                       std::vector<OutlinedGroup>& groups);
 
 } // namespace limn

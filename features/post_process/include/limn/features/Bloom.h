@@ -2,8 +2,6 @@
 
 #include <limn/volume/AssetParameters.h>
 #include <limn/volume/NumberParameters.h>
-#include <limn/volume/ValueParameters.h>
-#include <limn/volume/VolumeComponent.h>
 
 namespace limn
 {

@@ -87,8 +87,7 @@ struct RenderObjectsSettings
 class RenderObjects final : public ScriptableRendererFeature
 {
 public:
-    RenderObjects();
-    explicit RenderObjects(RenderObjectsSettings renderObjectsSettings);
+    explicit RenderObjects(RenderObjectsSettings renderObjectsSettings = {});
     ~RenderObjects() override;
 
     RenderObjectsSettings settings;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <limn/features/OutlineRendererFeature.h>
-#include <limn/features/RimOutlinePass.h>
+#include <limn/features/RimOutline.h>
 
 namespace limn
 {
@@ -18,6 +18,29 @@ struct RimOutlineSettings : OutlineSettings
     }
 };
 
+/// Draws the outlined objects once more where they are seen. The viewing angle decides how strong
+/// the rim's colour is.
+class RimOutlinePass final : public OutlinePass
+{
+public:
+    static constexpr const char* k_Shader = "Hidden/Limn/RimOutline";
+
+    RimOutlinePass(const std::string& featureName, const RimOutlineSettings& settings,
+                   std::shared_ptr<const Shader> shader)
+        : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+    {
+    }
+
+    /// @return why nothing is drawn; "" = something is
+    /// @throws ContractError if the component's variant is not one of RimVariant
+    std::string Setup(const RimOutline& component, const RenderingData& renderingData);
+
+    void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
+
+private:
+    const RimOutlineSettings& m_Settings; ///< the feature's
+};
+
 /// Draws a glow along the inside of each object's silhouette, computed from the angle between
 /// normal and line of sight. It needs no texture and no second picture, and has no exact width.
 /// @source technique 2 of the introduction of the article on selection outlines
@@ -25,11 +48,7 @@ class RimOutlineRendererFeature final
     : public OutlineRendererFeature<RimOutline, RimOutlineSettings, RimOutlinePass>
 {
 public:
-    explicit RimOutlineRendererFeature(RimOutlineSettings settings = {})
-        : OutlineRendererFeature(settings)
-    {
-        name = "RimOutlineRendererFeature";
-    }
+    using OutlineRendererFeature::OutlineRendererFeature;
 };
 
 } // namespace limn

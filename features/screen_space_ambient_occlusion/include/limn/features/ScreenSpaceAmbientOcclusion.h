@@ -2,7 +2,6 @@
 
 #include <limn/core/ScriptableRendererFeature.h>
 #include <memory>
-#include <string>
 
 namespace limn
 {
@@ -69,8 +68,7 @@ struct ScreenSpaceAmbientOcclusionSettings
 class ScreenSpaceAmbientOcclusion final : public ScriptableRendererFeature
 {
 public:
-    ScreenSpaceAmbientOcclusion();
-    explicit ScreenSpaceAmbientOcclusion(ScreenSpaceAmbientOcclusionSettings settings);
+    explicit ScreenSpaceAmbientOcclusion(ScreenSpaceAmbientOcclusionSettings settings = {});
     ~ScreenSpaceAmbientOcclusion() override;
 
     ScreenSpaceAmbientOcclusionSettings m_Settings;

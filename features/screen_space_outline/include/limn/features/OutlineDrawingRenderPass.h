@@ -2,7 +2,6 @@
 
 #include <limn/core/FilteringSettings.h>
 #include <limn/core/Material.h>
-#include <limn/core/RTHandle.h>
 #include <limn/core/ScriptableRenderPass.h>
 #include <limn/features/ScreenSpaceOutline.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
@@ -29,11 +28,6 @@ public:
 
     void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData) override;
     void Execute(ScriptableRenderContext& context, RenderingData& renderingData) override;
-
-    /// Returns one of the two textures, for tests and dumps; it is empty before the first
-    /// OnCameraSetup.
-    const RTHandle& rendererDrawingTexture() const { return mRendererDrawingTexture; }
-    const RTHandle& outlineTexture() const { return mOutlineTexture; }
 
 private:
     // basic variables

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limn/volume/NumberParameters.h>
-#include <limn/volume/ValueParameters.h>
 #include <limn/volume/VolumeComponent.h>
 
 namespace limn

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <limn/core/LayerMask.h>
-#include <limn/core/RenderPassEvent.h>
 #include <limn/core/ScriptableRendererFeature.h>
 #include <limn/core/Shader.h>
+#include <limn/features/OutlineSettings.h>
 #include <memory>
 
 namespace limn
@@ -16,12 +15,7 @@ class ScreenSpaceOutline;
 /// @source nscTechArt/URP-Screen-Space-Outline, ScreenSpaceOutlineSettings (Unity 2022.3)
 struct ScreenSpaceOutlineSettings
 {
-    enum class RenderQueueRange
-    {
-        All,
-        Opaque,
-        Transparent
-    };
+    using RenderQueueRange = OutlineRenderQueueRange;
 
     RenderPassEvent m_RenderPassEvent = RenderPassEvent::AfterRenderingTransparents;
     std::shared_ptr<const Shader> m_ScreenSpaceOutlineShader;
@@ -41,8 +35,7 @@ public:
     using Component = ScreenSpaceOutline;
     using Settings = ScreenSpaceOutlineSettings;
 
-    ScreenSpaceOutlineRenderFeature();
-    explicit ScreenSpaceOutlineRenderFeature(ScreenSpaceOutlineSettings settings);
+    explicit ScreenSpaceOutlineRenderFeature(ScreenSpaceOutlineSettings settings = {});
     ~ScreenSpaceOutlineRenderFeature() override;
 
     /// Creates the pass. Without a shader there is no pass, and every frame's report says so.

@@ -78,16 +78,9 @@ private:
         std::shared_ptr<Material> material;
         int pass = 0;
     };
-    /// The objects that have one silhouette.
-    struct Group
-    {
-        std::span<const OutlinedObject> objects;
-        double depth = 0.0; ///< the depth of its nearest part, in metres before the camera
-    };
 
     Step MakeStep(const std::shared_ptr<const Shader>& given, int pass) const;
-    void FindGroups(const RenderingData& renderingData);
-    void RenderStencil(ScriptableRenderContext& context, const Group& group,
+    void RenderStencil(ScriptableRenderContext& context, const OutlinedGroup& group,
                        RenderingData& renderingData);
     void RenderBlur(CommandBuffer& cmd, RenderTexturePool& pool);
     void RenderComposite(CommandBuffer& cmd, const RTHandle& destination, RenderingData& data);
@@ -104,8 +97,8 @@ private:
     int m_Width = 0;                                ///< the width of the picture in pixels
     int m_Height = 0;
     int m_BlurCount = 0;
-    OutlinedObjects m_Found;     ///< of this frame, kept for its memory
-    std::vector<Group> m_Groups; ///< the farthest first
+    OutlinedObjects m_Found;             ///< of this frame, kept for its memory
+    std::vector<OutlinedGroup> m_Groups; ///< the farthest first
     MaterialPropertyBlock m_Properties;
     TemporaryTexture m_StencilTex;
     TemporaryTexture m_BlurTex;

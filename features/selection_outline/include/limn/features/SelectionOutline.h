@@ -1,7 +1,6 @@
 #pragma once
 
 #include <limn/features/OutlineComponent.h>
-#include <limn/volume/NumberParameters.h>
 
 namespace limn
 {
