@@ -1,9 +1,7 @@
 #include <limn/core/GraphicsFormatUtility.h>
 
 #include <algorithm>
-#include <array>
 #include <limn/base/Diagnostic.h>
-#include <string_view>
 
 namespace limn
 {
@@ -11,31 +9,18 @@ namespace limn
 namespace
 {
 
-constexpr int k_LastFormat = static_cast<int>(GraphicsFormat::D16_UNorm_S8_UInt);
-
 std::string_view NameOf(GraphicsFormat format)
 {
     return ToString(format);
 }
 
-bool Has(GraphicsFormat format, std::string_view part)
+/// Returns the components that a name lists: of "R16G16_SFloat" RG, of "RGBA_BC7_SRGB" RGBA.
+std::string Letters(GraphicsFormat format)
 {
-    return NameOf(format).find(part) != std::string_view::npos;
-}
-
-/// The components that a name lists: of "R16G16_SFloat" RG, of "RGBA_BC7_SRGB" RGBA.
-std::string_view Letters(GraphicsFormat format, std::array<char, 8>& text)
-{
-    const std::string_view name = NameOf(format);
-    std::size_t count = 0;
-    for (const char c : name.substr(0, name.find('_')))
-    {
-        if (std::string_view("RGBA").find(c) != std::string_view::npos && count < text.size())
-        {
-            text[count++] = c;
-        }
-    }
-    return {text.data(), count};
+    std::string letters(NameOf(format).substr(0, NameOf(format).find('_')));
+    std::erase_if(letters, [](char c)
+                  { return std::string_view("RGBA").find(c) == std::string_view::npos; });
+    return letters;
 }
 
 /// Compressed formats by a part of their names.
@@ -56,33 +41,20 @@ constexpr BlockFacts k_Blocks[] = {
     {"ASTC10X10", 10, 10, 16}, {"ASTC12X12", 12, 12, 16},
 };
 
-/// Returns the facts about a compressed format, or null for other formats.
-const BlockFacts* BlockOf(GraphicsFormat format)
+/// Returns the facts about a compressed format; a block of any other is a texel.
+const BlockFacts& BlockOf(GraphicsFormat format)
 {
-    const auto found = std::ranges::find_if(k_Blocks,
-                                            [&](const BlockFacts& block)
-                                            {
-                                                return block.part.starts_with("R")
-                                                           ? NameOf(format).starts_with(block.part)
-                                                           : Has(format, block.part);
-                                            });
-    return found == std::end(k_Blocks) ? nullptr : found;
-}
-
-GraphicsFormat FindByName(const std::string& name)
-{
-    for (int i = 1; i <= k_LastFormat; ++i)
+    static constexpr BlockFacts k_Texel{"", 1, 1, 0};
+    const auto isOf = [&](const BlockFacts& block)
     {
-        const auto format = static_cast<GraphicsFormat>(i);
-        if (NameOf(format) == name)
-        {
-            return format;
-        }
-    }
-    return GraphicsFormat::None;
+        const std::size_t at = NameOf(format).find(block.part);
+        return block.part.starts_with("R") ? at == 0 : at != std::string_view::npos;
+    };
+    const auto found = std::ranges::find_if(k_Blocks, isOf);
+    return found == std::end(k_Blocks) ? k_Texel : *found;
 }
 
-/// The format of a name with another word in it; itself where there is none.
+/// Returns the format of a name with another word in it, or the format itself if there is none.
 GraphicsFormat WithWord(GraphicsFormat format, std::string_view word, std::string_view instead)
 {
     std::string name(NameOf(format));
@@ -91,8 +63,15 @@ GraphicsFormat WithWord(GraphicsFormat format, std::string_view word, std::strin
     {
         return format;
     }
-    const GraphicsFormat pair = FindByName(name.replace(at, word.size(), instead));
-    return pair == GraphicsFormat::None ? format : pair;
+    name.replace(at, word.size(), instead);
+    for (int i = 1; i <= static_cast<int>(GraphicsFormat::D16_UNorm_S8_UInt); ++i)
+    {
+        if (const auto other = static_cast<GraphicsFormat>(i); NameOf(other) == name)
+        {
+            return other;
+        }
+    }
+    return format;
 }
 
 } // namespace
@@ -134,11 +113,6 @@ GraphicsFormat GraphicsFormatUtility::GetDepthStencilFormat(int minimumDepthBits
                                   : GraphicsFormat::None;
 }
 
-GraphicsFormat GraphicsFormatUtility::GetDepthStencilFormat(int minimumDepthBits)
-{
-    return GetDepthStencilFormat(minimumDepthBits, minimumDepthBits > 16 ? 8 : 0);
-}
-
 int GraphicsFormatUtility::GetDepthBits(GraphicsFormat format)
 {
     return NameOf(format).starts_with("D16")   ? 16
@@ -160,45 +134,29 @@ GraphicsFormat GraphicsFormatUtility::GetLinearFormat(GraphicsFormat format)
 
 std::uint32_t GraphicsFormatUtility::GetComponentCount(GraphicsFormat format)
 {
-    std::array<char, 8> text{};
-    return static_cast<std::uint32_t>(Letters(format, text).size()) +
-           (Has(format, "RGB_A1") ? 1u : 0u);
+    return static_cast<std::uint32_t>(Letters(format).size()) + (Has(format, "RGB_A1") ? 1u : 0u);
 }
 
 std::uint32_t GraphicsFormatUtility::GetAlphaComponentCount(GraphicsFormat format)
 {
-    std::array<char, 8> text{};
-    const bool hasAlpha = Letters(format, text).find('A') != std::string_view::npos;
-    return hasAlpha || Has(format, "RGB_A1") ? 1 : 0;
-}
-
-std::uint32_t GraphicsFormatUtility::GetColorComponentCount(GraphicsFormat format)
-{
-    return GetComponentCount(format) - GetAlphaComponentCount(format);
-}
-
-bool GraphicsFormatUtility::HasAlphaChannel(GraphicsFormat format)
-{
-    return GetAlphaComponentCount(format) > 0;
+    return Letters(format).find('A') != std::string::npos || Has(format, "RGB_A1") ? 1 : 0;
 }
 
 std::uint32_t GraphicsFormatUtility::GetBlockWidth(GraphicsFormat format)
 {
-    const BlockFacts* block = BlockOf(format);
-    return block != nullptr ? block->width : 1;
+    return BlockOf(format).width;
 }
 
 std::uint32_t GraphicsFormatUtility::GetBlockHeight(GraphicsFormat format)
 {
-    const BlockFacts* block = BlockOf(format);
-    return block != nullptr ? block->height : 1;
+    return BlockOf(format).height;
 }
 
 std::uint32_t GraphicsFormatUtility::GetBlockSize(GraphicsFormat format)
 {
-    if (const BlockFacts* block = BlockOf(format))
+    if (IsCompressedFormat(format))
     {
-        return block->bytes;
+        return BlockOf(format).bytes;
     }
     if (Has(format, "_XR"))
     {
@@ -209,86 +167,15 @@ std::uint32_t GraphicsFormatUtility::GetBlockSize(GraphicsFormat format)
 
 std::uint32_t GraphicsFormatUtility::ComputeMipmapSize(int width, int height, GraphicsFormat format)
 {
-    const std::uint32_t blockWidth = GetBlockWidth(format);
-    const std::uint32_t blockHeight = GetBlockHeight(format);
-    const auto across = (static_cast<std::uint32_t>(width) + blockWidth - 1) / blockWidth;
-    const auto down = (static_cast<std::uint32_t>(height) + blockHeight - 1) / blockHeight;
+    const BlockFacts& block = BlockOf(format);
+    const auto across = (static_cast<std::uint32_t>(width) + block.width - 1) / block.width;
+    const auto down = (static_cast<std::uint32_t>(height) + block.height - 1) / block.height;
     return across * down * GetBlockSize(format);
-}
-
-bool GraphicsFormatUtility::IsDepthFormat(GraphicsFormat format)
-{
-    return limn::IsDepthFormat(format) && format != GraphicsFormat::S8_UInt;
-}
-
-bool GraphicsFormatUtility::IsStencilFormat(GraphicsFormat format)
-{
-    return HasStencil(format);
-}
-
-bool GraphicsFormatUtility::IsDepthStencilFormat(GraphicsFormat format)
-{
-    return limn::IsDepthFormat(format);
 }
 
 bool GraphicsFormatUtility::IsCompressedFormat(GraphicsFormat format)
 {
-    return BlockOf(format) != nullptr;
-}
-
-bool GraphicsFormatUtility::IsPackedFormat(GraphicsFormat format)
-{
-    return Has(format, "Pack16") || Has(format, "Pack32");
-}
-
-bool GraphicsFormatUtility::IsHalfFormat(GraphicsFormat format)
-{
-    return Has(format, "16_SFloat");
-}
-
-bool GraphicsFormatUtility::IsFloatFormat(GraphicsFormat format)
-{
-    return Has(format, "32_SFloat");
-}
-
-bool GraphicsFormatUtility::IsIEEE754Format(GraphicsFormat format)
-{
-    return IsHalfFormat(format) || IsFloatFormat(format);
-}
-
-bool GraphicsFormatUtility::IsIntegerFormat(GraphicsFormat format)
-{
-    return IsUIntFormat(format) || IsSIntFormat(format);
-}
-
-bool GraphicsFormatUtility::IsUIntFormat(GraphicsFormat format)
-{
-    return Has(format, "UInt") && !GraphicsFormatUtility::IsDepthFormat(format);
-}
-
-bool GraphicsFormatUtility::IsSIntFormat(GraphicsFormat format)
-{
-    return Has(format, "SInt");
-}
-
-bool GraphicsFormatUtility::IsNormFormat(GraphicsFormat format)
-{
-    return IsUNormFormat(format) || IsSNormFormat(format);
-}
-
-bool GraphicsFormatUtility::IsUNormFormat(GraphicsFormat format)
-{
-    return Has(format, "UNorm") || limn::IsSRGBFormat(format);
-}
-
-bool GraphicsFormatUtility::IsSNormFormat(GraphicsFormat format)
-{
-    return Has(format, "SNorm");
-}
-
-bool GraphicsFormatUtility::IsSignedFormat(GraphicsFormat format)
-{
-    return Has(format, "SNorm") || Has(format, "SInt") || Has(format, "SFloat");
+    return BlockOf(format).bytes != 0;
 }
 
 } // namespace limn

@@ -11,7 +11,7 @@ namespace
 {
 
 using enum GraphicsFormat;
-namespace Utility = GraphicsFormatUtility;
+using Utility = GraphicsFormatUtility;
 
 } // namespace
 
