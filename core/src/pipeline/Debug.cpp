@@ -18,20 +18,8 @@ namespace
 
 const char* NameOf(LogType type)
 {
-    switch (type)
-    {
-    case LogType::Error:
-        return "error";
-    case LogType::Assert:
-        return "assertion";
-    case LogType::Warning:
-        return "warning";
-    case LogType::Exception:
-        return "exception";
-    case LogType::Log:
-        break;
-    }
-    return "log";
+    constexpr const char* k_Names[] = {"error", "assertion", "warning", "log", "exception"};
+    return k_Names[static_cast<int>(type)];
 }
 
 void WriteToStderr(const LogMessage& message)
@@ -53,32 +41,15 @@ std::string Fixed(double value, int digits)
     return text;
 }
 
-template <typename Number>
-std::string Shortest(Number value)
-{
-    char text[64];
-    const auto [end, error] = std::to_chars(text, text + sizeof(text), value);
-    static_cast<void>(error); // no number is that long
-    return {text, end};
-}
-
 template <typename Float>
 std::string FloatText(Float value)
 {
-    return std::isnan(value)   ? "NaN"
-           : std::isinf(value) ? (value > 0 ? std::string("Infinity") : std::string("-Infinity"))
-                               : Shortest(value);
-}
-
-template <typename Vector>
-std::string VectorText(const Vector& vector, const char* before, int digits)
-{
-    std::string text = before;
-    for (int i = 0; i < Vector::length(); ++i)
+    if (!std::isfinite(value))
     {
-        text += (i == 0 ? "" : ", ") + Fixed(double{vector[i]}, digits);
+        return std::isnan(value) ? "NaN" : value > 0 ? "Infinity" : "-Infinity";
     }
-    return text + ")";
+    char text[64]; // no number is that long
+    return {text, std::to_chars(text, text + sizeof(text), value).ptr};
 }
 
 /// @param place  what is between the braces: "0", "1:F2"
@@ -143,29 +114,17 @@ std::string LogTextOf(float value)
 {
     return FloatText(value);
 }
-std::string LogTextOf(long long value)
+std::string LogTextOf(std::span<const float> vector, std::string text, int digits)
 {
-    return Shortest(value);
-}
-std::string LogTextOf(unsigned long long value)
-{
-    return Shortest(value);
-}
-std::string LogTextOf(const glm::vec2& value)
-{
-    return VectorText(value, "(", 2);
-}
-std::string LogTextOf(const glm::vec3& value)
-{
-    return VectorText(value, "(", 2);
-}
-std::string LogTextOf(const glm::vec4& value)
-{
-    return VectorText(value, "(", 2);
+    for (const float& value : vector)
+    {
+        text += (&value == vector.data() ? "" : ", ") + Fixed(double{value}, digits);
+    }
+    return text + ")";
 }
 std::string LogTextOf(const Color& value)
 {
-    return VectorText(value.vector(), "RGBA(", 3);
+    return LogTextOf(std::span(&value.r, 4), "RGBA(", 3);
 }
 std::string LogTextOf(const std::exception& value)
 {

@@ -2,8 +2,8 @@
 
 #include <concepts>
 #include <exception>
-#include <initializer_list>
 #include <limn/core/Color.h>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -45,18 +45,14 @@ std::string LogTextOf(std::string_view text);
 std::string LogTextOf(bool value);
 std::string LogTextOf(double value);
 std::string LogTextOf(float value);
-std::string LogTextOf(long long value);
-std::string LogTextOf(unsigned long long value);
-std::string LogTextOf(const glm::vec2& value);
-std::string LogTextOf(const glm::vec3& value);
-std::string LogTextOf(const glm::vec4& value);
+std::string LogTextOf(std::span<const float> vector, std::string before, int digits);
+template <glm::length_t N>
+std::string LogTextOf(const glm::vec<N, float>& value)
+{
+    return LogTextOf(std::span(&value.x, static_cast<std::size_t>(N)), "(", 2);
+}
 std::string LogTextOf(const Color& value);
 std::string LogTextOf(const std::exception& value);
-
-template <typename T>
-concept LogEnum = std::is_enum_v<T>;
-template <typename T>
-concept LogInteger = std::integral<T> && !std::same_as<T, bool>;
 
 template <typename T>
 std::string LogText(const T& value)
@@ -65,14 +61,13 @@ std::string LogText(const T& value)
     {
         return LogTextOf(std::string_view(value));
     }
-    else if constexpr (LogEnum<T>)
+    else if constexpr (std::is_enum_v<T>)
     {
-        return LogTextOf(static_cast<long long>(value));
+        return std::to_string(static_cast<long long>(value));
     }
-    else if constexpr (LogInteger<T>)
+    else if constexpr (std::integral<T> && !std::same_as<T, bool>)
     {
-        using Widest = std::conditional_t<std::is_signed_v<T>, long long, unsigned long long>;
-        return LogTextOf(static_cast<Widest>(value));
+        return std::to_string(value);
     }
     else
     {
@@ -117,39 +112,21 @@ void LogFormatted(LogType type, std::string_view format, const Args&... args)
 namespace Debug
 {
 
-template <typename T>
-void Log(const T& message)
+// A context has no effect: there is no editor that could show it.
+template <typename T, typename Context = int>
+void Log(const T& message, const Context& /*context*/ = {})
 {
     detail::Log(LogType::Log, detail::LogText(message));
 }
-template <typename T>
-void LogWarning(const T& message)
+template <typename T, typename Context = int>
+void LogWarning(const T& message, const Context& /*context*/ = {})
 {
     detail::Log(LogType::Warning, detail::LogText(message));
 }
-template <typename T>
-void LogError(const T& message)
+template <typename T, typename Context = int>
+void LogError(const T& message, const Context& /*context*/ = {})
 {
     detail::Log(LogType::Error, detail::LogText(message));
-}
-/// @param context  no effect: there is no editor that could show it
-template <typename T, typename Context>
-void Log(const T& message, const Context& context)
-{
-    static_cast<void>(context);
-    Log(message);
-}
-template <typename T, typename Context>
-void LogWarning(const T& message, const Context& context)
-{
-    static_cast<void>(context);
-    LogWarning(message);
-}
-template <typename T, typename Context>
-void LogError(const T& message, const Context& context)
-{
-    static_cast<void>(context);
-    LogError(message);
 }
 inline void LogException(const std::exception& exception)
 {
