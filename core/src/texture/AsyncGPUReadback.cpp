@@ -10,45 +10,35 @@
 namespace limn
 {
 
-AsyncGPUReadbackRequest::AsyncGPUReadbackRequest(std::shared_ptr<PendingReadback> pending)
-    : m_Pending(std::move(pending))
+namespace
 {
+
+AsyncGPUReadbackRequest Begin(std::shared_ptr<PendingReadback> pending,
+                              AsyncGPUReadback::Callback callback)
+{
+    pending->callback = std::move(callback);
+    return AsyncGPUReadbackRequest(std::move(pending));
 }
 
-bool AsyncGPUReadbackRequest::done() const
+/// A read-back whose data was there already.
+class FinishedReadback final : public PendingReadback
 {
-    return m_Pending->isDone();
-}
+public:
+    explicit FinishedReadback(Image image)
+        : PendingReadback({image.width, image.height, image.format, {}}),
+          m_Texels(std::move(image.texels))
+    {
+    }
 
-bool AsyncGPUReadbackRequest::hasError() const
-{
-    return m_Pending->hasError();
-}
+private:
+    bool isReady() override { return true; }
+    void Wait() override {}
+    std::vector<std::byte> Take() override { return std::move(m_Texels); }
 
-void AsyncGPUReadbackRequest::Update()
-{
-    m_Pending->Finish(false);
-}
+    std::vector<std::byte> m_Texels;
+};
 
-void AsyncGPUReadbackRequest::WaitForCompletion()
-{
-    m_Pending->Finish(true);
-}
-
-int AsyncGPUReadbackRequest::width() const
-{
-    return m_Pending->result().width;
-}
-
-int AsyncGPUReadbackRequest::height() const
-{
-    return m_Pending->result().height;
-}
-
-std::size_t AsyncGPUReadbackRequest::layerDataSize() const
-{
-    return m_Pending->result().texels.size();
-}
+} // namespace
 
 std::span<const std::byte> AsyncGPUReadbackRequest::Bytes(std::size_t elementSize) const
 {
@@ -67,18 +57,6 @@ std::span<const std::byte> AsyncGPUReadbackRequest::Bytes(std::size_t elementSiz
     }
     return bytes;
 }
-
-namespace
-{
-
-AsyncGPUReadbackRequest Begin(std::shared_ptr<PendingReadback> pending,
-                              AsyncGPUReadback::Callback callback)
-{
-    pending->callback = std::move(callback);
-    return AsyncGPUReadbackRequest(std::move(pending));
-}
-
-} // namespace
 
 AsyncGPUReadbackRequest AsyncGPUReadback::Request(GraphicsDevice& device,
                                                   const RenderTexture& texture, Callback callback)
@@ -126,6 +104,29 @@ void PendingReadback::Finish(bool waits)
             Debug::LogException(error);
         }
     }
+}
+
+std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const RenderTexture& texture)
+{
+    Image image = ReadBack(texture);
+    if (!texture.descriptor().isTopRowFirst)
+    {
+        image.texels = FlipRows(image.texels, image.height);
+    }
+    return std::make_shared<FinishedReadback>(std::move(image));
+}
+
+std::shared_ptr<PendingReadback> GraphicsDevice::BeginReadBack(const GraphicsBuffer& buffer)
+{
+    std::vector<std::byte> bytes = ReadBackBuffer(buffer);
+    return std::make_shared<FinishedReadback>(
+        Image{static_cast<int>(bytes.size()), 1, GraphicsFormat::R8_UNorm, std::move(bytes)});
+}
+
+std::vector<std::byte> GraphicsDevice::ReadBackBuffer(const GraphicsBuffer& buffer)
+{
+    throw ContractError("this device runs no kernels, so buffer '" + buffer.name() +
+                        "' has no contents to read back");
 }
 
 } // namespace limn
