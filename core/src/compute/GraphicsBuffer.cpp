@@ -109,11 +109,6 @@ GraphicsBuffer::GraphicsBuffer(Target target, int count, int stride)
     m_Bytes.resize(hasCounter() ? counterOffset() + sizeof(std::uint32_t) : size());
 }
 
-std::size_t GraphicsBuffer::size() const
-{
-    return static_cast<std::size_t>(m_Count) * static_cast<std::size_t>(m_Stride);
-}
-
 std::size_t GraphicsBuffer::counterOffset() const
 {
     return (size() + k_UniformAlignment - 1) / k_UniformAlignment * k_UniformAlignment;

@@ -215,24 +215,4 @@ GraphicsFormat SystemInfo::GetGraphicsFormat(DefaultFormat format)
     throw ContractError("SystemInfo::GetGraphicsFormat: there is no video; LDR would do");
 }
 
-bool SystemInfo::SupportsRenderTextureFormat(RenderTextureFormat format)
-{
-    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Render);
-}
-
-bool SystemInfo::SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format)
-{
-    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Blend);
-}
-
-bool SystemInfo::SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format)
-{
-    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::LoadStore);
-}
-
-bool SystemInfo::SupportsTextureFormat(TextureFormat format)
-{
-    return IsFormatSupported(ToGraphicsFormat(format, false), FormatUsage::Sample);
-}
-
 } // namespace limn

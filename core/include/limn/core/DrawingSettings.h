@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 #include <limn/core/FixedList.h>
+#include <limn/core/Flags.h>
 #include <limn/core/List.h>
 #include <limn/core/ShaderId.h>
 #include <memory>
@@ -25,14 +26,8 @@ enum class SortingCriteria
     CommonOpaque = 59,
     CommonTransparent = 23
 };
-constexpr SortingCriteria operator|(SortingCriteria a, SortingCriteria b)
-{
-    return static_cast<SortingCriteria>(static_cast<int>(a) | static_cast<int>(b));
-}
-constexpr bool operator&(SortingCriteria a, SortingCriteria b)
-{
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
-}
+template <>
+inline constexpr bool k_IsFlags<SortingCriteria> = true;
 
 /// Unity: UnityEngine.Rendering.DistanceMetric.
 enum class DistanceMetric
@@ -77,10 +72,8 @@ enum class PerObjectData
     OcclusionProbeProxyVolume = 512,
     ShadowMask = 1024
 };
-constexpr PerObjectData operator|(PerObjectData a, PerObjectData b)
-{
-    return static_cast<PerObjectData>(static_cast<int>(a) | static_cast<int>(b));
-}
+template <>
+inline constexpr bool k_IsFlags<PerObjectData> = true;
 
 /// Describes how a DrawRenderers call draws the items that passed its filter: for each tag in turn,
 /// it draws the first pass of the object's shader with that LightMode; a pass without LightMode

@@ -55,14 +55,8 @@ enum class ClearFlag
 /// The name under which CommandBuffer.ClearRenderTarget takes a ClearFlag.
 /// Unity: UnityEngine.Rendering.RTClearFlags (2022.3).
 using RTClearFlags = ClearFlag;
-constexpr ClearFlag operator|(ClearFlag a, ClearFlag b)
-{
-    return static_cast<ClearFlag>(static_cast<int>(a) | static_cast<int>(b));
-}
-constexpr bool operator&(ClearFlag a, ClearFlag b)
-{
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
-}
+template <>
+inline constexpr bool k_IsFlags<ClearFlag> = true;
 constexpr ClearFlag Only(ClearFlag flags, ClearFlag wanted)
 {
     return static_cast<ClearFlag>(static_cast<int>(flags) & static_cast<int>(wanted));

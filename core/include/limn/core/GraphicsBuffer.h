@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limn/base/Diagnostic.h>
+#include <limn/core/Flags.h>
 #include <memory>
 #include <span>
 #include <string>
@@ -65,7 +66,11 @@ public:
     Target target() const { return m_Target; }
     int count() const { return m_Count; }
     int stride() const { return m_Stride; }
-    std::size_t size() const; ///< bytes of all elements
+    /// bytes of all elements
+    std::size_t size() const
+    {
+        return static_cast<std::size_t>(m_Count) * static_cast<std::size_t>(m_Stride);
+    }
     bool Has(Target flag) const;
 
     /// Sets the elements from the first on, before anything that is executed next; the elements
@@ -179,10 +184,8 @@ private:
     bool m_IsReleased = false;
 };
 
-constexpr GraphicsBuffer::Target operator|(GraphicsBuffer::Target a, GraphicsBuffer::Target b)
-{
-    return static_cast<GraphicsBuffer::Target>(static_cast<int>(a) | static_cast<int>(b));
-}
+template <>
+inline constexpr bool k_IsFlags<GraphicsBuffer::Target> = true;
 
 inline bool GraphicsBuffer::Has(Target flag) const
 {

@@ -23,14 +23,8 @@ enum class AccessFlags
     Discard = 4, ///< its earlier contents do not matter
     WriteAll = 6 ///< Write and Discard
 };
-constexpr AccessFlags operator|(AccessFlags a, AccessFlags b)
-{
-    return static_cast<AccessFlags>(static_cast<int>(a) | static_cast<int>(b));
-}
-constexpr bool operator&(AccessFlags a, AccessFlags b)
-{
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
-}
+template <>
+inline constexpr bool k_IsFlags<AccessFlags> = true;
 
 /// Unity: UnityEngine.Rendering.DepthBits (core 17).
 enum class DepthBits

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limn/core/Flags.h>
+
 namespace limn
 {
 
@@ -62,14 +64,7 @@ enum class ScriptableRenderPassInput
     Color = 4,
     Motion = 8
 };
-constexpr ScriptableRenderPassInput operator|(ScriptableRenderPassInput a,
-                                              ScriptableRenderPassInput b)
-{
-    return static_cast<ScriptableRenderPassInput>(static_cast<int>(a) | static_cast<int>(b));
-}
-constexpr bool operator&(ScriptableRenderPassInput a, ScriptableRenderPassInput b)
-{
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
-}
+template <>
+inline constexpr bool k_IsFlags<ScriptableRenderPassInput> = true;
 
 } // namespace limn

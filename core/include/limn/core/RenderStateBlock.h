@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/Flags.h>
 #include <limn/core/PipelineState.h>
 
 namespace limn
@@ -16,17 +17,11 @@ enum class RenderStateMask
     Stencil = 8,
     Everything = 15
 };
-constexpr RenderStateMask operator|(RenderStateMask a, RenderStateMask b)
-{
-    return static_cast<RenderStateMask>(static_cast<int>(a) | static_cast<int>(b));
-}
+template <>
+inline constexpr bool k_IsFlags<RenderStateMask> = true;
 constexpr RenderStateMask& operator|=(RenderStateMask& a, RenderStateMask b)
 {
     return a = a | b;
-}
-constexpr bool operator&(RenderStateMask a, RenderStateMask b)
-{
-    return (static_cast<int>(a) & static_cast<int>(b)) != 0;
 }
 
 /// Unity: UnityEngine.Rendering.BlendState (2022.3).

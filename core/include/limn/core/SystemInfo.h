@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limn/core/Flags.h>
 #include <limn/core/GraphicsFormat.h>
 
 namespace limn
@@ -45,10 +46,8 @@ enum class GraphicsFormatUsage
     MSAA8x = 1 << 13,
     StencilSampling = 1 << 16
 };
-constexpr GraphicsFormatUsage operator|(GraphicsFormatUsage a, GraphicsFormatUsage b)
-{
-    return static_cast<GraphicsFormatUsage>(static_cast<int>(a) | static_cast<int>(b));
-}
+template <>
+inline constexpr bool k_IsFlags<GraphicsFormatUsage> = true;
 
 /// The purposes for which a platform has a default format.
 /// Unity: UnityEngine.Experimental.Rendering.DefaultFormat (2022.3).
@@ -78,11 +77,23 @@ GraphicsFormat GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage us
 /// @throws ContractError for Video
 GraphicsFormat GetGraphicsFormat(DefaultFormat format);
 /// Returns whether the format can be a target: a depth format as a depth.
-bool SupportsRenderTextureFormat(RenderTextureFormat format);
-bool SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format);
-bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format);
+inline bool SupportsRenderTextureFormat(RenderTextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Render);
+}
+inline bool SupportsBlendingOnRenderTextureFormat(RenderTextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::Blend);
+}
+inline bool SupportsRandomWriteOnRenderTextureFormat(RenderTextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format), FormatUsage::LoadStore);
+}
 /// Returns whether the format can be sampled.
-bool SupportsTextureFormat(TextureFormat format);
+inline bool SupportsTextureFormat(TextureFormat format)
+{
+    return IsFormatSupported(ToGraphicsFormat(format, false), FormatUsage::Sample);
+}
 
 } // namespace SystemInfo
 
