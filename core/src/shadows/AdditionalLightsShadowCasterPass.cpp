@@ -48,34 +48,29 @@ bool ThrowsShadows(const Light& light)
            light.shadowStrength > 0.0f && GivesLight(light);
 }
 
+bool ReceivesAdditionalShadows(const Shader& shader)
+{
+    return shader.HasKeyword(_ADDITIONAL_LIGHT_SHADOWS.name());
+}
+
 /// Returns whether a visible object that is near enough to camera and light can show the light's
 /// shadow.
-bool HasReceiver(const RendererItems& items, const Light& light, const glm::dvec3& camera,
-                 double shadowDistance)
+bool HasReceiverOf(const Light& light, const RendererItems& items, const glm::dvec3& camera,
+                   double shadowDistance)
 {
-    if (items.empty())
-    {
-        return false;
-    }
-    const RendererTable& table = *items.table();
-    const auto& receives =
-        ReceiversByClass(table, [](const Shader& shader)
-                         { return shader.HasKeyword(_ADDITIONAL_LIGHT_SHADOWS.name()); });
-    const auto reaches = [&](std::uint32_t row, const glm::dvec3& from, double distance)
+    const glm::dvec3 place(light.transform.worldMatrix()[3]);
+    const auto isNear = [&](const RendererTable& table, std::uint32_t row)
     {
         const glm::dvec3 middle = table.origin() + glm::dvec3(table.center(row));
-        const glm::dvec3 gap =
-            glm::max(glm::abs(middle - from) - glm::dvec3(table.extent(row)), 0.0);
-        return glm::length(gap) <= distance;
+        const auto reaches = [&](const glm::dvec3& from, double distance)
+        {
+            const glm::dvec3 gap =
+                glm::max(glm::abs(middle - from) - glm::dvec3(table.extent(row)), 0.0);
+            return glm::length(gap) <= distance;
+        };
+        return reaches(place, static_cast<double>(light.range)) && reaches(camera, shadowDistance);
     };
-    const glm::dvec3 place(light.transform.worldMatrix()[3]);
-    return std::ranges::any_of(items.rows(),
-                               [&](std::uint32_t row)
-                               {
-                                   return receives[table.classOf()[row]] != 0 &&
-                                          reaches(row, place, static_cast<double>(light.range)) &&
-                                          reaches(row, camera, shadowDistance);
-                               });
+    return HasReceiver(items, ReceivesAdditionalShadows, isNear);
 }
 
 /// World to light space, right-handed, looking along -z.
@@ -167,7 +162,7 @@ void AdditionalLightsShadowCasterPass::FindSlices(const RenderingData& rendering
     {
         const Light& light = *lights[i];
         if (!ThrowsShadows(light) ||
-            !HasReceiver(renderingData.cullResults.items, light, cameraPlace, distance))
+            !HasReceiverOf(light, renderingData.cullResults.items, cameraPlace, distance))
         {
             continue;
         }

@@ -33,15 +33,11 @@ const ShaderPropertyId limn_CascadeCenters{"limn_CascadeCenters"};
 const ShaderPropertyId _ShadowBias{"_ShadowBias"};
 const ShaderPropertyId _LightDirection{"_LightDirection"};
 
-const std::array<ShaderPropertyId, k_MostCascades>& SplitSpheres()
-{
-    static const std::array<ShaderPropertyId, k_MostCascades> ids{
-        ShaderPropertyId("_CascadeShadowSplitSpheres0"),
-        ShaderPropertyId("_CascadeShadowSplitSpheres1"),
-        ShaderPropertyId("_CascadeShadowSplitSpheres2"),
-        ShaderPropertyId("_CascadeShadowSplitSpheres3")};
-    return ids;
-}
+const ShaderPropertyId k_SplitSpheres[k_MostCascades] = {
+    ShaderPropertyId("_CascadeShadowSplitSpheres0"),
+    ShaderPropertyId("_CascadeShadowSplitSpheres1"),
+    ShaderPropertyId("_CascadeShadowSplitSpheres2"),
+    ShaderPropertyId("_CascadeShadowSplitSpheres3")};
 
 /// The greatest distance before the ball from which shadows are thrown. Casters that lie farther
 /// away are moved there, because the depth would become coarse.
@@ -51,25 +47,6 @@ bool ReceivesShadows(const Shader& shader)
 {
     return shader.HasKeyword(_MAIN_LIGHT_SHADOWS.name()) ||
            shader.HasKeyword(_MAIN_LIGHT_SHADOWS_CASCADE.name());
-}
-
-/// Returns whether a visible object that is near enough can show a shadow.
-bool HasReceiver(const RendererItems& items, const glm::dvec3& camera, double distance)
-{
-    if (items.empty())
-    {
-        return false;
-    }
-    const RendererTable& table = *items.table();
-    const std::vector<std::uint8_t>& receives = ReceiversByClass(table, ReceivesShadows);
-    return std::ranges::any_of(items.rows(),
-                               [&, from = glm::vec3(camera - table.origin())](std::uint32_t row)
-                               {
-                                   return receives[table.classOf()[row]] != 0 &&
-                                          glm::distance(table.center(row), from) -
-                                                  glm::length(table.extent(row)) <=
-                                              static_cast<float>(distance);
-                               });
 }
 
 /// The distance along the light, from the view's origin, at which the first of them begins.
@@ -133,7 +110,13 @@ bool MainLightShadowCasterPass::FindCascades(const RenderingData& renderingData)
     const CameraData& data = renderingData.cameraData;
     const Camera& camera = *data.camera;
     const glm::dvec3 position(camera.transform.worldMatrix()[3]);
-    if (!HasReceiver(renderingData.cullResults.items, position, ShadowDistance(camera, settings)))
+    const auto distance = static_cast<float>(ShadowDistance(camera, settings));
+    const auto isNear = [&](const RendererTable& table, std::uint32_t row)
+    {
+        const glm::vec3 from(position - table.origin());
+        return glm::distance(table.center(row), from) - glm::length(table.extent(row)) <= distance;
+    };
+    if (!HasReceiver(renderingData.cullResults.items, ReceivesShadows, isNear))
     {
         return false;
     }
@@ -224,7 +207,7 @@ void MainLightShadowCasterPass::SetReceiverConstants(CommandBuffer& cmd,
         fromOrigin[i] = glm::vec4(toShadow * glm::dvec4(origin, 1.0));
         centers[i] = glm::vec4(glm::vec3(cascade.center - origin), 0.0f);
         radii[static_cast<int>(i)] = static_cast<float>(cascade.radius * cascade.radius);
-        cmd.SetGlobalVector(SplitSpheres()[i],
+        cmd.SetGlobalVector(k_SplitSpheres[i],
                             glm::vec4(glm::vec3(cascade.center), radii[static_cast<int>(i)]));
     }
     cmd.SetGlobalTexture(_MainLightShadowmapTexture, m_ShadowMap);

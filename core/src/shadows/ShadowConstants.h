@@ -2,6 +2,7 @@
 
 #include "scene/RendererTable.h"
 
+#include <algorithm>
 #include <limn/core/Light.h>
 #include <limn/core/RenderingData.h>
 #include <limn/core/ScriptableRenderContext.h>
@@ -67,19 +68,27 @@ ShadowCasters FindShadowCasters(const CullingResults& results, const Camera& cam
 void DrawShadowCasters(ScriptableRenderContext& context, RenderingData& renderingData,
                        const ShadowCasters& casters);
 
-/// Returns for each class of rows whether `receives` is true for its shader.
-/// @lifetime until the next call on the thread
-template <typename Receives>
-const std::vector<std::uint8_t>& ReceiversByClass(const RendererTable& table,
-                                                  const Receives& receives)
+/// Returns whether one of the items whose shader receives shadows is near enough to show one.
+/// @param receives  shader → whether it receives shadows
+/// @param isNear    (table, row) → whether it is near enough
+template <typename Receives, typename IsNear>
+bool HasReceiver(const RendererItems& items, const Receives& receives, const IsNear& isNear)
 {
-    static thread_local std::vector<std::uint8_t> byClass;
+    if (items.empty())
+    {
+        return false;
+    }
+    const RendererTable& table = *items.table();
+    static thread_local std::vector<std::uint8_t> byClass; // for its memory
     byClass.clear();
     for (const RendererTable::DrawKey& rowClass : table.classes())
     {
         byClass.push_back(rowClass.material && receives(*rowClass.material->shader()));
     }
-    return byClass;
+    return std::ranges::any_of(items.rows(),
+                               [&](std::uint32_t row) {
+                                   return byClass[table.classOf()[row]] != 0 && isNear(table, row);
+                               });
 }
 
 /// Returns whether a light gives light: the shadows of a light that is black or has no intensity

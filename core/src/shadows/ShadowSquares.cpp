@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <utility>
 
 namespace limn
 {
@@ -37,13 +38,7 @@ void PlaceShadowSquares(std::span<const ShadowSquares> requests, int size,
     };
     order.resize(requests.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order,
-                      [&](std::size_t a, std::size_t b)
-                      {
-                          const int sideA = sideOf(a);
-                          const int sideB = sideOf(b);
-                          return sideA != sideB ? sideA > sideB : a < b;
-                      });
+    std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(-sideOf(i), i); });
     first.clear();
     std::size_t count = 0;
     for (const ShadowSquares& request : requests)
