@@ -1,7 +1,6 @@
 // Finds the draws that may be drawn at once.
 #include "renderers/ObjectDraws.h"
 #include "scene/RendererTable.h"
-#include "support/ThreadScratch.h"
 
 #include <algorithm>
 #include <utility>

@@ -3,7 +3,6 @@
 #include "cull/ProjectedBounds.h"
 #include "scene/PerDraw.h"
 #include "scene/RendererTable.h"
-#include "support/ThreadScratch.h"
 
 #include <algorithm>
 #include <array>
@@ -178,13 +177,10 @@ private:
     Index& m_Index = NextCall();
 };
 
-bool Blends(const RenderTargetBlendState& target)
+bool Blends(RenderTargetBlendState target)
 {
-    return target.sourceColorBlendMode != BlendMode::One ||
-           target.destinationColorBlendMode != BlendMode::Zero ||
-           target.sourceAlphaBlendMode != BlendMode::One ||
-           target.destinationAlphaBlendMode != BlendMode::Zero ||
-           target.colorBlendOperation != BlendOp::Add || target.alphaBlendOperation != BlendOp::Add;
+    target.writeMask = ColorWriteMask::All; // the defaults mean no blending
+    return target != RenderTargetBlendState();
 }
 
 /// A number for passes whose draws give the same picture in any order, one with another too if
@@ -263,11 +259,6 @@ std::optional<TargetRegion> BoundsOf(const DrawSetup& draw, const Mesh& mesh,
     }
     return region;
 }
-
-} // namespace
-
-namespace
-{
 
 /// Cuts runs where the lights of their rows change, if what they draw looks at them.
 class LightSplitter

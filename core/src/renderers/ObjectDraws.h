@@ -32,7 +32,18 @@ struct ClassRun
 /// The passes that a renderer draws, in order: indices of one call's list.
 using PassNumbers = std::pmr::vector<std::uint32_t>;
 
-/// Sorts items and returns all runs, which are valid until the thread's next call.
+/// Returns an empty list that keeps its memory for the thread's next call of the functions that
+/// draw objects. Only one user at a time may have a list of each kind.
+template <typename Value>
+std::vector<Value>& ThreadScratch()
+{
+    static thread_local std::vector<Value> list;
+    list.clear();
+    return list;
+}
+
+/// Sorts items into the order in which a DrawRenderers call draws, and returns all runs, which are
+/// valid until the thread's next call. The sort is stable.
 std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting);
 
 /// Makes batches of what rows draw. Draws that may change places become one batch, at the place of

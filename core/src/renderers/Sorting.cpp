@@ -183,11 +183,6 @@ private:
 
 } // namespace
 
-void Sort(RendererItems& items, const SortingSettings& sorting)
-{
-    SortIntoRuns(items, sorting);
-}
-
 std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettings& sorting)
 {
     static thread_local std::vector<ClassRun> runs;
@@ -197,32 +192,6 @@ std::span<const ClassRun> SortIntoRuns(RendererItems& items, const SortingSettin
         RowSorter(items, sorting, runs).Sort();
     }
     return runs;
-}
-
-void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
-          std::vector<int>& indices)
-{
-    std::vector<StateId> states;
-    for (const RendererItem& item : items)
-    {
-        states.push_back(StateOf(item.material.get(), item.object->renderer->mesh.get()));
-    }
-    const bool byState = sorting.criteria & SortingCriteria::OptimizeStateChanges;
-    const std::vector<std::uint32_t> ranks = Ranks(states);
-    std::vector<SortEntry> entries;
-    for (const int index : indices)
-    {
-        const auto i = static_cast<std::size_t>(index);
-        const glm::dvec3 offset = items[i].boundsCenter - sorting.cameraPosition;
-        entries.push_back(
-            {SortKey(sorting.criteria, items[i].filter.renderQueue, SortDistance(offset, sorting),
-                     static_cast<std::uint16_t>(items[i].materialIndex)),
-             byState ? ranks[i] : 0, static_cast<std::uint32_t>(index)});
-    }
-    std::vector<SortEntry> spare;
-    RadixSort(entries, spare);
-    std::ranges::transform(entries, indices.begin(),
-                           [](const SortEntry& entry) { return static_cast<int>(entry.index); });
 }
 
 } // namespace limn

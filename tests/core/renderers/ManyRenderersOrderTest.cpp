@@ -1,4 +1,6 @@
 #include "renderers/ManyRenderers.h"
+#include "renderers/ObjectDraws.h"
+#include "renderers/SortItems.h"
 
 #include <numeric>
 
@@ -78,10 +80,10 @@ void ExpectOneOrder(const RendererItems& items)
         sorting.distanceMetric =
             criteria % 3 == 0 ? DistanceMetric::Orthographic : DistanceMetric::Perspective;
         RendererItems together = items;
-        Sort(together, sorting);
+        SortIntoRuns(together, sorting);
         std::vector<int> order(list.size());
         std::iota(order.begin(), order.end(), 0);
-        Sort(list, sorting, order);
+        test::SortItems(list, sorting, order);
         for (std::size_t i = 0; i < order.size(); ++i)
         {
             const RendererItem& item = list[static_cast<std::size_t>(order[i])];

@@ -3,6 +3,7 @@
 #include <limits>
 #include <numeric>
 
+#include "renderers/SortItems.h"
 #include "scene/TestScene.h"
 
 namespace limn
@@ -46,7 +47,7 @@ protected:
         settings.criteria = criteria;
         settings.distanceMetric = metric;
         settings.customAxis = axis;
-        Sort(m_Items, settings, indices);
+        test::SortItems(m_Items, settings, indices);
         return indices;
     }
 
@@ -170,7 +171,7 @@ TEST_F(Sorting, OrdersOnlyTheItemsThatTakePart)
     std::vector<int> indices{0, 2};
     SortingSettings settings;
     settings.criteria = SortingCriteria::BackToFront;
-    Sort(m_Items, settings, indices);
+    test::SortItems(m_Items, settings, indices);
     EXPECT_THAT(indices, ElementsAre(2, 0));
 }
 

@@ -133,11 +133,4 @@ struct JudgedItems
 JudgedItems Judge(const RendererItems& items, const FilteringSettings& filtering,
                   const DrawingSettings& drawing);
 
-/// Sorts items into the order in which a DrawRenderers call draws; the sort is stable.
-void Sort(RendererItems& items, const SortingSettings& sorting);
-/// Sorts some items of a list in the same way.
-/// @param indices  into `items`: the items to sort, in the scene's order
-void Sort(const std::vector<RendererItem>& items, const SortingSettings& sorting,
-          std::vector<int>& indices);
-
 } // namespace limn
