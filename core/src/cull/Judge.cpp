@@ -37,20 +37,10 @@ std::string RuleText(FilterVerdict verdict, int count)
 
 const char* ToString(FilterVerdict verdict)
 {
-    switch (verdict)
-    {
-    case FilterVerdict::Drawn:
-        return "drawn";
-    case FilterVerdict::QueueOutOfRange:
-        return "render queue";
-    case FilterVerdict::LayerMaskMiss:
-        return "layer mask";
-    case FilterVerdict::RenderingLayerMaskMiss:
-        return "rendering layer mask";
-    case FilterVerdict::NoMatchingPass:
-        return "no pass with a wanted LightMode";
-    }
-    return "?";
+    constexpr const char* k_Names[k_FilterVerdictCount] = {"drawn", "render queue", "layer mask",
+                                                           "rendering layer mask",
+                                                           "no pass with a wanted LightMode"};
+    return k_Names[static_cast<int>(verdict)];
 }
 
 FilterVerdict Judge(const FilterItem& item, const FilteringSettings& filtering,

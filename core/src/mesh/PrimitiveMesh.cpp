@@ -17,18 +17,6 @@ constexpr double k_Pi = 3.141592653589793;
 constexpr int k_Segments = 32; ///< around the y axis
 constexpr int k_Rings = 16;    ///< from pole to pole of a sphere
 
-struct NamedType
-{
-    std::string_view name;
-    PrimitiveType type;
-};
-
-constexpr std::array k_Types = {
-    NamedType{"sphere", PrimitiveType::Sphere},     NamedType{"capsule", PrimitiveType::Capsule},
-    NamedType{"cylinder", PrimitiveType::Cylinder}, NamedType{"cube", PrimitiveType::Cube},
-    NamedType{"plane", PrimitiveType::Plane},       NamedType{"quad", PrimitiveType::Quad},
-    NamedType{"torus", PrimitiveType::Torus}};
-
 /// Rings `first` to `last` of a sphere of diameter 1 that is lifted by `y`.
 /// @param vScale,vOffset  map the ring's share of the way down, 0...1, to v
 void AddSphereRings(std::vector<ProfilePoint>& profile, int first, int last, float y, float vScale,
@@ -98,59 +86,58 @@ void BuildTorus(MeshBuilder& builder)
     builder.AddRevolution(profile, k_Segments);
 }
 
-void Build(MeshBuilder& builder, PrimitiveType type)
+void BuildPlane(MeshBuilder& builder)
 {
-    switch (type)
-    {
-    case PrimitiveType::Sphere:
-        return BuildSphere(builder);
-    case PrimitiveType::Capsule:
-        return BuildCapsule(builder);
-    case PrimitiveType::Cylinder:
-        return BuildCylinder(builder);
-    case PrimitiveType::Cube:
-        return BuildCube(builder);
-    case PrimitiveType::Plane:
-        // Unity's plane has its picture's top at -z, so its right is at -x.
-        return builder.AddGrid({}, {-5.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -5.0f}, 10);
-    case PrimitiveType::Quad:
-        return builder.AddGrid({}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, 1);
-    case PrimitiveType::Torus:
-        return BuildTorus(builder);
-    }
-    throw ContractError("PrimitiveType " + std::to_string(static_cast<int>(type)) +
-                        " is not one that limn knows");
+    // Unity's plane has its picture's top at -z, so its right is at -x.
+    builder.AddGrid({}, {-5.0f, 0.0f, 0.0f}, {0.0f, 0.0f, -5.0f}, 10);
 }
+
+void BuildQuad(MeshBuilder& builder)
+{
+    builder.AddGrid({}, {0.5f, 0.0f, 0.0f}, {0.0f, 0.5f, 0.0f}, 1);
+}
+
+struct Primitive
+{
+    std::string_view name;
+    void (*build)(MeshBuilder&);
+};
+
+constexpr Primitive k_Primitives[] = {{"sphere", &BuildSphere},     {"capsule", &BuildCapsule},
+                                      {"cylinder", &BuildCylinder}, {"cube", &BuildCube},
+                                      {"plane", &BuildPlane},       {"quad", &BuildQuad},
+                                      {"torus", &BuildTorus}};
 
 } // namespace
 
 std::shared_ptr<const Mesh> CreatePrimitive(PrimitiveType type)
 {
+    const auto index = static_cast<std::size_t>(type);
+    if (index >= std::size(k_Primitives))
+    {
+        throw ContractError("PrimitiveType " + std::to_string(static_cast<int>(type)) +
+                            " is not one that limn knows");
+    }
     MeshBuilder builder;
-    Build(builder, type);
-    const auto named = std::find_if(k_Types.begin(), k_Types.end(),
-                                    [type](const NamedType& entry) { return entry.type == type; });
-    return std::make_shared<const Mesh>(std::string(named->name), builder.Take());
+    k_Primitives[index].build(builder);
+    return std::make_shared<const Mesh>(std::string(k_Primitives[index].name), builder.Take());
 }
 
 std::optional<PrimitiveType> PrimitiveTypeFromName(std::string_view name)
 {
-    for (const NamedType& entry : k_Types)
-    {
-        if (EqualsIgnoringCase(name, entry.name))
-        {
-            return entry.type;
-        }
-    }
-    return std::nullopt;
+    const auto* const named = std::ranges::find_if(k_Primitives, [&](const auto& each)
+                                                   { return EqualsIgnoringCase(name, each.name); });
+    return named == std::end(k_Primitives)
+               ? std::nullopt
+               : std::optional(static_cast<PrimitiveType>(named - k_Primitives));
 }
 
 std::vector<std::string_view> PrimitiveTypeNames()
 {
     std::vector<std::string_view> names;
-    for (const NamedType& entry : k_Types)
+    for (const Primitive& primitive : k_Primitives)
     {
-        names.push_back(entry.name);
+        names.push_back(primitive.name);
     }
     return names;
 }

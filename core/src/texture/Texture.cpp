@@ -50,20 +50,8 @@ int FullMipCount(const TextureShape& shape)
 
 const char* ToString(TextureDimension dimension)
 {
-    switch (dimension)
-    {
-    case TextureDimension::Tex3D:
-        return "3D";
-    case TextureDimension::Cube:
-        return "Cube";
-    case TextureDimension::Tex2DArray:
-        return "2DArray";
-    case TextureDimension::CubeArray:
-        return "CubeArray";
-    case TextureDimension::Tex2D:
-        break;
-    }
-    return "2D";
+    constexpr const char* k_Names[] = {"2D", "3D", "Cube", "2DArray", "CubeArray"};
+    return k_Names[static_cast<int>(dimension) - static_cast<int>(TextureDimension::Tex2D)];
 }
 
 Texture::Texture(std::string name, const TextureShape& shape, GraphicsFormat format,

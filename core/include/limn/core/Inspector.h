@@ -133,16 +133,9 @@ public:
     {
         Field({name, tooltip.text}, &value);
     }
-    void Field(std::string_view name, int& value, ValueRange range, std::string_view tooltip)
-    {
-        Field({name, tooltip, range}, &value);
-    }
-    void Field(std::string_view name, std::uint32_t& value, ValueRange range,
-               std::string_view tooltip)
-    {
-        Field({name, tooltip, range}, &value);
-    }
-    void Field(std::string_view name, float& value, ValueRange range, std::string_view tooltip)
+    template <typename Number>
+    requires std::is_arithmetic_v<Number>
+    void Field(std::string_view name, Number& value, ValueRange range, std::string_view tooltip)
     {
         Field({name, tooltip, range}, &value);
     }
