@@ -1,5 +1,4 @@
-#include "frame/ConstantBlend.h"
-#include "frame/TextureHistory.h"
+#include "frame/FrameNode.h"
 
 #include <algorithm>
 

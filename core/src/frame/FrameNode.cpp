@@ -128,8 +128,7 @@ bool HasSamples(const RenderTexture& texture)
 bool IsZero(const Color& color, GraphicsFormat format)
 {
     const float values[] = {color.r, color.g, color.b, color.a};
-    return std::all_of(values, values + ChannelCount(format),
-                       [](float value) { return value == 0.0f; });
+    return std::count(values, values + ChannelCount(format), 0.0f) == ChannelCount(format);
 }
 
 bool HasDraws(const FrameNode& node)

@@ -251,4 +251,34 @@ void CompileInto(CompiledFrame& frame, const FrameCommands& commands, const Text
                  OutputSpan outputs, const FrameCompilerOptions& options,
                  std::pmr::memory_resource& memory);
 
+/// Returns whether blending this colour in leaves every texel as it is, whatever it holds.
+/// @param color  linear, the result of the fragment function
+bool LeavesTargetAsItIs(const RenderTargetBlendState& blend, const Color& color);
+
+/// Returns whether the target's contents after a draw follow from the draw alone.
+bool ReplacesTarget(const RenderTargetBlendState& blend);
+
+/// Returns whether each component of the colour stays as it is or follows from the draw alone; the
+/// alpha may be blended.
+bool ReplacesColor(const RenderTargetBlendState& blend);
+
+/// Returns whether a factor of the colour's blending is made from the target's alpha.
+bool FactorsReadAlpha(const RenderTargetBlendState& blend);
+
+/// Returns whether the colour after a draw depends on the target's alpha.
+bool ReadsTargetAlpha(const RenderTargetBlendState& blend);
+
+/// Returns what is known of a texture; nothing is known of a new one.
+TextureState& StateOf(TextureStates& states, const std::shared_ptr<const Texture>& texture);
+const TextureState* FindState(const TextureStates& states, const Texture& texture); ///< null = new
+
+bool Contains(OutputSpan outputs, const RenderTexture& texture);
+
+/// Forgets the contents of textures that no next frame reads; only their use is kept.
+void ForgetContents(TextureStates& states);
+
+/// Returns whether a next frame may read what this one leaves in the texture: anything that holds
+/// it may, even if each earlier frame overwrote it first.
+bool OutlivesFrame(const RenderTexture& texture, const TextureStates& states);
+
 } // namespace limn

@@ -42,12 +42,6 @@ const RenderTexture& AnyTarget(const FrameNode& node)
     return node.targets.colors.empty() ? *node.targets.depth : *node.targets.colors.front();
 }
 
-bool SameSize(const RenderTexture& a, const RenderTexture& b)
-{
-    return a.width() == b.width() && a.height() == b.height() &&
-           a.descriptor().msaaSamples == b.descriptor().msaaSamples;
-}
-
 /// Returns whether the node's commands mean the same beside further colours, which they leave
 /// alone.
 bool CanHaveMoreColors(const FrameNode& node, const FrameTables& tables)
@@ -108,7 +102,7 @@ bool CanContinue(const FrameNode& node, const FrameNode& next, const FrameTables
     {
         return node.isCompute && next.isCompute && MayChangePlaces(node, next);
     }
-    return SameSize(AnyTarget(node), AnyTarget(next)) && ColorsFit(node, next, tables) &&
+    return AnyTarget(node).HasSizeOf(AnyTarget(next)) && ColorsFit(node, next, tables) &&
            DepthFits(node, next) && !ReadsTargetOf(next, node) && !ReadsTargetOf(node, next);
 }
 

@@ -1,4 +1,3 @@
-#include "frame/ConstantBlend.h"
 #include "frame/FrameNode.h"
 
 #include <algorithm>

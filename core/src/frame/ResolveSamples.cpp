@@ -1,4 +1,4 @@
-#include "frame/TextureHistory.h"
+#include "frame/FrameNode.h"
 
 #include <algorithm>
 

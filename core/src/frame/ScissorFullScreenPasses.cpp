@@ -1,5 +1,4 @@
 #include "cull/ProjectedBounds.h"
-#include "frame/ConstantBlend.h"
 #include "frame/FrameNode.h"
 
 #include <algorithm>

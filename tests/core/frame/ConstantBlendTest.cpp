@@ -1,4 +1,4 @@
-#include "frame/ConstantBlend.h"
+#include "frame/FrameNode.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,6 @@
 #include "frame/FrameBuilder.h"
 #include "frame/FrameNode.h"
 #include "frame/ImageInterpreter.h"
-#include "frame/TextureHistory.h"
 #include "scene/TestScene.h"
 
 #include <gtest/gtest.h>

@@ -121,6 +121,12 @@ public:
     /// that is set; null for a depth texture and for a colour without depth.
     /// Unity: RenderTexture.depthBuffer.
     const std::shared_ptr<const RenderTexture>& depthBuffer() const { return m_DepthBuffer; }
+    /// Returns whether another texture has the same width, height and samples per texel.
+    bool HasSizeOf(const RenderTexture& other) const
+    {
+        return width() == other.width() && height() == other.height() &&
+               m_Descriptor.msaaSamples == other.m_Descriptor.msaaSamples;
+    }
 
     /// Returns whether nothing reads the contents after the frame, so that what no later command of
     /// the frame reads need not be stored.
