@@ -1,7 +1,6 @@
 #include <limn/core/DynamicGI.h>
 
 #include "environment/CubeLight.h"
-#include "environment/FilterReflection.h"
 
 #include <bit>
 #include <glm/gtc/quaternion.hpp>

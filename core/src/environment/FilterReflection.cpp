@@ -1,4 +1,4 @@
-#include "environment/FilterReflection.h"
+#include "environment/CubeLight.h"
 
 #include "support/ParallelFor.h"
 

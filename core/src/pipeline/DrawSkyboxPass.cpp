@@ -1,7 +1,8 @@
 #include "pipeline/DrawSkyboxPass.h"
 
+#include "environment/CubeLight.h"
+
 #include <algorithm>
-#include <array>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <limn/core/CoreUtils.h>
@@ -12,25 +13,13 @@ namespace limn
 namespace
 {
 
-constexpr int k_Sides = 6;
 constexpr int k_Cells = 8; ///< along an edge of the ball's cube: shaders may work by vertex
 
-/// A side of the cube around the camera, as seen from inside.
-struct Side
-{
-    glm::vec3 forward;
-    glm::vec3 right;
-    glm::vec3 up;
-};
-constexpr std::array<Side, k_Sides> k_SidesOfCube{{{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
-                                                   {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
-                                                   {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}},
-                                                   {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-                                                   {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}},
-                                                   {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}}}};
+/// The faces of the cube around the camera in the order of a sky's passes: front, back, right ...
+constexpr std::size_t k_SkySides[k_CubeFaces] = {4, 5, 0, 1, 2, 3};
 
 /// Appends cells x cells squares.
-void AddSide(MeshData& data, const Side& side, int cells)
+void AddSide(MeshData& data, const CubeFace& side, int cells)
 {
     const auto first = static_cast<std::uint32_t>(data.vertices.size());
     const auto row = static_cast<std::uint32_t>(cells + 1);
@@ -59,9 +48,9 @@ void AddSide(MeshData& data, const Side& side, int cells)
 std::shared_ptr<const Mesh> MakeCube()
 {
     MeshData data;
-    for (const Side& side : k_SidesOfCube)
+    for (const std::size_t side : k_SkySides)
     {
-        AddSide(data, side, 1);
+        AddSide(data, k_FacesOfCube[side], 1);
     }
     return std::make_shared<const Mesh>("Skybox", std::move(data));
 }
@@ -69,9 +58,9 @@ std::shared_ptr<const Mesh> MakeCube()
 std::shared_ptr<const Mesh> MakeBall()
 {
     MeshData data;
-    for (const Side& side : k_SidesOfCube)
+    for (const std::size_t side : k_SkySides)
     {
-        AddSide(data, side, k_Cells);
+        AddSide(data, k_FacesOfCube[side], k_Cells);
     }
     for (glm::vec3& vertex : data.vertices)
     {
@@ -118,8 +107,8 @@ void DrawSkyboxPass::Execute(ScriptableRenderContext& context, RenderingData& re
 
     const CommandBufferPool::Pooled cmd = CommandBufferPool::Get();
     RenderingUtils::SetViewAndProjectionMatrices(*cmd, view, SkyProjection(data), false);
-    const bool hasSides = sky->passCount() == k_Sides;
-    for (int pass = 0; pass < (hasSides ? k_Sides : 1); ++pass)
+    const bool hasSides = sky->passCount() == k_CubeFaces;
+    for (int pass = 0; pass < (hasSides ? k_CubeFaces : 1); ++pass)
     {
         cmd->DrawMesh(hasSides ? cube : ball, around, sky, hasSides ? pass : 0, pass);
     }

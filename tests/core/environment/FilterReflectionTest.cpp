@@ -1,4 +1,4 @@
-#include "environment/FilterReflection.h"
+#include "environment/CubeLight.h"
 #include "environment/LightOfTest.h"
 
 #include <cmath>
