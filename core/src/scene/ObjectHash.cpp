@@ -1,4 +1,4 @@
-#include "scene/ObjectHash.h"
+#include "scene/RendererTable.h"
 
 #include <array>
 #include <bit>

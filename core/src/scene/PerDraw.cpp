@@ -1,6 +1,6 @@
 #include "scene/PerDraw.h"
 
-#include "support/RequireFinite.h"
+#include "material/PropertyValues.h"
 
 #include <cstring>
 #include <glm/geometric.hpp>

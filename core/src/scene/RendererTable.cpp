@@ -1,13 +1,12 @@
 #include "scene/RendererTable.h"
 
-#include "scene/ObjectHash.h"
 #include "scene/PerDraw.h"
-#include "scene/WorldMatrices.h"
 #include "support/ParallelFor.h"
 #include "support/UniqueId.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace limn
@@ -465,6 +464,37 @@ RendererTable::ChangedSince(std::uint64_t version) const
     return version == m_LastChanges && m_LastChanges != m_Version
                ? std::optional(std::span(m_Changed))
                : std::nullopt;
+}
+
+std::vector<std::uint32_t> SpareRows::Take(std::size_t size)
+{
+    std::vector<std::uint32_t> rows;
+    {
+        const std::scoped_lock lock(m_Mutex);
+        if (!m_Lists.empty())
+        {
+            // The smallest that has room, or else the largest.
+            const auto order = [size](const auto& list)
+            {
+                const std::size_t room = list.capacity();
+                return room >= size ? room - size : std::numeric_limits<std::size_t>::max() - room;
+            };
+            rows.swap(*std::ranges::min_element(m_Lists, {}, order));
+            std::erase_if(m_Lists, [](const auto& list) { return list.capacity() == 0; });
+        }
+    }
+    rows.resize(size);
+    return rows;
+}
+
+void SpareRows::Give(std::vector<std::uint32_t> rows) noexcept
+{
+    const std::scoped_lock lock(m_Mutex);
+    if (rows.capacity() > 0 && m_Lists.size() < k_Most)
+    {
+        m_Lists.reserve(k_Most);
+        m_Lists.push_back(std::move(rows));
+    }
 }
 
 } // namespace limn

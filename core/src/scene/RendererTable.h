@@ -1,7 +1,6 @@
 #pragma once
 
 #include "scene/BatchOrder.h"
-#include "scene/ObjectHash.h"
 #include "scene/WorldMatrices.h"
 
 #include <limn/core/FrameCommands.h>
@@ -13,6 +12,19 @@
 
 namespace limn
 {
+
+/// Tells whether an object's rows in a RendererTable are still what they were made from. It does
+/// not look at the contents of materials and meshes.
+struct ObjectHash
+{
+    std::uint64_t place = 0; ///< of the world matrix
+    std::uint64_t rest = 0;
+
+    bool operator==(const ObjectHash&) const = default;
+};
+
+/// @param matrices  receives those of its parents
+ObjectHash HashOf(const GameObject& object, WorldMatrices& matrices);
 
 /// Lists of rows that are not in use, since making them anew in each frame would cost as much as
 /// filling them. Any thread may use it.

@@ -34,8 +34,7 @@ GameObject& Scene::Add(std::string name)
 
 GameObject* Scene::Find(std::string_view name)
 {
-    const auto it = std::find_if(m_Objects->begin(), m_Objects->end(),
-                                 [&](const auto& object) { return object->name == name; });
+    const auto it = std::ranges::find(*m_Objects, name, &GameObject::name);
     return it == m_Objects->end() ? nullptr : it->get();
 }
 

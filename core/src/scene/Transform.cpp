@@ -128,16 +128,6 @@ glm::dmat4 Transform::worldMatrix() const
     return WorldMatrices().Of(*this);
 }
 
-glm::mat4 Transform::localToWorldMatrix() const
-{
-    return glm::mat4(worldMatrix());
-}
-
-glm::vec3 Transform::position() const
-{
-    return glm::vec3(worldMatrix()[3]);
-}
-
 glm::dquat Transform::worldRotation() const
 {
     CircleGuard guard(*this);
@@ -148,16 +138,6 @@ glm::dquat Transform::worldRotation() const
         turned = glm::dquat(t->localRotation) * turned;
     }
     return turned;
-}
-
-glm::quat Transform::rotation() const
-{
-    return glm::quat(worldRotation());
-}
-
-glm::vec3 Transform::forward() const
-{
-    return rotation() * glm::vec3(0, 0, 1);
 }
 
 } // namespace limn

@@ -156,7 +156,7 @@ struct Camera
 
     /// Returns the matrix from world to view space: right-handed, looking along -z.
     /// Unity: Camera.worldToCameraMatrix.
-    glm::mat4 worldToCameraMatrix() const;
+    glm::mat4 worldToCameraMatrix() const { return glm::mat4(viewMatrix()); }
     /// Returns worldToCameraMatrix() before it is rounded to float.
     glm::dmat4 viewMatrix() const;
     /// Returns the matrix from view to world space. Unity: Camera.cameraToWorldMatrix.

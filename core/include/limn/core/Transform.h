@@ -26,14 +26,16 @@ struct Transform
 
     glm::mat4 localToParentMatrix() const;
     // These throw ContractError if the parents form a cycle.
-    glm::mat4 localToWorldMatrix() const;
-    glm::vec3 position() const; ///< world
-    glm::quat rotation() const; ///< world; ignores all scales, also those of the parents
+    glm::mat4 localToWorldMatrix() const { return glm::mat4(worldMatrix()); }
+    glm::vec3 position() const { return glm::vec3(worldMatrix()[3]); } ///< world
+    /// world; ignores all scales, also those of the parents
+    glm::quat rotation() const { return glm::quat(worldRotation()); }
     // These return the values before they are rounded: far away from the world's origin a float is
     // coarse.
     glm::dmat4 worldMatrix() const;
     glm::dquat worldRotation() const;
-    glm::vec3 forward() const; ///< world, +z turned by rotation(), unit length
+    /// world, +z turned by rotation(), unit length
+    glm::vec3 forward() const { return rotation() * glm::vec3(0, 0, 1); }
 };
 
 } // namespace limn
