@@ -233,11 +233,6 @@ TextureHandle RenderGraph::CreateTexture(const TextureDesc& desc)
     return HandleOf(place->texture);
 }
 
-TextureHandle RenderGraph::CreateTexture(const TextureHandle& texture)
-{
-    return CreateTexture(GetTextureDesc(texture));
-}
-
 TextureHandle RenderGraph::CreateTexture(const TextureHandle& texture, std::string_view name,
                                          bool clear)
 {
@@ -311,11 +306,6 @@ RendererListHandle RenderGraph::CreateRendererList(const RendererListParams& des
 {
     m_State->rendererLists.push_back(desc);
     return {m_State->rendererLists.size() - 1, m_State->frame};
-}
-
-RendererListHandle RenderGraph::CreateRendererList(const RendererListDesc& desc)
-{
-    return CreateRendererList(desc.ToParams());
 }
 
 RenderGraphPass& RenderGraph::AddPass(std::string_view name)

@@ -148,8 +148,8 @@ void BaseRenderGraphBuilder::AllowGlobalStateModification(bool value)
     m_Pass.allowsGlobalState = value;
 }
 
-void BaseRenderGraphBuilder::SetAttachment(const TextureHandle& texture, int index,
-                                           AccessFlags flags)
+void BaseRenderGraphBuilder::SetRenderAttachment(const TextureHandle& texture, int index,
+                                                 AccessFlags flags)
 {
     const RenderGraphCall subject = Subject(m_Pass, "': SetRenderAttachment");
     ExpectUsable(texture, subject);
@@ -174,7 +174,8 @@ void BaseRenderGraphBuilder::SetAttachment(const TextureHandle& texture, int ind
     slot = texture;
 }
 
-void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, AccessFlags flags)
+void BaseRenderGraphBuilder::SetRenderAttachmentDepth(const TextureHandle& texture,
+                                                      AccessFlags flags)
 {
     const RenderGraphCall subject = Subject(m_Pass, "': SetRenderAttachmentDepth");
     ExpectUsable(texture, subject);
@@ -192,22 +193,9 @@ void BaseRenderGraphBuilder::SetDepthAttachment(const TextureHandle& texture, Ac
     m_Pass.depth = texture;
 }
 
-void BaseRenderGraphBuilder::SetFunction(
-    std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> function)
+void BaseRenderGraphBuilder::SetFunction(AnyRenderGraphFunction function)
 {
-    m_Pass.raster = std::move(function);
-}
-
-void BaseRenderGraphBuilder::SetFunction(
-    std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> function)
-{
-    m_Pass.compute = std::move(function);
-}
-
-void BaseRenderGraphBuilder::SetFunction(
-    std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> function)
-{
-    m_Pass.unsafe = std::move(function);
+    m_Pass.function = std::move(function);
 }
 
 } // namespace limn

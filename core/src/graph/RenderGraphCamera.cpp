@@ -13,12 +13,6 @@ namespace
 
 constexpr int k_IdleFrames = 15; ///< that a texture outlives nobody asking for it
 
-bool HaveOneSize(const RenderTexture& a, const RenderTexture& b)
-{
-    return a.width() == b.width() && a.height() == b.height() &&
-           a.descriptor().msaaSamples == b.descriptor().msaaSamples;
-}
-
 std::string SizeOf(const RTHandle& texture)
 {
     const auto samples = static_cast<std::size_t>(texture.rt()->descriptor().msaaSamples);
@@ -82,7 +76,7 @@ RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderC
     const RenderGraphCall subject{"pass '", pass.profilingSampler.name(), "': cameraColor"};
     m_Graph.ExpectOfFrame(color, subject);
     const RTHandle& result = color;
-    if (!HaveOneSize(*result.rt(), *targets.color.rt()))
+    if (!result.rt()->HasSizeOf(*targets.color.rt()))
     {
         throw ContractError(subject.text() + " is set to '" + result.rt()->name() + "', " +
                             SizeOf(result) + "; the camera's colour is " + SizeOf(targets.color));

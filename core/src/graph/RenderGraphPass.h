@@ -55,9 +55,7 @@ struct RenderGraphPass
     };
 
     SampleName name;
-    std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> raster;
-    std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> unsafe;
-    std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> compute;
+    AnyRenderGraphFunction function;
     PooledVector<Use> uses;
     PooledVector<BufferUse> buffers;
     std::array<RTHandle, k_MostColors> colors;

@@ -52,14 +52,11 @@ void BaseCommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
     CommandBuffer::SetProjectionMatrix(proj);
 }
 
-CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd)
-{
-    return cmd;
-}
+AnyCommandBuffer::AnyCommandBuffer(BaseCommandBuffer& cmd) : m_Cmd(cmd) {}
 
 CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd)
 {
-    return detail::NativeOf(cmd);
+    return AnyCommandBuffer(cmd);
 }
 
 RTHandle RenderGraphRun::GlobalTexture(const ScriptableRenderContext& context, ShaderPropertyId id)
@@ -92,7 +89,7 @@ void RenderGraphRun::Run(RenderGraphPass& pass)
 
 void RenderGraphRun::ExpectRunnable() const
 {
-    if (!m_Pass->raster && !m_Pass->unsafe && !m_Pass->compute)
+    if (!std::visit([](const auto& function) { return function != nullptr; }, m_Pass->function))
     {
         throw ContractError(Subject() + " has no render function; SetRenderFunc gives it one");
     }
@@ -147,30 +144,18 @@ void RenderGraphRun::Record()
 {
     m_DrawnLists.clear();
     m_Context.SetPassName(m_Pass->name);
-    if (m_Pass->raster)
+    const auto record =
+        [this]<typename Buffer>(const std::shared_ptr<RenderGraphFunction<Buffer>>& function)
     {
-        RecordWith<RasterCommandBuffer>(*m_Pass->raster);
-    }
-    else if (m_Pass->compute)
-    {
-        RecordWith<ComputeCommandBuffer>(*m_Pass->compute);
-    }
-    else
-    {
-        RecordWith<UnsafeCommandBuffer>(*m_Pass->unsafe);
-    }
-}
-
-template <typename Buffer, typename Pass>
-void RenderGraphRun::RecordWith(Pass& pass)
-{
-    Buffer buffer(std::move(*m_Cmd), *this); // with the memory of the pooled one
-    CommandBuffer& native = buffer;
-    CommandBuffer* const pooled = std::exchange(m_Cmd, &native);
-    pass.Record(buffer);
-    Flush();
-    *pooled = std::move(native);
-    m_Cmd = pooled;
+        Buffer buffer(std::move(*m_Cmd), *this); // with the memory of the pooled one
+        CommandBuffer& native = buffer;
+        CommandBuffer* const pooled = std::exchange(m_Cmd, &native);
+        function->Record(buffer);
+        Flush();
+        *pooled = std::move(native);
+        m_Cmd = pooled;
+    };
+    std::visit(record, m_Pass->function);
 }
 
 void RenderGraphRun::Flush()
@@ -223,6 +208,407 @@ void RenderGraphRun::Finish()
     m_Cmd->SetGlobalDepthBias(0.0f, 0.0f);
     m_Cmd->EndSample();
     m_Context.ExecuteCommandBuffer(*m_Cmd);
+}
+
+void RenderGraphRun::Fail(std::string problem)
+{
+    if (std::ranges::find(m_Problems, problem) == m_Problems.end())
+    {
+        m_Problems.push_back(std::move(problem));
+    }
+}
+
+void RenderGraphRun::NoteOrFail(bool isDrawnRight, const std::string& what, const char* otherwise,
+                                const std::string& line)
+{
+    if (isDrawnRight)
+    {
+        m_Report.notes.push_back(what + "; " + line + " declares it");
+    }
+    else
+    {
+        Fail(what + otherwise + "; add " + line);
+    }
+}
+
+void RenderGraphRun::ThrowIfProblems()
+{
+    if (m_Problems.empty())
+    {
+        return;
+    }
+    std::string text;
+    for (const std::string& problem : m_Problems)
+    {
+        text += (text.empty() ? "" : "\n") + problem;
+    }
+    throw ContractError(text);
+}
+
+std::string RenderGraphRun::LineFor(const RenderGraphTexture& texture, AccessFlags flags)
+{
+    const std::string handle = texture.handle.empty()
+                                   ? "<handle of '" + texture.texture.rt()->name() + "'>"
+                                   : std::string(texture.handle);
+    return "builder.UseTexture(" + handle +
+           (flags == AccessFlags::Read    ? ""
+            : flags == AccessFlags::Write ? ", AccessFlags::Write"
+                                          : ", AccessFlags::ReadWrite") +
+           ");";
+}
+
+std::string RenderGraphRun::LineFor(const GraphicsBuffer& buffer, AccessFlags flags)
+{
+    return "builder.UseBuffer(<handle of '" + buffer.name() + "'>" +
+           (flags == AccessFlags::Read ? "" : ", AccessFlags::ReadWrite") + ");";
+}
+
+bool RenderGraphRun::wasGlobal(const Texture& texture) const
+{
+    bool wasGlobal = false;
+    m_Context.m_Recorder->globals().ForEach(
+        [&](ShaderPropertyId id, const ShaderPropertyValue& value)
+        {
+            const auto* held = std::get_if<std::shared_ptr<const Texture>>(&value);
+            const bool isIt = held != nullptr && held->get() == &texture;
+            wasGlobal = wasGlobal || (isIt && !Has(m_SetHere, id));
+        });
+    return wasGlobal;
+}
+
+template <typename Resource>
+bool RenderGraphRun::isDeclaredLater(const Resource& resource) const
+{
+    const auto later = m_State.passes.begin() + static_cast<std::ptrdiff_t>(m_State.ran) + 1;
+    return std::any_of(later, m_State.passes.end(),
+                       [&](const auto& pass) { return pass.FindUse(resource) != nullptr; });
+}
+
+bool RenderGraphRun::isAlive(const RenderGraphTexture& texture) const
+{
+    return !texture.isMade || (texture.isWritten && isDeclaredLater(texture.texture));
+}
+
+bool RenderGraphRun::isAlive(const RenderGraphBuffer& buffer) const
+{
+    return !buffer.isMade || (buffer.isWritten && isDeclaredLater(*buffer.buffer));
+}
+
+/// Adds the textures that are global now under the names that the pass uses.
+void RenderGraphRun::ResolveGlobals()
+{
+    for (const RenderGraphPass::GlobalUse& global : m_Pass->globalUses)
+    {
+        const RTHandle texture = GlobalTexture(m_Context, global.id);
+        if (!texture)
+        {
+            Fail(Subject() + ": UseGlobalTexture names '" + global.id.name() +
+                 "', but no pass before it made a texture global under that name; call "
+                 "SetGlobalTextureAfterPass in such a pass");
+        }
+        else if (m_Pass->FindUse(texture) == nullptr)
+        {
+            m_Pass->uses.push_back({texture, global.flags, false});
+        }
+    }
+}
+
+void RenderGraphRun::ExpectWritten()
+{
+    for (const RenderGraphPass::Use& use : m_Pass->uses)
+    {
+        const RenderGraphTexture* texture = m_State.Find(*use.texture.rt());
+        const bool holdsNothing = texture != nullptr && texture->isMade && !texture->isWritten &&
+                                  texture->owner != m_Pass;
+        if (!holdsNothing || use.isAttachment || use.flags != AccessFlags::Read)
+        {
+            continue;
+        }
+        const std::string what =
+            Subject() + " reads '" + use.texture.rt()->name() + "', which no pass before it writes";
+        if (texture->clears)
+        {
+            m_Report.notes.push_back(what + ": the texture holds the clearColor");
+        }
+        else
+        {
+            Fail(what + ", and clearBuffer is false: its contents are undefined");
+        }
+    }
+    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
+    {
+        RenderGraphBuffer& buffer = *m_State.Find(*use.buffer);
+        if (buffer.isMade && !buffer.isWritten && use.flags == AccessFlags::Read)
+        {
+            Fail(Subject() + " reads buffer '" + use.buffer->name() +
+                 "', which no pass before it writes");
+        }
+        buffer.isWritten = buffer.isWritten || (use.flags & AccessFlags::Write);
+    }
+}
+
+void RenderGraphRun::ExpectGlobalsAllowed(std::string_view what, std::string_view name)
+{
+    m_HasEffect = true;
+    if (!m_Pass->allowsGlobalState)
+    {
+        const std::string quoted = name.empty() ? "" : " '" + std::string(name) + "'";
+        m_RefusedGlobals.emplace_back(name);
+        Fail(Subject() + " " + std::string(what) + quoted +
+             ", for which Unity throws; add builder.AllowGlobalStateModification(true);");
+    }
+}
+
+void RenderGraphRun::ExpectDeclared(const RTHandle& texture, ShaderPropertyId id)
+{
+    const RenderGraphTexture* known = texture.rt() ? m_State.Find(*texture.rt()) : nullptr;
+    if (known != nullptr && known->owner != m_Pass && m_Pass->FindUse(known->texture) == nullptr)
+    {
+        Fail(Subject() + " sets '" + texture.rt()->name() + "' as the global '" + id.name() +
+             "' and declares no use of it, for which Unity throws; add " +
+             LineFor(*known, AccessFlags::Read));
+    }
+}
+
+/// Unity lets a native command buffer set whatever it likes.
+void RenderGraphRun::NoteNativeGlobal(std::string_view name)
+{
+    if (m_Pass->allowsGlobalState ||
+        std::ranges::find(m_RefusedGlobals, name) != m_RefusedGlobals.end())
+    {
+        return;
+    }
+    m_RefusedGlobals.emplace_back(name);
+    m_Report.notes.push_back(Subject() + " sets '" + std::string(name) +
+                             "' for all that follow by a native command buffer; "
+                             "builder.AllowGlobalStateModification(true); declares it");
+}
+
+void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
+{
+    m_Sampled.clear();
+    m_Targets.clear();
+    m_Buffers.clear();
+    const bool isKept = !m_Pass->allowsCulling || m_Pass->allowsGlobalState;
+    const SetRenderTargetCommand* target = nullptr;
+    const DrawBindings* last = nullptr;
+    auto& commands = m_Context.m_Frame.commands;
+    for (std::size_t i = firstCommand; i < commands.size(); ++i)
+    {
+        if (auto* bound = std::get_if<SetRenderTargetCommand>(&commands[i]))
+        {
+            bound->isKept = isKept;
+            target = bound;
+            continue;
+        }
+        if (auto* dispatch = std::get_if<DispatchCommand>(&commands[i]))
+        {
+            dispatch->isKept = isKept;
+            last = m_Context.m_Frame.Setup(*dispatch).bindings.get();
+            m_HasEffect = true;
+            ExpectReads(*last, true);
+            ExpectWrites(*last);
+            ExpectBuffers(*last);
+            continue;
+        }
+        const auto* draw = std::get_if<DrawCommand>(&commands[i]);
+        if (draw == nullptr && !std::holds_alternative<ClearCommand>(commands[i]))
+        {
+            continue;
+        }
+        m_HasEffect = true;
+        ExpectTarget(target);
+        const DrawBindings* bindings =
+            draw != nullptr ? m_Context.m_Frame.Setup(*draw).bindings.get() : last;
+        if (bindings != last)
+        {
+            last = bindings;
+            ExpectReads(*bindings, false);
+            ExpectBuffers(*bindings);
+        }
+    }
+    ExpectRunByUnity();
+    NoteUnused(last != nullptr);
+}
+
+void RenderGraphRun::ExpectTarget(const SetRenderTargetCommand* target)
+{
+    if (target == nullptr)
+    {
+        Fail(Subject() + (m_Pass->function.index() == 0
+                              ? " draws, yet declares no SetRenderAttachment"
+                              : " draws before it sets a render target"));
+        return;
+    }
+    const auto expect = [this](const std::shared_ptr<const RenderTexture>& texture)
+    {
+        if (texture && !Has<const Texture*>(m_Targets, texture.get()))
+        {
+            m_Targets.push_back(texture.get());
+            ExpectTarget(*texture);
+        }
+    };
+    std::ranges::for_each(target->colors, expect);
+    expect(target->depth);
+}
+
+void RenderGraphRun::ExpectTarget(const RenderTexture& texture)
+{
+    RenderGraphTexture* known = m_State.Find(texture);
+    if (known == nullptr || known->owner == m_Pass)
+    {
+        return;
+    }
+    const RenderGraphPass::Use* use = m_Pass->FindUse(known->texture);
+    const bool isDepth = IsDepthFormat(texture.graphicsFormat());
+    // A depth that is read is bound as one that draws are tested against.
+    if (use != nullptr && (use->isAttachment || use->flags & AccessFlags::Write || isDepth))
+    {
+        return;
+    }
+    const AccessFlags wanted = use != nullptr ? AccessFlags::ReadWrite : AccessFlags::Write;
+    m_LineToBeRun = LineFor(*known, wanted);
+    const std::string what =
+        Subject() + " declares no write of '" + texture.name() + "', yet draws into it";
+    NoteOrFail(use != nullptr || isAlive(*known), what,
+               ", where its handle stands for no texture in Unity", m_LineToBeRun);
+    known->isWritten = true;
+}
+
+void RenderGraphRun::ExpectWrites(const DrawBindings& bindings)
+{
+    for (const StorageTextureSlot& slot : bindings.storageTextures)
+    {
+        RenderGraphTexture* known = m_State.Find(*slot.texture);
+        const bool isNew = !Has<const Texture*>(m_Targets, slot.texture.get());
+        m_Targets.push_back(slot.texture.get());
+        if (!isNew || known == nullptr || known->owner == m_Pass ||
+            m_Pass->Declares(known->texture, AccessFlags::Write))
+        {
+            continue;
+        }
+        const bool isRead = m_Pass->FindUse(known->texture) != nullptr;
+        m_LineToBeRun = LineFor(*known, isRead ? AccessFlags::ReadWrite : AccessFlags::Write);
+        const std::string what = Subject() + " declares no write of '" + slot.texture->name() +
+                                 "', yet a kernel may write to it";
+        NoteOrFail(isRead, what, ", for which Unity throws", m_LineToBeRun);
+        known->isWritten = true;
+    }
+}
+
+void RenderGraphRun::ExpectBuffers(const DrawBindings& bindings)
+{
+    for (const BufferSlot& slot : bindings.buffers)
+    {
+        const bool isNew = !Has<const GraphicsBuffer*>(m_Buffers, slot.buffer.get());
+        m_Buffers.push_back(slot.buffer.get());
+        RenderGraphBuffer* known = m_State.Find(*slot.buffer);
+        const RenderGraphPass::BufferUse* use = m_Pass->FindUse(*slot.buffer);
+        const AccessFlags wanted = slot.isWritten ? AccessFlags::Write : AccessFlags::Read;
+        if (!isNew || known == nullptr || (use != nullptr && (use->flags & wanted)))
+        {
+            continue;
+        }
+        const std::string line =
+            LineFor(*slot.buffer, slot.isWritten ? AccessFlags::ReadWrite : AccessFlags::Read);
+        m_LineToBeRun = slot.isWritten ? line : m_LineToBeRun;
+        const std::string what = Subject() + " declares no " + (slot.isWritten ? "write" : "read") +
+                                 " of buffer '" + slot.buffer->name() + "', yet " +
+                                 (slot.isWritten ? "a kernel may write to it" : "reads it");
+        NoteOrFail(use != nullptr || isAlive(*known), what,
+                   ", where its handle stands for no buffer in Unity", line);
+        known->isWritten = known->isWritten || slot.isWritten;
+    }
+}
+
+void RenderGraphRun::ExpectReads(const DrawBindings& bindings, bool isDispatch)
+{
+    for (const TextureSlot& slot : bindings.textures)
+    {
+        const Texture* texture = slot.texture.get();
+        if (Has(m_Sampled, texture))
+        {
+            continue;
+        }
+        m_Sampled.push_back(texture);
+        const RenderGraphTexture* known = m_State.Find(*texture);
+        if (known == nullptr || known->owner == m_Pass || m_Pass->usesAllGlobals)
+        {
+            continue;
+        }
+        const RenderGraphPass::Use* use = m_Pass->FindUse(known->texture);
+        if (use != nullptr && (use->isAttachment || use->flags & AccessFlags::Read))
+        {
+            continue;
+        }
+        const std::string line =
+            LineFor(*known, use != nullptr ? AccessFlags::ReadWrite : AccessFlags::Read);
+        const std::string what =
+            Subject() + " declares no read of '" + texture->name() + "', yet samples it";
+        // A global texture stays bound; the pass got any other from a handle. A kernel gets its
+        // textures by a call that throws.
+        const bool isGlobal = wasGlobal(*texture);
+        NoteOrFail(use != nullptr || isGlobal || (!isDispatch && isAlive(*known)), what,
+                   isDispatch ? ", for which Unity throws"
+                              : ", where its handle stands for no texture in Unity",
+                   line);
+    }
+}
+
+/// A pass that declares no write and may be left out is left out by Unity.
+void RenderGraphRun::ExpectRunByUnity()
+{
+    const auto writes = [](const auto& use)
+    {
+        return bool(use.flags & AccessFlags::Write);
+    };
+    const bool isRun = !m_Pass->allowsCulling || m_Pass->allowsGlobalState ||
+                       std::ranges::any_of(m_Pass->uses, writes) ||
+                       std::ranges::any_of(m_Pass->buffers, writes);
+    if (m_HasEffect && !isRun && m_Problems.empty())
+    {
+        Fail(Subject() + " declares no write, so that Unity leaves it out; add " +
+             (m_LineToBeRun.empty() ? "builder.AllowPassCulling(false);" : m_LineToBeRun));
+    }
+}
+
+/// Adds a note for each use that is declared and not needed.
+void RenderGraphRun::NoteUnused(bool draws)
+{
+    std::vector<std::string>& notes = m_Report.notes;
+    const auto isDrawn = [&](std::size_t list)
+    {
+        return Has(m_DrawnLists, list);
+    };
+    if (!std::ranges::all_of(m_Pass->rendererLists, isDrawn))
+    {
+        notes.push_back(Subject() + " declares UseRendererList of a list that it does not draw");
+    }
+    for (const RenderGraphPass::Use& use : m_Pass->uses)
+    {
+        const Texture* texture = use.texture.rt().get();
+        const bool isRead = Has(m_Sampled, texture);
+        const bool isWritten = Has(m_Targets, texture);
+        if (!use.isAttachment && (use.flags & AccessFlags::Read) && draws && !isRead && !isWritten)
+        {
+            notes.push_back(Subject() + " declares a read of '" + texture->name() +
+                            "', yet samples it nowhere");
+        }
+        // A renderer list may have nothing to draw.
+        if ((use.flags & AccessFlags::Write) && !isWritten && !isRead && m_DrawnLists.empty())
+        {
+            notes.push_back(Subject() + " declares a write of '" + texture->name() +
+                            "', yet draws nothing into it");
+        }
+    }
+    for (const RenderGraphPass::BufferUse& use : m_Pass->buffers)
+    {
+        if (!Has(m_Buffers, use.buffer.get()))
+        {
+            notes.push_back(Subject() + " declares a use of buffer '" + use.buffer->name() +
+                            "', yet uses it nowhere");
+        }
+    }
 }
 
 } // namespace limn

@@ -45,8 +45,6 @@ private:
     void Clear();
     void Bind();
     void Record();
-    template <typename Buffer, typename Pass>
-    void RecordWith(Pass& pass);
     void Flush();
     void ExpectAsDeclared(std::size_t firstCommand);
     void ExpectTarget(const SetRenderTargetCommand* target);

@@ -1,4 +1,5 @@
 #include "passes/CameraUniforms.h"
+#include "record/MatrixIds.h"
 
 #include <array>
 #include <cmath>
@@ -16,7 +17,6 @@ const ShaderPropertyId unity_WorldToCamera{"unity_WorldToCamera"};
 const ShaderPropertyId unity_CameraToWorld{"unity_CameraToWorld"};
 const ShaderPropertyId unity_CameraProjection{"unity_CameraProjection"};
 const ShaderPropertyId unity_CameraInvProjection{"unity_CameraInvProjection"};
-const ShaderPropertyId limn_Origin{"limn_Origin"};
 const ShaderPropertyId limn_CameraPos{"limn_CameraPos"};
 const ShaderPropertyId _WorldSpaceCameraPos{"_WorldSpaceCameraPos"};
 const ShaderPropertyId _ProjectionParams{"_ProjectionParams"};
@@ -99,13 +99,6 @@ void SetOriginUniforms(CommandBuffer& cmd, const CameraData& data)
     cmd.SetGlobalVector(limn_Origin, glm::vec4(origin, origin == glm::dvec3(0.0) ? 0.0f : 1.0f));
     const glm::dvec3 position(data.camera->transform.worldMatrix()[3]);
     cmd.SetGlobalVector(limn_CameraPos, glm::vec4(position - origin, 0.0f));
-}
-
-void RenderingUtils::SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
-                                                  const glm::mat4& gpuProjectionMatrix,
-                                                  bool setInverseMatrices)
-{
-    cmd.SetViewProjectionMatrices(viewMatrix, gpuProjectionMatrix, setInverseMatrices);
 }
 
 void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)

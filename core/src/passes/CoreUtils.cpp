@@ -85,12 +85,12 @@ std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath)
     return CreateEngineMaterial(std::move(shader));
 }
 
-void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
+void DrawFullScreen(AnyCommandBuffer cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties, int shaderPassId)
 {
     ExpectMaterial("DrawFullScreen", material);
-    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), shaderPassId, k_TriangleVertices,
-                       properties);
+    cmd->DrawProcedural(glm::mat4(1.0f), std::move(material), shaderPassId, k_TriangleVertices,
+                        properties);
 }
 
 } // namespace CoreUtils
@@ -131,7 +131,7 @@ void BlitCameraTexture(CommandBuffer& cmd, const RTHandle& source, const RTHandl
     BlitTexture(cmd, source, k_WholeTexture, mipLevel, bilinear);
 }
 
-void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
     ExpectSource(source);
@@ -144,44 +144,42 @@ void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& sc
     static thread_local MaterialPropertyBlock properties; // for its memory, as in Unity
     properties.SetTexture(Blitter::BlitShaderIDs::_BlitTexture, source.rt());
     properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, scaleBias);
-    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
-                       properties);
+    CoreUtils::DrawFullScreen(cmd, std::move(material), properties, passIndex);
     properties.Clear();
 }
 
-void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
     ExpectMaterial("BlitTexture", material);
-    cmd.SetGlobalTexture(Blitter::BlitShaderIDs::_BlitTexture, std::move(source));
+    cmd->SetGlobalTexture(Blitter::BlitShaderIDs::_BlitTexture, std::move(source));
     BlitTexture(cmd, scaleBias, std::move(material), passIndex);
 }
 
-void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex)
 {
     ExpectMaterial("BlitTexture", material);
     MaterialPropertyBlock properties;
     properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, scaleBias);
-    cmd.DrawProcedural(glm::mat4(1.0f), std::move(material), passIndex, k_TriangleVertices,
-                       properties);
+    CoreUtils::DrawFullScreen(cmd, std::move(material), properties, passIndex);
 }
 
-void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  float mipLevel, bool bilinear)
 {
     ExpectSource(source);
-    cmd.DrawCopy({source, scaleBias, bilinear, mipLevel});
+    cmd->DrawCopy({source, scaleBias, bilinear, mipLevel});
 }
 
-void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
+void BlitQuad(AnyCommandBuffer cmd, const std::shared_ptr<const Texture>& source,
               const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
               bool bilinear)
 {
-    cmd.DrawCopy({source, scaleBiasTex, bilinear, static_cast<float>(mipLevelTex), scaleBiasRT});
+    cmd->DrawCopy({source, scaleBiasTex, bilinear, static_cast<float>(mipLevelTex), scaleBiasRT});
 }
 
-void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
+void BlitColorAndDepth(AnyCommandBuffer cmd, const std::shared_ptr<const Texture>& sourceColor,
                        const std::shared_ptr<const RenderTexture>& sourceDepth,
                        const glm::vec4& scaleBias, float mipLevel, bool blitDepth)
 {
@@ -190,15 +188,15 @@ void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>&
         throw ContractError("BlitColorAndDepth: '" + (sourceDepth ? sourceDepth->name() : "null") +
                             "' is no depth texture");
     }
-    cmd.DrawCopy(
+    cmd->DrawCopy(
         {sourceColor, scaleBias, true, mipLevel, std::nullopt, blitDepth ? sourceDepth : nullptr});
 }
 
-void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
+void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
                  int passIndex)
 {
-    cmd.SetRenderTarget(std::move(destination));
+    cmd->SetRenderTarget(std::move(destination));
     BlitTexture(cmd, std::move(source), k_WholeTexture, std::move(material), passIndex);
 }
 

@@ -13,6 +13,7 @@ inline const ShaderPropertyId glstate_matrix_projection{"glstate_matrix_projecti
 inline const ShaderPropertyId unity_MatrixInvP{"unity_MatrixInvP"};
 inline const ShaderPropertyId unity_MatrixVP{"unity_MatrixVP"};
 inline const ShaderPropertyId unity_MatrixInvVP{"unity_MatrixInvVP"};
+inline const ShaderPropertyId limn_Origin{"limn_Origin"};
 inline const ShaderPropertyId limn_OriginVS{"limn_OriginVS"};
 inline const ShaderPropertyId limn_OriginCS{"limn_OriginCS"};
 

@@ -7,8 +7,24 @@
 namespace limn
 {
 
+class BaseCommandBuffer;
 class ScriptableRenderContext;
 struct Camera;
+
+/// A command buffer, or the one of a render graph's pass, for calls that record into either. A
+/// graph pass declares what such a call reads as it does for any other draw.
+class AnyCommandBuffer
+{
+public:
+    AnyCommandBuffer(CommandBuffer& cmd) : m_Cmd(cmd) {}
+    AnyCommandBuffer(BaseCommandBuffer& cmd);
+
+    operator CommandBuffer&() const { return m_Cmd; }
+    CommandBuffer* operator->() const { return &m_Cmd; }
+
+private:
+    CommandBuffer& m_Cmd;
+};
 
 /// Unity: UnityEngine.Rendering.CoreUtils (core 14).
 namespace CoreUtils
@@ -40,7 +56,7 @@ std::shared_ptr<Material> CreateEngineMaterial(const std::string& shaderPath);
 /// Draws one triangle over the whole of the bound target: three vertices, of which the shader's
 /// vertex function sees SV_VertexID only.
 /// @throws ContractError if the material is null or has no such pass
-void DrawFullScreen(CommandBuffer& cmd, std::shared_ptr<const Material> material,
+void DrawFullScreen(AnyCommandBuffer cmd, std::shared_ptr<const Material> material,
                     const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
 
 /// Switches a keyword, for all draws that follow or for a material.
@@ -117,8 +133,12 @@ namespace RenderingUtils
 /// @param gpuProjectionMatrix  as Camera::gpuProjectionMatrix returns it
 /// @param setInverseMatrices   if true, sets unity_MatrixInvV and its like as well, which few
 ///     vertex functions need
-void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
-                                  const glm::mat4& gpuProjectionMatrix, bool setInverseMatrices);
+inline void SetViewAndProjectionMatrices(CommandBuffer& cmd, const glm::dmat4& viewMatrix,
+                                         const glm::mat4& gpuProjectionMatrix,
+                                         bool setInverseMatrices)
+{
+    cmd.SetViewProjectionMatrices(viewMatrix, gpuProjectionMatrix, setInverseMatrices);
+}
 
 /// Returns a quad for DrawMesh that covers the target where view and projection are the identity;
 /// its uv stands upright. Every call returns the same mesh.
@@ -187,18 +207,19 @@ inline void BlitCameraTexture2D(CommandBuffer& cmd, const RTHandle& source,
 
 // These draw onto the target that is already bound, with other texture coordinates: scale in x and
 // y, offset in z and w.
-void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
-/// Draws with `source`, which is global as _BlitTexture from then on, as in Unity.
-void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
+/// Draws with `source`, which is global as _BlitTexture from then on, as in Unity. The report notes
+/// that for a graph pass unless the pass has AllowGlobalStateModification.
+void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
 /// Draws without a source: _BlitTexture stays as it is.
-void BlitTexture(CommandBuffer& cmd, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const glm::vec4& scaleBias,
                  std::shared_ptr<const Material> material, int passIndex);
 /// Copies without a material, as BlitCameraTexture does.
-void BlitTexture(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+void BlitTexture(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBias,
                  float mipLevel, bool bilinear);
-inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
+inline void BlitTexture2D(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBias,
                           float mipLevel, bool bilinear)
 {
     BlitTexture(cmd, source, scaleBias, mipLevel, bilinear);
@@ -210,10 +231,10 @@ inline void BlitTexture2D(CommandBuffer& cmd, const RTHandle& source, const glm:
 /// @throws ContractError  when executed: the source is null, has no such level, or no camera is
 ///     rendered
 /// @source Unity: Blitter.BlitQuad (core 14)
-void BlitQuad(CommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
+void BlitQuad(AnyCommandBuffer cmd, const std::shared_ptr<const Texture>& source,
               const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
               bool bilinear);
-inline void BlitQuad(CommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBiasTex,
+inline void BlitQuad(AnyCommandBuffer cmd, const RTHandle& source, const glm::vec4& scaleBiasTex,
                      const glm::vec4& scaleBiasRT, int mipLevelTex, bool bilinear)
 {
     BlitQuad(cmd, source.rt(), scaleBiasTex, scaleBiasRT, mipLevelTex, bilinear);
@@ -223,17 +244,17 @@ inline void BlitQuad(CommandBuffer& cmd, const RTHandle& source, const glm::vec4
 /// @param sourceDepth  ignored unless blitDepth is true
 /// @throws ContractError unless that is a depth texture; when executed, as BlitQuad does
 /// @source Unity: Blitter.BlitColorAndDepth (core 14)
-void BlitColorAndDepth(CommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
+void BlitColorAndDepth(AnyCommandBuffer cmd, const std::shared_ptr<const Texture>& sourceColor,
                        const std::shared_ptr<const RenderTexture>& sourceDepth,
                        const glm::vec4& scaleBias, float mipLevel, bool blitDepth);
-inline void BlitColorAndDepth(CommandBuffer& cmd, const RTHandle& sourceColor,
+inline void BlitColorAndDepth(AnyCommandBuffer cmd, const RTHandle& sourceColor,
                               const RTHandle& sourceDepth, const glm::vec4& scaleBias,
                               float mipLevel, bool blitDepth)
 {
     BlitColorAndDepth(cmd, sourceColor.rt(), sourceDepth.rt(), scaleBias, mipLevel, blitDepth);
 }
 /// Binds `destination` first, and draws with scale 1 and offset 0.
-void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
+void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
                  int passIndex);
 

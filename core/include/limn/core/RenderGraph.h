@@ -62,7 +62,11 @@ public:
     /// as the one before gets the same ones.
     /// @throws ContractError as RenderTexture does
     TextureHandle CreateTexture(const TextureDesc& desc);
-    TextureHandle CreateTexture(const TextureHandle& texture); ///< like this one
+    /// like this one
+    TextureHandle CreateTexture(const TextureHandle& texture)
+    {
+        return CreateTexture(GetTextureDesc(texture));
+    }
     /// Makes a texture like another one with another name. If `clear` is true, a pass that draws
     /// into it first clears it.
     TextureHandle CreateTexture(const TextureHandle& texture, std::string_view name,
@@ -85,51 +89,36 @@ public:
     /// @throws ContractError if there is no buffer, or it is one of an earlier frame
     BufferDesc GetBufferDesc(const BufferHandle& graphicsBuffer) const;
     RendererListHandle CreateRendererList(const RendererListParams& desc);
-    RendererListHandle CreateRendererList(const RendererListDesc& desc);
+    RendererListHandle CreateRendererList(const RendererListDesc& desc)
+    {
+        return CreateRendererList(desc.ToParams());
+    }
 
+    // A sampler behind the data changes nothing: a pass is shown by its name.
     /// @param passData  set to the new data of the pass, which its render function receives
-    template <typename PassData>
+    template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     RasterRenderGraphBuilder<PassData> AddRasterRenderPass(std::string_view passName,
-                                                           PassData*& passData)
+                                                           PassData*& passData, const Sampler&...)
     {
         auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
         return {*this, AddPass(passName), std::move(data)};
     }
-    template <typename PassData>
-    UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData)
-    {
-        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
-        passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
-    }
-    template <typename PassData>
-    ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
-                                                       PassData*& passData)
-    {
-        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
-        passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
-    }
-
-    // These take a sampler, which changes nothing: a pass is shown by its name.
-    template <typename PassData>
-    RasterRenderGraphBuilder<PassData>
-    AddRasterRenderPass(std::string_view passName, PassData*& passData, const ProfilingSampler&)
-    {
-        return AddRasterRenderPass<PassData>(passName, passData);
-    }
-    template <typename PassData>
+    template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData,
-                                                     const ProfilingSampler&)
+                                                     const Sampler&...)
     {
-        return AddUnsafePass<PassData>(passName, passData);
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
+        passData = data.get();
+        return {*this, AddPass(passName), std::move(data)};
     }
-    template <typename PassData>
+    template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
-                                                       PassData*& passData, const ProfilingSampler&)
+                                                       PassData*& passData, const Sampler&...)
     {
-        return AddComputePass<PassData>(passName, passData);
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
+        passData = data.get();
+        return {*this, AddPass(passName), std::move(data)};
     }
 
     /// Draws the source with the material over the whole destination, whose contents stay where the

@@ -17,12 +17,21 @@ struct RenderGraphFunction
     virtual void Record(Commands& cmd) = 0;
 };
 
+/// The render function of a pass of any kind; null if the pass has none.
+using AnyRenderGraphFunction =
+    std::variant<std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>>,
+                 std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>>,
+                 std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>>>;
+
 namespace detail
 {
 
+template <typename Context>
+using CommandsOf = std::remove_reference_t<decltype(Context::cmd)>;
+
 /// An author's render function with the data that it receives.
-template <typename Commands, typename Context, typename PassData, typename Function>
-struct AuthorsRenderFunction final : RenderGraphFunction<Commands>
+template <typename Context, typename PassData, typename Function>
+struct AuthorsRenderFunction final : RenderGraphFunction<CommandsOf<Context>>
 {
     std::shared_ptr<PassData> data;
     Function function;
@@ -31,20 +40,12 @@ struct AuthorsRenderFunction final : RenderGraphFunction<Commands>
         : data(std::move(passData)), function(std::move(toCall))
     {
     }
-    void Record(Commands& cmd) override
+    void Record(CommandsOf<Context>& cmd) override
     {
         Context context{cmd};
         function(*data, context);
     }
 };
-
-template <typename Commands, typename Context, typename PassData, typename Function>
-std::shared_ptr<RenderGraphFunction<Commands>>
-MakeRenderFunction(const std::shared_ptr<PassData>& data, Function&& function)
-{
-    using Made = AuthorsRenderFunction<Commands, Context, PassData, Function>;
-    return std::allocate_shared<Made>(PooledAllocator<Made>(), data, std::move(function));
-}
 
 } // namespace detail
 
@@ -89,11 +90,11 @@ protected:
     {
     }
     ~BaseRenderGraphBuilder() = default;
-    void SetAttachment(const TextureHandle& texture, int index, AccessFlags flags);
-    void SetDepthAttachment(const TextureHandle& texture, AccessFlags flags);
-    void SetFunction(std::shared_ptr<RenderGraphFunction<RasterCommandBuffer>> function);
-    void SetFunction(std::shared_ptr<RenderGraphFunction<UnsafeCommandBuffer>> function);
-    void SetFunction(std::shared_ptr<RenderGraphFunction<ComputeCommandBuffer>> function);
+    void SetRenderAttachment(const TextureHandle& tex, int index,
+                             AccessFlags flags = AccessFlags::Write);
+    void SetRenderAttachmentDepth(const TextureHandle& tex,
+                                  AccessFlags flags = AccessFlags::ReadWrite);
+    void SetFunction(AnyRenderGraphFunction function);
 
 private:
     void ExpectUsable(const TextureHandle& texture, const RenderGraphCall& subject) const;
@@ -102,101 +103,67 @@ private:
     RenderGraphPass& m_Pass;
 };
 
-/// Unity: UnityEngine.Rendering.RenderGraphModule.IRasterRenderGraphBuilder (core 17).
-template <typename PassData>
-class RasterRenderGraphBuilder : public BaseRenderGraphBuilder
+/// A builder that knows the data of its pass.
+template <typename PassData, typename Context>
+class RenderGraphBuilderWith : public BaseRenderGraphBuilder
 {
 public:
+    RenderGraphBuilderWith(RenderGraph& graph, RenderGraphPass& pass,
+                           std::shared_ptr<PassData> data)
+        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
+    {
+    }
+    /// @param function  (PassData&, Context&): records the pass; it is called once. That of an
+    ///     unsafe pass may set targets itself.
+    template <std::invocable<PassData&, Context&> Function>
+    void SetRenderFunc(Function function)
+    {
+        using Made = detail::AuthorsRenderFunction<Context, PassData, Function>;
+        SetFunction(
+            std::allocate_shared<Made>(PooledAllocator<Made>(), m_Data, std::move(function)));
+    }
+
+private:
+    std::shared_ptr<PassData> m_Data;
+};
+
+/// Unity: UnityEngine.Rendering.RenderGraphModule.IRasterRenderGraphBuilder (core 17).
+template <typename PassData>
+class RasterRenderGraphBuilder : public RenderGraphBuilderWith<PassData, RasterGraphContext>
+{
+    using Base = RenderGraphBuilderWith<PassData, RasterGraphContext>;
+
+public:
+    using Base::Base;
     /// Binds a colour target. The texture's contents stay where nothing is drawn, whatever `flags`
     /// are; with WriteAll they need not.
     /// @param index  0 ... 7; no lower index may be left out
     /// @throws ContractError if the pass uses the texture in another way, the index is taken, or it
     ///     is a depth texture
-    void SetRenderAttachment(const TextureHandle& tex, int index,
-                             AccessFlags flags = AccessFlags::Write)
-    {
-        SetAttachment(tex, index, flags);
-    }
+    using Base::SetRenderAttachment;
     /// @throws ContractError as SetRenderAttachment does, and if it is no depth texture
-    void SetRenderAttachmentDepth(const TextureHandle& tex,
-                                  AccessFlags flags = AccessFlags::ReadWrite)
-    {
-        SetDepthAttachment(tex, flags);
-    }
-    /// @param function  (PassData&, RasterGraphContext&): records the pass; it is called once
-    template <std::invocable<PassData&, RasterGraphContext&> Function>
-    void SetRenderFunc(Function function)
-    {
-        SetFunction(detail::MakeRenderFunction<RasterCommandBuffer, RasterGraphContext>(
-            m_Data, std::move(function)));
-    }
-
-private:
-    friend class RenderGraph;
-    RasterRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
-                             std::shared_ptr<PassData> data)
-        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
-    {
-    }
-    std::shared_ptr<PassData> m_Data;
+    using Base::SetRenderAttachmentDepth;
 };
 
 /// Unity: UnityEngine.Rendering.RenderGraphModule.IUnsafeRenderGraphBuilder (core 17).
 template <typename PassData>
-class UnsafeRenderGraphBuilder : public BaseRenderGraphBuilder
+class UnsafeRenderGraphBuilder : public RenderGraphBuilderWith<PassData, UnsafeGraphContext>
 {
-public:
-    /// Binds a colour target as a raster pass does; it is bound when the render function begins.
-    void SetRenderAttachment(const TextureHandle& tex, int index,
-                             AccessFlags flags = AccessFlags::Write)
-    {
-        SetAttachment(tex, index, flags);
-    }
-    void SetRenderAttachmentDepth(const TextureHandle& tex,
-                                  AccessFlags flags = AccessFlags::ReadWrite)
-    {
-        SetDepthAttachment(tex, flags);
-    }
-    /// @param function  (PassData&, UnsafeGraphContext&): records the pass; it is called once and
-    ///     may set targets itself
-    template <std::invocable<PassData&, UnsafeGraphContext&> Function>
-    void SetRenderFunc(Function function)
-    {
-        SetFunction(detail::MakeRenderFunction<UnsafeCommandBuffer, UnsafeGraphContext>(
-            m_Data, std::move(function)));
-    }
+    using Base = RenderGraphBuilderWith<PassData, UnsafeGraphContext>;
 
-private:
-    friend class RenderGraph;
-    UnsafeRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
-                             std::shared_ptr<PassData> data)
-        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
-    {
-    }
-    std::shared_ptr<PassData> m_Data;
+public:
+    using Base::Base;
+    /// Binds a colour target as a raster pass does; it is bound when the render function begins.
+    using Base::SetRenderAttachment;
+    using Base::SetRenderAttachmentDepth;
 };
 
 /// Unity: UnityEngine.Rendering.RenderGraphModule.IComputeRenderGraphBuilder (core 17).
 template <typename PassData>
-class ComputeRenderGraphBuilder : public BaseRenderGraphBuilder
+class ComputeRenderGraphBuilder : public RenderGraphBuilderWith<PassData, ComputeGraphContext>
 {
 public:
-    /// @param function  (PassData&, ComputeGraphContext&): records the pass; it is called once
-    template <std::invocable<PassData&, ComputeGraphContext&> Function>
-    void SetRenderFunc(Function function)
-    {
-        SetFunction(detail::MakeRenderFunction<ComputeCommandBuffer, ComputeGraphContext>(
-            m_Data, std::move(function)));
-    }
-
-private:
-    friend class RenderGraph;
-    ComputeRenderGraphBuilder(RenderGraph& graph, RenderGraphPass& pass,
-                              std::shared_ptr<PassData> data)
-        : BaseRenderGraphBuilder(graph, pass), m_Data(std::move(data))
-    {
-    }
-    std::shared_ptr<PassData> m_Data;
+    using RenderGraphBuilderWith<PassData, ComputeGraphContext>::RenderGraphBuilderWith;
 };
 
 } // namespace limn

@@ -6,59 +6,6 @@
 namespace limn
 {
 
-class BaseCommandBuffer;
-
-namespace CoreUtils
-{
-
-void DrawFullScreen(BaseCommandBuffer& cmd, std::shared_ptr<const Material> material,
-                    const MaterialPropertyBlock& properties = {}, int shaderPassId = 0);
-
-} // namespace CoreUtils
-
-// These are Blitter's calls for RasterCommandBuffer and UnsafeCommandBuffer; those for
-// CommandBuffer document what they draw. The graph pass declares the source as it does for any
-// other draw. Unity: UnityEngine.Rendering.Blitter (core 17).
-namespace Blitter
-{
-
-void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
-                 std::shared_ptr<const Material> material, int passIndex);
-/// Draws with the source, which is global as _BlitTexture from then on; the report notes that
-/// unless the pass has AllowGlobalStateModification.
-void BlitTexture(BaseCommandBuffer& cmd, RenderTargetIdentifier source, const glm::vec4& scaleBias,
-                 std::shared_ptr<const Material> material, int passIndex);
-void BlitTexture(BaseCommandBuffer& cmd, const glm::vec4& scaleBias,
-                 std::shared_ptr<const Material> material, int passIndex);
-void BlitTexture(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBias,
-                 float mipLevel, bool bilinear);
-inline void BlitTexture2D(BaseCommandBuffer& cmd, const RTHandle& source,
-                          const glm::vec4& scaleBias, float mipLevel, bool bilinear)
-{
-    BlitTexture(cmd, source, scaleBias, mipLevel, bilinear);
-}
-
-void BlitQuad(BaseCommandBuffer& cmd, const std::shared_ptr<const Texture>& source,
-              const glm::vec4& scaleBiasTex, const glm::vec4& scaleBiasRT, int mipLevelTex,
-              bool bilinear);
-inline void BlitQuad(BaseCommandBuffer& cmd, const RTHandle& source, const glm::vec4& scaleBiasTex,
-                     const glm::vec4& scaleBiasRT, int mipLevelTex, bool bilinear)
-{
-    BlitQuad(cmd, source.rt(), scaleBiasTex, scaleBiasRT, mipLevelTex, bilinear);
-}
-
-void BlitColorAndDepth(BaseCommandBuffer& cmd, const std::shared_ptr<const Texture>& sourceColor,
-                       const std::shared_ptr<const RenderTexture>& sourceDepth,
-                       const glm::vec4& scaleBias, float mipLevel, bool blitDepth);
-inline void BlitColorAndDepth(BaseCommandBuffer& cmd, const RTHandle& sourceColor,
-                              const RTHandle& sourceDepth, const glm::vec4& scaleBias,
-                              float mipLevel, bool blitDepth)
-{
-    BlitColorAndDepth(cmd, sourceColor.rt(), sourceDepth.rt(), scaleBias, mipLevel, blitDepth);
-}
-
-} // namespace Blitter
-
 class RenderGraphRun;
 class UnsafeCommandBuffer;
 
@@ -70,13 +17,6 @@ namespace CommandBufferHelpers
 CommandBuffer& GetNativeCommandBuffer(UnsafeCommandBuffer& cmd);
 
 } // namespace CommandBufferHelpers
-
-namespace detail
-{
-
-CommandBuffer& NativeOf(BaseCommandBuffer& cmd); ///< for Blitter and CoreUtils
-
-} // namespace detail
 
 /// The calls that all render functions may record; CommandBuffer documents each of them.
 /// Unity: UnityEngine.Rendering.BaseCommandBuffer (core 17).
@@ -200,7 +140,7 @@ protected:
     ~BaseCommandBuffer() = default;
 
 private:
-    friend CommandBuffer& detail::NativeOf(BaseCommandBuffer& cmd);
+    friend class AnyCommandBuffer;
     CommandBuffer& Globals(ShaderPropertyId id);
 
     RenderGraphRun& m_Run;
