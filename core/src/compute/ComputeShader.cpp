@@ -1,6 +1,6 @@
 #include <limn/core/ComputeShader.h>
 
-#include "support/RequireFinite.h"
+#include "material/PropertyValues.h"
 #include "support/UniqueId.h"
 
 #include <algorithm>
@@ -69,11 +69,6 @@ const PassProgram& ComputeShader::KernelAt(int kernelIndex) const
                             std::to_string(kernelCount()));
     }
     return m_Document.kernels[static_cast<std::size_t>(kernelIndex)];
-}
-
-const std::string& ComputeShader::kernelName(int kernelIndex) const
-{
-    return KernelAt(kernelIndex).kernel.name;
 }
 
 void ComputeShader::GetKernelThreadGroupSizes(int kernelIndex, std::uint32_t& x, std::uint32_t& y,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <optional>
 
@@ -67,5 +68,16 @@ private:
     std::vector<Place> m_Places; ///< by the number of the name, plus one; 0 = it has none
     bool m_HasBuffers = false;
 };
+
+/// The values that Shader::SetGlobalFloat and its like have set in the process; any thread may use
+/// it.
+namespace ShaderGlobals
+{
+
+/// Returns a number that grows with every change; 0 = there was none.
+std::uint64_t version();
+void ForEach(const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function);
+
+} // namespace ShaderGlobals
 
 } // namespace limn

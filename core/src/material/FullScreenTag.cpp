@@ -81,8 +81,7 @@ bool StaysWithinMesh(const ShaderLabPass& pass)
 std::optional<FullScreenTag> ReadFullScreenTag(const ShaderLabPass& pass, const std::string& file)
 {
     const auto& tags = pass.tags.items;
-    const auto tag = std::find_if(tags.begin(), tags.end(),
-                                  [](const ShaderTag& item) { return item.key == k_Key; });
+    const auto tag = std::ranges::find(tags, k_Key, &ShaderTag::key);
     if (tag == tags.end())
     {
         return std::nullopt;

@@ -1,15 +1,14 @@
 #include <algorithm>
-#include <cstring>
-#include <type_traits>
-
-#include "support/RequireFinite.h"
-#include "support/UniqueId.h"
-#include <limn/core/Material.h>
-#include <limn/core/Mathf.h>
 
 #include "material/PropertyValues.h"
+#include "support/UniqueId.h"
+
+#include <cstring>
 #include <limn/base/Case.h>
 #include <limn/core/FilteringSettings.h>
+#include <limn/core/Material.h>
+#include <limn/core/Mathf.h>
+#include <type_traits>
 
 namespace limn
 {
@@ -20,8 +19,7 @@ namespace
 const ShaderProperty* FindProperty(const Shader& shader, const std::string& name)
 {
     const auto& properties = shader.document().properties;
-    const auto it = std::find_if(properties.begin(), properties.end(),
-                                 [&](const ShaderProperty& p) { return p.name == name; });
+    const auto it = std::ranges::find(properties, name, &ShaderProperty::name);
     return it == properties.end() ? nullptr : &*it;
 }
 
@@ -39,17 +37,6 @@ bool isDeclared(const Shader& shader, std::string_view name)
                shader.FindPropertyIndex(name.substr(0, name.size() - suffix.size())) >= 0;
     };
     return goesWith("_ST") || goesWith("_HDR") || goesWith("_TexelSize");
-}
-
-/// @param property  null = it is declared nowhere
-bool isHdr(const ShaderProperty* property)
-{
-    return property != nullptr && property->HasAttribute("HDR");
-}
-
-bool isOneOf(const ShaderProperty* property, std::initializer_list<ShaderPropertyType> types)
-{
-    return property != nullptr && std::ranges::find(types, property->type) != types.end();
 }
 
 ShaderPropertyId MainProperty(const Shader& shader, std::string_view attribute,
@@ -86,6 +73,42 @@ bool HasSameBytes(const ShaderPropertyValue& a, const ShaderPropertyValue& b)
                    return false;
                },
                a);
+}
+
+MaterialPropertyType TypeOf(const ShaderProperty& property)
+{
+    using enum ShaderPropertyType;
+    return property.type == Texture                            ? MaterialPropertyType::Texture
+           : property.type == Integer                          ? MaterialPropertyType::Int
+           : property.type == Color || property.type == Vector ? MaterialPropertyType::Vector
+                                                               : MaterialPropertyType::Float;
+}
+
+/// Returns a value between two values of one kind, or nothing for a kind that has nothing in
+/// between.
+std::optional<ShaderPropertyValue> Between(const ShaderPropertyValue& start,
+                                           const ShaderPropertyValue& end, float t)
+{
+    return std::visit(
+        [&](const auto& from) -> std::optional<ShaderPropertyValue>
+        {
+            using Value = std::decay_t<decltype(from)>;
+            const Value* to = std::get_if<Value>(&end);
+            if (to == nullptr)
+            {
+                return std::nullopt;
+            }
+            if constexpr (std::is_same_v<Value, float> || std::is_same_v<Value, glm::vec4>)
+            {
+                return glm::mix(from, *to, t);
+            }
+            else if constexpr (std::is_same_v<Value, Color>)
+            {
+                return Color::Lerp(from, *to, t);
+            }
+            return std::nullopt;
+        },
+        start);
 }
 
 } // namespace
@@ -143,22 +166,7 @@ Material::Material(const Material& source, std::shared_ptr<const Shader> shader)
 
 void Material::SetColor(ShaderPropertyId id, const Color& value)
 {
-    if (isHdr(FindProperty(*m_Shader, id.name())))
-    {
-        Set(id, value.vector());
-        return;
-    }
-    Set(id, value);
-}
-
-void Material::SetTextureScale(ShaderPropertyId id, const glm::vec2& scale)
-{
-    SetScaleOffset(id, 0, scale);
-}
-
-void Material::SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset)
-{
-    SetScaleOffset(id, 2, offset);
+    isHdr(id) ? Set(id, value.vector()) : Set(id, value);
 }
 
 void Material::SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value)
@@ -171,19 +179,8 @@ void Material::SetScaleOffset(ShaderPropertyId texture, int first, const glm::ve
 
 glm::vec4 Material::ScaleOffset(ShaderPropertyId texture) const
 {
-    const auto* vector = As<glm::vec4>(Find(ScaleOffsetId(texture)));
-    return vector != nullptr ? *vector : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
-}
-
-glm::vec2 Material::GetTextureScale(ShaderPropertyId id) const
-{
-    return ScaleOffset(id);
-}
-
-glm::vec2 Material::GetTextureOffset(ShaderPropertyId id) const
-{
-    const glm::vec4 value = ScaleOffset(id);
-    return {value.z, value.w};
+    const ShaderPropertyId id = ScaleOffsetId(texture);
+    return m_Values.HasVector(id) ? m_Values.GetVector(id) : glm::vec4(1.0f, 1.0f, 0.0f, 0.0f);
 }
 
 void Material::SetColorArray(ShaderPropertyId id, const std::vector<Color>& values)
@@ -209,83 +206,61 @@ void Material::FailGet(ShaderPropertyId id, const char* kind) const
 
 float Material::GetFloat(ShaderPropertyId id) const
 {
-    const ShaderPropertyValue* value = Find(id);
-    if (const auto* number = As<float>(value))
+    if (!m_Values.HasFloat(id) && !m_Values.HasInt(id))
     {
-        return *number;
+        FailGet(id, "a number");
     }
-    if (const auto* integer = As<int>(value))
-    {
-        return static_cast<float>(*integer);
-    }
-    FailGet(id, "a number");
+    return m_Values.GetFloat(id);
 }
 
 int Material::GetInt(ShaderPropertyId id) const
 {
-    if (const auto* integer = As<int>(Find(id)))
-    {
-        return *integer;
-    }
-    return Mathf::ToInt(GetFloat(id));
+    return m_Values.HasInt(id) ? m_Values.GetInt(id) : Mathf::ToInt(GetFloat(id));
 }
 
 glm::vec4 Material::GetVector(ShaderPropertyId id) const
 {
-    const ShaderPropertyValue* value = Find(id);
-    if (const auto* vector = As<glm::vec4>(value))
+    if (!m_Values.HasVector(id) && !m_Values.HasColor(id))
     {
-        return *vector;
+        FailGet(id, "a vector");
     }
-    if (const auto* color = As<Color>(value))
-    {
-        return color->linear().vector();
-    }
-    FailGet(id, "a vector");
+    return m_Values.GetVector(id);
 }
 
 Color Material::GetColor(ShaderPropertyId id) const
 {
     const ShaderPropertyValue* value = Find(id);
-    if (const auto* color = As<Color>(value))
+    if (const auto* color = std::get_if<Color>(value))
     {
         return *color;
     }
-    if (const auto* vector = As<glm::vec4>(value))
+    if (const auto* vector = std::get_if<glm::vec4>(value))
     {
         const Color linear{vector->x, vector->y, vector->z, vector->w};
-        return isHdr(FindProperty(*m_Shader, id.name())) ? linear : linear.gamma();
+        return isHdr(id) ? linear : linear.gamma();
     }
     FailGet(id, "a colour");
 }
 
+bool Material::HasOneOf(ShaderPropertyId id, std::initializer_list<ShaderPropertyType> types) const
+{
+    const ShaderProperty* property = FindProperty(*m_Shader, id.name());
+    return property != nullptr && std::ranges::find(types, property->type) != types.end();
+}
+
+bool Material::isHdr(ShaderPropertyId id) const
+{
+    const ShaderProperty* property = FindProperty(*m_Shader, id.name());
+    return property != nullptr && property->HasAttribute("HDR");
+}
+
 glm::mat4 Material::GetMatrix(ShaderPropertyId id) const
 {
-    if (const auto* matrix = As<glm::mat4>(Find(id)))
+    if (const auto* matrix = std::get_if<glm::mat4>(Find(id)))
     {
         return *matrix;
     }
     FailGet(id, "a matrix");
-}
-
-std::shared_ptr<const Texture> Material::GetTexture(ShaderPropertyId id) const
-{
-    return CopyOf<std::shared_ptr<const Texture>>(Find(id));
-}
-
-std::vector<float> Material::GetFloatArray(ShaderPropertyId id) const
-{
-    return ArrayIn<float>(Find(id));
-}
-
-std::vector<glm::vec4> Material::GetVectorArray(ShaderPropertyId id) const
-{
-    return ArrayIn<glm::vec4>(Find(id));
-}
-
-std::vector<glm::mat4> Material::GetMatrixArray(ShaderPropertyId id) const
-{
-    return ArrayIn<glm::mat4>(Find(id));
 }
 
 ShaderPropertyId Material::MainColorId() const
@@ -296,37 +271,6 @@ ShaderPropertyId Material::MainColorId() const
 ShaderPropertyId Material::MainTextureId() const
 {
     return MainProperty(*m_Shader, "MainTexture", "_MainTex");
-}
-
-bool Material::HasProperty(ShaderPropertyId id) const
-{
-    return FindProperty(*m_Shader, id.name()) != nullptr;
-}
-
-bool Material::HasFloat(ShaderPropertyId id) const
-{
-    using enum ShaderPropertyType;
-    return isOneOf(FindProperty(*m_Shader, id.name()), {Float, Range, Int});
-}
-
-bool Material::HasInteger(ShaderPropertyId id) const
-{
-    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Integer});
-}
-
-bool Material::HasColor(ShaderPropertyId id) const
-{
-    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Color});
-}
-
-bool Material::HasVector(ShaderPropertyId id) const
-{
-    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Vector});
-}
-
-bool Material::HasTexture(ShaderPropertyId id) const
-{
-    return isOneOf(FindProperty(*m_Shader, id.name()), {ShaderPropertyType::Texture});
 }
 
 void Material::CopyPropertiesFromMaterial(const Material& mat)
@@ -423,6 +367,88 @@ void Material::Set(ShaderPropertyId id, ShaderPropertyValue value)
         m_Values.Set(id, std::move(value));
         ++m_Version; // passes that set in each frame what is there cost the frame nothing
     }
+}
+
+std::vector<std::string> Material::GetPropertyNames(MaterialPropertyType type) const
+{
+    std::vector<std::string> names;
+    for (const ShaderProperty& property : m_Shader->document().properties)
+    {
+        if (TypeOf(property) == type)
+        {
+            names.push_back(property.name);
+        }
+    }
+    return names;
+}
+
+std::vector<ShaderPropertyId> Material::GetTexturePropertyNameIDs() const
+{
+    const std::vector<std::string> names = GetTexturePropertyNames();
+    return {names.begin(), names.end()};
+}
+
+void Material::CopyMatchingPropertiesFromMaterial(const Material& mat)
+{
+    for (const ShaderProperty& property : m_Shader->document().properties)
+    {
+        const ShaderPropertyId id(property.name);
+        for (const ShaderPropertyId each : {id, ScaleOffsetId(id)})
+        {
+            if (const ShaderPropertyValue* value = mat.Find(each); value && mat.HasProperty(id))
+            {
+                Set(each, *value);
+            }
+        }
+    }
+}
+
+void Material::Lerp(const Material& start, const Material& end, float t)
+{
+    for (const ShaderProperty& property : m_Shader->document().properties)
+    {
+        const ShaderPropertyId id(property.name);
+        const ShaderPropertyValue* from = start.Find(id);
+        const ShaderPropertyValue* to = end.Find(id);
+        if (from != nullptr && to != nullptr)
+        {
+            if (auto value = Between(*from, *to, std::clamp(t, 0.0f, 1.0f)))
+            {
+                Set(id, std::move(*value));
+            }
+        }
+    }
+}
+
+void Material::SetOverrideTag(std::string_view tag, std::string_view val)
+{
+    if (val.empty())
+    {
+        m_OverrideTags.erase(ToLower(tag));
+        return;
+    }
+    m_OverrideTags[ToLower(tag)] = val;
+}
+
+std::string Material::GetTag(std::string_view tag, bool /*searchFallbacks*/,
+                             std::string_view defaultValue) const
+{
+    if (const auto own = m_OverrideTags.find(ToLower(tag)); own != m_OverrideTags.end())
+    {
+        return own->second;
+    }
+    const std::string* value = m_Shader->subShader().tags.Find(tag);
+    return value != nullptr ? *value : std::string(defaultValue);
+}
+
+std::vector<Color> Material::GetColorArray(ShaderPropertyId id) const
+{
+    std::vector<Color> colors;
+    for (const glm::vec4& value : GetVectorArray(id))
+    {
+        colors.push_back(Color(value.x, value.y, value.z, value.w).gamma());
+    }
+    return colors;
 }
 
 } // namespace limn

@@ -1,10 +1,11 @@
 #include <limn/core/MaterialPropertyBlock.h>
 
-#include "support/RequireFinite.h"
+#include "material/PropertyValues.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limn/base/Diagnostic.h>
+#include <limn/core/Mathf.h>
 
 namespace limn
 {
@@ -83,17 +84,16 @@ std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyI
 
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::string_view owner)
 {
-    if (std::visit([](const auto& v) { return AllFinite()(v) && !HasNoElements()(v); }, value))
-    {
-        return;
-    }
     if (isEmptyArray(value))
     {
         throw ContractError(std::string(owner) + "property '" + id.name() +
                             "' is set to an array without elements");
     }
-    throw ContractError(std::string(owner) + "property '" + id.name() +
-                        "' is not finite; NaN and infinity reach no shader");
+    if (!isFinite(value))
+    {
+        throw ContractError(std::string(owner) + "property '" + id.name() +
+                            "' is not finite; NaN and infinity reach no shader");
+    }
 }
 
 BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size)
@@ -169,6 +169,39 @@ void MaterialPropertyBlock::Clear()
     m_Slots.clear();
     m_Values.clear();
     m_HasBuffers = false;
+}
+
+float MaterialPropertyBlock::GetFloat(ShaderPropertyId id) const
+{
+    const int* number = std::get_if<int>(Find(id));
+    return number != nullptr ? static_cast<float>(*number) : Get<float>(id);
+}
+
+int MaterialPropertyBlock::GetInt(ShaderPropertyId id) const
+{
+    const float* number = std::get_if<float>(Find(id));
+    return number != nullptr ? Mathf::ToInt(*number) : Get<int>(id);
+}
+
+glm::vec4 MaterialPropertyBlock::GetVector(ShaderPropertyId id) const
+{
+    const Color* color = std::get_if<Color>(Find(id));
+    return color != nullptr ? color->linear().vector() : Get<glm::vec4>(id);
+}
+
+Color MaterialPropertyBlock::GetColor(ShaderPropertyId id) const
+{
+    if (const auto* vector = std::get_if<glm::vec4>(Find(id)))
+    {
+        return Color(vector->x, vector->y, vector->z, vector->w).gamma();
+    }
+    return Has<Color>(id) ? Get<Color>(id) : Color::clear;
+}
+
+bool MaterialPropertyBlock::HasConstantBuffer(ShaderPropertyId id) const
+{
+    const std::shared_ptr<const GraphicsBuffer> buffer = GetBuffer(id);
+    return buffer && buffer->Has(GraphicsBuffer::Target::Constant);
 }
 
 } // namespace limn

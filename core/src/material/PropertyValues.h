@@ -1,32 +1,35 @@
 #pragma once
 
 #include <limn/core/MaterialPropertyBlock.h>
+#include <string_view>
 
 namespace limn
 {
 
-// These return a property's value as the kind that the caller expects. Pointers may be null.
-
-/// Returns the value, or null if there is none of this kind.
-template <typename Kind>
-const Kind* As(const ShaderPropertyValue* value)
-{
-    return value != nullptr ? std::get_if<Kind>(value) : nullptr;
-}
-
+/// Returns the value as the kind that the caller expects, or else that kind's default. The pointer
+/// may be null.
 template <typename Kind>
 Kind CopyOf(const ShaderPropertyValue* value)
 {
-    const auto* kind = As<Kind>(value);
+    const auto* kind = std::get_if<Kind>(value);
     return kind != nullptr ? *kind : Kind{};
 }
 
-template <typename Element>
-std::vector<Element> ArrayIn(const ShaderPropertyValue* value)
-{
-    const auto* array = As<PropertyArray<Element>>(value);
-    return array != nullptr ? std::vector<Element>(array->begin(), array->end())
-                            : std::vector<Element>();
-}
+/// Returns whether all numbers of the value are finite; textures have none.
+bool isFinite(const ShaderPropertyValue& value);
+/// Returns whether the value is an array without elements, which Unity does not accept.
+bool isEmptyArray(const ShaderPropertyValue& value);
+
+/// Requires a value to be finite where it is set, since a shader silently spreads NaN and infinity.
+/// @param owner  the beginning of the message: "material 'Paint': "
+/// @throws ContractError if a number of the value is not finite, or an array has no elements
+void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id,
+                   std::string_view owner = {});
+
+/// Returns the texture to which a handle sets a property; null for an empty handle.
+/// @param owner  as above
+/// @throws ContractError if it wraps an identifier
+std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyId id,
+                                         std::string_view owner = {});
 
 } // namespace limn

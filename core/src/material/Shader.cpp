@@ -32,9 +32,8 @@ std::optional<int> ParseQueue(std::string_view text)
     if (split > 0)
     {
         const std::string_view name = std::string_view(compact).substr(0, split);
-        const auto it =
-            std::find_if(std::begin(k_Names), std::end(k_Names),
-                         [&](const auto& n) { return EqualsIgnoringCase(n.first, name); });
+        const auto it = std::ranges::find_if(k_Names, [&](const auto& n)
+                                             { return EqualsIgnoringCase(n.first, name); });
         if (it != std::end(k_Names))
         {
             queue = it->second;
@@ -157,9 +156,8 @@ int Shader::FindPassByLightMode(ShaderTagId lightMode) const
 int Shader::FindPassByName(std::string_view name) const
 {
     const std::vector<ShaderLabPass>& passes = m_SubShader.passes;
-    const auto it = std::find_if(passes.begin(), passes.end(),
-                                 [&](const ShaderLabPass& pass)
-                                 { return EqualsIgnoringCase(pass.name, name); });
+    const auto it = std::ranges::find_if(passes, [&](const auto& pass)
+                                         { return EqualsIgnoringCase(pass.name, name); });
     return it == passes.end() ? -1 : static_cast<int>(it - passes.begin());
 }
 
@@ -180,34 +178,17 @@ const FullScreenTag* Shader::fullScreenTag(int passIndex) const
     return tag ? &*tag : nullptr;
 }
 
-const RenderState& Shader::passState(int passIndex) const
-{
-    return PassAt(passIndex).state;
-}
-
-std::string_view Shader::passLightMode(int passIndex) const
-{
-    return PassAt(passIndex).lightMode();
-}
-
-const std::string& Shader::passName(int passIndex) const
-{
-    return PassAt(passIndex).name;
-}
-
 bool Shader::HasKeyword(std::string_view keyword) const
 {
     const auto has = [&](const KeywordSet& set)
     {
-        return std::find(set.keywords.begin(), set.keywords.end(), keyword) != set.keywords.end();
+        return std::ranges::find(set.keywords, keyword) != set.keywords.end();
     };
-    return !keyword.empty() &&
-           std::any_of(m_SubShader.passes.begin(), m_SubShader.passes.end(),
-                       [&](const ShaderLabPass& pass)
-                       {
-                           return pass.program && std::any_of(pass.program->keywordSets.begin(),
-                                                              pass.program->keywordSets.end(), has);
-                       });
+    const auto declares = [&](const ShaderLabPass& pass)
+    {
+        return pass.program && std::ranges::any_of(pass.program->keywordSets, has);
+    };
+    return !keyword.empty() && std::ranges::any_of(m_SubShader.passes, declares);
 }
 
 int Shader::FindPropertyIndex(std::string_view propertyName) const

@@ -1,10 +1,9 @@
-#include "material/ShaderGlobals.h"
+#include "material/FrameGlobals.h"
 
-#include "support/RequireFinite.h"
+#include "material/PropertyValues.h"
 
 #include <atomic>
 #include <limn/core/Shader.h>
-#include <map>
 #include <mutex>
 
 namespace limn
@@ -16,7 +15,7 @@ namespace
 struct GlobalsOfProcess
 {
     std::mutex mutex;
-    std::map<ShaderPropertyId, ShaderPropertyValue> values;
+    MaterialPropertyBlock values;
     std::atomic<std::uint64_t> version{0};
 };
 
@@ -33,34 +32,41 @@ std::uint64_t ShaderGlobals::version()
     return Globals().version;
 }
 
-std::optional<ShaderPropertyValue> ShaderGlobals::Find(ShaderPropertyId id)
-{
-    const std::lock_guard lock(Globals().mutex);
-    const auto found = Globals().values.find(id);
-    return found != Globals().values.end() ? std::optional(found->second) : std::nullopt;
-}
-
 void ShaderGlobals::ForEach(
     const std::function<void(ShaderPropertyId, const ShaderPropertyValue&)>& function)
 {
     const std::lock_guard lock(Globals().mutex);
-    for (const auto& [id, value] : Globals().values)
-    {
-        function(id, value);
-    }
+    Globals().values.ForEach(function);
 }
 
 bool Shader::IsKeywordEnabled(std::string_view keyword)
 {
-    return ShaderGlobals::Find(GlobalKeyword(keyword).id()) == ShaderPropertyValue(1);
+    return GetGlobalInt(GlobalKeyword(keyword).id()) == 1;
 }
 
 void Shader::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
 {
     RequireFinite(value, id, "global ");
     const std::lock_guard lock(Globals().mutex);
-    Globals().values[id] = std::move(value);
+    Globals().values.Set(id, std::move(value));
     ++Globals().version;
+}
+
+MaterialPropertyBlock Shader::GlobalOf(ShaderPropertyId id)
+{
+    const std::lock_guard lock(Globals().mutex);
+    MaterialPropertyBlock block;
+    if (const ShaderPropertyValue* value = Globals().values.Find(id))
+    {
+        block.Set(id, *value);
+    }
+    return block;
+}
+
+Color Shader::GetGlobalColor(ShaderPropertyId id)
+{
+    const glm::vec4 value = GetGlobalVector(id);
+    return {value.x, value.y, value.z, value.w};
 }
 
 void Shader::SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)

@@ -42,7 +42,10 @@ public:
     bool HasKernel(std::string_view name) const;
     int kernelCount() const { return static_cast<int>(m_Document.kernels.size()); }
     /// @throws ContractError if there is no such kernel, as all functions below do that take one
-    const std::string& kernelName(int kernelIndex) const;
+    const std::string& kernelName(int kernelIndex) const
+    {
+        return KernelAt(kernelIndex).kernel.name;
+    }
     /// Returns the threads of a group in the variant that the shader's own keywords choose, and
     /// compiles it.
     /// @throws AssetError if it does not compile

@@ -95,8 +95,14 @@ public:
     /// may read them.
     const std::vector<ShaderPropertyId>& undeclared() const { return m_Undeclared; }
     /// Sets how a mesh's coordinates map to the texture `id`; its shader reads that as X_ST.
-    void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale);
-    void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset);
+    void SetTextureScale(ShaderPropertyId id, const glm::vec2& scale)
+    {
+        SetScaleOffset(id, 0, scale);
+    }
+    void SetTextureOffset(ShaderPropertyId id, const glm::vec2& offset)
+    {
+        SetScaleOffset(id, 2, offset);
+    }
     const ShaderPropertyValue* Find(ShaderPropertyId id) const { return m_Values.Find(id); }
 
     // These return the value that was set, or else the default of the shader's Properties block. If
@@ -110,23 +116,55 @@ public:
     Color GetColor(ShaderPropertyId id) const;
     glm::mat4 GetMatrix(ShaderPropertyId id) const;
     // These return null or an empty array if none was set, or something else was.
-    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
-    std::vector<float> GetFloatArray(ShaderPropertyId id) const;
-    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
+    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const
+    {
+        return m_Values.GetTexture(id);
+    }
+    std::vector<float> GetFloatArray(ShaderPropertyId id) const
+    {
+        return m_Values.GetFloatArray(id);
+    }
+    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const
+    {
+        return m_Values.GetVectorArray(id);
+    }
     std::vector<Color> GetColorArray(ShaderPropertyId id) const; ///< sRGB, as SetColorArray's
-    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
-    glm::vec2 GetTextureScale(ShaderPropertyId id) const;  ///< 1 if none was set
-    glm::vec2 GetTextureOffset(ShaderPropertyId id) const; ///< 0 if none was set
+    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const
+    {
+        return m_Values.GetMatrixArray(id);
+    }
+    /// 1 if none was set
+    glm::vec2 GetTextureScale(ShaderPropertyId id) const { return ScaleOffset(id); }
+    /// 0 if none was set
+    glm::vec2 GetTextureOffset(ShaderPropertyId id) const
+    {
+        const glm::vec4 value = ScaleOffset(id);
+        return {value.z, value.w};
+    }
 
     // These return whether the shader's Properties block has the property, of this kind: one that
     // was only set does not count.
-    bool HasProperty(ShaderPropertyId id) const;
-    bool HasFloat(ShaderPropertyId id) const; ///< Float, Range or Int, as in Unity
+    bool HasProperty(ShaderPropertyId id) const
+    {
+        return shader()->FindPropertyIndex(id.name()) >= 0;
+    }
+    /// Float, Range or Int, as in Unity
+    bool HasFloat(ShaderPropertyId id) const
+    {
+        using enum ShaderPropertyType;
+        return HasOneOf(id, {Float, Range, Int});
+    }
     bool HasInt(ShaderPropertyId id) const { return HasFloat(id); }
-    bool HasInteger(ShaderPropertyId id) const;
-    bool HasColor(ShaderPropertyId id) const;
-    bool HasVector(ShaderPropertyId id) const;
-    bool HasTexture(ShaderPropertyId id) const;
+    bool HasInteger(ShaderPropertyId id) const
+    {
+        return HasOneOf(id, {ShaderPropertyType::Integer});
+    }
+    bool HasColor(ShaderPropertyId id) const { return HasOneOf(id, {ShaderPropertyType::Color}); }
+    bool HasVector(ShaderPropertyId id) const { return HasOneOf(id, {ShaderPropertyType::Vector}); }
+    bool HasTexture(ShaderPropertyId id) const
+    {
+        return HasOneOf(id, {ShaderPropertyType::Texture});
+    }
     // A Properties block has none of these kinds, so these return whether one was set.
     bool HasMatrix(ShaderPropertyId id) const { return m_Values.HasMatrix(id); }
     bool HasBuffer(ShaderPropertyId id) const { return m_Values.HasBuffer(id); }
@@ -243,6 +281,10 @@ private:
     void SetScaleOffset(ShaderPropertyId texture, int first, const glm::vec2& value);
     void KeywordsChanged();
     bool isEnabled(int pass) const;
+    /// Returns whether the Properties block has the property, and of one of these types.
+    bool HasOneOf(ShaderPropertyId id, std::initializer_list<ShaderPropertyType> types) const;
+    /// Returns whether the property is declared [HDR].
+    bool isHdr(ShaderPropertyId id) const;
     ShaderPropertyId MainColorId() const;
     ShaderPropertyId MainTextureId() const;
     glm::vec4 ScaleOffset(ShaderPropertyId texture) const;

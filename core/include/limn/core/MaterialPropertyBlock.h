@@ -121,26 +121,38 @@ public:
     int GetInteger(ShaderPropertyId id) const { return GetInt(id); }
     glm::vec4 GetVector(ShaderPropertyId id) const; ///< as shaders read it: a colour is linear
     Color GetColor(ShaderPropertyId id) const;      ///< sRGB
-    glm::mat4 GetMatrix(ShaderPropertyId id) const;
-    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const;
-    std::vector<float> GetFloatArray(ShaderPropertyId id) const;
-    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const;
-    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const;
+    glm::mat4 GetMatrix(ShaderPropertyId id) const { return Get<glm::mat4>(id); }
+    std::shared_ptr<const Texture> GetTexture(ShaderPropertyId id) const
+    {
+        return Get<std::shared_ptr<const Texture>>(id);
+    }
+    std::vector<float> GetFloatArray(ShaderPropertyId id) const { return GetArray<float>(id); }
+    std::vector<glm::vec4> GetVectorArray(ShaderPropertyId id) const
+    {
+        return GetArray<glm::vec4>(id);
+    }
+    std::vector<glm::mat4> GetMatrixArray(ShaderPropertyId id) const
+    {
+        return GetArray<glm::mat4>(id);
+    }
 
     // These return whether a value of this kind was set.
     bool HasProperty(ShaderPropertyId id) const { return Find(id) != nullptr; }
-    bool HasFloat(ShaderPropertyId id) const;
-    bool HasInt(ShaderPropertyId id) const;
+    bool HasFloat(ShaderPropertyId id) const { return Has<float>(id); }
+    bool HasInt(ShaderPropertyId id) const { return Has<int>(id); }
     bool HasInteger(ShaderPropertyId id) const { return HasInt(id); }
-    bool HasVector(ShaderPropertyId id) const;
-    bool HasColor(ShaderPropertyId id) const;
-    bool HasMatrix(ShaderPropertyId id) const;
-    bool HasTexture(ShaderPropertyId id) const;
-    bool HasBuffer(ShaderPropertyId id) const;
+    bool HasVector(ShaderPropertyId id) const { return Has<glm::vec4>(id); }
+    bool HasColor(ShaderPropertyId id) const { return Has<Color>(id); }
+    bool HasMatrix(ShaderPropertyId id) const { return Has<glm::mat4>(id); }
+    bool HasTexture(ShaderPropertyId id) const { return Has<std::shared_ptr<const Texture>>(id); }
+    bool HasBuffer(ShaderPropertyId id) const { return Has<BufferRange>(id); }
     /// Returns whether a buffer is set for a cbuffer.
     bool HasConstantBuffer(ShaderPropertyId id) const;
     /// Returns the buffer that SetBuffer or SetConstantBuffer set; null = nothing.
-    std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const;
+    std::shared_ptr<const GraphicsBuffer> GetBuffer(ShaderPropertyId id) const
+    {
+        return Get<BufferRange>(id).buffer;
+    }
 
     /// Calls `function` with the name and value of each property that was set.
     template <typename Function>
@@ -164,6 +176,23 @@ private:
         ShaderPropertyId id;
         std::uint32_t value = 0; ///< in m_Values
     };
+    template <typename Kind>
+    bool Has(ShaderPropertyId id) const
+    {
+        return std::get_if<Kind>(Find(id)) != nullptr;
+    }
+    template <typename Kind>
+    Kind Get(ShaderPropertyId id) const
+    {
+        const auto* value = std::get_if<Kind>(Find(id));
+        return value != nullptr ? *value : Kind{};
+    }
+    template <typename Element>
+    std::vector<Element> GetArray(ShaderPropertyId id) const
+    {
+        const auto array = Get<PropertyArray<Element>>(id);
+        return {array.begin(), array.end()};
+    }
     /// Returns one more than the index of the value in m_Values; 0 = there is none.
     std::uint32_t FindPlace(ShaderPropertyId id) const
     {

@@ -142,16 +142,28 @@ public:
     // These return the value that those functions set last; zeros or null if they set nothing, or
     // something of another kind. They do not return what command buffers set, which belongs to a
     // frame. Unity: Shader.GetGlobalFloat and its like (2022.3).
-    static float GetGlobalFloat(ShaderPropertyId id);
-    static int GetGlobalInt(ShaderPropertyId id);
+    static float GetGlobalFloat(ShaderPropertyId id) { return GlobalOf(id).GetFloat(id); }
+    static int GetGlobalInt(ShaderPropertyId id) { return GlobalOf(id).GetInt(id); }
     static int GetGlobalInteger(ShaderPropertyId id) { return GetGlobalInt(id); }
-    static glm::vec4 GetGlobalVector(ShaderPropertyId id);
+    static glm::vec4 GetGlobalVector(ShaderPropertyId id) { return GlobalOf(id).GetVector(id); }
     static Color GetGlobalColor(ShaderPropertyId id); ///< as it is
-    static glm::mat4 GetGlobalMatrix(ShaderPropertyId id);
-    static std::shared_ptr<const Texture> GetGlobalTexture(ShaderPropertyId id);
-    static std::vector<float> GetGlobalFloatArray(ShaderPropertyId id);
-    static std::vector<glm::vec4> GetGlobalVectorArray(ShaderPropertyId id);
-    static std::vector<glm::mat4> GetGlobalMatrixArray(ShaderPropertyId id);
+    static glm::mat4 GetGlobalMatrix(ShaderPropertyId id) { return GlobalOf(id).GetMatrix(id); }
+    static std::shared_ptr<const Texture> GetGlobalTexture(ShaderPropertyId id)
+    {
+        return GlobalOf(id).GetTexture(id);
+    }
+    static std::vector<float> GetGlobalFloatArray(ShaderPropertyId id)
+    {
+        return GlobalOf(id).GetFloatArray(id);
+    }
+    static std::vector<glm::vec4> GetGlobalVectorArray(ShaderPropertyId id)
+    {
+        return GlobalOf(id).GetVectorArray(id);
+    }
+    static std::vector<glm::mat4> GetGlobalMatrixArray(ShaderPropertyId id)
+    {
+        return GlobalOf(id).GetMatrixArray(id);
+    }
 
     /// Switches a keyword for all materials of the process. CommandBuffer::EnableShaderKeyword,
     /// which does the same, takes precedence in the frame.
@@ -188,10 +200,10 @@ public:
     /// Returns the index of the pass of this name (case does not matter), or -1.
     int FindPassByName(std::string_view passName) const;
 
-    const RenderState& passState(int passIndex) const;
-    const std::string& passName(int passIndex) const;
+    const RenderState& passState(int passIndex) const { return PassAt(passIndex).state; }
+    const std::string& passName(int passIndex) const { return PassAt(passIndex).name; }
     /// Returns the pass's LightMode; "SRPDefaultUnlit" if it has none.
-    std::string_view passLightMode(int passIndex) const;
+    std::string_view passLightMode(int passIndex) const { return PassAt(passIndex).lightMode(); }
 
     /// Returns the promise of the pass's tag LimnFullScreen; null = none. It lives as long as the
     /// shader.
@@ -264,6 +276,8 @@ private:
     };
 
     static void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
+    /// Returns a block with the value of the process, if there is one, and nothing else.
+    static MaterialPropertyBlock GlobalOf(ShaderPropertyId id);
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;
