@@ -1,6 +1,6 @@
 #include "record/Arguments.h"
 
-#include "support/RequireFinite.h"
+#include "material/PropertyValues.h"
 
 namespace limn
 {

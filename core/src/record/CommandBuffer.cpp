@@ -4,8 +4,8 @@
 #include <limn/base/NumberText.h>
 #include <limn/core/CommandBuffer.h>
 
+#include "material/PropertyValues.h"
 #include "record/MatrixIds.h"
-#include "support/RequireFinite.h"
 
 namespace limn
 {
@@ -15,13 +15,11 @@ namespace
 
 void ExpectSameSize(const RenderTexture& first, const RenderTexture& other)
 {
-    if (first.width() != other.width() || first.height() != other.height() ||
-        first.descriptor().msaaSamples != other.descriptor().msaaSamples)
+    if (!first.HasSizeOf(other))
     {
         const auto text = [](const RenderTexture& t)
         {
-            return "'" + t.name() + "' is " + std::to_string(t.width()) + "x" +
-                   std::to_string(t.height()) + " with " +
+            return "'" + t.name() + "' is " + t.DescribeSize() + " with " +
                    CountText(static_cast<std::size_t>(t.descriptor().msaaSamples), "sample");
         };
         throw ContractError(
@@ -177,16 +175,6 @@ void CommandBuffer::EnableScissorRect(const ViewportRect& scissor)
     m_Commands.emplace_back(SetScissorCommand{scissor});
 }
 
-void CommandBuffer::DisableScissorRect()
-{
-    m_Commands.emplace_back(SetScissorCommand{});
-}
-
-void CommandBuffer::SetInvertCulling(bool invertCulling)
-{
-    m_Commands.emplace_back(SetInvertCullingCommand{invertCulling});
-}
-
 void CommandBuffer::SetGlobalDepthBias(float bias, float slopeBias)
 {
     if (!std::isfinite(bias) || !std::isfinite(slopeBias))
@@ -196,6 +184,11 @@ void CommandBuffer::SetGlobalDepthBias(float bias, float slopeBias)
                             NumberText(static_cast<double>(slopeBias)) + "; both must be finite");
     }
     m_Commands.emplace_back(SetGlobalDepthBiasCommand{bias, slopeBias});
+}
+
+void CommandBuffer::Record(RecordedCommand command)
+{
+    m_Commands.push_back(std::move(command));
 }
 
 std::uint32_t CommandBuffer::Keep(const MaterialPropertyBlock& properties)
@@ -224,11 +217,6 @@ void CommandBuffer::Clear()
     {
         m_Blocks[m_BlockCount - 1].Clear();
     }
-}
-
-void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color)
-{
-    SetRenderTarget(std::move(color), BuiltinRenderTextureType::None);
 }
 
 void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth)
@@ -260,22 +248,6 @@ void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color,
     SetRenderTarget(std::move(color), std::move(depth));
 }
 
-void CommandBuffer::DrawCopy(CopyDrawCommand copy)
-{
-    m_Commands.emplace_back(std::move(copy));
-}
-
-void CommandBuffer::SetCameraColor(RTHandle color)
-{
-    m_Commands.emplace_back(SetCameraColorCommand{std::move(color)});
-}
-
-void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
-                                   FilterMode filter)
-{
-    m_Commands.emplace_back(GetTemporaryRTCommand{nameID, desc, filter});
-}
-
 void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer,
                                    FilterMode filter, RenderTextureFormat format,
                                    RenderTextureReadWrite readWrite, int antiAliasing)
@@ -285,21 +257,6 @@ void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, int width, int heigh
         depthBuffer);
     descriptor.msaaSamples = antiAliasing;
     GetTemporaryRT(nameID, descriptor, filter);
-}
-
-void CommandBuffer::ReleaseTemporaryRT(ShaderPropertyId nameID)
-{
-    m_Commands.emplace_back(ReleaseTemporaryRTCommand{nameID});
-}
-
-void CommandBuffer::SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value)
-{
-    m_Commands.emplace_back(SetGlobalIdentifierCommand{id, std::move(value)});
-}
-
-void CommandBuffer::CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest)
-{
-    m_Commands.emplace_back(CopyTextureCommand{std::move(source), std::move(dest)});
 }
 
 void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,
@@ -322,21 +279,6 @@ void CommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
 {
     RequireFinite(glm::mat4(proj), glstate_matrix_projection, "global ");
     m_Commands.emplace_back(SetProjectionCommand{proj});
-}
-
-void CommandBuffer::GenerateMips(RenderTargetIdentifier rt)
-{
-    m_Commands.emplace_back(GenerateMipsCommand{std::move(rt)});
-}
-
-void CommandBuffer::BeginSample(SampleName sample)
-{
-    m_Commands.emplace_back(BeginSampleCommand{sample});
-}
-
-void CommandBuffer::EndSample()
-{
-    m_Commands.emplace_back(EndSampleCommand{});
 }
 
 void CommandBuffer::EndSample(std::string_view sample)
@@ -368,11 +310,6 @@ void CommandBuffer::SetKeyword(const std::shared_ptr<Material>& material,
         throw ContractError("SetKeyword '" + keyword.name() + "' needs a material, but it is null");
     }
     m_Commands.emplace_back(SetMaterialKeywordCommand{material, keyword, value});
-}
-
-void CommandBuffer::SetKeyword(const GlobalKeyword& keyword, bool value)
-{
-    m_Commands.emplace_back(SetKeywordCommand{keyword, value});
 }
 
 void CommandBuffer::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)

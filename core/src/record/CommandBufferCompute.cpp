@@ -1,7 +1,7 @@
 #include <limn/core/CommandBuffer.h>
 
+#include "material/PropertyValues.h"
 #include "record/Arguments.h"
-#include "support/RequireFinite.h"
 
 namespace limn
 {
@@ -12,7 +12,6 @@ namespace
 using ComputeShaderPtr = std::shared_ptr<ComputeShader>;
 
 constexpr int k_MostGroups = 65535; // Direct3D's
-constexpr int k_AllKernels = ComputeShader::k_AllKernels;
 
 void ExpectShader(const std::shared_ptr<const ComputeShader>& shader)
 {
@@ -144,60 +143,12 @@ void CommandBuffer::DispatchCompute(std::shared_ptr<const ComputeShader> compute
     m_Commands.emplace_back(std::move(dispatch));
 }
 
-void CommandBuffer::SetParam(const ComputeShaderPtr& shader, int kernel, ShaderPropertyId id,
-                             ShaderPropertyValue value)
+void CommandBuffer::SetParam(const ComputeShaderPtr& shader, ShaderPropertyId id,
+                             ShaderPropertyValue value, int kernel)
 {
-    kernel == k_AllKernels ? ExpectShader(shader) : ExpectKernel(shader, kernel);
+    kernel == ComputeShader::k_AllKernels ? ExpectShader(shader) : ExpectKernel(shader, kernel);
     RequireFinite(value, id, "compute shader '" + shader->name() + "': ");
     m_Commands.emplace_back(SetComputeParamCommand{shader, kernel, id, std::move(value)});
-}
-
-void CommandBuffer::SetComputeFloatParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
-                                         float value)
-{
-    SetParam(computeShader, k_AllKernels, id, value);
-}
-
-void CommandBuffer::SetComputeIntParam(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
-                                       int value)
-{
-    SetParam(computeShader, k_AllKernels, id, value);
-}
-
-void CommandBuffer::SetComputeVectorParam(const ComputeShaderPtr& computeShader,
-                                          ShaderPropertyId id, const glm::vec4& value)
-{
-    SetParam(computeShader, k_AllKernels, id, value);
-}
-
-void CommandBuffer::SetComputeVectorArrayParam(const ComputeShaderPtr& computeShader,
-                                               ShaderPropertyId id, std::vector<glm::vec4> values)
-{
-    SetParam(computeShader, k_AllKernels, id, std::move(values));
-}
-
-void CommandBuffer::SetComputeMatrixParam(const ComputeShaderPtr& computeShader,
-                                          ShaderPropertyId id, const glm::mat4& value)
-{
-    SetParam(computeShader, k_AllKernels, id, value);
-}
-
-void CommandBuffer::SetComputeMatrixArrayParam(const ComputeShaderPtr& computeShader,
-                                               ShaderPropertyId id, std::vector<glm::mat4> values)
-{
-    SetParam(computeShader, k_AllKernels, id, std::move(values));
-}
-
-void CommandBuffer::SetComputeFloatParams(const ComputeShaderPtr& computeShader,
-                                          ShaderPropertyId id, std::vector<float> values)
-{
-    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
-}
-
-void CommandBuffer::SetComputeIntParams(const ComputeShaderPtr& computeShader, ShaderPropertyId id,
-                                        std::vector<int> values)
-{
-    SetParam(computeShader, k_AllKernels, id, ConsecutiveParams{std::move(values)});
 }
 
 void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader, int kernelIndex,
@@ -206,21 +157,6 @@ void CommandBuffer::SetComputeTextureParam(const ComputeShaderPtr& computeShader
     ExpectKernel(computeShader, kernelIndex);
     m_Commands.emplace_back(
         SetComputeTextureCommand{computeShader, kernelIndex, id, std::move(rt)});
-}
-
-void CommandBuffer::SetComputeBufferParam(const ComputeShaderPtr& computeShader, int kernelIndex,
-                                          ShaderPropertyId id,
-                                          std::shared_ptr<const GraphicsBuffer> buffer)
-{
-    SetParam(computeShader, kernelIndex, id, BufferRange{std::move(buffer), 0, 0});
-}
-
-void CommandBuffer::SetComputeConstantBufferParam(const ComputeShaderPtr& computeShader,
-                                                  ShaderPropertyId id,
-                                                  std::shared_ptr<const GraphicsBuffer> buffer,
-                                                  int offset, int size)
-{
-    SetParam(computeShader, k_AllKernels, id, ConstantRange(std::move(buffer), offset, size));
 }
 
 void CommandBuffer::SetComputeParamsFromMaterial(const ComputeShaderPtr& computeShader,

@@ -1,11 +1,12 @@
 #include <glm/ext/matrix_clip_space.hpp>
+
+#include "record/Arguments.h"
+#include "record/MatrixIds.h"
+
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/RendererList.h>
 #include <limn/core/Scene.h>
 #include <limn/core/TargetOrientation.h>
-
-#include "record/Arguments.h"
-#include "record/MatrixIds.h"
 
 namespace limn
 {
@@ -51,7 +52,6 @@ void ExpectBlit(const std::shared_ptr<const Texture>& source, const RenderTextur
 /// @param properties  receives them, since a draw's own properties win over global ones
 void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& dest)
 {
-    static const ShaderPropertyId limn_Origin{"limn_Origin"};
     // Near and far are given the other way round, which is reversed Z.
     static const glm::mat4 upright = glm::orthoRH_ZO(0.0f, 1.0f, 0.0f, 1.0f, 100.0f, -1.0f);
     const glm::mat4 projection = IsProjectionFlipped(dest) ? WithFlippedY(upright) : upright;
@@ -61,25 +61,43 @@ void SetBlitMatrices(MaterialPropertyBlock& properties, const RenderTexture& des
     properties.SetVector(limn_Origin, glm::vec4(0.0f)); // positions are the world's
 }
 
+/// @param call  whose they are
+void ExpectCount(const char* call, const char* what, int count)
+{
+    if (count < 0)
+    {
+        throw ContractError(std::string(call) + ": the " + what + " count " +
+                            std::to_string(count) + " is negative");
+    }
+}
+
+RecordedDraw MeshDraw(const char* call, std::shared_ptr<const Mesh> mesh, int submeshIndex,
+                      std::shared_ptr<const Material> material, int shaderPass)
+{
+    if (!mesh)
+    {
+        throw ContractError(std::string(call) + " needs a mesh, but it is null");
+    }
+    ExpectMaterial(call, material);
+    ExpectSubMesh(*mesh, submeshIndex);
+    RecordedDraw draw;
+    draw.mesh = std::move(mesh);
+    draw.subMesh = submeshIndex;
+    draw.material = std::move(material);
+    draw.shaderPass = shaderPass;
+    return draw;
+}
+
 } // namespace
 
 void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& matrix,
                              std::shared_ptr<const Material> material, int subMesh, int shaderPass,
                              const MaterialPropertyBlock& properties)
 {
-    ExpectMaterial("DrawMesh", material);
-    ExpectDrawable(material, shaderPass, matrix);
-    if (!mesh)
-    {
-        throw ContractError("DrawMesh needs a mesh, but it is null");
-    }
-    ExpectSubMesh(*mesh, subMesh);
-    RecordedDraw draw;
-    draw.mesh = std::move(mesh);
-    draw.subMesh = subMesh;
+    RecordedDraw draw =
+        MeshDraw("DrawMesh", std::move(mesh), subMesh, std::move(material), shaderPass);
+    ExpectDrawable(draw.material, shaderPass, matrix);
     draw.matrix = glm::dmat4(matrix);
-    draw.material = std::move(material);
-    draw.shaderPass = shaderPass;
     draw.properties = Keep(properties);
     m_Commands.emplace_back(std::move(draw));
 }
@@ -151,14 +169,9 @@ void CommandBuffer::DrawRenderer(const GameObject& object,
     {
         return;
     }
-    ExpectMaterial("DrawRenderer", material);
-    ExpectSubMesh(*object.renderer->mesh, submeshIndex);
-    RecordedDraw draw;
-    draw.mesh = object.renderer->mesh;
-    draw.subMesh = submeshIndex;
+    RecordedDraw draw =
+        MeshDraw("DrawRenderer", object.renderer->mesh, submeshIndex, material, shaderPass);
     draw.matrix = object.transform.worldMatrix();
-    draw.material = material;
-    draw.shaderPass = shaderPass;
     draw.renderingLayers = object.renderer->renderingLayerMask;
     const auto& own = object.renderer->PropertiesOf(static_cast<std::size_t>(submeshIndex));
     if (!own)
@@ -248,6 +261,94 @@ void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier d
 void CommandBuffer::Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest)
 {
     m_Commands.emplace_back(IdentifiedBlitCommand{std::move(source), std::move(dest), nullptr, 0});
+}
+
+void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
+                                   std::shared_ptr<const Material> material, int shaderPass,
+                                   int vertexCount, const MaterialPropertyBlock& properties)
+{
+    DrawProcedural(matrix, std::move(material), shaderPass, MeshTopology::Triangles, vertexCount, 1,
+                   properties);
+}
+
+void CommandBuffer::DrawProcedural(const glm::mat4& matrix,
+                                   std::shared_ptr<const Material> material, int shaderPass,
+                                   MeshTopology topology, int vertexCount, int instanceCount,
+                                   const MaterialPropertyBlock& properties)
+{
+    constexpr const char* k_Call = "DrawProcedural";
+    ExpectMaterial(k_Call, material);
+    ExpectDrawable(material, shaderPass, matrix);
+    ExpectCount(k_Call, "vertex", vertexCount);
+    ExpectCount(k_Call, "instance", instanceCount);
+    if (instanceCount == 0 || (topology == MeshTopology::Quads && vertexCount < 4))
+    {
+        return;
+    }
+    RecordedDraw draw;
+    draw.vertexCount = static_cast<std::uint32_t>(vertexCount);
+    draw.matrix = glm::dmat4(matrix);
+    draw.material = std::move(material);
+    draw.shaderPass = shaderPass;
+    draw.properties = Keep(properties);
+    draw.instanceCount = static_cast<std::uint32_t>(instanceCount);
+    draw.topology = topology;
+    m_Commands.emplace_back(std::move(draw));
+}
+
+void CommandBuffer::DrawProceduralIndirect(
+    const glm::mat4& matrix, const std::shared_ptr<const Material>& material, int shaderPass,
+    MeshTopology topology, const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs,
+    int argsOffset, const MaterialPropertyBlock& properties)
+{
+    constexpr const char* k_Call = "DrawProceduralIndirect";
+    ExpectMaterial(k_Call, material);
+    ExpectDrawable(material, shaderPass, matrix);
+    if (topology == MeshTopology::Quads)
+    {
+        throw ContractError(std::string(k_Call) +
+                            ": limn draws Quads by indices, but the buffer's counts are those of a "
+                            "draw without indices; draw Triangles, six vertices per quad");
+    }
+    RecordedDraw draw;
+    draw.matrix = glm::dmat4(matrix);
+    draw.material = material;
+    draw.shaderPass = shaderPass;
+    draw.properties = Keep(properties);
+    draw.topology = topology;
+    draw.isProcedural = true;
+    draw.arguments = ArgumentsRange(k_Call, bufferWithArgs, argsOffset, 4);
+    m_Commands.emplace_back(std::move(draw));
+}
+
+void CommandBuffer::DrawMeshInstancedProcedural(const std::shared_ptr<const Mesh>& mesh,
+                                                int submeshIndex,
+                                                const std::shared_ptr<const Material>& material,
+                                                int shaderPass, int count,
+                                                const MaterialPropertyBlock& properties)
+{
+    constexpr const char* k_Call = "DrawMeshInstancedProcedural";
+    ExpectCount(k_Call, "instance", count);
+    RecordedDraw draw = MeshDraw(k_Call, mesh, submeshIndex, material, shaderPass);
+    draw.isProcedural = true;
+    draw.instanceCount = static_cast<std::uint32_t>(count);
+    if (count > 0)
+    {
+        DrawPasses(std::move(draw), properties);
+    }
+}
+
+void CommandBuffer::DrawMeshInstancedIndirect(
+    const std::shared_ptr<const Mesh>& mesh, int submeshIndex,
+    const std::shared_ptr<const Material>& material, int shaderPass,
+    const std::shared_ptr<const GraphicsBuffer>& bufferWithArgs, int argsOffset,
+    const MaterialPropertyBlock& properties)
+{
+    constexpr const char* k_Call = "DrawMeshInstancedIndirect";
+    RecordedDraw draw = MeshDraw(k_Call, mesh, submeshIndex, material, shaderPass);
+    draw.isProcedural = true;
+    draw.arguments = ArgumentsRange(k_Call, bufferWithArgs, argsOffset, 5);
+    DrawPasses(std::move(draw), properties);
 }
 
 } // namespace limn

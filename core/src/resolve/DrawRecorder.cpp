@@ -1,16 +1,16 @@
 #include "resolve/DrawRecorder.h"
 
-#include "record/MatrixIds.h"
-
 #include "cull/ProjectedBounds.h"
+#include "material/FrameGlobals.h"
 #include "material/PropertyValues.h"
-#include "material/ShaderGlobals.h"
+#include "record/MatrixIds.h"
 #include "scene/PerDraw.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <limn/core/Camera.h>
 #include <limn/core/DrawError.h>
 #include <limn/core/TargetOrientation.h>
 
@@ -44,7 +44,7 @@ float ReachOf(const FullScreenTag& tag, const PropertySources& sources)
 {
     if (tag.reachProperty)
     {
-        const auto* number = As<float>(sources.Find(*tag.reachProperty));
+        const auto* number = std::get_if<float>(sources.Find(*tag.reachProperty));
         return number ? std::abs(*number) : -1.0f;
     }
     return tag.reach.value_or(-1.0f);
@@ -113,9 +113,8 @@ bool isInstanceable(const ShaderProgram& program)
 {
     const auto& buffers = program.layout.storageBuffers;
     return !(program.layout.pushStages & ShaderStage::Vertex) &&
-           std::all_of(buffers.begin(), buffers.end(),
-                       [](const StorageBufferBinding& buffer)
-                       { return buffer.stages == ShaderStage::Vertex; });
+           std::ranges::all_of(buffers,
+                               [](const auto& b) { return b.stages == ShaderStage::Vertex; });
 }
 
 void DrawRecorder::Begin(std::vector<std::string>& notes, const glm::dvec3& origin)
@@ -409,7 +408,7 @@ void DrawRecorder::Dispatch(const RecordedDispatch& recorded, const PropertySour
 std::optional<TargetRegion> DrawRecorder::Project(const Bounds& bounds, float radius,
                                                   const PerDrawData& perDraw) const
 {
-    const auto* viewProjection = As<glm::mat4>(m_Globals.Find(unity_MatrixVP));
+    const auto* viewProjection = std::get_if<glm::mat4>(m_Globals.Find(unity_MatrixVP));
     if (viewProjection == nullptr)
     {
         return std::nullopt;
@@ -574,6 +573,97 @@ bool DrawRecorder::MergeIntoLast(const DrawCommand& draw)
     last->bounds = last->bounds && draw.bounds ? std::optional(Union(*last->bounds, *draw.bounds))
                                                : std::nullopt;
     return true;
+}
+
+void DrawRecorder::SetMatrix(const SetViewCommand& command)
+{
+    SetViewProjection({command.view, m_Projection, false});
+}
+
+void DrawRecorder::SetMatrix(const SetProjectionCommand& command)
+{
+    SetViewProjection(
+        {m_View, GpuProjection(command.projection, m_Frame.usesReversedZBuffer, true), false});
+}
+
+void DrawRecorder::ExpectUnused(const GraphicsBuffer& buffer, const char* call) const
+{
+    const auto uses = [&](const auto& setup)
+    {
+        return setup.bindings &&
+               std::ranges::any_of(setup.bindings->buffers, [&](const BufferSlot& slot)
+                                   { return slot.buffer.get() == &buffer; });
+    };
+    if (std::ranges::any_of(m_Frame.setups, uses) ||
+        std::ranges::any_of(m_Frame.dispatchSetups, uses))
+    {
+        throw ContractError(std::string(call) + ": this frame uses '" + buffer.name() +
+                            "' already, and the data go to the device before the frame; set them "
+                            "before the first use, or use two buffers");
+    }
+}
+
+void DrawRecorder::SetViewProjection(const SetViewProjectionCommand& command)
+{
+    m_View = command.view;
+    m_Projection = command.gpuProjection;
+    const auto set = [&](ShaderPropertyId id, const ShaderPropertyValue& value)
+    {
+        SetGlobal({id, value});
+    };
+    const glm::mat4 gpuProjection =
+        m_IsFlipped ? command.gpuProjection : WithFlippedY(command.gpuProjection);
+    const glm::dmat4 projection(gpuProjection);
+    const glm::dvec4 origin = RelativeTo(m_Origin, command.view)[3];
+    set(unity_MatrixV, glm::mat4(command.view));
+    set(glstate_matrix_projection, gpuProjection);
+    set(unity_MatrixVP, glm::mat4(projection * command.view));
+    set(limn_OriginVS, glm::vec4(origin));
+    set(limn_OriginCS, glm::vec4(projection * origin));
+    if (command.inverses)
+    {
+        const glm::dmat4 viewToWorld = glm::inverse(command.view);
+        const glm::dmat4 clipToView = glm::inverse(projection);
+        set(unity_MatrixInvV, glm::mat4(viewToWorld));
+        set(unity_MatrixInvP, glm::mat4(clipToView));
+        set(unity_MatrixInvVP, glm::mat4(viewToWorld * clipToView));
+    }
+}
+
+/// Turns over what shaders know of the camera, for a target of the other kind than the last one.
+void DrawRecorder::TurnProjection()
+{
+    static const ShaderPropertyId _ProjectionParams{"_ProjectionParams"};
+    static const ShaderPropertyId _ScaleBiasRt{"_ScaleBiasRt"};
+    const auto change = [&]<typename Value>(ShaderPropertyId id, Value (*turned)(Value))
+    {
+        if (const auto* known = std::get_if<Value>(m_Globals.Find(id)))
+        {
+            SetGlobal({id, turned(*known)});
+        }
+    };
+    for (const ShaderPropertyId toClip : {glstate_matrix_projection, unity_MatrixVP})
+    {
+        change(toClip, &WithFlippedY<glm::mat4>);
+    }
+    for (const ShaderPropertyId fromClip : {unity_MatrixInvP, unity_MatrixInvVP})
+    {
+        change(
+            fromClip,
+            +[](glm::mat4 matrix)
+            {
+                matrix[1] = -matrix[1];
+                return matrix;
+            });
+    }
+    const auto negatedY = +[](glm::vec4 v)
+    {
+        return glm::vec4(v.x, -v.y, v.z, v.w);
+    };
+    change(limn_OriginCS, negatedY);
+    change(
+        _ProjectionParams, +[](glm::vec4 v) { return glm::vec4(-v.x, v.y, v.z, v.w); });
+    SetGlobal({_ScaleBiasRt, ScaleBiasRt(m_IsFlipped)});
 }
 
 } // namespace limn

@@ -67,7 +67,7 @@ public:
 
     /// Resolves a dispatch and appends it.
     void Dispatch(const RecordedDispatch& recorded);
-    /// @param kernel  of CopyKernel.h
+    /// @param kernel  made by MakeCopyKernel
     void Copy(const CopyBufferCommand& command, const std::shared_ptr<const ComputeShader>& kernel);
 
     Place MarkPlace();

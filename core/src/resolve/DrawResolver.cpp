@@ -1,8 +1,6 @@
 #include "resolve/DrawResolver.h"
 
-#include "resolve/ResolveState.h"
 #include "resolve/StorageSlots.h"
-#include "resolve/UniformWriter.h"
 
 #include <algorithm>
 #include <limn/base/Case.h>
@@ -505,8 +503,7 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
         known = DefaultTexture(property.defaultTexture, dimension);
         return known;
     }
-    const auto* made = std::find_if(std::begin(k_CameraTextures), std::end(k_CameraTextures),
-                                    [&](const CameraTexture& t) { return t.name == id.name(); });
+    const auto* made = std::ranges::find(k_CameraTextures, id.name(), &CameraTexture::name);
     const bool isMade = made != std::end(k_CameraTextures);
     if (m_Noted.insert({shader.id(), id}).second)
     {

@@ -1,6 +1,4 @@
-#include "resolve/ProgramUniforms.h"
-
-#include "resolve/UniformWriter.h"
+#include "resolve/DrawResolver.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "material/FrameGlobals.h"
-#include "material/UniformPlace.h"
 
 #include <limn/core/FrameCommands.h>
 #include <span>
@@ -12,6 +11,52 @@ namespace limn
 
 class Material;
 struct PropertySources;
+
+/// A member of a uniform buffer in a form that frames can go through: the data for writing it takes
+/// few bytes, and its name is not looked up any more.
+struct UniformPlace
+{
+    /// Selects the value if it has not been set.
+    enum class Unset : std::uint8_t
+    {
+        Zero,
+        OneOneZeroZero,
+        TexelSize ///< 1/width, 1/height, width, height of `texture`
+    };
+
+    explicit UniformPlace(const UniformMember& member);
+
+    ShaderPropertyId id;
+    ShaderPropertyId texture;
+    std::uint32_t offset = 0; ///< bytes from the start of the buffer
+    std::uint32_t size = 0;   ///< bytes, arrays included
+    std::uint32_t arrayStride = 0;
+    int arraySize = 0; ///< 0 = not an array
+    UniformType type = UniformType::Float;
+    std::uint8_t components = 1; ///< of the vector; 4 for Matrix4x4
+    Unset unset = Unset::Zero;
+};
+
+/// Writes one value of a uniform buffer. A name that nothing has set is zero, except for `X_ST` and
+/// `X_HDR` (1, 1, 0, 0) and `X_TexelSize` (1/width, 1/height, width, height of the texture bound to
+/// X).
+/// @param value    null = nothing has set it
+/// @param texture  the texture X, if the value is not set; null = nothing has set that either
+/// @param buffer   all bytes that UniformPlace::offset counts
+/// @return false if the value's kind does not fit; then it is zero
+bool WriteUniform(const UniformPlace& member, const ShaderPropertyValue* value,
+                  const ShaderPropertyValue* texture, std::span<std::byte> buffer);
+
+/// Writes the value that the sources have.
+/// @throws DrawError naming material and property, if the value's kind does not fit
+void WriteUniform(const UniformPlace& member, const PropertySources& sources,
+                  std::span<std::byte> buffer);
+
+/// Writes a buffer called k_DynamicKeywordBuffer: 1 for each keyword that the material has on, or
+/// the globals have.
+/// @param bytes  the bytes of the whole buffer
+void WriteDynamicKeywords(const UniformBuffer& buffer, const PropertySources& sources,
+                          std::span<std::byte> bytes);
 
 /// The bytes of a program's uniform buffers. Each of three layers is written as often as it
 /// changes: what is global, once for all draws until a global changes; a material's values, once

@@ -1,4 +1,4 @@
-#include "resolve/ResolveState.h"
+#include "resolve/DrawResolver.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,9 +95,8 @@ private:
     {
         const ShaderLabDocument& document = m_Material.shader()->document();
         const std::vector<ShaderLabPass>& passes = m_Material.shader()->subShader().passes;
-        const auto pass =
-            std::find_if(passes.begin(), passes.end(),
-                         [this](const auto& known) { return &known.state == &m_State; });
+        const auto pass = std::ranges::find_if(passes, [this](const auto& known)
+                                               { return &known.state == &m_State; });
         if (pass == passes.end())
         {
             return {};

@@ -59,7 +59,7 @@ std::shared_ptr<const Texture> FindTexture(ShaderPropertyId id, const PropertySo
 const BufferRange* FindBuffer(ShaderPropertyId id, const PropertySources& sources)
 {
     const ShaderPropertyValue* value = sources.Find(id);
-    const auto* range = As<BufferRange>(value);
+    const auto* range = std::get_if<BufferRange>(value);
     if (value != nullptr && range == nullptr)
     {
         throw DrawError(sources.Subject(id.name()) +

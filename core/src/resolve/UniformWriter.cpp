@@ -1,4 +1,4 @@
-#include "resolve/UniformWriter.h"
+#include "resolve/DrawResolver.h"
 
 #include "material/PropertyValues.h"
 
@@ -164,7 +164,7 @@ bool WriteValue(const UniformPlace& member, const ShaderPropertyValue& value, By
 /// A texture that was never set is the 1x1 default.
 void WriteTexelSize(const UniformPlace& member, const ShaderPropertyValue* value, Bytes bytes)
 {
-    const auto* texture = As<std::shared_ptr<const Texture>>(value);
+    const auto* texture = std::get_if<std::shared_ptr<const Texture>>(value);
     const bool isSet = texture != nullptr && *texture != nullptr;
     const float w = isSet ? static_cast<float>((*texture)->width()) : 1.0f;
     const float h = isSet ? static_cast<float>((*texture)->height()) : 1.0f;

@@ -1,4 +1,4 @@
-#include "targets/CopyKernel.h"
+#include "targets/RenderTargetResolver.h"
 
 #include "resolve/DrawRecorder.h"
 

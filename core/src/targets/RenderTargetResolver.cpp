@@ -1,7 +1,6 @@
 #include "targets/RenderTargetResolver.h"
 
 #include "material/PropertyValues.h"
-#include "targets/CopyKernel.h"
 
 #include <algorithm>
 #include <limn/base/NumberText.h>
@@ -109,7 +108,7 @@ RenderTargetResolver::TexturePointer RenderTargetResolver::FindNamed(ShaderPrope
     {
         return temporary->second.handle().rt();
     }
-    const auto* texture = As<TexturePointer>(m_Globals.Find(name));
+    const auto* texture = std::get_if<TexturePointer>(m_Globals.Find(name));
     if (texture == nullptr || !*texture)
     {
         throw ContractError(
@@ -207,7 +206,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const ReleaseTemporaryRTComma
     const auto temporary = m_Temporaries.find(command.id);
     if (temporary != m_Temporaries.end())
     {
-        const auto* texture = As<TexturePointer>(m_Globals.Find(command.id));
+        const auto* texture = std::get_if<TexturePointer>(m_Globals.Find(command.id));
         if (texture != nullptr && *texture == temporary->second.handle().rt())
         {
             m_Result.SetGlobalTexture(command.id, TexturePointer());
@@ -305,8 +304,7 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyTextureCommand& com
 const CommandBuffer& RenderTargetResolver::Resolve(const SetComputeTextureCommand& command)
 {
     m_Result.Clear();
-    m_Result.SetParam(command.shader, command.kernel, command.id,
-                      Find(command.texture, "SetComputeTextureParam"));
+    m_Result.SetParam(command.shader, command.id, Find(command.texture, "SetComputeTextureParam"));
     return m_Result;
 }
 

@@ -72,4 +72,8 @@ private:
     std::shared_ptr<ShaderCompiler> m_CopyCompiler; ///< the compiler of m_CopyKernel
 };
 
+/// Makes a kernel that copies words from one buffer to another, of any targets, for
+/// DrawRecorder::Copy.
+std::shared_ptr<const ComputeShader> MakeCopyKernel(std::shared_ptr<ShaderCompiler> compiler);
+
 } // namespace limn

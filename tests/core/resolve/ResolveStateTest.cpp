@@ -2,7 +2,7 @@
 
 #include "Mentions.h"
 #include "ThrownMessage.h"
-#include "resolve/ResolveState.h"
+#include "resolve/DrawResolver.h"
 #include "scene/TestScene.h"
 
 namespace limn

@@ -3,7 +3,7 @@
 #include <device/Translate.h>
 #include <frame/DynamicState.h>
 #include <programs/ProgramPool.h>
-#include <resolve/ResolveState.h>
+#include <resolve/DrawResolver.h>
 
 namespace limn::test
 {

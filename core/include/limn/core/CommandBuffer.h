@@ -34,7 +34,10 @@ public:
     /// Binds the colour together with the depth that belongs to it: for CameraTarget the camera's
     /// depth, for CurrentActive the depth that is bound. Executing throws ContractError if a name
     /// stands for no texture, and in the cases in which the other overloads throw.
-    void SetRenderTarget(RenderTargetIdentifier color);
+    void SetRenderTarget(RenderTargetIdentifier color)
+    {
+        SetRenderTarget(std::move(color), BuiltinRenderTextureType::None);
+    }
     void SetRenderTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void SetRenderTarget(std::span<const RenderTargetIdentifier> colors,
                          RenderTargetIdentifier depth);
@@ -48,7 +51,7 @@ public:
                          RenderBufferStoreAction depthStoreAction);
     /// Sets the texture that CameraTarget stands for in all commands that follow. A renderer that
     /// changes it must call this.
-    void SetCameraColor(RTHandle color);
+    void SetCameraColor(RTHandle color) { Record(SetCameraColorCommand{std::move(color)}); }
 
     /// Makes a texture that lives until ReleaseTemporaryRT or the camera's end, and is global under
     /// its name at once. Its contents are undefined: clear it, or draw over the whole of it. A
@@ -58,7 +61,10 @@ public:
     /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
     /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
     void GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
-                        FilterMode filter = FilterMode::Point);
+                        FilterMode filter = FilterMode::Point)
+    {
+        Record(GetTemporaryRTCommand{nameID, desc, filter});
+    }
     void GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer = 0,
                         FilterMode filter = FilterMode::Point,
                         RenderTextureFormat format = RenderTextureFormat::ARGB32,
@@ -67,7 +73,7 @@ public:
     /// Releases a temporary texture; nothing is global under its name then. If the name stands for
     /// no temporary texture, a sentence in the report says so (Unity says nothing).
     /// @source Unity: CommandBuffer.ReleaseTemporaryRT (2022.3)
-    void ReleaseTemporaryRT(ShaderPropertyId nameID);
+    void ReleaseTemporaryRT(ShaderPropertyId nameID) { Record(ReleaseTemporaryRTCommand{nameID}); }
 
     /// @param color  linear
     /// @param depth  1 = far on every device
@@ -96,10 +102,10 @@ public:
     /// @source Unity: CommandBuffer.EnableScissorRect (2022.3); what a clear does there depends on
     ///         the device
     void EnableScissorRect(const ViewportRect& scissor);
-    void DisableScissorRect();
+    void DisableScissorRect() { Record(SetScissorCommand{}); }
     /// Swaps front and back faces, as in a mirror.
     /// @source Unity: CommandBuffer.SetInvertCulling (2022.3)
-    void SetInvertCulling(bool invertCulling);
+    void SetInvertCulling(bool invertCulling) { Record(SetInvertCullingCommand{invertCulling}); }
     /// Sets a depth bias that is added to the Offset of the passes; positive = farther.
     /// @param bias       in the smallest steps of the depth texture
     /// @param slopeBias  in a triangle's greatest change of depth from texel to texel
@@ -217,20 +223,23 @@ public:
     /// Draws the whole of `source` over the whole of `dest`, sampled with its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
     /// Records a copy for Blitter::BlitTexture without a material, BlitQuad and BlitColorAndDepth.
-    void DrawCopy(CopyDrawCommand copy);
+    void DrawCopy(CopyDrawCommand copy) { Record(std::move(copy)); }
     /// Copies texel for texel; the bound target stays bound. The copy is a draw: `dest` must be a
     /// colour texture, and values that no sampler can tell apart may be written differently.
     /// @throws ContractError  when executed: unless both have the same size and colour format and
     ///     one sample per texel
     /// @source Unity: CommandBuffer.CopyTexture (2022.3), which copies bits and depth, too
-    void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest);
+    void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+    {
+        Record(CopyTextureCommand{std::move(source), std::move(dest)});
+    }
 
     /// Makes the mip levels of a render texture behind the first from what was drawn into it last.
     /// It does nothing for a texture with autoGenerateMips. If the frame has drawn nothing into the
     /// texture, a sentence in the report says so.
     /// @throws ContractError  when executed: unless it is a render texture with mip levels
     /// @source Unity: CommandBuffer.GenerateMips (2022.3)
-    void GenerateMips(RenderTargetIdentifier rt);
+    void GenerateMips(RenderTargetIdentifier rt) { Record(GenerateMipsCommand{std::move(rt)}); }
     void GenerateMips(std::shared_ptr<const RenderTexture> rt)
     {
         GenerateMips(RenderTargetIdentifier(std::shared_ptr<const Texture>(std::move(rt))));
@@ -273,7 +282,10 @@ public:
     }
     /// Sets the texture that the identifier stands for when the buffer is executed. None = the
     /// shader's default.
-    void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value);
+    void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value)
+    {
+        Record(SetGlobalIdentifierCommand{id, std::move(value)});
+    }
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
         if (value && !value.rt())
@@ -356,26 +368,50 @@ public:
     // for dispatches that follow, and from then on. @throws ContractError if the shader is null,
     // and as those functions do
     void SetComputeFloatParam(const std::shared_ptr<ComputeShader>& computeShader,
-                              ShaderPropertyId id, float value);
+                              ShaderPropertyId id, float value)
+    {
+        SetParam(computeShader, id, value);
+    }
     void SetComputeIntParam(const std::shared_ptr<ComputeShader>& computeShader,
-                            ShaderPropertyId id, int value);
+                            ShaderPropertyId id, int value)
+    {
+        SetParam(computeShader, id, value);
+    }
     void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
-                               ShaderPropertyId id, const glm::vec4& value);
+                               ShaderPropertyId id, const glm::vec4& value)
+    {
+        SetParam(computeShader, id, value);
+    }
     void SetComputeVectorParam(const std::shared_ptr<ComputeShader>& computeShader,
                                ShaderPropertyId id, const detail::MadeVector4 auto& value)
     {
         SetComputeVectorParam(computeShader, id, detail::ToVector4(value));
     }
     void SetComputeVectorArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
-                                    ShaderPropertyId id, std::vector<glm::vec4> values);
+                                    ShaderPropertyId id, std::vector<glm::vec4> values)
+    {
+        SetParam(computeShader, id, std::move(values));
+    }
     void SetComputeMatrixParam(const std::shared_ptr<ComputeShader>& computeShader,
-                               ShaderPropertyId id, const glm::mat4& value);
+                               ShaderPropertyId id, const glm::mat4& value)
+    {
+        SetParam(computeShader, id, value);
+    }
     void SetComputeMatrixArrayParam(const std::shared_ptr<ComputeShader>& computeShader,
-                                    ShaderPropertyId id, std::vector<glm::mat4> values);
+                                    ShaderPropertyId id, std::vector<glm::mat4> values)
+    {
+        SetParam(computeShader, id, std::move(values));
+    }
     void SetComputeFloatParams(const std::shared_ptr<ComputeShader>& computeShader,
-                               ShaderPropertyId id, std::vector<float> values);
+                               ShaderPropertyId id, std::vector<float> values)
+    {
+        SetParam(computeShader, id, ConsecutiveParams{std::move(values)});
+    }
     void SetComputeIntParams(const std::shared_ptr<ComputeShader>& computeShader,
-                             ShaderPropertyId id, std::vector<int> values);
+                             ShaderPropertyId id, std::vector<int> values)
+    {
+        SetParam(computeShader, id, ConsecutiveParams{std::move(values)});
+    }
     template <detail::FloatArgument First, detail::FloatArgument... More>
     void SetComputeFloatParams(const std::shared_ptr<ComputeShader>& computeShader,
                                ShaderPropertyId id, First first, More... more)
@@ -394,11 +430,17 @@ public:
     void SetComputeTextureParam(const std::shared_ptr<ComputeShader>& computeShader,
                                 int kernelIndex, ShaderPropertyId id, RenderTargetIdentifier rt);
     void SetComputeBufferParam(const std::shared_ptr<ComputeShader>& computeShader, int kernelIndex,
-                               ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> buffer);
+                               ShaderPropertyId id, std::shared_ptr<const GraphicsBuffer> buffer)
+    {
+        SetParam(computeShader, id, BufferRange{std::move(buffer), 0, 0}, kernelIndex);
+    }
     void SetComputeConstantBufferParam(const std::shared_ptr<ComputeShader>& computeShader,
                                        ShaderPropertyId id,
                                        std::shared_ptr<const GraphicsBuffer> buffer, int offset,
-                                       int size);
+                                       int size)
+    {
+        SetParam(computeShader, id, ConstantRange(std::move(buffer), offset, size));
+    }
     /// Calls ComputeShader::SetFromMaterial with the values that the material has when the buffer
     /// is executed.
     /// @throws ContractError also if the material is null
@@ -437,7 +479,10 @@ public:
 
     /// Switches a keyword for draws that follow, until the end of the camera. A keyword that is on
     /// there chooses variants as if every material had it on.
-    void SetKeyword(const GlobalKeyword& keyword, bool value);
+    void SetKeyword(const GlobalKeyword& keyword, bool value)
+    {
+        Record(SetKeywordCommand{keyword, value});
+    }
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     /// Switches a keyword of one material, for draws that follow and from then on.
@@ -460,8 +505,8 @@ public:
     }
 
     void BeginSample(std::string_view sample) { BeginSample(SampleName(sample)); }
-    void BeginSample(SampleName sample);
-    void EndSample();
+    void BeginSample(SampleName sample) { Record(BeginSampleCommand{sample}); }
+    void EndSample() { Record(EndSampleCommand{}); }
     /// @throws ContractError if the innermost sample that this buffer has open has another name
     void EndSample(std::string_view sample);
 
@@ -481,11 +526,12 @@ private:
     /// @param dest    the first colour that is bound
     void DrawBlit(const std::shared_ptr<const Texture>& source, const RenderTexture& dest,
                   const std::shared_ptr<const Material>& material, int pass);
+    void Record(RecordedCommand command);
     void SetBufferBytes(const std::shared_ptr<GraphicsBuffer>& buffer,
                         const GraphicsBuffer::Part& part);
     void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
-    void SetParam(const std::shared_ptr<ComputeShader>& shader, int kernel, ShaderPropertyId id,
-                  ShaderPropertyValue value);
+    void SetParam(const std::shared_ptr<ComputeShader>& shader, ShaderPropertyId id,
+                  ShaderPropertyValue value, int kernel = ComputeShader::k_AllKernels);
     std::uint32_t Keep(const MaterialPropertyBlock& properties);
     void DrawPasses(RecordedDraw draw, const MaterialPropertyBlock& properties);
 
