@@ -219,16 +219,6 @@ void ScriptableRenderContext::GenerateMips(const RenderTexture& texture)
                               "': nothing has drawn into it in this frame, so its mip levels stay");
 }
 
-RendererList ScriptableRenderContext::CreateRendererList(const RendererListParams& param) const
-{
-    return RendererList(param);
-}
-
-RendererList ScriptableRenderContext::CreateRendererList(const RendererListDesc& desc) const
-{
-    return RendererList(desc.ToParams());
-}
-
 ScriptableRenderContext::Place ScriptableRenderContext::MarkPlace()
 {
     return m_Recorder->MarkPlace();

@@ -7,12 +7,6 @@
 namespace limn
 {
 
-void ScriptableRenderPass::OnCameraSetup(CommandBuffer&, RenderingData&) {}
-
-void ScriptableRenderPass::Configure(CommandBuffer&, const RenderTextureDescriptor&) {}
-
-void ScriptableRenderPass::OnCameraCleanup(CommandBuffer&) {}
-
 void ScriptableRenderPass::Execute(ScriptableRenderContext& context, RenderingData& renderingData)
 {
     renderingData.cameraData.renderer->RecordRenderGraph(*this, context, renderingData);
@@ -54,11 +48,6 @@ void ScriptableRenderPass::ConfigureTarget(std::span<const RTHandle> colors, con
     m_OverrideCameraTarget = true;
     m_Colors.assign(colors.begin(), colors.end());
     m_Depth = depth;
-}
-
-void ScriptableRenderPass::ConfigureTarget(RenderTargetIdentifier color)
-{
-    ConfigureTarget(RTHandles::Alloc(std::move(color)));
 }
 
 void ScriptableRenderPass::ConfigureTarget(RenderTargetIdentifier color,
@@ -183,14 +172,5 @@ DrawingSettings ScriptableRenderPass::CreateDrawingSettings(ShaderTagId tag,
 }
 
 void ScriptableRendererFeature::SetupRenderPasses(ScriptableRenderer&, const RenderingData&) {}
-
-float ScriptableRendererFeature::cullingMargin(const VolumeStackPointer&) const
-{
-    return 0.0f;
-}
-
-void ScriptableRendererFeature::Describe(Inspector&) {}
-
-void ScriptableRendererFeature::Dispose(bool) {}
 
 } // namespace limn

@@ -189,9 +189,8 @@ CameraTextures::LatePass CameraTextures::CopyDepth(const RTHandle& depth)
 {
     m_CopyDepth.renderPassEvent = std::min(AfterRenderingTransparents, m_FirstDepthEvent - 1);
     m_CopyDepth.SetTargets(depth, m_CopiedDepth);
-    const auto place = std::find_if(m_Places.begin(), m_Places.end(),
-                                    [&](const PlaceOfEvent& candidate)
-                                    { return candidate.next > m_CopyDepth.renderPassEvent; });
+    const auto place = std::ranges::find_if(m_Places, [&](const auto& p)
+                                            { return p.next > m_CopyDepth.renderPassEvent; });
     return {place->place, &m_CopyDepth};
 }
 

@@ -137,9 +137,8 @@ void Sort(std::vector<ScriptableRenderPass*>& passes)
     // Few: std::stable_sort would ask for memory in each frame.
     for (auto pass = passes.begin(); pass != passes.end(); ++pass)
     {
-        const auto place = std::upper_bound(passes.begin(), pass, *pass,
-                                            [](const auto* a, const auto* b)
-                                            { return a->renderPassEvent < b->renderPassEvent; });
+        const auto place = std::ranges::upper_bound(passes.begin(), pass, (*pass)->renderPassEvent,
+                                                    {}, &ScriptableRenderPass::renderPassEvent);
         std::rotate(place, pass, pass + 1);
     }
 }

@@ -87,8 +87,14 @@ public:
 
     /// Makes a list for CommandBuffer::DrawRendererList in this camera's frame. Nothing is computed
     /// before it is drawn. Unity: ScriptableRenderContext.CreateRendererList (2022.3).
-    RendererList CreateRendererList(const RendererListParams& param) const;
-    RendererList CreateRendererList(const RendererListDesc& desc) const;
+    RendererList CreateRendererList(const RendererListParams& param) const
+    {
+        return RendererList(param);
+    }
+    RendererList CreateRendererList(const RendererListDesc& desc) const
+    {
+        return RendererList(desc.ToParams());
+    }
 
     /// Sets the name of the pass that makes the following calls, for the report.
     void SetPassName(std::string_view name) { m_PassName = SampleName(name); }

@@ -34,11 +34,13 @@ public:
 
     /// Makes the pass's textures. It is called once per camera, before any pass executes, in the
     /// order of enqueueing.
-    virtual void OnCameraSetup(CommandBuffer& cmd, RenderingData& renderingData);
+    virtual void OnCameraSetup(CommandBuffer& /*cmd*/, RenderingData& /*renderingData*/) {}
     /// Configures the pass. It is called once per camera, after all OnCameraSetup, in the order of
     /// execution.
-    virtual void Configure(CommandBuffer& cmd,
-                           const RenderTextureDescriptor& cameraTextureDescriptor);
+    virtual void Configure(CommandBuffer& /*cmd*/,
+                           const RenderTextureDescriptor& /*cameraTextureDescriptor*/)
+    {
+    }
     /// Does the pass's work. Its targets are already bound and cleared.
     virtual void Execute(ScriptableRenderContext& context, RenderingData& renderingData);
     /// Does the pass's work as in Unity 6: what it adds to the graph runs when it returns. If a
@@ -47,7 +49,7 @@ public:
     virtual void RecordRenderGraph(RenderGraph& renderGraph, ContextContainer& frameData);
     /// Cleans up. It is called once for each OnCameraSetup, after all passes have executed or one
     /// of them has thrown.
-    virtual void OnCameraCleanup(CommandBuffer& cmd);
+    virtual void OnCameraCleanup(CommandBuffer& /*cmd*/) {}
     /// Calls OnCameraCleanup, and is its name in URP 7 to 9: override one of the two.
     virtual void FrameCleanup(CommandBuffer& cmd) { OnCameraCleanup(cmd); }
     /// Cleans up behind the last camera of a stack in which this pass was enqueued; every camera is
@@ -76,7 +78,10 @@ public:
     /// with it.
     /// @throws ContractError for none, and for more than 8 colours
     /// @source Unity: ScriptableRenderPass.ConfigureTarget of identifiers (URP 14)
-    void ConfigureTarget(RenderTargetIdentifier color);
+    void ConfigureTarget(RenderTargetIdentifier color)
+    {
+        ConfigureTarget(RTHandles::Alloc(std::move(color)));
+    }
     void ConfigureTarget(RenderTargetIdentifier color, RenderTargetIdentifier depth);
     void ConfigureTarget(std::span<const RenderTargetIdentifier> colors);
     void ConfigureTarget(std::span<const RenderTargetIdentifier> colors,

@@ -34,10 +34,10 @@ public:
     /// Returns how far outside of the picture objects may lie that this feature still needs among
     /// the culling results, in pixels; must not be negative. It is called before culling, while
     /// active.
-    virtual float cullingMargin(const VolumeStackPointer& volumeStack) const;
+    virtual float cullingMargin(const VolumeStackPointer& /*volumeStack*/) const { return 0.0f; }
 
     /// Describes every setting to `inspector`, which reads or writes it.
-    virtual void Describe(Inspector& inspector);
+    virtual void Describe(Inspector& /*inspector*/) {}
 
     bool isActive() const { return m_Active; }
     /// Sets a flag only: an inactive feature keeps what it made.
@@ -50,7 +50,7 @@ public:
 protected:
     /// Releases what destructors do not. What it throws is lost.
     /// @param disposing  true
-    virtual void Dispose(bool disposing);
+    virtual void Dispose(bool /*disposing*/) {}
 
 private:
     bool m_Active = true;
