@@ -107,14 +107,8 @@ glm::dmat4 ReversedProjection(const Camera& camera, float aspect)
     const double n = camera.nearClipPlane;
     const double f = camera.farClipPlane;
     Expect(aspect > 0.0f, "aspect", aspect, "greater than 0");
-    if (camera.orthographic)
-    {
-        Expect(std::isfinite(n), "nearClipPlane", n, "finite");
-    }
-    else
-    {
-        Expect(n > 0.0, "nearClipPlane", n, "greater than 0");
-    }
+    Expect(camera.orthographic || n > 0.0, "nearClipPlane", n,
+           camera.orthographic ? "finite" : "greater than 0");
     Expect(f > n, "farClipPlane", f, "greater than nearClipPlane");
     if (camera.projectionMatrix)
     {

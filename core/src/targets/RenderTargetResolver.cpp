@@ -304,7 +304,8 @@ const CommandBuffer& RenderTargetResolver::Resolve(const CopyTextureCommand& com
 const CommandBuffer& RenderTargetResolver::Resolve(const SetComputeTextureCommand& command)
 {
     m_Result.Clear();
-    m_Result.SetParam(command.shader, command.id, Find(command.texture, "SetComputeTextureParam"));
+    m_Result.SetParam(command.shader, command.id, Find(command.texture, "SetComputeTextureParam"),
+                      command.kernel);
     return m_Result;
 }
 
