@@ -192,11 +192,11 @@ void BlitColorAndDepth(AnyCommandBuffer cmd, const std::shared_ptr<const Texture
         {sourceColor, scaleBias, true, mipLevel, std::nullopt, blitDepth ? sourceDepth : nullptr});
 }
 
-void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source,
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
                  int passIndex)
 {
-    cmd->SetRenderTarget(std::move(destination));
+    cmd.SetRenderTarget(std::move(destination));
     BlitTexture(cmd, std::move(source), k_WholeTexture, std::move(material), passIndex);
 }
 

@@ -254,7 +254,7 @@ inline void BlitColorAndDepth(AnyCommandBuffer cmd, const RTHandle& sourceColor,
     BlitColorAndDepth(cmd, sourceColor.rt(), sourceDepth.rt(), scaleBias, mipLevel, blitDepth);
 }
 /// Binds `destination` first, and draws with scale 1 and offset 0.
-void BlitTexture(AnyCommandBuffer cmd, RenderTargetIdentifier source,
+void BlitTexture(CommandBuffer& cmd, RenderTargetIdentifier source,
                  RenderTargetIdentifier destination, std::shared_ptr<const Material> material,
                  int passIndex);
 
