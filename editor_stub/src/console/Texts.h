@@ -8,6 +8,7 @@
 #include <limn/base/Text.h>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 namespace limn
@@ -38,7 +39,7 @@ inline bool StartsWithAny(std::string_view text, std::initializer_list<std::stri
 
 /// Adds the item if it is not in the list already.
 template <typename Item>
-void AddOnce(const Item& item, std::vector<Item>& items)
+void AddOnce(const std::type_identity_t<Item>& item, std::vector<Item>& items)
 {
     if (std::ranges::find(items, item) == items.end())
     {
@@ -65,15 +66,6 @@ inline std::string Replaced(std::string text, std::string_view what, std::string
         text.replace(at, what.size(), value);
     }
     return text;
-}
-
-/// Adds the text if it is not in the list already.
-inline void AddOnce(const std::string& text, std::vector<std::string>& texts)
-{
-    if (std::ranges::find(texts, text) == texts.end())
-    {
-        texts.push_back(text);
-    }
 }
 
 /// Returns the texts between the separators, one more than there are separators.

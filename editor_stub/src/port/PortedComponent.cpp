@@ -92,7 +92,7 @@ std::optional<std::string> Arguments(const PortModel& model, const PortScope& sc
     return isShort ? text + ", false" : text;
 }
 
-std::string TooltipText(const CSharpField& field)
+std::string TooltipOf(const CSharpField& field)
 {
     const CSharpAttribute* found = field.Find("Tooltip");
     const auto text = found ? PlainText(found->arguments) : std::nullopt;
@@ -105,7 +105,7 @@ std::string ParameterText(const PortModel& model, const CSharpField& field, cons
                           const std::string& arguments)
 {
     return type + " " + model.CppName(field.name) + "{this, \"" + field.name + "\"" + arguments +
-           TooltipText(field) + "};";
+           TooltipOf(field) + "};";
 }
 
 /// "EnumParameter<Mode> mode{this, "mode", Mode::Off, {{"Off", Mode::Off}}};"; "" if it is none.
@@ -146,7 +146,7 @@ std::string NumberParameterText(const PortModel& model, const PortScope& scope,
         model.Find("RenderingLayerMask") ? "limn::RenderingLayerMask" : "RenderingLayerMask";
     auto text = Arguments(model, scope, arguments,
                           {{"value", isMask ? mask : "uint"}, {"overrideState", "bool"}},
-                          !TooltipText(field).empty());
+                          !TooltipOf(field).empty());
     if (text && text->empty()) // new VolumeParameter<uint>()
     {
         text = isMask ? ", " + mask + "::Nothing()" : ", 0u";
@@ -168,7 +168,7 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
     {
         const auto text = Arguments(model, scope, *arguments, ArgumentsOf(field.type),
-                                    !TooltipText(field).empty());
+                                    !TooltipOf(field).empty());
         line = text ? ParameterText(model, field, field.type, *text) : "";
     }
     else if (arguments)
