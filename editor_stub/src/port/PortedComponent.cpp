@@ -167,8 +167,8 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     std::string line;
     if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
     {
-        const auto text = Arguments(model, scope, *arguments, ArgumentsOf(field.type),
-                                    !TooltipOf(field).empty());
+        const auto text =
+            Arguments(model, scope, *arguments, ArgumentsOf(field.type), !TooltipOf(field).empty());
         line = text ? ParameterText(model, field, field.type, *text) : "";
     }
     else if (arguments)

@@ -61,6 +61,10 @@ UnityKnownAsset FindKnownAsset(const UnityReference& reference)
         {"8516d7a69675844a7a0b7095af7c46af", Shader,
          "Universal Render Pipeline/Particles/Simple Lit"},
         {"0406db5a14f94604a8c57ccfbc9f3b46", Shader, "Universal Render Pipeline/Particles/Unlit"},
+        // Shader graphs of the package.
+        {"0e9d5a909a1f7e84882a534d0d11e49f", Shader, "Autodesk Interactive"},
+        {"5c81372d981403744adbdda4433c9c11", Shader, "Autodesk Interactive Transparent"},
+        {"80aa867ac363ac043847b06ad71604cd", Shader, "Autodesk Interactive Masked"},
         {"31321ba15b8f8eb4c954353edc038b1d", Material, k_Lit},
         {"6a1143ee683302f4aa628c052723efc1", Material, "Universal Render Pipeline/Simple Lit"},
         {"e823cd5b5d27c0f4b8256e7c12ee3e6d", Material, "Universal Render Pipeline/Particles/Unlit"},

@@ -4,6 +4,7 @@
 #include "unity/UnityReader.h"
 
 #include <algorithm>
+#include <array>
 #include <limn/base/Case.h>
 #include <vector>
 
@@ -80,6 +81,16 @@ std::string MainOf(const std::vector<std::string>& names,
     return first;
 }
 
+/// Returns whether a texture's name promises other values than the colours of a surface.
+bool IsNoColorByName(const std::string& texture)
+{
+    const std::string lower = ToLower(texture);
+    return std::ranges::any_of(std::array{"normal", "bump", "metallic", "rough", "smooth",
+                                          "occlusion", "mask", "noise", "height", "emission",
+                                          "reflection", "cube"},
+                               [&](const char* word) { return lower.find(word) != lower.npos; });
+}
+
 /// Returns the saved colours that are colours by their names; vectors are saved among them.
 std::vector<std::string> SavedColors(const UnityNode& saved)
 {
@@ -146,6 +157,11 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
          k_Unlit,
          {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
         {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
+        {"Autodesk Interactive", k_Lit, {{"_Surface", 0}}},
+        {"Autodesk Interactive Transparent",
+         k_Lit,
+         {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
+        {"Autodesk Interactive Masked", k_Lit, {{"_AlphaClip", 1}}},
     };
     const auto* const found = std::ranges::find(k_BuiltInShaders, shader, &BuiltInShader::name);
     if (found == std::end(k_BuiltInShaders))
@@ -154,7 +170,16 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
     }
     MaterialStandIn standIn{
         found->standIn, {{"_MainTex", "_BaseMap"}, {"_Color", "_BaseColor"}}, found->values};
-    if (found->standIn == std::string_view(k_Lit))
+    if (shader.starts_with("Autodesk"))
+    {
+        // Its _Glossiness is a roughness, and a map counts only where it is switched on.
+        standIn.values["_Smoothness"] = 1.0f - SavedNumber(saved, "_Glossiness");
+        if (SavedNumber(saved, "_UseColorMap") == 0.0f)
+        {
+            standIn.names["_MainTex"] = "";
+        }
+    }
+    else if (found->standIn == std::string_view(k_Lit))
     {
         const std::vector<std::string> textures = SavedTextures(saved);
         const bool isSpecular = found->values.contains("_WorkflowMode");
@@ -170,8 +195,10 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
 MaterialStandIn StandInForGraph(std::string_view graph, const UnityNode& saved)
 {
     MaterialStandIn standIn{k_Lit, {}};
+    std::vector<std::string> textures = SavedTextures(saved);
+    std::erase_if(textures, IsNoColorByName);
     const std::string texture = MainOf(
-        SavedTextures(saved),
+        textures,
         {"_BaseMap", "_MainTex", "_BaseColorMap", "_Albedo", "_AlbedoMap", "_BaseTexture"}, graph);
     const std::string color =
         MainOf(SavedColors(saved), {"_BaseColor", "_Color", "_MainColor", "_Tint"}, graph);

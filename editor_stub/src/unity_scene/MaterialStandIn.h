@@ -32,13 +32,14 @@ struct MaterialStandIn
 };
 
 /// Returns the stand-in for "Standard", "Legacy Shaders/Diffuse" and other shaders of the built-in
-/// pipeline.
+/// pipeline, and for URP's graphs of Autodesk Interactive.
 /// @param shader  the shader's name in Unity
 /// @param saved   the material's m_SavedProperties
 std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNode& saved);
 
 /// Returns the stand-in for the material of a shader graph: Lit with the texture and the colour
-/// that have the usual names for a surface, or else with those that the graph mentions first.
+/// that have the usual names for a surface, or else with those that the graph mentions first. A
+/// texture whose name promises no colours (`_NormalMap`, `_Noise`) is not taken.
 /// @param graph  the text of the .shadergraph
 MaterialStandIn StandInForGraph(std::string_view graph, const UnityNode& saved);
 

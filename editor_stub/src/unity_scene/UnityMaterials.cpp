@@ -568,6 +568,11 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     {
         material.SetRenderQueue(queue);
     }
+    else if (shader.standIn && material.GetFloat(ShaderPropertyId("_Surface")) == 1.0f)
+    {
+        // The shader that it stands for says so, in its tags or as a graph.
+        material.SetRenderQueue(static_cast<int>(RenderQueue::Transparent));
+    }
 }
 
 std::shared_ptr<const Texture>

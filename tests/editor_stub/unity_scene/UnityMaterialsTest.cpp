@@ -199,7 +199,35 @@ TEST_F(MaterialOfAProject, IsAsSimpleAsTheBuiltInPipelinesOlderShaders)
     EXPECT_EQ(Number(glass, "_DstBlend"), 10.0f);
     EXPECT_EQ(Number(glass, "_ZWrite"), 0.0f);
     EXPECT_THAT(glass.shaderKeywords(), ElementsAre("_SURFACE_TYPE_TRANSPARENT"));
+    EXPECT_EQ(glass.renderQueue(), 3000) << "behind the sky";
     EXPECT_THAT(Load(BuiltIn(10751), saved).shaderKeywords(), ElementsAre("_ALPHATEST_ON"));
+}
+
+TEST_F(MaterialOfAProject, IsLitInPlaceOfAutodesksGraphs)
+{
+    const auto shader = [](const std::string& guid)
+    {
+        return "{fileID: -6465566751694194690, guid: " + guid + ", type: 3}";
+    };
+    const std::string saved = "  m_CustomRenderQueue: -1\n  m_SavedProperties:\n    m_TexEnvs:\n" +
+                              Map("_MainTex", k_Wood) +
+                              "    m_Floats:\n    - _Glossiness: 0.75\n    - _UseColorMap: ";
+    const std::string color = "    m_Colors:\n    - _Color: {r: 0, g: 1, b: 0, a: 0.5}\n";
+    const Material& opaque =
+        Load(shader("0e9d5a909a1f7e84882a534d0d11e49f"), saved + "1\n" + color);
+    EXPECT_EQ(opaque.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_EQ(TextureOf(opaque, "_BaseMap"), "wood.png");
+    EXPECT_EQ(opaque.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 1, 0, 0.5f}));
+    EXPECT_EQ(Number(opaque, "_Smoothness"), 0.25f) << "0.75 is a roughness";
+    EXPECT_THAT(opaque.shaderKeywords(), IsEmpty());
+    EXPECT_THAT(Notes(), IsEmpty());
+
+    const Material& glass = Load(shader("5c81372d981403744adbdda4433c9c11"), saved + "0\n" + color);
+    EXPECT_EQ(TextureOf(glass, "_BaseMap"), "") << "it is switched off";
+    EXPECT_THAT(glass.shaderKeywords(), ElementsAre("_SURFACE_TYPE_TRANSPARENT"));
+    EXPECT_EQ(glass.renderQueue(), 3000);
+    EXPECT_THAT(Load(shader("80aa867ac363ac043847b06ad71604cd"), saved + "1\n").shaderKeywords(),
+                ElementsAre("_ALPHATEST_ON"));
 }
 
 TEST_F(MaterialOfAProject, HasACubeWhereThePictureIsOne)
@@ -262,6 +290,12 @@ TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
     EXPECT_EQ(usual.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0, 1, 1}));
     const Material& none = Load(shader, "  m_SavedProperties: {}\n");
     EXPECT_EQ(none.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
+
+    m_Folder.Write("Assets/Paint.shadergraph", "\"_Normal_Map\" \"_NoiseTexture\"");
+    const Material& plain =
+        Load(shader, "  m_SavedProperties:\n    m_TexEnvs:\n" + Map("_Normal_Map", k_Wood) +
+                         Map("_NoiseTexture", k_Rust));
+    EXPECT_EQ(TextureOf(plain, "_BaseMap"), "") << "neither holds colours";
 }
 
 TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
