@@ -84,16 +84,18 @@ std::shared_ptr<const Texture> TextureOf(const RTHandle& handle, ShaderPropertyI
 
 void RequireFinite(const ShaderPropertyValue& value, ShaderPropertyId id, std::string_view owner)
 {
+    if (std::visit([](const auto& one) { return AllFinite()(one) && !HasNoElements()(one); },
+                   value))
+    {
+        return;
+    }
     if (isEmptyArray(value))
     {
         throw ContractError(std::string(owner) + "property '" + id.name() +
                             "' is set to an array without elements");
     }
-    if (!isFinite(value))
-    {
-        throw ContractError(std::string(owner) + "property '" + id.name() +
-                            "' is not finite; NaN and infinity reach no shader");
-    }
+    throw ContractError(std::string(owner) + "property '" + id.name() +
+                        "' is not finite; NaN and infinity reach no shader");
 }
 
 BufferRange ConstantRange(std::shared_ptr<const GraphicsBuffer> buffer, int offset, int size)
@@ -173,20 +175,23 @@ void MaterialPropertyBlock::Clear()
 
 float MaterialPropertyBlock::GetFloat(ShaderPropertyId id) const
 {
-    const int* number = std::get_if<int>(Find(id));
-    return number != nullptr ? static_cast<float>(*number) : Get<float>(id);
+    const ShaderPropertyValue* value = Find(id);
+    const int* number = std::get_if<int>(value);
+    return number != nullptr ? static_cast<float>(*number) : CopyOf<float>(value);
 }
 
 int MaterialPropertyBlock::GetInt(ShaderPropertyId id) const
 {
-    const float* number = std::get_if<float>(Find(id));
-    return number != nullptr ? Mathf::ToInt(*number) : Get<int>(id);
+    const ShaderPropertyValue* value = Find(id);
+    const float* number = std::get_if<float>(value);
+    return number != nullptr ? Mathf::ToInt(*number) : CopyOf<int>(value);
 }
 
 glm::vec4 MaterialPropertyBlock::GetVector(ShaderPropertyId id) const
 {
-    const Color* color = std::get_if<Color>(Find(id));
-    return color != nullptr ? color->linear().vector() : Get<glm::vec4>(id);
+    const ShaderPropertyValue* value = Find(id);
+    const Color* color = std::get_if<Color>(value);
+    return color != nullptr ? color->linear().vector() : CopyOf<glm::vec4>(value);
 }
 
 Color MaterialPropertyBlock::GetColor(ShaderPropertyId id) const

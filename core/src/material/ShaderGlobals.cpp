@@ -52,15 +52,9 @@ void Shader::SetGlobal(ShaderPropertyId id, ShaderPropertyValue value)
     ++Globals().version;
 }
 
-MaterialPropertyBlock Shader::GlobalOf(ShaderPropertyId id)
+Shader::LockedValues Shader::LockedGlobals()
 {
-    const std::lock_guard lock(Globals().mutex);
-    MaterialPropertyBlock block;
-    if (const ShaderPropertyValue* value = Globals().values.Find(id))
-    {
-        block.Set(id, *value);
-    }
-    return block;
+    return {std::unique_lock(Globals().mutex), Globals().values};
 }
 
 Color Shader::GetGlobalColor(ShaderPropertyId id)

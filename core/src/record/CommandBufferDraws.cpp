@@ -94,9 +94,10 @@ void CommandBuffer::DrawMesh(std::shared_ptr<const Mesh> mesh, const glm::mat4& 
                              std::shared_ptr<const Material> material, int subMesh, int shaderPass,
                              const MaterialPropertyBlock& properties)
 {
+    ExpectMaterial("DrawMesh", material);
+    ExpectDrawable(material, shaderPass, matrix);
     RecordedDraw draw =
         MeshDraw("DrawMesh", std::move(mesh), subMesh, std::move(material), shaderPass);
-    ExpectDrawable(draw.material, shaderPass, matrix);
     draw.matrix = glm::dmat4(matrix);
     draw.properties = Keep(properties);
     m_Commands.emplace_back(std::move(draw));

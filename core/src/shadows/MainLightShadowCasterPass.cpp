@@ -111,12 +111,13 @@ bool MainLightShadowCasterPass::FindCascades(const RenderingData& renderingData)
     const Camera& camera = *data.camera;
     const glm::dvec3 position(camera.transform.worldMatrix()[3]);
     const auto distance = static_cast<float>(ShadowDistance(camera, settings));
+    const RendererItems& items = renderingData.cullResults.items;
+    const glm::vec3 from(items.empty() ? position : position - items.table()->origin());
     const auto isNear = [&](const RendererTable& table, std::uint32_t row)
     {
-        const glm::vec3 from(position - table.origin());
         return glm::distance(table.center(row), from) - glm::length(table.extent(row)) <= distance;
     };
-    if (!HasReceiver(renderingData.cullResults.items, ReceivesShadows, isNear))
+    if (!HasReceiver(items, ReceivesShadows, isNear))
     {
         return false;
     }

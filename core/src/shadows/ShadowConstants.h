@@ -85,10 +85,8 @@ bool HasReceiver(const RendererItems& items, const Receives& receives, const IsN
     {
         byClass.push_back(rowClass.material && receives(*rowClass.material->shader()));
     }
-    return std::ranges::any_of(items.rows(),
-                               [&](std::uint32_t row) {
-                                   return byClass[table.classOf()[row]] != 0 && isNear(table, row);
-                               });
+    return std::ranges::any_of(items.rows(), [&table, &isNear, &known = byClass](std::uint32_t row)
+                               { return known[table.classOf()[row]] != 0 && isNear(table, row); });
 }
 
 /// Returns whether a light gives light: the shadows of a light that is black or has no intensity

@@ -61,9 +61,9 @@ struct FormatFacts
     UniformType type = UniformType::Float;
 };
 
-/// Returns the facts about a format that its name tells, component by component: "R5G6B5_UNorm".
-/// @param what  the part that another format lacks: "texels"
-FormatFacts FactsOf(GraphicsFormat format, const char* what)
+/// Returns the facts about a format that its name tells, component by component: "R5G6B5_UNorm";
+/// no bytes for a format that limn does not make.
+FormatFacts ReadFacts(GraphicsFormat format)
 {
     const std::string_view name = ToString(format);
     const bool isMade = format <= A2R10G10B10_SIntPack32 || IsDepthFormat(format);
@@ -81,11 +81,7 @@ FormatFacts FactsOf(GraphicsFormat format, const char* what)
     }
     if (bits == 0)
     {
-        const std::string problem = GraphicsFormatProblem(format);
-        throw ContractError("GraphicsFormat " + std::string(name) +
-                            (problem.empty() ? " has no " + std::string(what) +
-                                                   "; a format that limn knows is needed"
-                                             : " " + problem));
+        return facts;
     }
     facts.bytes = IsDepthFormat(format) ? std::bit_ceil(bits / 8) : bits / 8;
     const std::string_view type = name.substr(name.find('_'));
@@ -93,6 +89,30 @@ FormatFacts FactsOf(GraphicsFormat format, const char* what)
                  : type.starts_with("_SInt") ? UniformType::Int
                                              : UniformType::Float;
     return facts;
+}
+
+/// @param what  the part that another format lacks: "texels"
+const FormatFacts& FactsOf(GraphicsFormat format, const char* what)
+{
+    static const std::vector<FormatFacts> all = []
+    {
+        std::vector<FormatFacts> facts;
+        for (std::size_t i = 0; i < FormatNames().size(); ++i)
+        {
+            facts.push_back(ReadFacts(static_cast<GraphicsFormat>(i)));
+        }
+        return facts;
+    }();
+    const auto number = static_cast<std::size_t>(format);
+    if (number >= all.size() || all[number].bytes == 0)
+    {
+        const std::string problem = GraphicsFormatProblem(format);
+        throw ContractError("GraphicsFormat " + std::string(ToString(format)) +
+                            (problem.empty() ? " has no " + std::string(what) +
+                                                   "; a format that limn knows is needed"
+                                             : " " + problem));
+    }
+    return all[number];
 }
 
 /// Returns the format that holds the components of a compressed one.
@@ -208,6 +228,10 @@ std::string GraphicsFormatProblem(GraphicsFormat format)
     {
         return reason + "; " + ToString(instead) + " would do";
     };
+    if (format < A2R10G10B10_XRSRGBPack32 || IsDepthFormat(format)) // nearly all, asked each frame
+    {
+        return "";
+    }
     if (GraphicsFormatUtility::IsCompressedFormat(format))
     {
         return problem("is compressed", Uncompressed(format));

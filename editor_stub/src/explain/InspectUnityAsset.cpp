@@ -16,6 +16,10 @@ constexpr int k_Material = 21;
 /// Returns the name of a shader of Unity's own, whose .meta file is in no project; "" for others.
 std::string_view NameOfUnityShader(const UnityReference& reference)
 {
+    if (reference.guid == "0000000000000000f000000000000000")
+    {
+        return {}; // the built-in pipeline's: limn draws most of them with a stand-in
+    }
     const UnityKnownAsset known = FindKnownAsset(reference);
     return reference.guid == "69c1f799e772cb6438f56c23efccb782"
                ? "Universal Render Pipeline/Terrain/Lit"

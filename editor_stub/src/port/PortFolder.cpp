@@ -57,8 +57,10 @@ std::string FilterLines(const PortModel& model)
     std::string text;
     if (found.owner)
     {
+        std::string csharp = model.Text(*found.owner, found.words);
+        std::ranges::replace(csharp, '\\', '/'); // a comment that ends in one goes on
         text = "    // C#: " + model.Place(*found.owner, found.words.front().location) + ": " +
-               Joined(SplitWords(InComment(model.Text(*found.owner, found.words))), " ") + "\n";
+               Joined(SplitWords(csharp), " ") + "\n";
     }
     for (std::size_t i = 0; i < std::size(k_Types); ++i)
     {

@@ -112,7 +112,10 @@ std::string ParameterText(const PortModel& model, const CSharpField& field, cons
 std::string EnumParameterText(const PortModel& model, const PortScope& scope,
                               const CSharpField& field, const std::vector<CSharpWords>& arguments)
 {
-    const CSharpClass* type = model.Find(model.HeldType(field.type));
+    const CSharpClass* own = model.Find(field.type);
+    const CSharpClass* type = own && model.RoleOf(*own) != PortRole::Parameter
+                                  ? nullptr
+                                  : model.Find(model.HeldType(field.type));
     if (!type || model.RoleOf(*type) != PortRole::Enum || !model.isDeclared(*type))
     {
         return "";
@@ -173,7 +176,10 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     }
     else if (arguments)
     {
-        const std::string held = model.HeldType(field.type);
+        const CSharpClass* own = model.Find(field.type);
+        const std::string& base = own && !own->bases.empty() ? own->bases.front() : field.type;
+        const std::string held =
+            base.starts_with("VolumeParameter<") ? model.HeldType(field.type) : "";
         line = held == "uint" || held == "RenderingLayerMask"
                    ? NumberParameterText(model, scope, field, *arguments)
                    : EnumParameterText(model, scope, field, *arguments);

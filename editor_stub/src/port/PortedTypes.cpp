@@ -163,7 +163,11 @@ private:
             AddClass(m_Model.Find(isList ? type.substr(5, type.size() - 6) : type), needs);
             for (const CSharpToken& word : field.value)
             {
-                AddClass(m_Model.Find(word.text), needs);
+                const CSharpClass* named = m_Model.Find(word.text);
+                if (named != nullptr && m_Places.contains(named))
+                {
+                    AddClass(named, needs);
+                }
             }
         }
         for (const CSharpClass& nested : one.classes)

@@ -134,15 +134,16 @@ std::shared_ptr<const Mesh> MeshOf(const YamlNode& node, const std::string& subj
         return isChecked ? nullptr : mesh;
     }
     AssetContext& assets = loader.references.assets();
-    return loader.references.Read(node, subject,
-                                  [&assets](const std::filesystem::path& path)
-                                  {
-                                      assets.Reach(path);
-                                      std::error_code ignored; // the reader says what is wrong
-                                      return std::filesystem::is_regular_file(path, ignored)
-                                                 ? nullptr
-                                                 : assets.LoadMesh(path);
-                                  });
+    loader.references.Read(node, subject,
+                           [&assets](const std::filesystem::path& path)
+                           {
+                               assets.Reach(path);
+                               std::error_code ignored; // the reader says what is wrong
+                               return std::filesystem::is_regular_file(path, ignored)
+                                          ? nullptr
+                                          : assets.LoadMesh(path);
+                           });
+    return nullptr;
 }
 
 void ReadObject(const YamlNode& node, const std::string& place, Inherited settings,

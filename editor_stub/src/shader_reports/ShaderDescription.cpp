@@ -221,9 +221,10 @@ std::string StagesText(ShaderStage stages)
 
 std::string KeywordsText(const KeywordSet& set)
 {
-    return set.directive + ": " +
-           Joined(set.keywords, " ",
-                  [](const std::string& keyword) { return keyword.empty() ? "(none)" : keyword; });
+    return set.directive + ":" +
+           Joined(set.keywords, "",
+                  [](const std::string& keyword)
+                  { return " " + (keyword.empty() ? "(none)" : keyword); });
 }
 
 const char* ToString(PassOutcome outcome)

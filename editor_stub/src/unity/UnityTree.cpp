@@ -190,8 +190,10 @@ private:
         for (m_HasLine = false; !m_HasLine && !m_Rest.empty(); m_Line += m_HasLine ? 0 : 1)
         {
             const std::string_view line = TakeLine();
-            m_Text = Trim(line);
-            m_Indent = static_cast<int>(m_Text.data() - line.data());
+            // A tab does not indent.
+            const std::size_t first = std::min(line.find_first_not_of(' '), line.size());
+            m_Text = line.substr(first, line.find_last_not_of(" \t\r") + 1 - first);
+            m_Indent = static_cast<int>(first);
             m_HasLine = !m_Text.empty() && !BeginsWithOneOf(m_Text, "#%");
         }
     }

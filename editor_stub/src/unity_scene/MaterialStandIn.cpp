@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limn/base/Case.h>
 #include <vector>
 
@@ -17,7 +18,7 @@ namespace
 constexpr const char* k_SimpleLit = "Universal Render Pipeline/Simple Lit";
 constexpr const char* k_Unlit = "Universal Render Pipeline/Unlit";
 
-/// Returns a saved number; 0 if there is none.
+/// Returns a saved number; 0 if there is none, or one that is not finite.
 float SavedNumber(const UnityNode& saved, std::string_view name)
 {
     float number = 0.0f;
@@ -25,7 +26,7 @@ float SavedNumber(const UnityNode& saved, std::string_view name)
     {
         number = property == name ? NumberOf(value, number) : number;
     }
-    return number;
+    return std::isfinite(number) ? number : 0.0f;
 }
 
 std::vector<std::string> SavedTextures(const UnityNode& saved)
@@ -157,11 +158,11 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
          k_Unlit,
          {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
         {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
-        {"Autodesk Interactive", k_Lit, {{"_Surface", 0}}},
+        {"Autodesk Interactive", k_Lit, {{"_Surface", 0}, {"_AlphaClip", 0}}},
         {"Autodesk Interactive Transparent",
          k_Lit,
          {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
-        {"Autodesk Interactive Masked", k_Lit, {{"_AlphaClip", 1}}},
+        {"Autodesk Interactive Masked", k_Lit, {{"_Surface", 0}, {"_AlphaClip", 1}}},
     };
     const auto* const found = std::ranges::find(k_BuiltInShaders, shader, &BuiltInShader::name);
     if (found == std::end(k_BuiltInShaders))

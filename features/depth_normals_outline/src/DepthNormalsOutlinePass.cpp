@@ -32,7 +32,7 @@ int PassOf(DepthNormalsTechnique technique)
 DepthNormalsOutlinePass::DepthNormalsOutlinePass(const std::string& featureName,
                                                  const OutlineSettings& settings,
                                                  std::shared_ptr<const Shader> shader)
-    : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+    : OutlineTechniquePass(featureName, settings, std::move(shader)), m_Settings(settings)
 {
     ConfigureInput(ScriptableRenderPassInput::Depth | ScriptableRenderPassInput::Normal);
 }

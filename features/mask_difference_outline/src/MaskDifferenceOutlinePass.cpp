@@ -67,7 +67,7 @@ void MaskDifferenceOutlineSettings::Describe(Inspector& inspector)
 MaskDifferenceOutlinePass::MaskDifferenceOutlinePass(const std::string& featureName,
                                                      const MaskDifferenceOutlineSettings& settings,
                                                      std::shared_ptr<const Shader> shader)
-    : OutlinePass(featureName, settings, shader), m_Settings(settings)
+    : OutlineTechniquePass(featureName, settings, shader), m_Settings(settings)
 {
     if (shader->usesReversedZBuffer())
     {

@@ -15,16 +15,18 @@ std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& rend
     return FindShippedShader(name, compiler);
 }
 
-OutlinePass::OutlinePass(const std::string& featureName, const OutlineSettings& settings,
-                         std::shared_ptr<const Shader> shader)
+OutlineTechniquePass::OutlineTechniquePass(const std::string& featureName,
+                                           const OutlineSettings& settings,
+                                           std::shared_ptr<const Shader> shader)
     : m_Material(CoreUtils::CreateEngineMaterial(std::move(shader)))
 {
     profilingSampler = ProfilingSampler(featureName);
     renderPassEvent = settings.m_RenderPassEvent;
 }
 
-void OutlinePass::DrawFiltered(ScriptableRenderContext& context, const RenderingData& renderingData,
-                               const FilteringSettings& filtering, int shaderPass) const
+void OutlineTechniquePass::DrawFiltered(ScriptableRenderContext& context,
+                                        const RenderingData& renderingData,
+                                        const FilteringSettings& filtering, int shaderPass) const
 {
     DrawingSettings drawing =
         CreateDrawingSettings(ForwardShaderTags(), renderingData, SortingCriteria::CommonOpaque);
@@ -33,12 +35,13 @@ void OutlinePass::DrawFiltered(ScriptableRenderContext& context, const Rendering
     context.DrawRenderers(renderingData.cullResults, drawing, filtering);
 }
 
-void OutlinePass::EnableOneOf(std::span<const char* const> keywords, std::size_t chosen,
-                              const std::string& setting, const std::string& choices) const
+void OutlineTechniquePass::EnableOneOf(std::span<const char* const> keywords, std::size_t chosen,
+                                       std::string_view setting, std::string_view choices) const
 {
     if (chosen >= keywords.size())
     {
-        throw ContractError(setting + " is " + std::to_string(chosen) + "; it must be " + choices);
+        throw ContractError(std::string(setting) + " is " + std::to_string(chosen) +
+                            "; it must be " + std::string(choices));
     }
     for (const char* keyword : keywords)
     {

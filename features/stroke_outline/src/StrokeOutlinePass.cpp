@@ -72,7 +72,7 @@ void StrokeOutlineSettings::Describe(Inspector& inspector)
 StrokeOutlinePass::StrokeOutlinePass(const std::string& featureName,
                                      const StrokeOutlineSettings& settings,
                                      std::shared_ptr<const Shader> shader)
-    : OutlinePass(featureName, settings, std::move(shader)),
+    : OutlineTechniquePass(featureName, settings, std::move(shader)),
       m_Settings(settings),
       m_Finder(std::make_unique<SilhouetteFinder>())
 {

@@ -113,7 +113,7 @@ void WideOutlineSettings::Describe(Inspector& inspector)
 WideOutlineRenderPass::WideOutlineRenderPass(const std::string& featureName,
                                              const WideOutlineSettings& settings,
                                              std::shared_ptr<const Shader> shader)
-    : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+    : OutlineTechniquePass(featureName, settings, std::move(shader)), m_Settings(settings)
 {
     const bool isCut = settings.m_Occlusion == WideOutlineOcclusion::Visible;
     ConfigureInput(isCut ? ScriptableRenderPassInput::Depth : ScriptableRenderPassInput::None);

@@ -79,8 +79,8 @@ private:
         else if ((word == "uniform" && m_Depth > 0) ||
                  (word == "row_major" && (m_Depth == 0 || (m_isInConstants && m_Depth == 1))))
         {
-            m_Code.Spelling(index)
-                .clear(); // of a `uniform` parameter glslang's values have no type
+            // glslang gives no type to the value of a `uniform` parameter.
+            m_Code.Spelling(index).clear();
         }
         else if (m_Code.isWord(index + 1))
         {

@@ -38,12 +38,15 @@ public:
              {std::pair("hull", &m_Hull), std::pair("domain", &m_Domain)})
         {
             const ProgramPragma* const named = FindPragma(program, pragma);
-            *found = named ? m_Declarations.FindDefinition(Trim(named->arguments)) : nullptr;
-            if (named && !*found && m_Vertex)
+            const std::string_view function = named ? Trim(named->arguments) : "";
+            *found = named ? m_Declarations.FindDefinition(function) : nullptr;
+            // Where the text names it, glslang tells what is wrong with it.
+            if (named && !*found && m_Vertex &&
+                std::ranges::count(code.tokens().all(), function, &HlslToken::text) == 0)
             {
                 missing.push_back({Severity::Error, program.file, named->location,
                                    std::string("#pragma ") + pragma + ": there is no function '" +
-                                       std::string(Trim(named->arguments)) + "'"});
+                                       std::string(function) + "'"});
             }
         }
         if (!missing.empty())

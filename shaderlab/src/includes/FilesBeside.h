@@ -15,7 +15,8 @@ struct IncludedFile
     bool isEmbedded = false; ///< true for a file of the built-in ShaderLibrary
 };
 
-/// The files that are compiled into a program for its own shaders: "Glow/Blur.hlsl".
+/// The files that are compiled into a program for its own shaders. Messages have their names:
+/// "Glow/Blur.hlsl".
 using FilesBeside = std::vector<IncludedFile>;
 
 /// Returns the files that SetEmbeddedIncludes has put beside a shader until now; most shaders have

@@ -275,7 +275,7 @@ public:
         }
     }
 
-    /// Makes an ordinary function of the author's geometry function; see GeometryEntryWriter.h.
+    /// Makes an ordinary function of the author's geometry function; see EntryPointWriter.h.
     void TakeGeometryApart(const StageInterface& interface, const StageLinkage& linkage)
     {
         std::size_t first = interface.function->begin;

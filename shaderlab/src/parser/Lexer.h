@@ -31,7 +31,7 @@ struct Token
 /// The raw text of a program or include block.
 struct RawBlock
 {
-    std::string_view text;
+    std::string_view text;    ///< "" if nothing closes it
     std::string_view endWord; ///< the word that closes it, as written; "" = nothing closes it
     bool inComment = false;   ///< no end word was outside comments, so it is the first one inside
     std::string_view opener;  ///< the first word in it that opens a block, outside comments

@@ -4,86 +4,29 @@
 #include "blending/VolumeBlending.h"
 
 #include <algorithm>
-#include <limn/core/CurrentCamera.h>
 
 namespace limn
 {
 
-VolumeStackPointer VolumeManager::stack()
+namespace
 {
-    const RenderingData* camera = CurrentCamera::renderingData();
-    return camera != nullptr ? camera->volumeStack : VolumeStackPointer();
-}
 
-VolumeStack VolumeManager::CreateStack() const
+/// Stable, and quick on a list that is nearly sorted; allocates nothing, unlike std::stable_sort.
+void SortByPriority(std::vector<const Volume*>& volumes)
 {
-    VolumeStack stack(m_Registry, m_DefaultsChanges);
-    ResetToDefaults(stack);
-    return stack;
-}
-
-void VolumeManager::SetGlobalDefaultProfile(std::shared_ptr<const VolumeProfile> profile)
-{
-    m_GlobalDefaults = std::move(profile);
-    ++*m_DefaultsChanges;
-}
-
-void VolumeManager::SetQualityDefaultProfile(std::shared_ptr<const VolumeProfile> profile)
-{
-    m_QualityDefaults = std::move(profile);
-    ++*m_DefaultsChanges;
-}
-
-void VolumeManager::SetCustomDefaultProfiles(
-    std::vector<std::shared_ptr<const VolumeProfile>> profiles)
-{
-    std::erase(profiles, nullptr);
-    m_CustomDefaults = std::move(profiles);
-    ++*m_DefaultsChanges;
-}
-
-template <typename Visitor>
-void VolumeManager::ForEachDefaultProfile(Visitor&& visit) const
-{
-    if (m_GlobalDefaults)
+    for (std::size_t i = 1; i < volumes.size(); ++i)
     {
-        visit(*m_GlobalDefaults);
-    }
-    if (m_QualityDefaults)
-    {
-        visit(*m_QualityDefaults);
-    }
-    for (const std::shared_ptr<const VolumeProfile>& profile : m_CustomDefaults)
-    {
-        visit(*profile);
-    }
-}
-
-void VolumeManager::OnVolumeProfileChanged(const VolumeProfile& changed)
-{
-    ForEachDefaultProfile([&](const VolumeProfile& profile)
-                          { *m_DefaultsChanges += &profile == &changed ? 1 : 0; });
-}
-
-void VolumeManager::ResetToDefaults(VolumeStack& stack) const
-{
-    stack.Reset();
-    const auto apply = [&stack](const VolumeProfile& profile)
-    {
-        for (const std::unique_ptr<VolumeComponent>& owned : profile.components())
+        const Volume* moved = volumes[i];
+        std::size_t to = i;
+        for (; to > 0 && volumes[to - 1]->priority > moved->priority; --to)
         {
-            const VolumeComponent& component = *owned;
-            VolumeComponent* state = stack.Find(typeid(component));
-            if (component.active && state)
-            {
-                OverrideState(component, *state, 1.0f);
-                state->SetAllOverridesTo(false); // a default is not a volume's doing
-            }
+            volumes[to] = volumes[to - 1];
         }
-    };
-    ForEachDefaultProfile(apply);
-    stack.m_DefaultsSeen = *m_DefaultsChanges;
+        volumes[to] = moved;
+    }
 }
+
+} // namespace
 
 bool VolumeManager::Register(const Volume* volume)
 {
@@ -100,8 +43,9 @@ bool VolumeManager::Register(const Volume* volume)
     {
         volume->m_Address = std::make_shared<const detail::VolumePlace*>(volume);
     }
-    LayerMask::FromIndex(volume->layer); // refuses a bad layer
-    m_Registrations.push_back({volume->m_Address, volume, volume->layer});
+    const Registration registration{volume->m_Address, volume, volume->layer, volume->priority};
+    AddToLists(registration);
+    m_Registrations.push_back(registration);
     return true;
 }
 
@@ -111,6 +55,7 @@ void VolumeManager::Unregister(const Volume* volume)
     const auto found = FindRegistration(volume);
     if (found != m_Registrations.end())
     {
+        RemoveFromLists(*found);
         m_Registrations.erase(found);
     }
 }
@@ -144,20 +89,20 @@ void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& t
 
 std::span<const Volume* const> VolumeManager::GetVolumes(LayerMask layerMask)
 {
-    Sort();
-    if (std::ranges::find(m_Masks, layerMask) == m_Masks.end())
+    NoticeChanges();
+    auto list = std::find_if(m_Lists.begin(), m_Lists.end(),
+                             [layerMask](const SortedList& l) { return l.mask == layerMask; });
+    if (list == m_Lists.end())
     {
-        m_Masks.push_back(layerMask);
+        list = m_Lists.insert(m_Lists.end(), {layerMask, {}, true});
+        Fill(*list);
     }
-    m_InMask.clear();
-    for (const Registration& registration : m_Registrations)
+    if (list->isDirty)
     {
-        if (layerMask.Intersects(LayerMask::FromIndex(registration.layer)))
-        {
-            m_InMask.push_back(registration.volume);
-        }
+        SortByPriority(list->volumes);
+        list->isDirty = false;
     }
-    return m_InMask;
+    return list->volumes;
 }
 
 bool VolumeManager::IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const
@@ -173,49 +118,102 @@ bool VolumeManager::IsComponentActiveInMask(const std::type_info& type, LayerMas
         const bool isIn = volume != nullptr && volume->enabled &&
                           layerMask.Intersects(LayerMask::FromIndex(registration.layer));
         const VolumeProfile* profile = isIn ? volume->profileRef() : nullptr;
-        return profile && std::ranges::any_of(profile->components(), isActive);
+        return profile &&
+               std::any_of(profile->components().begin(), profile->components().end(), isActive);
     };
-    return std::ranges::find(m_Masks, layerMask) != m_Masks.end() &&
+    return std::ranges::find(m_Lists, layerMask, &SortedList::mask) != m_Lists.end() &&
            std::ranges::any_of(m_Registrations, counts);
+}
+
+void VolumeManager::Fill(SortedList& list) const
+{
+    list.volumes.clear();
+    list.isDirty = true;
+    for (const Registration& registration : m_Registrations)
+    {
+        if (list.mask.Intersects(LayerMask::FromIndex(registration.layer)))
+        {
+            list.volumes.push_back(registration.volume);
+        }
+    }
 }
 
 void VolumeManager::FollowMoves()
 {
+    bool hasChanged = false;
     for (Registration& registration : m_Registrations)
     {
-        registration.volume = static_cast<const Volume*>(*registration.address);
+        const auto* now = static_cast<const Volume*>(*registration.address);
+        hasChanged = hasChanged || registration.volume != now;
+        registration.volume = now;
     }
-    std::erase_if(m_Registrations,
-                  [](const Registration& known) { return known.volume == nullptr; });
+    if (hasChanged)
+    {
+        std::erase_if(m_Registrations,
+                      [](const Registration& known) { return known.volume == nullptr; });
+        std::ranges::for_each(m_Lists, [this](SortedList& list) { Fill(list); });
+    }
 }
 
-void VolumeManager::Sort()
+void VolumeManager::NoticeChanges()
 {
     FollowMoves();
-    auto unseen = m_Registrations.begin();
-    for (std::size_t remaining = m_Registrations.size(); remaining > 0; --remaining)
+    for (std::size_t i = 0, remaining = m_Registrations.size(); remaining > 0; --remaining)
     {
-        const int layer = unseen->volume->layer;
-        if (unseen->layer == layer)
+        Registration& registration = m_Registrations[i];
+        const Volume& volume = *registration.volume;
+        if (registration.priority != volume.priority)
         {
-            ++unseen;
+            registration.priority = volume.priority;
+            MarkDirty(registration.layer);
+        }
+        if (registration.layer == volume.layer)
+        {
+            ++i;
             continue;
         }
-        LayerMask::FromIndex(layer); // refuses a bad layer while nothing is changed yet
-        unseen->layer = layer;
-        std::rotate(unseen, unseen + 1, m_Registrations.end());
+        const Registration moved{registration.address, &volume, volume.layer, volume.priority};
+        LayerMask::FromIndex(moved.layer); // refuses a bad layer while nothing is changed yet
+        RemoveFromLists(registration);
+        AddToLists(moved);
+        m_Registrations.erase(m_Registrations.begin() + static_cast<std::ptrdiff_t>(i));
+        m_Registrations.push_back(moved);
     }
-    // Stable, and quick on a list that is nearly sorted; allocates nothing, unlike
-    // std::stable_sort.
-    const auto begin = m_Registrations.begin();
-    for (auto moved = begin; moved != m_Registrations.end(); ++moved)
+}
+
+void VolumeManager::AddToLists(const Registration& registration)
+{
+    const LayerMask layer = LayerMask::FromIndex(registration.layer);
+    for (SortedList& list : m_Lists)
     {
-        auto to = moved;
-        while (to != begin && (to - 1)->volume->priority > moved->volume->priority)
+        if (list.mask.Intersects(layer))
         {
-            --to;
+            list.volumes.push_back(registration.volume);
+            list.isDirty = true;
         }
-        std::rotate(to, moved, moved + 1);
+    }
+}
+
+void VolumeManager::RemoveFromLists(const Registration& registration)
+{
+    const LayerMask layer = LayerMask::FromIndex(registration.layer);
+    for (SortedList& list : m_Lists)
+    {
+        if (list.mask.Intersects(layer))
+        {
+            list.volumes.erase(
+                std::remove(list.volumes.begin(), list.volumes.end(), registration.volume),
+                list.volumes.end());
+        }
+    }
+}
+
+void VolumeManager::MarkDirty(int layer)
+{
+    const LayerMask changed = LayerMask::FromIndex(layer);
+    for (SortedList& list : m_Lists)
+    {
+        list.isDirty = list.isDirty || list.mask.Intersects(changed);
     }
 }
 

@@ -46,10 +46,17 @@ std::string LogTextOf(bool value);
 std::string LogTextOf(double value);
 std::string LogTextOf(float value);
 std::string LogTextOf(std::span<const float> vector, std::string before, int digits);
-template <glm::length_t N>
-std::string LogTextOf(const glm::vec<N, float>& value)
+inline std::string LogTextOf(const glm::vec2& value)
 {
-    return LogTextOf(std::span(&value.x, static_cast<std::size_t>(N)), "(", 2);
+    return LogTextOf(std::span(&value.x, 2), "(", 2);
+}
+inline std::string LogTextOf(const glm::vec3& value)
+{
+    return LogTextOf(std::span(&value.x, 3), "(", 2);
+}
+inline std::string LogTextOf(const glm::vec4& value)
+{
+    return LogTextOf(std::span(&value.x, 4), "(", 2);
 }
 std::string LogTextOf(const Color& value);
 std::string LogTextOf(const std::exception& value);

@@ -140,6 +140,7 @@ public:
         Field({name, tooltip, range}, &value);
     }
     template <typename Enum>
+    requires std::is_enum_v<Enum>
     void Field(std::string_view name, Enum& value, std::span<const EnumEntry> entries,
                std::string_view tooltip)
     {

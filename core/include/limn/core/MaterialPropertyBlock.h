@@ -182,16 +182,22 @@ private:
         return std::get_if<Kind>(Find(id)) != nullptr;
     }
     template <typename Kind>
+    static Kind CopyOf(const ShaderPropertyValue* known)
+    {
+        const auto* value = std::get_if<Kind>(known);
+        return value != nullptr ? *value : Kind{};
+    }
+    template <typename Kind>
     Kind Get(ShaderPropertyId id) const
     {
-        const auto* value = std::get_if<Kind>(Find(id));
-        return value != nullptr ? *value : Kind{};
+        return CopyOf<Kind>(Find(id));
     }
     template <typename Element>
     std::vector<Element> GetArray(ShaderPropertyId id) const
     {
-        const auto array = Get<PropertyArray<Element>>(id);
-        return {array.begin(), array.end()};
+        const auto* array = std::get_if<PropertyArray<Element>>(Find(id));
+        return array != nullptr ? std::vector<Element>(array->begin(), array->end())
+                                : std::vector<Element>();
     }
     /// Returns one more than the index of the value in m_Values; 0 = there is none.
     std::uint32_t FindPlace(ShaderPropertyId id) const

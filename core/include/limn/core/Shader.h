@@ -142,27 +142,27 @@ public:
     // These return the value that those functions set last; zeros or null if they set nothing, or
     // something of another kind. They do not return what command buffers set, which belongs to a
     // frame. Unity: Shader.GetGlobalFloat and its like (2022.3).
-    static float GetGlobalFloat(ShaderPropertyId id) { return GlobalOf(id).GetFloat(id); }
-    static int GetGlobalInt(ShaderPropertyId id) { return GlobalOf(id).GetInt(id); }
+    static float GetGlobalFloat(ShaderPropertyId id) { return LockedGlobals()->GetFloat(id); }
+    static int GetGlobalInt(ShaderPropertyId id) { return LockedGlobals()->GetInt(id); }
     static int GetGlobalInteger(ShaderPropertyId id) { return GetGlobalInt(id); }
-    static glm::vec4 GetGlobalVector(ShaderPropertyId id) { return GlobalOf(id).GetVector(id); }
+    static glm::vec4 GetGlobalVector(ShaderPropertyId id) { return LockedGlobals()->GetVector(id); }
     static Color GetGlobalColor(ShaderPropertyId id); ///< as it is
-    static glm::mat4 GetGlobalMatrix(ShaderPropertyId id) { return GlobalOf(id).GetMatrix(id); }
+    static glm::mat4 GetGlobalMatrix(ShaderPropertyId id) { return LockedGlobals()->GetMatrix(id); }
     static std::shared_ptr<const Texture> GetGlobalTexture(ShaderPropertyId id)
     {
-        return GlobalOf(id).GetTexture(id);
+        return LockedGlobals()->GetTexture(id);
     }
     static std::vector<float> GetGlobalFloatArray(ShaderPropertyId id)
     {
-        return GlobalOf(id).GetFloatArray(id);
+        return LockedGlobals()->GetFloatArray(id);
     }
     static std::vector<glm::vec4> GetGlobalVectorArray(ShaderPropertyId id)
     {
-        return GlobalOf(id).GetVectorArray(id);
+        return LockedGlobals()->GetVectorArray(id);
     }
     static std::vector<glm::mat4> GetGlobalMatrixArray(ShaderPropertyId id)
     {
-        return GlobalOf(id).GetMatrixArray(id);
+        return LockedGlobals()->GetMatrixArray(id);
     }
 
     /// Switches a keyword for all materials of the process. CommandBuffer::EnableShaderKeyword,
@@ -276,8 +276,14 @@ private:
     };
 
     static void SetGlobal(ShaderPropertyId id, ShaderPropertyValue value);
-    /// Returns a block with the value of the process, if there is one, and nothing else.
-    static MaterialPropertyBlock GlobalOf(ShaderPropertyId id);
+    struct LockedValues
+    {
+        std::unique_lock<std::mutex> lock;
+        const MaterialPropertyBlock& values;
+        const MaterialPropertyBlock* operator->() const { return &values; }
+    };
+    /// Returns the values of the process, which no other thread changes until the result is gone.
+    static LockedValues LockedGlobals();
     const ShaderLabPass& PassAt(int passIndex) const;
     std::shared_ptr<const ShaderProgram>
     CompileVariant(int passIndex, const std::vector<std::string>& variant) const;

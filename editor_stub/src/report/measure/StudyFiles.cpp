@@ -119,7 +119,9 @@ void RequireSameStudy(const std::filesystem::path& folder, const Study& there, c
 {
     const auto found = IdentityOf(there);
     const auto asked = IdentityOf(wanted);
-    const auto [is, wish] = std::ranges::mismatch(found, asked);
+    const auto [is, wish] = std::ranges::mismatch(
+        found, asked, {}, [](const auto& fact) { return fact.second; },
+        [](const auto& fact) { return fact.second; });
     if (is != found.end())
     {
         throw AssetError(FileOfStudy(folder, k_Header).string(), {},
@@ -246,6 +248,7 @@ void StudyFolder::Update()
 std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
 {
     std::vector<MergedStudy> merged;
+    std::vector<std::set<std::string>> names; // of the cells of each
     for (const Study& part : parts)
     {
         auto found = std::ranges::find_if(merged, [&part](const MergedStudy& other)
@@ -254,12 +257,13 @@ std::vector<MergedStudy> MergeStudies(std::span<const Study> parts)
         {
             found = merged.insert(merged.end(), {part, {}, {}});
             found->study.cells.clear();
+            names.emplace_back();
         }
+        std::set<std::string>& known = names[static_cast<std::size_t>(found - merged.begin())];
         Study& whole = found->study;
         whole.started = std::min(whole.started, part.started);
         whole.loadAverage = std::max(whole.loadAverage, part.loadAverage);
         whole.copyBandwidth = std::max(whole.copyBandwidth, part.copyBandwidth);
-        std::set<std::string> known = whole.MeasuredCells();
         for (const CellResult& cell : part.cells)
         {
             if (const auto [name, isNew] = known.insert(cell.id.Name()); isNew)

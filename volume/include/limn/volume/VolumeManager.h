@@ -2,7 +2,10 @@
 
 #include <concepts>
 #include <glm/vec3.hpp>
+#include <limn/core/LayerMask.h>
 #include <limn/core/RenderingData.h>
+#include <limn/volume/Volume.h>
+#include <limn/volume/VolumeComponentRegistry.h>
 #include <limn/volume/VolumeStack.h>
 #include <limn/volume/VolumeTrace.h>
 #include <optional>
@@ -95,6 +98,15 @@ private:
         std::shared_ptr<const detail::VolumePlace*> address;
         const Volume* volume; ///< the address that FollowMoves saw last
         int layer;
+        float priority;
+    };
+
+    /// The volumes of one mask, kept sorted between updates.
+    struct SortedList
+    {
+        LayerMask mask;
+        std::vector<const Volume*> volumes;
+        bool isDirty;
     };
 
     template <typename Visitor>
@@ -102,19 +114,21 @@ private:
     void ResetToDefaults(VolumeStack& stack) const;
     bool IsComponentActiveInMask(const std::type_info& type, LayerMask layerMask) const;
     std::vector<Registration>::iterator FindRegistration(const Volume* volume);
+    void Fill(SortedList& list) const;
     /// Updates the registrations of volumes that were moved or destroyed.
     void FollowMoves();
-    /// Puts volumes whose layer has changed last, and then all in the order of their priorities.
-    void Sort();
+    void NoticeChanges();
+    void AddToLists(const Registration& registration);
+    void RemoveFromLists(const Registration& registration);
+    void MarkDirty(int layer);
 
     const VolumeComponentRegistry& m_Registry;
     std::shared_ptr<const VolumeProfile> m_GlobalDefaults;
     std::shared_ptr<const VolumeProfile> m_QualityDefaults;
     std::vector<std::shared_ptr<const VolumeProfile>> m_CustomDefaults;
     std::shared_ptr<std::uint64_t> m_DefaultsChanges = std::make_shared<std::uint64_t>(0);
-    std::vector<Registration> m_Registrations; ///< by priority, since the last Sort
-    std::vector<LayerMask> m_Masks;            ///< asked for so far
-    std::vector<const Volume*> m_InMask;       ///< the volumes of the last mask
+    std::vector<Registration> m_Registrations; ///< in the order of registration
+    std::vector<SortedList> m_Lists;           ///< one per mask asked for so far
 };
 
 } // namespace limn

@@ -22,14 +22,14 @@ struct ColorEdgesSettings : OutlineSettings
 /// _ColorEdgesBrightness [H, W], R16_SFloat, 0...1: the square root of the luminance of the picture
 /// as the screen shows it, with components clipped at 1; NaN counts as 0. _ColorEdgesMask [H, W],
 /// R8_UNorm, only where lines are limited to objects: 1 where one is seen.
-class ColorEdgesPass final : public OutlinePass
+class ColorEdgesPass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/ColorEdges";
 
     ColorEdgesPass(const std::string& featureName, const ColorEdgesSettings& settings,
                    std::shared_ptr<const Shader> shader)
-        : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+        : OutlineTechniquePass(featureName, settings, std::move(shader)), m_Settings(settings)
     {
     }
 

@@ -19,7 +19,7 @@ struct DepthNormalsOutlineSettings : OutlineSettings
 
 /// Draws the filtered objects once more over themselves, in the outline's colour where depth or
 /// normals change. Requires both textures of the camera.
-class DepthNormalsOutlinePass final : public OutlinePass
+class DepthNormalsOutlinePass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/DepthNormalsOutline";

@@ -25,14 +25,14 @@ struct InflatedOutlineSettings : OutlineSettings
 /// Draws the hull of each outlined object in one colour, and the object with its own material over
 /// it. Draws group by group, the farthest first, so that the outline of a near group covers a far
 /// one.
-class InflatedOutlinePass final : public OutlinePass
+class InflatedOutlinePass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/InflatedOutline";
 
     InflatedOutlinePass(const std::string& featureName, const InflatedOutlineSettings& settings,
                         std::shared_ptr<const Shader> shader)
-        : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+        : OutlineTechniquePass(featureName, settings, std::move(shader)), m_Settings(settings)
     {
     }
 

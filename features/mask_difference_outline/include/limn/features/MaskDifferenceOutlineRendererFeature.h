@@ -59,7 +59,7 @@ struct MaskDifferenceOutlineSettings : OutlineSettings
 /// t_tex0 [H', W'] of the outline's region: linear colour and, in alpha, the object; 0 where there
 /// is none. Its format is R16G16B16A16_SFloat, or R32G32B32A32_SFloat if objects are distinguished.
 /// t_tex1 [H, W]: a copy of the picture, only without framebuffer fetch.
-class MaskDifferenceOutlinePass final : public OutlinePass
+class MaskDifferenceOutlinePass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/MaskDifferenceOutline";

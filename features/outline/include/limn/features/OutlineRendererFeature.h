@@ -17,11 +17,11 @@ std::shared_ptr<const Shader> FindTechniqueShader(const ScriptableRenderer& rend
                                                   std::string_view name);
 
 /// The pass of a technique that draws with one material.
-class OutlinePass : public ScriptableRenderPass
+class OutlineTechniquePass : public ScriptableRenderPass
 {
 protected:
-    OutlinePass(const std::string& featureName, const OutlineSettings& settings,
-                std::shared_ptr<const Shader> shader);
+    OutlineTechniquePass(const std::string& featureName, const OutlineSettings& settings,
+                         std::shared_ptr<const Shader> shader);
 
     /// Draws the objects that pass the filter with a pass of the material in place of their own.
     void DrawFiltered(ScriptableRenderContext& context, const RenderingData& renderingData,
@@ -31,7 +31,7 @@ protected:
     /// @param choices  "Soft 0, Threshold 1 or Pixels 2"
     /// @throws ContractError if there is no keyword of that number
     void EnableOneOf(std::span<const char* const> keywords, std::size_t chosen,
-                     const std::string& setting, const std::string& choices) const;
+                     std::string_view setting, std::string_view choices) const;
 
     std::shared_ptr<Material> m_Material;
     OutlinedObjects m_Found; ///< of this frame, kept for its memory

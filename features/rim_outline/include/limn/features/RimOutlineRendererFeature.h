@@ -20,14 +20,14 @@ struct RimOutlineSettings : OutlineSettings
 
 /// Draws the outlined objects once more where they are seen. The viewing angle decides how strong
 /// the rim's colour is.
-class RimOutlinePass final : public OutlinePass
+class RimOutlinePass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/RimOutline";
 
     RimOutlinePass(const std::string& featureName, const RimOutlineSettings& settings,
                    std::shared_ptr<const Shader> shader)
-        : OutlinePass(featureName, settings, std::move(shader)), m_Settings(settings)
+        : OutlineTechniquePass(featureName, settings, std::move(shader)), m_Settings(settings)
     {
     }
 

@@ -38,7 +38,7 @@ struct StrokeDraws;
 /// the left, the top, the right and the bottom. _StrokeEdges.r is by how much the group covers more
 /// of the pixel than _StrokeDepth has; it is R16_SFloat, or with occlusion R16G16B16A16_SFloat,
 /// whose a is the coverage of strokes that are seen.
-class StrokeOutlinePass final : public OutlinePass
+class StrokeOutlinePass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/StrokeOutline";

@@ -37,7 +37,7 @@ struct WideOutlineSettings : OutlineSettings
 /// Textures [region height, region width]: _WideOutlineMask, R8_UNorm of four samples (every Vulkan
 /// device has them); _WideOutlineSeeds, R16G16B16A16_UNorm, see EdgeSeeds.hlsl; _WideOutlineFloodA
 /// and B, R16G16_UNorm, or _WideOutlineColumns, R16G16B16A16_UNorm.
-class WideOutlineRenderPass final : public OutlinePass
+class WideOutlineRenderPass final : public OutlineTechniquePass
 {
 public:
     static constexpr const char* k_Shader = "Hidden/Limn/WideOutline";
