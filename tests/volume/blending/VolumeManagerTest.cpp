@@ -184,6 +184,24 @@ TEST(VolumeManager, KeepsThePlaceOfAVolumeWhosePriorityComesBack)
     EXPECT_EQ(scene.Param(), 1.0f);
 }
 
+TEST(VolumeManager, SortsTheVolumesOfEachMaskByThemselves)
+{
+    VolumeScene scene;
+    Volume first = GlobalVolume(ParamProfile(1.0f), 2.0f);
+    const Volume second = GlobalVolume(ParamProfile(2.0f), 1.0f);
+    scene.manager.Register(&first);
+    scene.manager.Register(&second);
+    const LayerMask one = LayerMask::FromIndex(first.layer);
+    const auto last = [&](LayerMask mask)
+    {
+        return scene.manager.GetVolumes(mask).back();
+    };
+    EXPECT_EQ(last(one), &first);
+    first.priority = 1.0f;
+    EXPECT_EQ(last(LayerMask::Everything()), &second) << "in the order of registration";
+    EXPECT_EQ(last(one), &first) << "which keeps its place";
+}
+
 TEST(VolumeManager, LetsAParameterAloneThatNoVolumeOverrides)
 {
     VolumeScene scene;
