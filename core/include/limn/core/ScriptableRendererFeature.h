@@ -48,8 +48,8 @@ public:
     void Dispose() { Dispose(true); }
 
 protected:
-    /// Releases what destructors do not. What it throws is lost.
-    /// @param disposing  true
+    /// Releases what destructors do not. The argument is true, as in Unity. What the function
+    /// throws is lost.
     virtual void Dispose(bool /*disposing*/) {}
 
 private:
