@@ -46,6 +46,8 @@ cbuffer UnityPerCameraRare
 
 cbuffer UnityLighting
 {
+    float4 _LightPositionRange; // xyz: the place of a point light with shadows, w: 1 / range
+    float4 _LightProjectionParams;
     float4 unity_4LightPosX0;
     float4 unity_4LightPosY0;
     float4 unity_4LightPosZ0;

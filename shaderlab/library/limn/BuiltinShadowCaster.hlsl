@@ -42,10 +42,6 @@ float4 UnityEncodeCubeShadowDepth(float z) { return float4(z, z, z, z); }
 float UnityDecodeCubeShadowDepth(float4 vals) { return vals.r; }
 
 #if defined(SHADOWS_CUBE) && !defined(SHADOWS_CUBE_IN_DEPTH_TEX)
-cbuffer limn_ShadowCaster
-{
-    float4 _LightPositionRange; // xyz: position, w: 1 / range
-};
 #define V2F_SHADOW_CASTER_NOPOS float3 vec : TEXCOORD0;
 #define TRANSFER_SHADOW_CASTER_NOPOS_LEGACY(o, opos) \
     o.vec = mul(unity_ObjectToWorld, v.vertex).xyz - _LightPositionRange.xyz; \

@@ -408,6 +408,7 @@ TEST(BuiltinLibrary, KnowsClipPlanesRgbmAndTheScaleOfAnEye)
         half4 frag(float4 p : SV_Position) : SV_Target
         {
             float inside = dot(unity_CameraWorldClipPlanes[4], p);
+            inside += length(p.xyz - _LightPositionRange.xyz) * _LightProjectionParams.z;
             return UnityEncodeRGBM(p.rgb, 5.0) * inside * unity_StereoScaleOffset[0];
         })");
 }
