@@ -40,7 +40,7 @@ public:
             const ProgramPragma* const named = FindPragma(program, pragma);
             const std::string_view function = named ? Trim(named->arguments) : "";
             *found = named ? m_Declarations.FindDefinition(function) : nullptr;
-            // Where the text names it, glslang tells what is wrong with it.
+            // glslang tells what is wrong with a function that the text has.
             if (named && !*found && m_Vertex &&
                 std::ranges::count(code.tokens().all(), function, &HlslToken::text) == 0)
             {
