@@ -120,6 +120,26 @@ TEST_F(IncludedFile, IsThatOfTheUrpThatTheProjectAsksFor)
     EXPECT_THAT(Compile(later, options, "project/Packages/rays/t.shader"), ElementsAre());
 }
 
+TEST_F(IncludedFile, HasTheDebugMacroOfTheUrpThatTheProjectAsksFor)
+{
+    const std::string universal = "com.unity.render-pipelines.universal";
+    const std::string text = "#include \"Packages/" + universal +
+                             "/ShaderLibrary/Debug/DebuggingCommon.hlsl\"\n"
+                             "#define VALUE 1; SETUP_DEBUG_TEXTURE_DATA";
+    const std::string earlier = text + "(inputData, uv, _BaseMap)\n";
+    const std::string later = text + "(inputData, UNDO_TRANSFORM_TEX(uv, _BaseMap))\n";
+    const auto writeManifest = [&](const std::string& version)
+    {
+        folder.Write("project/Packages/manifest.json",
+                     R"({"dependencies": {")" + universal + "\": \"" + version + "\"}}");
+    };
+    writeManifest("14.0.8");
+    EXPECT_THAT(Compile(earlier), ElementsAre());
+    writeManifest("17.0.3");
+    EXPECT_THAT(Compile(later), ElementsAre());
+    EXPECT_THAT(Compile(earlier), testing::Not(testing::IsEmpty())) << "of another URP";
+}
+
 TEST_F(IncludedFile, IsOfNoProjectWhereTheShaderHasANameOnly)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
