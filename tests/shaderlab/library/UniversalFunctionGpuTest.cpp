@@ -451,6 +451,9 @@ TEST_F(UniversalLibrary, InitializesSurfaces)
     grid.Add("float3(OutputAlpha(a.x, 1), OutputAlpha(a.x, 0), IsSurfaceTypeTransparent(a.x))",
              Combine({0.0, 0.25, 1.0}),
              [](auto& a, auto&, auto&) { return glm::dvec3(a.x, 1.0, a.x > 0.5 ? 1.0 : 0.0); });
+    grid.Add("float2(OutputAlpha(a.x, IsSurfaceTypeTransparent(kSurfaceTypeOpaque)), "
+             "OutputAlpha(a.x, IsSurfaceTypeTransparent(kSurfaceTypeTransparent)))",
+             Combine({0.0, 0.25, 1.0}), [](auto& a, auto&, auto&) { return glm::dvec2(1.0, a.x); });
     grid.Add("OutputAlpha(a.x)", Combine({0.0, 0.25, 1.0}), // URP 7 to 11
              [](auto& a, auto&, auto&) { return a.x; });
     grid.Run();

@@ -109,8 +109,10 @@ bool IsAlphaDiscardEnabled()
     return false;
 #endif
 }
-bool IsSurfaceTypeTransparent(float surfaceType) { return surfaceType == 1.0; }
-bool IsSurfaceTypeOpaque(float surfaceType) { return surfaceType == 0.0; }
+static const float kSurfaceTypeOpaque = 0.0;
+static const float kSurfaceTypeTransparent = 1.0;
+bool IsSurfaceTypeTransparent(float surfaceType) { return surfaceType == kSurfaceTypeTransparent; }
+bool IsSurfaceTypeOpaque(float surfaceType) { return surfaceType == kSurfaceTypeOpaque; }
 bool IsSurfaceTypeTransparent()
 {
 #ifdef _SURFACE_TYPE_TRANSPARENT
