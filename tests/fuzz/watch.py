@@ -70,7 +70,7 @@ class Watch:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--limn", default=str(ROOT / "build/tests/editor_stub/limn"))
+    parser.add_argument("--limn", default=str(ROOT / "build/release/editor_stub/limn"))
     parser.add_argument("--count", type=int, default=200)
     parser.add_argument("--seed", type=int, default=1)
     options = parser.parse_args()

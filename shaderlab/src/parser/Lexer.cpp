@@ -1,5 +1,6 @@
 #include "parser/Lexer.h"
 
+#include <limn/base/TerminalText.h>
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -250,7 +251,9 @@ Token Lexer::Next()
     {
         return ReadNumber();
     }
-    const Token token = TokenHere(TokenKind::Punctuation, c == '+' && Peek(1) == '-' ? 2 : 1);
+    const std::size_t size =
+        c == '+' && Peek(1) == '-' ? 2 : PrintableSize(m_Text.substr(m_Position));
+    const Token token = TokenHere(TokenKind::Punctuation, std::max<std::size_t>(size, 1));
     m_Position += token.text.size();
     return token;
 }

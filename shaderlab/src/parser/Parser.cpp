@@ -1,6 +1,7 @@
 #include "parser/Parser.h"
 
 #include <limn/base/ReadFile.h>
+#include <limn/base/TerminalText.h>
 #include <limn/base/Text.h>
 
 #include <algorithm>
@@ -19,21 +20,6 @@ constexpr std::size_t k_MaxErrors = 10000;  ///< no more of the file is read the
 constexpr std::size_t k_MaxItems = 1 << 20; ///< that a document is made of
 constexpr std::size_t k_MaxRepeatedBytes = 256 << 20;
 constexpr std::size_t k_MaxFound = 40; ///< bytes of the file that a message quotes
-
-/// Text of the file that a message can show: short, and without what a terminal cannot.
-std::string Shown(std::string_view text)
-{
-    static constexpr char k_Digits[] = "0123456789ABCDEF";
-    std::string shown;
-    for (const char c : text.substr(0, k_MaxFound))
-    {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += byte >= 0x20 && byte < 0x7F
-                     ? std::string{c}
-                     : std::string{'\\', 'x', k_Digits[byte / 16], k_Digits[byte % 16]};
-    }
-    return shown + (text.size() > k_MaxFound ? "..." : "");
-}
 
 /// Unity takes single zero bytes for blanks; a file that has many of them is none of text.
 bool isBinary(const std::string& text)
@@ -358,8 +344,9 @@ ShaderLabDocument LoadShaderLab(const std::filesystem::path& path)
 std::string Parser::Found() const
 {
     const std::string quote = m_Token.kind == TokenKind::String ? "\"" : "'";
-    return m_Token.kind == TokenKind::End ? "the end of the file"
-                                          : quote + Shown(m_Token.text) + quote;
+    return m_Token.kind == TokenKind::End
+               ? "the end of the file"
+               : quote + OneLine(Shortened(m_Token.text, k_MaxFound)) + quote;
 }
 
 void Parser::Report(Severity severity, SourceLocation location, std::string message)

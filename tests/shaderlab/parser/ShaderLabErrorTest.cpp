@@ -90,7 +90,7 @@ TEST(ShaderLabError, ReportsAFileThatIsNoShader)
 
 TEST(ShaderLabError, ShowsWhatATerminalCannotAsItsNumber)
 {
-    EXPECT_THAT(PassMessages("Cull \"a~\x7F\""), ElementsAre(testing::HasSubstr("a~\\x7F")));
+    EXPECT_THAT(PassMessages("Cull \"a~\x7F\""), ElementsAre(testing::HasSubstr("a~\\u007F")));
 }
 
 TEST(ShaderLabError, ReportsABadPropertyAndReadsTheNext)
@@ -261,6 +261,8 @@ TEST(ShaderLabError, LimitsTheDepthOfCategories)
 
 TEST(ShaderLabError, ShowsBytesThatAreNoLettersAsNumbers)
 {
+    EXPECT_THAT(PassMessages("Cull \xE2\x80\x9COff\xE2\x80\x9D"),
+                testing::Contains(testing::HasSubstr("'\xE2\x80\x9C'")));
     EXPECT_THAT(PassMessages("\xE6"),
                 ElementsAre("4:1: error: Pass: unexpected '\\xE6'; a command is expected"));
 }
