@@ -94,9 +94,38 @@ private:
         m_Code.Erase(index + 1, index + 6);
     }
 
+    /// Returns assignments to a variable of type `to` of the members that `from` has as well: those
+    /// of the same semantic.
+    std::string CopyMembers(std::string_view to, const std::string& name, std::string_view from,
+                            const std::string& point) const
+    {
+        const auto meaning = [](const HlslVariable& member)
+        {
+            std::string text = ToLower(member.semantic);
+            const std::size_t index = text.find_last_not_of("0123456789") + 1;
+            text.erase(text.substr(index) == "0" ? index : text.size());
+            return text == "sv_position" ? std::string("position") : text;
+        };
+        const HlslStruct* const target = m_Declarations.FindStruct(to);
+        const HlslStruct* const source = m_Declarations.FindStruct(from);
+        std::string copies;
+        for (std::size_t i = 0; target && source && i < target->members.size(); ++i)
+        {
+            const HlslVariable& member = target->members[i];
+            const auto other = std::ranges::find(source->members, meaning(member), meaning);
+            if (other != source->members.end())
+            {
+                copies += name + "." + std::string(member.name) + " = " + point + "." +
+                          std::string(other->name) + "; ";
+            }
+        }
+        return copies;
+    }
+
     /// Returns a call of a function, and adds what comes before it.
-    /// @param point  the point of the patch
-    std::string Call(const HlslFunction& function, const std::string& point, std::string& before)
+    /// @param point  the point of the patch, which is of the type `pointType`
+    std::string Call(const HlslFunction& function, const std::string& point,
+                     std::string_view pointType, std::string& before)
     {
         std::string call = std::string(function.name) + "(";
         for (const HlslVariable& parameter : function.parameters)
@@ -107,10 +136,18 @@ private:
             if (isPatch(patch))
             {
                 const std::string count(Text(patch + 4));
-                before += std::string(Text(patch + 2)) + " " + name + "[" + count + "]; ";
+                const std::string corner(Text(patch + 2));
+                std::string value = point;
+                if (corner != pointType)
+                {
+                    value = name + "_Corner";
+                    before += corner + " " + value + " = (" + corner + ")0; " +
+                              CopyMembers(corner, value, pointType, point);
+                }
+                before += corner + " " + name + "[" + count + "]; ";
                 for (int i = 0; i < std::min(32, std::atoi(count.c_str())); ++i)
                 {
-                    before += name + "[" + std::to_string(i) + "] = " + point + "; ";
+                    before += name + "[" + std::to_string(i) + "] = " + value + "; ";
                 }
             }
             else
@@ -136,9 +173,9 @@ private:
         }
         std::string body = std::string(m_Vertex->returnType) + " limn_Vertex = " + author + "(" +
                            arguments + "); ";
-        const std::string hull = Call(*m_Hull, "limn_Vertex", body);
+        const std::string hull = Call(*m_Hull, "limn_Vertex", m_Vertex->returnType, body);
         body += std::string(m_Hull->returnType) + " limn_Point = " + hull + "; ";
-        const std::string domain = Call(*m_Domain, "limn_Point", body);
+        const std::string domain = Call(*m_Domain, "limn_Point", m_Hull->returnType, body);
         const std::size_t open = m_Vertex->token + 1;
         const std::string semantic =
             m_Domain->semantic.empty() ? "" : " : " + std::string(m_Domain->semantic);

@@ -74,31 +74,61 @@ Varyings Domain(Factors factors, const OutputPatch<Point, 3> patch,
 
 } // namespace
 
-using TessellationGpu = GpuTest;
-
-TEST_F(TessellationGpu, MovesTheVerticesOfTheMeshAsTheDomainFunctionDoes)
+class TessellationGpu : public GpuTest
 {
-    FlatScene flat(64, 64);
-    flat.camera.farClipPlane = 101.0f;
-    const auto picture = [&](const std::string& program)
+protected:
+    TessellationGpu() { m_Flat.camera.farClipPlane = 101.0f; }
+
+    /// Returns the picture of a ball.
+    Field Draw(const std::string& program)
     {
-        GameObject& ball = flat.Add({16, 16}, {48, 48}, 50, ShowingNormals(program));
+        GameObject& ball = m_Flat.Add({16, 16}, {48, 48}, 50, ShowingNormals(program));
         ball.transform.localScale.z = ball.transform.localScale.x;
         ball.renderer->mesh = CreatePrimitive(PrimitiveType::Sphere);
-        PictureRun run(flat.scene, flat.camera, 64, 64);
+        PictureRun run(m_Flat.scene, m_Flat.camera, 64, 64);
         Field field = run.Color(nullptr);
         ball.activeSelf = false;
         return field;
-    };
+    }
+
+private:
+    FlatScene m_Flat{64, 64};
+};
+
+TEST_F(TessellationGpu, MovesTheVerticesOfTheMeshAsTheDomainFunctionDoes)
+{
     const Field whole =
-        picture(std::string(k_Structs) + "Varyings Vert(Attributes a) { Point p = Prepare(a); "
-                                         "return Finish(p.positionWS, p.normalWS); }");
-    const Field patched = picture(std::string(k_Structs) + k_Patch);
+        Draw(std::string(k_Structs) + "Varyings Vert(Attributes a) { Point p = Prepare(a); "
+                                      "return Finish(p.positionWS, p.normalWS); }");
+    const Field patched = Draw(std::string(k_Structs) + k_Patch);
     const Field still =
-        picture(std::string(k_Structs) + "Varyings Vert(Attributes a) { Point p = Prepare(a); "
-                                         "return Finish(p.positionWS, 0 * p.normalWS); }");
+        Draw(std::string(k_Structs) + "Varyings Vert(Attributes a) { Point p = Prepare(a); "
+                                      "return Finish(p.positionWS, 0 * p.normalWS); }");
     EXPECT_EQ(CountDifferent(whole, patched), 0);
     EXPECT_GT(CountDifferent(whole, still), 20) << "the pictures would show no movement";
+}
+
+TEST_F(TessellationGpu, GivesThePatchWhatTheVertexFunctionReturnsBySemantics)
+{
+    const std::string one = std::string(k_Structs) + k_Patch;
+    const std::string vertex = "Point Vert(Attributes a) { return Prepare(a); }";
+    // The struct of the patch stays. That of the vertex function has the members in another order,
+    // and one that the patch does not take.
+    for (const auto& [semantic, other] :
+         {std::pair("INTERNALTESSPOS", "InternalTessPos0"), std::pair("POSITION", "SV_Position")})
+    {
+        std::string two = one;
+        const std::string_view old = "INTERNALTESSPOS";
+        two.replace(two.find(old), old.size(), semantic);
+        two.replace(
+            two.find(vertex), vertex.size(),
+            std::string("struct Moved { float2 uv : TEXCOORD0; float3 normal : Normal; "
+                        "float3 place : ") +
+                other +
+                "; };\nMoved Vert(Attributes a) { Point p = Prepare(a); Moved m = {float2(0, "
+                "0), p.normalWS, p.positionWS}; return m; }");
+        EXPECT_EQ(CountDifferent(Draw(one), Draw(two)), 0) << other;
+    }
 }
 
 } // namespace limn::test
