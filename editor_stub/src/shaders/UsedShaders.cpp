@@ -137,6 +137,27 @@ ShaderProblems CompileAll(const ShaderPasses& passes)
     return problems;
 }
 
+/// Adds the passes of objects that take other primitives than the triangles of a mesh.
+void AddUnfittingGeometry(const ShaderPasses& passes, ShaderProblems& problems)
+{
+    for (const auto& [shader, indices] : passes)
+    {
+        for (const int pass : problems.count(shader) == 0 ? indices : std::set<int>())
+        {
+            const GeometryInput taken = shader->Compile(pass)->layout.geometryInput;
+            if (taken != GeometryInput::None && taken != GeometryInput::Triangle)
+            {
+                const ShaderLabDocument& document = shader->document();
+                problems[shader].push_back(
+                    {Severity::Error, document.file,
+                     shader->subShader().passes[static_cast<std::size_t>(pass)].location,
+                     "Pass: its geometry function takes no triangles, but meshes have nothing "
+                     "else; write 'triangle' and an array of 3"});
+            }
+        }
+    }
+}
+
 std::vector<Diagnostic> AllOf(const ShaderProblems& problems)
 {
     std::vector<Diagnostic> all;
@@ -213,7 +234,7 @@ std::vector<Diagnostic> LeaveBrokenOut(SceneAsset& asset, const ShaderProblems& 
                          shader->document().file,
                          {},
                          "shader '" + shader->name() +
-                             "' does not compile, as the notes before explain, so the objects that "
+                             "' cannot be drawn, as the notes before explain, so the objects that "
                              "have it are magenta"});
     }
     for (const auto& feature : asset.renderer.features)
@@ -227,7 +248,7 @@ std::vector<Diagnostic> LeaveBrokenOut(SceneAsset& asset, const ShaderProblems& 
                                  shader->document().file,
                                  {},
                                  feature->name + ": it is left out; its shader '" + shader->name() +
-                                     "' does not compile"});
+                                     "' cannot be drawn"});
             }
         }
     }
@@ -275,7 +296,13 @@ std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset)
 {
     ShaderPasses passes = FeatureShaders(asset);
     AddSceneShaders(asset.scene, passes);
-    const ShaderProblems problems = CompileAll(passes);
+    ShaderProblems problems = CompileAll(passes);
+    if (asset.isUnityScene)
+    {
+        ShaderPasses ofObjects;
+        AddSceneShaders(asset.scene, ofObjects);
+        AddUnfittingGeometry(ofObjects, problems);
+    }
     if (problems.empty())
     {
         return {};

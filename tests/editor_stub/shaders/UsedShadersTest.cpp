@@ -80,6 +80,44 @@ TEST(UsedShaders, AreMagentaOrInactiveInASceneOfUnitysWhereTheyAreBroken)
     EXPECT_THAT(CompileUsedShaders(asset), testing::IsEmpty()) << "nothing is broken any more";
 }
 
+TEST(UsedShaders, AreMagentaInASceneOfUnitysWhereTheirGeometryFunctionTakesPoints)
+{
+    SceneFolder folder;
+    folder.Write("Tint.hlsl", TintText("1, 1, 1"));
+    folder.Write("own.shader", R"(Shader "Test/Points"
+{
+    SubShader
+    {
+        Pass
+        {
+            HLSLPROGRAM
+            #pragma vertex Place
+            #pragma geometry Grow
+            #pragma fragment Paint
+            struct Point { float4 position : SV_POSITION; };
+            Point Place(float4 position : POSITION) { Point p = {position}; return p; }
+            [maxvertexcount(1)] void Grow(point Point p[1], inout PointStream<Point> stream)
+            {
+                stream.Append(p[0]);
+            }
+            float4 Paint() : SV_Target { return 1; }
+            ENDHLSL
+        }
+    }
+}
+)");
+    SceneAsset asset = folder.Load(k_Materials);
+    asset.isUnityScene = true;
+    std::vector<std::string> texts;
+    for (const Diagnostic& note : CompileUsedShaders(asset))
+    {
+        texts.push_back(ToString(note));
+    }
+    EXPECT_THAT(texts,
+                testing::ElementsAre(Mentions("own.shader:5:9: note", "geometry", "'triangle'"),
+                                     Mentions("own.shader", "'Test/Points'", "magenta")));
+}
+
 TEST(UsedShaders, RefusesAFeaturesBrokenShader)
 {
     SceneFolder folder;
