@@ -106,8 +106,9 @@ private:
             text.erase(text.substr(index) == "0" ? index : text.size());
             return text == "sv_position" ? std::string("position") : text;
         };
-        const HlslStruct* const target = m_Declarations.FindStruct(to);
-        const HlslStruct* const source = m_Declarations.FindStruct(from);
+        const HlslStruct* const target = m_Declarations.FindStruct(m_Declarations.ResolveAlias(to));
+        const HlslStruct* const source =
+            m_Declarations.FindStruct(m_Declarations.ResolveAlias(from));
         std::string copies;
         for (std::size_t i = 0; target && source && i < target->members.size(); ++i)
         {
@@ -138,7 +139,7 @@ private:
                 const std::string count(Text(patch + 4));
                 const std::string corner(Text(patch + 2));
                 std::string value = point;
-                if (corner != pointType)
+                if (m_Declarations.ResolveAlias(corner) != m_Declarations.ResolveAlias(pointType))
                 {
                     value = name + "_Corner";
                     before += corner + " " + value + " = (" + corner + ")0; " +

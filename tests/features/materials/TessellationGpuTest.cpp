@@ -128,6 +128,10 @@ TEST_F(TessellationGpu, GivesThePatchWhatTheVertexFunctionReturnsBySemantics)
                 "; };\nMoved Vert(Attributes a) { Point p = Prepare(a); Moved m = {float2(0, "
                 "0), p.normalWS, p.positionWS}; return m; }");
         EXPECT_EQ(CountDifferent(Draw(one), Draw(two)), 0) << other;
+        std::string three = two; // the patch's struct by another name
+        three.insert(three.find("Factors Constant"), "typedef Point Corner;\n");
+        three.replace(three.find("OutputPatch<Point"), 17, "OutputPatch<Corner");
+        EXPECT_EQ(CountDifferent(Draw(one), Draw(three)), 0) << other << ", typedef";
     }
 }
 
