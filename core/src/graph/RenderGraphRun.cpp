@@ -1,6 +1,7 @@
 #include "graph/RenderGraphRun.h"
 
 #include "material/PropertyValues.h"
+#include "record/RecordedCommands.h"
 #include "resolve/DrawRecorder.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #include <limn/core/CoreUtils.h>
 
 #include "record/Arguments.h"
+#include "record/RecordedCommands.h"
 
 namespace limn
 {

@@ -1,3 +1,4 @@
+#include "record/RecordedCommands.h"
 #include "renderers/ObjectDraws.h"
 #include "resolve/DrawRecorder.h"
 #include "targets/RenderTargetResolver.h"

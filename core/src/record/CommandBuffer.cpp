@@ -6,6 +6,7 @@
 
 #include "material/PropertyValues.h"
 #include "record/MatrixIds.h"
+#include "record/RecordedCommands.h"
 
 namespace limn
 {
@@ -97,6 +98,13 @@ void ExpectRect(const char* call, const ViewportRect& rect, int least)
 }
 
 } // namespace
+
+CommandBuffer::CommandBuffer() = default;
+CommandBuffer::~CommandBuffer() = default;
+CommandBuffer::CommandBuffer(const CommandBuffer& other) = default;
+CommandBuffer::CommandBuffer(CommandBuffer&& other) noexcept = default;
+CommandBuffer& CommandBuffer::operator=(const CommandBuffer& other) = default;
+CommandBuffer& CommandBuffer::operator=(CommandBuffer&& other) noexcept = default;
 
 void CommandBuffer::SetRenderTarget(const RTHandle& color, const RTHandle& depth)
 {
@@ -257,6 +265,67 @@ void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, int width, int heigh
         depthBuffer);
     descriptor.msaaSamples = antiAliasing;
     GetTemporaryRT(nameID, descriptor, filter);
+}
+
+void CommandBuffer::SetCameraColor(RTHandle color)
+{
+    Record(SetCameraColorCommand{std::move(color)});
+}
+
+void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
+                                   FilterMode filter)
+{
+    Record(GetTemporaryRTCommand{nameID, desc, filter});
+}
+
+void CommandBuffer::ReleaseTemporaryRT(ShaderPropertyId nameID)
+{
+    Record(ReleaseTemporaryRTCommand{nameID});
+}
+
+void CommandBuffer::DisableScissorRect()
+{
+    Record(SetScissorCommand{});
+}
+
+void CommandBuffer::SetInvertCulling(bool invertCulling)
+{
+    Record(SetInvertCullingCommand{invertCulling});
+}
+
+void CommandBuffer::DrawCopy(CopyDrawCommand copy)
+{
+    Record(std::move(copy));
+}
+
+void CommandBuffer::CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest)
+{
+    Record(CopyTextureCommand{std::move(source), std::move(dest)});
+}
+
+void CommandBuffer::GenerateMips(RenderTargetIdentifier rt)
+{
+    Record(GenerateMipsCommand{std::move(rt)});
+}
+
+void CommandBuffer::SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value)
+{
+    Record(SetGlobalIdentifierCommand{id, std::move(value)});
+}
+
+void CommandBuffer::SetKeyword(const GlobalKeyword& keyword, bool value)
+{
+    Record(SetKeywordCommand{keyword, value});
+}
+
+void CommandBuffer::BeginSample(SampleName sample)
+{
+    Record(BeginSampleCommand{sample});
+}
+
+void CommandBuffer::EndSample()
+{
+    Record(EndSampleCommand{});
 }
 
 void CommandBuffer::SetViewProjectionMatrices(const glm::dmat4& view,

@@ -2,6 +2,7 @@
 
 #include "material/PropertyValues.h"
 #include "record/Arguments.h"
+#include "record/RecordedCommands.h"
 
 namespace limn
 {

@@ -2,6 +2,7 @@
 
 #include "record/Arguments.h"
 #include "record/MatrixIds.h"
+#include "record/RecordedCommands.h"
 
 #include <limn/core/CommandBuffer.h>
 #include <limn/core/RendererList.h>

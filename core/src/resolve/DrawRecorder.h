@@ -1,6 +1,7 @@
 #pragma once
 
 #include "cull/ObjectLights.h"
+#include "record/RecordedCommands.h"
 #include "resolve/DrawResolver.h"
 
 #include <functional>

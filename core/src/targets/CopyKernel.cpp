@@ -1,5 +1,6 @@
 #include "targets/RenderTargetResolver.h"
 
+#include "record/RecordedCommands.h"
 #include "resolve/DrawRecorder.h"
 
 #include <algorithm>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "material/FrameGlobals.h"
+#include "record/RecordedCommands.h"
 
 #include <limn/core/RenderTexturePool.h>
 #include <limn/core/ScriptableRenderContext.h>

@@ -1,4 +1,5 @@
 #include "pipeline/RendererHarness.h"
+#include "record/RecordedCommands.h"
 #include "renderers/DrawHarness.h"
 
 #include <glm/geometric.hpp>

@@ -1,4 +1,5 @@
 #include "pipeline/RendererHarness.h"
+#include "record/RecordedCommands.h"
 
 #include <glm/ext/matrix_clip_space.hpp>
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 
 #include "Mentions.h"
 #include "ThrownMessage.h"
+#include "record/RecordedCommands.h"
 #include "renderers/DrawHarness.h"
 
 namespace limn

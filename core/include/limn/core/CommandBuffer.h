@@ -1,8 +1,10 @@
 #pragma once
 
-#include <limn/core/LayerMask.h>
-#include <limn/core/RecordedCommands.h>
+#include <limn/core/ComputeShader.h>
+#include <limn/core/FrameCommands.h>
+#include <limn/core/Material.h>
 #include <limn/core/RenderTargetIdentifier.h>
+#include <limn/core/ShaderKeyword.h>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,15 +13,24 @@
 namespace limn
 {
 
+struct CopyDrawCommand;
 struct GameObject;
+struct RecordedCommand;
+struct RecordedDraw;
 class RendererList;
-struct RendererListParams;
 
 /// A list of commands that ScriptableRenderContext::ExecuteCommandBuffer runs; recording alone does
 /// nothing. Unity: UnityEngine.Rendering.CommandBuffer (2022.3).
 class CommandBuffer
 {
 public:
+    CommandBuffer();
+    ~CommandBuffer();
+    CommandBuffer(const CommandBuffer& other);
+    CommandBuffer(CommandBuffer&& other) noexcept;
+    CommandBuffer& operator=(const CommandBuffer& other);
+    CommandBuffer& operator=(CommandBuffer&& other) noexcept;
+
     /// If not empty, the buffer's commands form a sample of this name, provided that the samples
     /// that the buffer begins also end in it.
     std::string name;
@@ -51,7 +62,7 @@ public:
                          RenderBufferStoreAction depthStoreAction);
     /// Sets the texture that CameraTarget stands for in all commands that follow. A renderer that
     /// changes it must call this.
-    void SetCameraColor(RTHandle color) { Record(SetCameraColorCommand{std::move(color)}); }
+    void SetCameraColor(RTHandle color);
 
     /// Makes a texture that lives until ReleaseTemporaryRT or the camera's end, and is global under
     /// its name at once. Its contents are undefined: clear it, or draw over the whole of it. A
@@ -61,10 +72,7 @@ public:
     /// @throws ContractError  when executed: as RenderTexture does, or where no pipeline renders
     /// @source Unity: CommandBuffer.GetTemporaryRT (2022.3)
     void GetTemporaryRT(ShaderPropertyId nameID, const RenderTextureDescriptor& desc,
-                        FilterMode filter = FilterMode::Point)
-    {
-        Record(GetTemporaryRTCommand{nameID, desc, filter});
-    }
+                        FilterMode filter = FilterMode::Point);
     void GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer = 0,
                         FilterMode filter = FilterMode::Point,
                         RenderTextureFormat format = RenderTextureFormat::ARGB32,
@@ -73,7 +81,7 @@ public:
     /// Releases a temporary texture; nothing is global under its name then. If the name stands for
     /// no temporary texture, a sentence in the report says so (Unity says nothing).
     /// @source Unity: CommandBuffer.ReleaseTemporaryRT (2022.3)
-    void ReleaseTemporaryRT(ShaderPropertyId nameID) { Record(ReleaseTemporaryRTCommand{nameID}); }
+    void ReleaseTemporaryRT(ShaderPropertyId nameID);
 
     /// @param color  linear
     /// @param depth  1 = far on every device
@@ -102,10 +110,10 @@ public:
     /// @source Unity: CommandBuffer.EnableScissorRect (2022.3); what a clear does there depends on
     ///         the device
     void EnableScissorRect(const ViewportRect& scissor);
-    void DisableScissorRect() { Record(SetScissorCommand{}); }
+    void DisableScissorRect();
     /// Swaps front and back faces, as in a mirror.
     /// @source Unity: CommandBuffer.SetInvertCulling (2022.3)
-    void SetInvertCulling(bool invertCulling) { Record(SetInvertCullingCommand{invertCulling}); }
+    void SetInvertCulling(bool invertCulling);
     /// Sets a depth bias that is added to the Offset of the passes; positive = farther.
     /// @param bias       in the smallest steps of the depth texture
     /// @param slopeBias  in a triangle's greatest change of depth from texel to texel
@@ -223,23 +231,20 @@ public:
     /// Draws the whole of `source` over the whole of `dest`, sampled with its own filter.
     void Blit(RenderTargetIdentifier source, RenderTargetIdentifier dest);
     /// Records a copy for Blitter::BlitTexture without a material, BlitQuad and BlitColorAndDepth.
-    void DrawCopy(CopyDrawCommand copy) { Record(std::move(copy)); }
+    void DrawCopy(CopyDrawCommand copy);
     /// Copies texel for texel; the bound target stays bound. The copy is a draw: `dest` must be a
     /// colour texture, and values that no sampler can tell apart may be written differently.
     /// @throws ContractError  when executed: unless both have the same size and colour format and
     ///     one sample per texel
     /// @source Unity: CommandBuffer.CopyTexture (2022.3), which copies bits and depth, too
-    void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest)
-    {
-        Record(CopyTextureCommand{std::move(source), std::move(dest)});
-    }
+    void CopyTexture(RenderTargetIdentifier source, RenderTargetIdentifier dest);
 
     /// Makes the mip levels of a render texture behind the first from what was drawn into it last.
     /// It does nothing for a texture with autoGenerateMips. If the frame has drawn nothing into the
     /// texture, a sentence in the report says so.
     /// @throws ContractError  when executed: unless it is a render texture with mip levels
     /// @source Unity: CommandBuffer.GenerateMips (2022.3)
-    void GenerateMips(RenderTargetIdentifier rt) { Record(GenerateMipsCommand{std::move(rt)}); }
+    void GenerateMips(RenderTargetIdentifier rt);
     void GenerateMips(std::shared_ptr<const RenderTexture> rt)
     {
         GenerateMips(RenderTargetIdentifier(std::shared_ptr<const Texture>(std::move(rt))));
@@ -282,10 +287,7 @@ public:
     }
     /// Sets the texture that the identifier stands for when the buffer is executed. None = the
     /// shader's default.
-    void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value)
-    {
-        Record(SetGlobalIdentifierCommand{id, std::move(value)});
-    }
+    void SetGlobalTexture(ShaderPropertyId id, RenderTargetIdentifier value);
     void SetGlobalTexture(ShaderPropertyId id, const RTHandle& value)
     {
         if (value && !value.rt())
@@ -479,10 +481,7 @@ public:
 
     /// Switches a keyword for draws that follow, until the end of the camera. A keyword that is on
     /// there chooses variants as if every material had it on.
-    void SetKeyword(const GlobalKeyword& keyword, bool value)
-    {
-        Record(SetKeywordCommand{keyword, value});
-    }
+    void SetKeyword(const GlobalKeyword& keyword, bool value);
     void EnableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, true); }
     void DisableKeyword(const GlobalKeyword& keyword) { SetKeyword(keyword, false); }
     /// Switches a keyword of one material, for draws that follow and from then on.
@@ -505,8 +504,8 @@ public:
     }
 
     void BeginSample(std::string_view sample) { BeginSample(SampleName(sample)); }
-    void BeginSample(SampleName sample) { Record(BeginSampleCommand{sample}); }
-    void EndSample() { Record(EndSampleCommand{}); }
+    void BeginSample(SampleName sample);
+    void EndSample();
     /// @throws ContractError if the innermost sample that this buffer has open has another name
     void EndSample(std::string_view sample);
 

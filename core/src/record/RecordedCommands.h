@@ -13,8 +13,6 @@
 namespace limn
 {
 
-class Material;
-
 // These are what a CommandBuffer records about kernels, which are looked up when the buffer is
 // executed.
 
@@ -233,7 +231,7 @@ struct DrawRendererListCommand
     std::shared_ptr<const RendererListParams> list; ///< never null
 };
 
-using RecordedCommand =
+using CommandVariant =
     std::variant<SetRenderTargetCommand, ClearCommand, SetViewportCommand, BeginSampleCommand,
                  EndSampleCommand, RecordedDraw, SetGlobalCommand, SetKeywordCommand,
                  SetViewProjectionCommand, GetTemporaryRTCommand, ReleaseTemporaryRTCommand,
@@ -244,5 +242,12 @@ using RecordedCommand =
                  SetComputeTextureCommand, SetComputeKeywordCommand, SetMaterialKeywordCommand,
                  SetViewCommand, SetProjectionCommand, SetBufferDataCommand,
                  SetBufferCounterCommand, CopyBufferCommand, SetComputeParamsCommand>;
+
+/// One command of a CommandBuffer. A struct of its own, so that CommandBuffer.h needs no more than
+/// its name: a variant of so many types costs each file that sees it most of a second.
+struct RecordedCommand : CommandVariant
+{
+    using CommandVariant::CommandVariant;
+};
 
 } // namespace limn
