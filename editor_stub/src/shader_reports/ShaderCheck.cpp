@@ -103,7 +103,7 @@ private:
         // Magenta, as limn draws what has no SubShader for it.
         const bool isErrorShader =
             name == "Hidden/InternalErrorShader" || name.ends_with("/FallbackError");
-        if (!m_Shaders || name.empty() || isErrorShader || m_Shaders->Find(name))
+        if (!m_Shaders || name.empty() || isErrorShader || m_Shaders->FindLender(name))
         {
             return;
         }
@@ -142,7 +142,7 @@ private:
         if (!pass)
         {
             const std::string shader = usePass.usePass.substr(0, usePass.usePass.rfind('/'));
-            if (isUnityShader(shader) && !m_Shaders->Find(shader))
+            if (isUnityShader(shader) && !m_Shaders->FindLender(shader))
             {
                 errors = {{Severity::Note, m_Check.document->file, usePass.location,
                            UnityShaderNote("UsePass", shader)}};

@@ -273,7 +273,7 @@ private:
         while (std::ranges::find(passes, lightMode, &ShaderLabPass::lightMode) == passes.end())
         {
             const ShaderLabDocument* fallback =
-                m_Database != nullptr ? m_Database->Find(user->fallback) : nullptr;
+                m_Database != nullptr ? m_Database->FindLender(user->fallback) : nullptr;
             if (fallback == nullptr || std::ranges::find(seen, fallback) != seen.end())
             {
                 return;
@@ -301,7 +301,7 @@ private:
                                             const std::string& shader)
     {
         const ShaderLabDocument* source = user.name == shader     ? &user
-                                          : m_Database != nullptr ? m_Database->Find(shader)
+                                          : m_Database != nullptr ? m_Database->FindLender(shader)
                                                                   : nullptr;
         if (source == nullptr)
         {

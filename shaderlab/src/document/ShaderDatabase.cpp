@@ -7,6 +7,45 @@
 namespace limn
 {
 
+namespace
+{
+
+/// Returns the name of limn's shader that has the passes which URP draws of a shader of Unity's
+/// built-in pipeline, or "" where it would draw none, as of transparent ones.
+std::string_view NameOfLender(std::string_view name)
+{
+    static constexpr std::string_view k_Folder = "Legacy Shaders/";
+    name.remove_prefix(name.starts_with(k_Folder) ? k_Folder.size() : 0);
+    if (name.starts_with("Transparent/Cutout/"))
+    {
+        return "Hidden/Limn/CutoutVertexLit";
+    }
+    static constexpr std::string_view k_Opaque[] = {"VertexLit",
+                                                    "Diffuse",
+                                                    "Diffuse Fast",
+                                                    "Diffuse Detail",
+                                                    "Decal",
+                                                    "Specular",
+                                                    "Bumped Diffuse",
+                                                    "Bumped Specular",
+                                                    "Parallax Diffuse",
+                                                    "Parallax Specular",
+                                                    "Standard",
+                                                    "Standard (Specular setup)",
+                                                    "Mobile/VertexLit",
+                                                    "Mobile/Diffuse",
+                                                    "Mobile/Bumped Diffuse",
+                                                    "Mobile/Bumped Specular"};
+    static constexpr std::string_view k_OpaqueFolders[] = {"Reflective/", "Self-Illumin/",
+                                                           "Lightmapped/"};
+    const bool isOpaque = std::ranges::find(k_Opaque, name) != std::end(k_Opaque) ||
+                          std::ranges::any_of(k_OpaqueFolders, [name](std::string_view folder)
+                                              { return name.starts_with(folder); });
+    return isOpaque ? "Hidden/Limn/VertexLit" : "";
+}
+
+} // namespace
+
 void ShaderDatabase::AddFolder(const std::filesystem::path& folder)
 {
     for (const std::filesystem::path& file : FindShaderFiles(folder))
@@ -50,6 +89,12 @@ const ShaderLabDocument* ShaderDatabase::Find(std::string_view name) const
 {
     const auto found = m_Documents.find(name);
     return found == m_Documents.end() ? nullptr : found->second.get();
+}
+
+const ShaderLabDocument* ShaderDatabase::FindLender(std::string_view name) const
+{
+    const ShaderLabDocument* found = Find(name);
+    return found != nullptr ? found : Find(NameOfLender(name));
 }
 
 const ShaderLabDocument* ShaderDatabase::FindFile(std::string_view filename) const

@@ -114,7 +114,7 @@ TEST_F(ShaderReference, AnUnknownFallbackIsAWarningAtItsPlace)
 TEST_F(ShaderReference, UnitysOwnShadersAreANote)
 {
     for (const std::string name :
-         {"Diffuse", "VertexLit", "Sprites/Diffuse", "Legacy Shaders/Transparent/VertexLit"})
+         {"FX/Flare", "Sprites/Diffuse", "Legacy Shaders/Transparent/VertexLit"})
     {
         const std::string user =
             Write("user.shader", "Shader \"User\" { SubShader {\n  UsePass \"" + name +
@@ -127,6 +127,23 @@ TEST_F(ShaderReference, UnitysOwnShadersAreANote)
                     Mentions(user + ":2:3:", "note", "UsePass", "'" + name + "'", "Unity's own"));
         EXPECT_THAT(run.err,
                     Mentions(user + ":4:3:", "note", "Fallback", "'" + name + "'", "Unity's own"));
+    }
+}
+
+TEST_F(ShaderReference, ShadowsOfUnitysOwnShadersAreThere)
+{
+    for (const auto& [name, pass] :
+         {std::pair("VertexLit", "SHADOWCASTER"),
+          std::pair("Legacy Shaders/VertexLit", "SHADOWCASTER"),
+          std::pair("Legacy Shaders/Transparent/Cutout/VertexLit", "CASTER")})
+    {
+        const std::string user =
+            Write("user.shader", std::string("Shader \"User\" { SubShader {\n  UsePass \"") + name +
+                                     "/" + pass + "\"\nPass { } }\n  Fallback \"" + name + "\" }");
+        const CommandRun run = RunCommand({"shader", user});
+        EXPECT_EQ(0, run.exitCode) << name;
+        EXPECT_THAT(run.err, testing::Not(HasSubstr("note"))) << name;
+        EXPECT_THAT(run.err, testing::Not(HasSubstr("warning"))) << name;
     }
 }
 

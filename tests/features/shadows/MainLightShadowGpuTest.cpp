@@ -143,6 +143,24 @@ TEST_F(MainLightShadowGpu, FallsWhereADoublePrecisionRayMeetsABox)
     }
 }
 
+/// Shaders of the built-in pipeline know nothing of URP's bias, so the device's own has to keep
+/// surfaces from shadowing themselves.
+TEST_F(MainLightShadowGpu, FallsFromShadersWhoseFallbackIsUnitysToo)
+{
+    for (const char* fallback : {"Diffuse", "Legacy Shaders/Transparent/Cutout/VertexLit"})
+    {
+        SCOPED_TRACE(fallback);
+        ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight,
+                            Attenuation("GetMainLight(TransformWorldToShadowCoord(positionWS))",
+                                        Compiler(), fallback));
+        shadows.AddBoxes();
+        const Agreement agreement = Compare(Draw(shadows), shadows, 0.15);
+        EXPECT_EQ(agreement.different, 0);
+        EXPECT_GT(agreement.lit, 1000);
+        EXPECT_GT(agreement.shadowed, 100);
+    }
+}
+
 TEST_F(MainLightShadowGpu, IsSharperWithMoreCascades)
 {
     ShadowScene shadows(k_ShadowedWidth, k_ShadowedHeight, Attenuation());

@@ -10,14 +10,17 @@ namespace limn::test
 {
 
 /// A material whose picture is what GetMainLight says of shadows, and which throws them.
-/// @param light  HLSL of a Light from positionWS
+/// @param light     HLSL of a Light from positionWS
+/// @param fallback  the shader whose ShadowCaster it has; "" = that of URP's Lit
 inline std::shared_ptr<Material>
 Attenuation(const std::string& light = "GetMainLight(TransformWorldToShadowCoord(positionWS))",
-            const std::shared_ptr<ShaderCompiler>& compiler = Compiler())
+            const std::shared_ptr<ShaderCompiler>& compiler = Compiler(),
+            const std::string& fallback = "")
 {
     const std::string text =
-        "Shader \"Test/Attenuation\" { Properties { _Cull (\"Culled\", Float) = 2 } SubShader {\n"
-        "UsePass \"Universal Render Pipeline/Lit/SHADOWCASTER\"\n"
+        "Shader \"Test/Attenuation\" { Properties { _Cull (\"Culled\", Float) = 2 } SubShader {\n" +
+        std::string(fallback.empty() ? "UsePass \"Universal Render Pipeline/Lit/SHADOWCASTER\"\n"
+                                     : "") +
         "Pass { Tags { \"LightMode\" = \"UniversalForward\" }\n"
         "HLSLPROGRAM\n"
         "#pragma vertex Vert\n#pragma fragment Frag\n"
@@ -31,7 +34,8 @@ Attenuation(const std::string& light = "GetMainLight(TransformWorldToShadowCoord
         "float4 Frag(V i) : SV_Target { float3 positionWS = i.world; Light light = " +
         light +
         ";\nreturn float4(light.shadowAttenuation.xxx, 1); }\n"
-        "ENDHLSL\n} } }";
+        "ENDHLSL\n} }\n" +
+        (fallback.empty() ? "" : "Fallback \"" + fallback + "\"\n") + "}";
     return std::make_shared<Material>(std::make_shared<const Shader>(
         ParseShaderLab(text, "test.shader").document, compiler, &BuiltinShaders()));
 }

@@ -139,6 +139,44 @@ TEST(ResolveShader, ShadowCasterAndMetaComeFromTheFallbackWhereTheyAreMissing)
               (Names{"own", "near"}));
 }
 
+/// Of Unity's built-in shaders (2022.3), the opaque and the cutout ones cast shadows, transparent
+/// ones, sprites and Unlit do not. URP draws nothing else of them.
+TEST(ResolveShader, TakesShadowsOfUnitysBuiltInShaders)
+{
+    ShaderDatabase database;
+    database.Add(
+        Parse("Shader \"Hidden/Limn/VertexLit\" { SubShader { "
+              "Pass { Name \"ShadowCaster\" Tags { \"LightMode\" = \"ShadowCaster\" } } } }"));
+    database.Add(Parse("Shader \"Hidden/Limn/CutoutVertexLit\" { SubShader { "
+                       "Pass { Name \"Caster\" Tags { \"LightMode\" = \"ShadowCaster\" } } } }"));
+    const auto shadowOf = [&](const std::string& fallback)
+    {
+        const auto user = Parse(
+            ("Shader \"U\" { SubShader { Pass { } } Fallback \"" + fallback + "\" }").c_str());
+        const std::vector<ShaderLabPass> passes = ResolveShader(*user, &database).subShader.passes;
+        return passes.size() > 1 ? passes[1].name : "";
+    };
+    for (const char* opaque : {"Diffuse", "VertexLit", "Legacy Shaders/VertexLit", "Standard",
+                               "Legacy Shaders/Self-Illumin/Diffuse", "Mobile/Diffuse"})
+    {
+        EXPECT_EQ(shadowOf(opaque), "ShadowCaster") << opaque;
+    }
+    for (const char* cutout :
+         {"Transparent/Cutout/Diffuse", "Legacy Shaders/Transparent/Cutout/VertexLit"})
+    {
+        EXPECT_EQ(shadowOf(cutout), "Caster") << cutout;
+    }
+    for (const char* none : {"Transparent/Diffuse", "Sprites/Default", "Unlit/Texture"})
+    {
+        EXPECT_EQ(shadowOf(none), "") << none;
+    }
+    const auto user = Parse("Shader \"U\" { SubShader { Pass { } "
+                            "UsePass \"Legacy Shaders/VertexLit/SHADOWCASTER\" } }");
+    const ResolvedShader resolved = ResolveShader(*user, &database);
+    EXPECT_TRUE(resolved.errors.empty());
+    EXPECT_EQ(resolved.subShader.passes.at(1).lightMode(), "ShadowCaster");
+}
+
 TEST(ResolveShader, AFallbackInACircleThatLacksAPassIsNoError)
 {
     ShaderDatabase database;
