@@ -258,17 +258,5 @@ TEST(Transform, RefusesParentsThatGoRoundInACircle)
     }
 }
 
-TEST(Transform, HasAsManyParentsAsMemoryHolds)
-{
-    std::vector<Transform> chain(1000000);
-    for (std::size_t i = 0; i < chain.size(); ++i)
-    {
-        chain[i].localPosition.x = i % 2 == 0 ? 1.0f : 0.0f;
-        chain[i].parent = i > 0 ? &chain[i - 1] : nullptr;
-    }
-    ExpectNear(chain.back().position(), {500000, 0, 0});
-    ExpectNear(chain.back().forward(), k_Z);
-}
-
 } // namespace
 } // namespace limn

@@ -48,16 +48,6 @@ std::string WorkForTest(std::string_view request)
         return std::to_string(s_Prepared);
     case 'i':
         return std::to_string(getpid());
-    case 'm':
-        try
-        {
-            const std::string large(std::size_t{3} << 30, 'm');
-            return "has " + std::to_string(large.size());
-        }
-        catch (const std::bad_alloc&)
-        {
-            return "bad_alloc";
-        }
     default:
         return std::string(request.rbegin(), request.rend());
     }
@@ -134,16 +124,6 @@ TEST(WorkerProcess, DoesTasksOfSeveralThreadsAtATime)
     {
         EXPECT_EQ(answers[i].get(), i % 2 == 0 ? "" : "CB");
     }
-}
-
-TEST(WorkerProcess, HasNoMoreThanItsShareOfMemory)
-{
-    if (test::LimnHasSanitizers())
-    {
-        GTEST_SKIP() << "sanitizers take terabytes of addresses";
-    }
-    WorkerProcess process;
-    EXPECT_EQ(RunForTest(process, "memory").bytes, "bad_alloc");
 }
 
 } // namespace limn

@@ -16,7 +16,7 @@ using testing::HasSubstr;
 const std::string k_Functions = "\nfloat4 vert() : SV_POSITION { return 0; }\n"
                                 "float4 frag() : SV_Target { return VALUE; }\n";
 
-class IncludedFile : public testing::Test
+class IncludeOfAFile : public testing::Test
 {
 protected:
     /// Compiles a shader in project/Assets/Shaders that holds this and asks for the macro VALUE.
@@ -42,14 +42,14 @@ protected:
     test::TemporaryFolder folder;
 };
 
-TEST_F(IncludedFile, FindsNestedFilesFromTheFolderOfTheShader)
+TEST_F(IncludeOfAFile, FindsNestedFilesFromTheFolderOfTheShader)
 {
     folder.Write("project/Assets/Shaders/sub/a.hlsl", "#include \"sub/b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/sub/b.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"sub/a.hlsl\""), ElementsAre());
 }
 
-TEST_F(IncludedFile, FindsPackagesByTheNameInTheirManifest)
+TEST_F(IncludeOfAFile, FindsPackagesByTheNameInTheirManifest)
 {
     const std::string manifest = "{\"name\": \"com.me.NAME\", \"version\": \"1.0.0\"}";
     const auto manifestOf = [&](const std::string& name)
@@ -74,7 +74,7 @@ TEST_F(IncludedFile, FindsPackagesByTheNameInTheirManifest)
 }
 
 // URP 7 to 13 have `positionOS` and `uv` there, later ones the structs of Blit.hlsl.
-TEST_F(IncludedFile, IsThatOfTheUrpThatTheProjectAsksFor)
+TEST_F(IncludeOfAFile, IsThatOfTheUrpThatTheProjectAsksFor)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
     const std::string common =
@@ -120,7 +120,7 @@ TEST_F(IncludedFile, IsThatOfTheUrpThatTheProjectAsksFor)
     EXPECT_THAT(Compile(later, options, "project/Packages/rays/t.shader"), ElementsAre());
 }
 
-TEST_F(IncludedFile, HasTheDebugMacroOfTheUrpThatTheProjectAsksFor)
+TEST_F(IncludeOfAFile, HasTheDebugMacroOfTheUrpThatTheProjectAsksFor)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
     const std::string text = "#include \"Packages/" + universal +
@@ -140,7 +140,7 @@ TEST_F(IncludedFile, HasTheDebugMacroOfTheUrpThatTheProjectAsksFor)
     EXPECT_THAT(Compile(earlier), testing::Not(testing::IsEmpty())) << "of another URP";
 }
 
-TEST_F(IncludedFile, IsOfNoProjectWhereTheShaderHasANameOnly)
+TEST_F(IncludeOfAFile, IsOfNoProjectWhereTheShaderHasANameOnly)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
     folder.Write("project/Packages/manifest.json",
@@ -162,7 +162,7 @@ TEST_F(IncludedFile, IsOfNoProjectWhereTheShaderHasANameOnly)
     std::filesystem::current_path(before);
 }
 
-TEST_F(IncludedFile, FindsThePackageThatTheShaderItselfIsPartOf)
+TEST_F(IncludeOfAFile, FindsThePackageThatTheShaderItselfIsPartOf)
 {
     folder.Write("MyRepository/package.json", "{\"name\": \"com.me.repository\"}");
     folder.Write("MyRepository/ShaderLibrary/a.hlsl", "#define VALUE 1\n");
@@ -173,7 +173,7 @@ TEST_F(IncludedFile, FindsThePackageThatTheShaderItselfIsPartOf)
     EXPECT_NO_THROW(compiler.Compile(program));
 }
 
-TEST_F(IncludedFile, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
+TEST_F(IncludeOfAFile, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
 {
     const std::string universal = "com.unity.render-pipelines.universal";
     const std::string core = "com.unity.render-pipelines.core";
@@ -201,7 +201,7 @@ TEST_F(IncludedFile, TakesTheProjectsOwnPipelineWhateverItsFolderIsCalled)
                 ElementsAre());
 }
 
-TEST_F(IncludedFile, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
+TEST_F(IncludeOfAFile, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
 {
     folder.Write("repositories/urp/package.json",
                  "{\"name\": \"com.unity.render-pipelines.universal\"}");
@@ -219,7 +219,7 @@ TEST_F(IncludedFile, TakesAPipelineThatIsTheRepositoryAndTheOneBesideIt)
     EXPECT_NO_THROW(compiler.Compile(program));
 }
 
-TEST_F(IncludedFile, SeesAPackageThatComesIntoTheProject)
+TEST_F(IncludeOfAFile, SeesAPackageThatComesIntoTheProject)
 {
     ShaderCompilerOptions options;
     options.cacheFolder = Path("cache");
@@ -233,7 +233,7 @@ TEST_F(IncludedFile, SeesAPackageThatComesIntoTheProject)
     EXPECT_THAT(Compile(text, options).size(), 1u);
 }
 
-TEST_F(IncludedFile, FindsPackagesInAFolderByTheirNames)
+TEST_F(IncludeOfAFile, FindsPackagesInAFolderByTheirNames)
 {
     folder.Write("one/package.json", "{\"name\": \"com.me.one\"}");
     folder.Write("one/inner/package.json", "{\"name\": \"com.me.inner\"}");
@@ -247,7 +247,7 @@ TEST_F(IncludedFile, FindsPackagesInAFolderByTheirNames)
     EXPECT_THAT(FindPackages(Path("none")), ElementsAre());
 }
 
-TEST_F(IncludedFile, FindsFilesBesideInTheProjectAndInPackages)
+TEST_F(IncludeOfAFile, FindsFilesBesideInTheProjectAndInPackages)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"sub/b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/sub/b.hlsl", "#include \"../../Common/c.hlsl\"\n");
@@ -267,7 +267,7 @@ TEST_F(IncludedFile, FindsFilesBesideInTheProjectAndInPackages)
     EXPECT_THAT(Compile("#include <Packages/com.me.y/f.hlsl>", options), ElementsAre());
 }
 
-TEST_F(IncludedFile, MayDependOnTheStage)
+TEST_F(IncludeOfAFile, MayDependOnTheStage)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#ifdef SHADER_STAGE_FRAGMENT\n#define VALUE 1\n"
                                                   "#endif\n");
@@ -277,14 +277,14 @@ TEST_F(IncludedFile, MayDependOnTheStage)
     EXPECT_THAT(Compile("#include \"a.hlsl\""), ElementsAre(HasSubstr("'VALUE'")));
 }
 
-TEST_F(IncludedFile, TakesBackslashesAndNamesThatDifferInCase)
+TEST_F(IncludeOfAFile, TakesBackslashesAndNamesThatDifferInCase)
 {
     folder.Write("project/Assets/Shaders/Sub/File.hlsl", "#define VALUE 1\n");
     EXPECT_THAT(Compile("#include \"sub\\\\file.HLSL\""), ElementsAre());
     EXPECT_THAT(Compile("#include \"unitycg.CGINC\"\n#define VALUE 1"), ElementsAre());
 }
 
-TEST_F(IncludedFile, StaysInTheFoldersItMayReadFrom)
+TEST_F(IncludeOfAFile, StaysInTheFoldersItMayReadFrom)
 {
     const std::string secret = folder.Write("secret.hlsl", "#define VALUE 1\n").string();
     EXPECT_THAT(Compile("#include \"../../../secret.hlsl\""),
@@ -305,7 +305,7 @@ TEST_F(IncludedFile, StaysInTheFoldersItMayReadFrom)
     EXPECT_THAT(Compile("#include \"link.hlsl\"", options), ElementsAre());
 }
 
-TEST_F(IncludedFile, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
+TEST_F(IncludeOfAFile, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
 {
     folder.Write("repository/Common/a.hlsl", "#define VALUE 1\n");
     folder.Write("secret.hlsl", "#define VALUE 1\n");
@@ -322,7 +322,7 @@ TEST_F(IncludedFile, MayBeAnywhereInThePackageThatTheShaderIsPartOf)
     EXPECT_THAT(compile("../../../secret.hlsl").at(0), HasSubstr("is outside the folders"));
 }
 
-TEST_F(IncludedFile, StaysThereWhereverTheProgramWasStarted)
+TEST_F(IncludeOfAFile, StaysThereWhereverTheProgramWasStarted)
 {
     folder.Write("secret.hlsl", "#define VALUE 1\n");
     const std::filesystem::path before = std::filesystem::current_path();
@@ -336,7 +336,7 @@ TEST_F(IncludedFile, StaysThereWhereverTheProgramWasStarted)
     EXPECT_THAT(below[0], HasSubstr("there is no file \"secret.hlsl\""));
 }
 
-TEST_F(IncludedFile, TakesASlashInFrontForTheFolderOfTheProject)
+TEST_F(IncludeOfAFile, TakesASlashInFrontForTheFolderOfTheProject)
 {
     folder.Write("project/Inc/a.hlsl", "#include \"/Inc/b.hlsl\"\n");
     folder.Write("project/Inc/b.hlsl", "#define VALUE 1\n");
@@ -349,7 +349,7 @@ TEST_F(IncludedFile, TakesASlashInFrontForTheFolderOfTheProject)
     EXPECT_THAT(Compile("#include \"/Inc/d.hlsl\"", options), ElementsAre());
 }
 
-TEST_F(IncludedFile, GoesRoundInACircleNoLongerThanItMust)
+TEST_F(IncludeOfAFile, GoesRoundInACircleNoLongerThanItMust)
 {
     folder.Write("project/Assets/Shaders/a.hlsl", "#include \"b.hlsl\"\n#include \"b.hlsl\"\n");
     folder.Write("project/Assets/Shaders/b.hlsl", "\n#include \"a.hlsl\"\n");
@@ -366,7 +366,7 @@ TEST_F(IncludedFile, GoesRoundInACircleNoLongerThanItMust)
     EXPECT_THAT(Compile("#include \"a.hlsl\"\n#include \"a.hlsl\""), ElementsAre());
 }
 
-TEST_F(IncludedFile, MayBeNestedDeeplyButNotWithoutEnd)
+TEST_F(IncludeOfAFile, MayBeNestedDeeplyButNotWithoutEnd)
 {
     for (int i = 0; i < 70; ++i)
     {

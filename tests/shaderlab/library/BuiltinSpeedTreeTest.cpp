@@ -1,7 +1,6 @@
 #include "library/BuiltinTestSupport.h"
 
 #include <gmock/gmock.h>
-#include <span>
 
 // SpeedTrees of both pipelines: every kind of geometry, pass and quality of wind compiles.
 
@@ -11,7 +10,6 @@ namespace
 {
 
 using test::CompileCg;
-using test::CompileEntries;
 using testing::IsEmpty;
 
 /// A pass of the author's around SpeedTreeVert and SpeedTreeFrag; VERTEX is what a vertex holds.
@@ -158,77 +156,6 @@ TEST(BuiltinLibrary, CompilesSpeedTree8)
         SCOPED_TRACE(testing::PrintToString(keywords));
         CompileCg(text, keywords);
     }
-}
-
-std::string UrpTree(const std::string& file)
-{
-    return "#include \"Packages/com.unity.render-pipelines.universal/Shaders/Nature/" + file +
-           ".hlsl\"\n";
-}
-
-struct TreePass
-{
-    const char* define;
-    const char* vertex;
-    const char* fragment;
-};
-
-TEST(UniversalFiles, DrawSpeedTree8InEachOfItsPasses)
-{
-    const TreePass passes[] = {
-        {"#define EFFECT_BACKSIDE_NORMALS\n", "SpeedTree8Vert", "SpeedTree8Frag"},
-        {"#define GBUFFER\n", "SpeedTree8Vert", "SpeedTree8Frag"},
-        {"#define SHADOW_CASTER\n", "SpeedTree8VertDepth", "SpeedTree8FragDepth"},
-        {"#define SCENESELECTIONPASS\n", "SpeedTree8VertDepth", "SpeedTree8FragDepth"},
-        {"", "SpeedTree8VertDepthNormal", "SpeedTree8FragDepthNormal"},
-    };
-    for (const TreePass& pass : passes)
-    {
-        // The lit pass with all, the others with those that change them.
-        const bool isLit = pass.fragment == std::string("SpeedTree8Frag");
-        for (const auto& keywords : std::span(k_Tree8Variants).first(isLit ? 6 : 2))
-        {
-            SCOPED_TRACE(pass.define + testing::PrintToString(keywords));
-            CompileEntries("#define ENABLE_WIND\n" + std::string(pass.define) +
-                               UrpTree("SpeedTree8Input") + UrpTree("SpeedTree8Passes"),
-                           pass.vertex, pass.fragment, keywords, ProgramLanguage::Hlsl);
-        }
-    }
-}
-
-TEST(UniversalFiles, DrawSpeedTree7AndItsBillboardsInEachOfTheirPasses)
-{
-    const TreePass passes[] = {
-        {"#define VERTEX_COLOR\n", "SpeedTree7Vert", "SpeedTree7Frag"},
-        {"#define GBUFFER\n", "SpeedTree7Vert", "SpeedTree7Frag"},
-        {"#define SHADOW_CASTER\n", "SpeedTree7VertDepth", "SpeedTree7FragDepth"},
-        {"#define SCENESELECTIONPASS\n", "SpeedTree7VertDepth", "SpeedTree7FragDepth"},
-        {"", "SpeedTree7VertDepthNormal", "SpeedTree7FragDepthNormal"},
-    };
-    const std::vector<std::string> bumped = {"EFFECT_BUMP", "EFFECT_HUE_VARIATION",
-                                             "_MAIN_LIGHT_SHADOWS", "LOD_FADE_CROSSFADE"};
-    for (const char* geometry : {"BRANCH", "BRANCH_DETAIL", "FROND", "LEAF", "MESH"})
-    {
-        SCOPED_TRACE(geometry);
-        // The other passes have the same vertices, and fragments that details tell apart.
-        const bool isDetailed = geometry == std::string("BRANCH_DETAIL");
-        for (const TreePass& pass : std::span(passes).first(isDetailed ? std::size(passes) : 1))
-        {
-            SCOPED_TRACE(pass.define);
-            const std::string text = std::string("#define ENABLE_WIND\n#define GEOM_TYPE_") +
-                                     geometry + "\n" + pass.define + UrpTree("SpeedTree7Input") +
-                                     UrpTree("SpeedTree7Passes");
-            CompileEntries(text, pass.vertex, pass.fragment, {}, ProgramLanguage::Hlsl);
-            CompileEntries(text, pass.vertex, pass.fragment, bumped, ProgramLanguage::Hlsl);
-        }
-    }
-    const std::string board =
-        UrpTree("SpeedTree7BillboardInput") + UrpTree("SpeedTree7BillboardPasses");
-    CompileEntries(board, "SpeedTree7Vert", "SpeedTree7Frag", bumped, ProgramLanguage::Hlsl);
-    CompileEntries("#define ENABLE_WIND\n#define BILLBOARD_FACE_CAMERA_POS\n" + board,
-                   "SpeedTree7VertDepth", "SpeedTree7FragDepth", {}, ProgramLanguage::Hlsl);
-    CompileEntries(board, "SpeedTree7VertDepthNormalBillboard",
-                   "SpeedTree7FragDepthNormalBillboard", bumped, ProgramLanguage::Hlsl);
 }
 
 } // namespace

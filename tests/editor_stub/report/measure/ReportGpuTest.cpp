@@ -488,7 +488,7 @@ TEST_F(StudyBenchGpu, TakesTheTimeOfTechniquesInTurn)
         EXPECT_LE(low, cell.Value("gpuMilliseconds"));
         EXPECT_GE(high, cell.Value("gpuMilliseconds"));
         // The bound may be unknown, and after many rounds it is narrower than the quartiles, since
-        // it is the median's: StatisticsTest has what it promises.
+        // it is the median's: StatisticsUnsanitizedTest has what it promises.
         EXPECT_TRUE(cell.quartiles.contains("gpuAddedMilliseconds"));
         EXPECT_FALSE(cell.Value("gpuAddedUncertainty") < 0.0);
         EXPECT_GT(cell.Value("quietMilliseconds"), 0.0);

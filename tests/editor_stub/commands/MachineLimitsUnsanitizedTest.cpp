@@ -44,10 +44,6 @@ std::string RunAfter(const std::string& preparation, const std::string& argument
 
 TEST(MachineLimits, NoDescriptorForAFileThatIsReadEndsWith3)
 {
-    if (LimnHasSanitizers())
-    {
-        GTEST_SKIP() << "UBSan opens a pipe to look at an object's type";
-    }
     const WorkingFolder working;
     WriteProject(working.folder);
     working.folder.Write("F.cs", "class F : ScriptableRendererFeature { }\n");
@@ -76,10 +72,6 @@ TEST(MachineLimits, NoDescriptorForAFileThatIsReadEndsWith3)
 
 TEST(MachineLimits, TooLittleMemoryIsSaidInWords)
 {
-    if (LimnHasSanitizers())
-    {
-        GTEST_SKIP() << "the address sanitizer takes terabytes of addresses itself";
-    }
     const WorkingFolder working;
     WriteProject(working.folder);
     std::ofstream("vast.png").close();
