@@ -113,6 +113,8 @@ std::shared_ptr<ShaderCompiler> MakeCompiler(const ShaderOptions& options)
     ShaderCompilerOptions compilerOptions = DefaultCompilerOptions();
     compilerOptions.packages.insert(options.packages.begin(), options.packages.end());
     compilerOptions.includeFolders.assign(options.roots.begin(), options.roots.end());
+    std::ranges::copy_if(options.paths, std::back_inserter(compilerOptions.includeFolders),
+                         isFolder);
     return std::make_shared<ShaderCompiler>(std::move(compilerOptions));
 }
 

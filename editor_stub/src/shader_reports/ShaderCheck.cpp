@@ -142,7 +142,7 @@ private:
         if (!pass)
         {
             const std::string shader = usePass.usePass.substr(0, usePass.usePass.rfind('/'));
-            if (isUnityShader(shader) && !m_Shaders->FindLender(shader))
+            if (isUnityShader(shader) && !m_Shaders->Find(shader))
             {
                 errors = {{Severity::Note, m_Check.document->file, usePass.location,
                            UnityShaderNote("UsePass", shader)}};

@@ -145,6 +145,11 @@ TEST_F(ShaderReference, ShadowsOfUnitysOwnShadersAreThere)
         EXPECT_THAT(run.err, testing::Not(HasSubstr("note"))) << name;
         EXPECT_THAT(run.err, testing::Not(HasSubstr("warning"))) << name;
     }
+    const std::string lit = Write("lit.shader", "Shader \"Lit\" { SubShader {\n"
+                                                "UsePass \"Diffuse/FORWARD\"\nPass { } } }\n");
+    const CommandRun run = RunCommand({"shader", lit});
+    EXPECT_EQ(0, run.exitCode);
+    EXPECT_THAT(run.err, Mentions(lit + ":2:1:", "note", "UsePass", "'Diffuse'", "Unity's own"));
 }
 
 TEST_F(ShaderReference, UnitysErrorShaderAsAFallbackIsNothingToSay)
@@ -172,6 +177,22 @@ TEST_F(ShaderReference, TheFallbackThatDrawsIsNamed)
     EXPECT_EQ("Lib/Base", json["files"][0]["fallback"]);
     EXPECT_EQ("Lib/Base", json["files"][0]["drawnFallback"]);
     EXPECT_EQ(false, json["files"][0]["subShaders"][0]["used"]);
+}
+
+TEST_F(ShaderReference, IncludesMayLieAnywhereInAFolderThatIsGiven)
+{
+    Write("Library/Color.hlsl", "float4 Red() { return float4(1, 0, 0, 1); }\n");
+    const std::string user =
+        Write("Shaders/Toon/User.shader",
+              "Shader \"User\" { SubShader { Pass { HLSLPROGRAM\n#pragma vertex V\n"
+              "#pragma fragment F\n#include \"../../Library/Color.hlsl\"\n"
+              "float4 V(float4 p : POSITION) : SV_POSITION { return p; }\n"
+              "float4 F() : SV_Target { return Red(); }\nENDHLSL } } }\n");
+    const CommandRun alone = RunCommand({"shader", user});
+    EXPECT_EQ(1, alone.exitCode);
+    EXPECT_THAT(alone.err, Mentions("Color.hlsl", "outside", "--root"));
+    const CommandRun whole = RunCommand({"shader", Folder()});
+    EXPECT_EQ(0, whole.exitCode) << whole.err;
 }
 
 TEST_F(ShaderReference, OtherShadersAreLookedForInTheAssetsAround)

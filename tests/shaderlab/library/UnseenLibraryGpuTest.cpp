@@ -69,6 +69,48 @@ TEST_F(UnseenLibraryValues, NumbersInTwoBytesComeBack)
     grid.Run();
 }
 
+TEST_F(UnseenLibraryValues, NumbersInSomeBitsComeBack)
+{
+    FunctionGrid grid(CoreInclude("Packing"));
+    // Five bits behind three others.
+    grid.Add("(float)PackFloatToUInt(a.x, 3, 5)", Combine(k_Fractions),
+             [](const glm::dvec4& a, auto&, auto&) { return std::floor(a.x * 31.0 + 0.5) * 8.0; });
+    grid.Add("UnpackUIntToFloat(PackFloatToUInt(a.x, 3, 5) | 7, 3, 5)", Combine(k_Fractions),
+             [](const glm::dvec4& a, auto&, auto&) { return std::floor(a.x * 31.0 + 0.5) / 31.0; });
+    grid.Add("(float)(PackToR10G10B10A2(float4(a.x, 0, 0, 0)) & 0x3FF)", Combine(k_Fractions),
+             [](const glm::dvec4& a, auto&, auto&) { return std::floor(a.x * 1023.0 + 0.5); });
+    grid.Add("UnpackFromR10G10B10A2(PackToR10G10B10A2(float4(a.x, 1 - a.x, a.x, a.x)))",
+             Combine(k_Fractions),
+             [](const glm::dvec4& a, auto&, auto&)
+             {
+                 const auto inSteps = [](double value, double steps)
+                 {
+                     return std::floor(value * steps + 0.5) / steps;
+                 };
+                 return glm::dvec4(inSteps(a.x, 1023.0), inSteps(1.0 - a.x, 1023.0),
+                                   inSteps(a.x, 1023.0), inSteps(a.x, 3.0));
+             });
+    grid.Run();
+}
+
+TEST_F(UnseenLibraryValues, ANumberAndAFractionShareAByteAndComeBack)
+{
+    FunctionGrid grid(CoreInclude("Packing") +
+                      "float2 ThereAndBack(float f, uint i) { float fraction; uint number;\n"
+                      "UnpackFloatInt8bit(PackFloatInt8bit(f, i, 4), 4, fraction, number);\n"
+                      "return float2(fraction, number); }\n");
+    // 256 codes for four whole numbers: 64 for the fractions of each.
+    const std::vector<double> numbers = {0.0, 1.0, 2.0, 3.0};
+    grid.Add("PackFloatInt8bit(a.x, (uint)b.x, 4) * 255", Combine(k_Fractions, numbers),
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&)
+             { return a.x * 63.0 + b.x * 64.0; },
+             {0.0, 1e-3});
+    grid.Add("ThereAndBack(a.x, (uint)b.x)", Combine(k_Fractions, numbers),
+             [](const glm::dvec4& a, const glm::dvec4& b, auto&) { return glm::dvec2(a.x, b.x); },
+             {0.0, 1e-4});
+    grid.Run();
+}
+
 TEST_F(UnseenLibraryValues, NormalsInARectangleComeBack)
 {
     FunctionGrid grid(CoreInclude("Packing"));

@@ -85,6 +85,56 @@ uint UnpackShort(float f) { return UnpackInt(f, 16); }
 float PackShortLo(uint i) { return PackByte(i & 0xFFu); }
 float PackShortHi(uint i) { return PackByte(i >> 8); }
 
+// A number in 0...1 as a bit field of a word.
+uint PackFloatToUInt(float src, uint offset, uint numBits)
+{
+    return UnpackInt(src, numBits) << offset;
+}
+float UnpackUIntToFloat(uint src, uint offset, uint numBits)
+{
+    return PackInt((src >> offset) & ((1u << numBits) - 1u), numBits);
+}
+uint PackToR10G10B10A2(float4 rgba)
+{
+    uint3 rgb = uint3(UnpackInt(rgba.r, 10), UnpackInt(rgba.g, 10), UnpackInt(rgba.b, 10));
+    return rgb.r | (rgb.g << 10) | (rgb.b << 20) | (UnpackInt(rgba.a, 2) << 30);
+}
+float4 UnpackFromR10G10B10A2(uint rgba)
+{
+    return float4(UnpackUIntToFloat(rgba, 0, 10), UnpackUIntToFloat(rgba, 10, 10),
+                  UnpackUIntToFloat(rgba, 20, 10), UnpackUIntToFloat(rgba, 30, 2));
+}
+
+// A fraction f and a whole number i below maxi in one number in 0...1 of so many steps: each i has
+// its share of them.
+float PackFloatInt(float f, uint i, float maxi, float precision)
+{
+    float share = precision / maxi;
+    return (f * (share - 1.0) + i * share) / (precision - 1.0);
+}
+void UnpackFloatInt(float val, float maxi, float precision, out float f, out uint i)
+{
+    float share = precision / maxi;
+    float code = val * (precision - 1.0);
+    i = (uint)(code / share + rcp(precision - 1.0));
+    f = saturate((code - i * share) / (share - 1.0));
+}
+float PackFloatInt8bit(float f, uint i, float maxi) { return PackFloatInt(f, i, maxi, 256.0); }
+void UnpackFloatInt8bit(float val, float maxi, out float f, out uint i)
+{
+    UnpackFloatInt(val, maxi, 256.0, f, i);
+}
+float PackFloatInt10bit(float f, uint i, float maxi) { return PackFloatInt(f, i, maxi, 1024.0); }
+void UnpackFloatInt10bit(float val, float maxi, out float f, out uint i)
+{
+    UnpackFloatInt(val, maxi, 1024.0, f, i);
+}
+float PackFloatInt16bit(float f, uint i, float maxi) { return PackFloatInt(f, i, maxi, 65536.0); }
+void UnpackFloatInt16bit(float val, float maxi, out float f, out uint i)
+{
+    UnpackFloatInt(val, maxi, 65536.0, f, i);
+}
+
 // A number in 0...1 in two bytes, the low one first.
 float2 PackFloatToR8G8(float f)
 {

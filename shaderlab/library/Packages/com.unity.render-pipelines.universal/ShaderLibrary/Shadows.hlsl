@@ -38,7 +38,7 @@
 
 #define SHADOWMASK_NAME unity_ShadowMask
 #define SHADOWMASK_SAMPLER_NAME samplerunity_ShadowMask
-#define SAMPLE_SHADOWMASK(uv) float4(1, 1, 1, 1)
+#define SAMPLE_SHADOWMASK(uv) float4(1, 1, 1, 1); // as in URP: its terrain writes none behind it
 
 TEXTURE2D_SHADOW(_MainLightShadowmapTexture);
 TEXTURE2D_SHADOW(_AdditionalLightsShadowmapTexture);
