@@ -108,43 +108,46 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     ReadFeatureSettings(map, feature, context, loading.diagnostics);
 }
 
-/// The class of a feature; "", with a note, if it cannot be told.
-std::string FeatureType(const UnityObject& object, Loading& loading)
+/// Returns why there is no feature of this class, and what helps.
+/// @param name    of the feature's object, which messages begin with
+/// @param type    "" = it cannot be told
+/// @param script  the file of the guid; null = there is none
+std::string WhyNoFeature(const std::string& name, const std::string& type, const std::string& guid,
+                         const std::filesystem::path* script)
 {
-    const YamlNode* script = object.fields.Find("m_Script");
-    const std::string guid = script ? ReadGuid(*script) : std::string();
-    FindFile(guid, loading);
-    std::string type = UnityScriptClass(guid, loading.project);
     if (type.empty())
     {
-        loading.diagnostics.Note(object.location,
-                                 object.name +
-                                     ": it is left out; no .cs.meta file of the project has the "
-                                     "script's guid '" +
-                                     guid + "'");
+        return "no .cs.meta file of the project has the script's guid '" + guid + "'";
     }
-    return type;
+    std::error_code ignored;
+    const bool isThere = script != nullptr && std::filesystem::exists(*script, ignored);
+    return "limn has no feature " + (type == name ? "of this name" : type) +
+           (isThere ? "; `limn port \"" + script->generic_string() + "\" -o DIR` begins one in C++"
+                    : "");
 }
 
 void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)
 {
-    const std::string type = FeatureType(object, loading);
+    const YamlNode* active = object.fields.Find("m_Active");
+    const bool isActive =
+        !active || ReadBool(*active, object.name + ".m_Active", loading.diagnostics).value_or(true);
+    const YamlNode* reference = object.fields.Find("m_Script");
+    const std::string guid = reference ? ReadGuid(*reference) : std::string();
+    const std::filesystem::path* script = FindFile(guid, loading);
+    const std::string type = UnityScriptClass(guid, loading.project);
     std::unique_ptr<ScriptableRendererFeature> feature = loading.assets.features().Create(type);
     if (!feature)
     {
-        if (!type.empty())
+        if (isActive)
         {
             loading.diagnostics.Note(object.location,
-                                     object.name + ": it is left out; limn has no feature " + type);
+                                     object.name + ": it is left out; " +
+                                         WhyNoFeature(object.name, type, guid, script));
         }
         return;
     }
     feature->name = object.name;
-    if (const YamlNode* active = object.fields.Find("m_Active"))
-    {
-        feature->SetActive(
-            ReadBool(*active, object.name + ".m_Active", loading.diagnostics).value_or(true));
-    }
+    feature->SetActive(isActive);
     ReadSettings(object, type, *feature, loading);
     TryCreate(*feature, loading.assets.shaderSource(), object.location, "", loading.diagnostics);
     renderer.features.push_back(std::move(feature));

@@ -153,17 +153,20 @@ std::shared_ptr<const UnityFile> UnityDatabase::LoadFile(const std::filesystem::
     return known->second;
 }
 
-UnityNode UnityDatabase::FieldsOf(const std::filesystem::path& path, UnityClass classID)
+UnityNode UnityDatabase::FieldsOf(const std::filesystem::path& path, UnityClass classID,
+                                  std::int64_t fileID)
 {
     const std::shared_ptr<const UnityFile> file = LoadFile(path);
+    const UnityHeader* found = nullptr;
     for (const UnityHeader& header : file ? file->headers() : std::span<const UnityHeader>())
     {
-        if (static_cast<UnityClass>(header.classID) == classID && !header.isStripped)
+        const bool isOfClass = static_cast<UnityClass>(header.classID) == classID;
+        if (isOfClass && !header.isStripped && (!found || header.fileID == fileID))
         {
-            return file->Fields(header);
+            found = &header;
         }
     }
-    return {};
+    return found ? file->Fields(*found) : UnityNode();
 }
 
 } // namespace limn

@@ -51,10 +51,11 @@ public:
     /// Loads a text asset. Returns null and adds a note if there is none, it is broken or it is
     /// saved as binary.
     std::shared_ptr<const UnityFile> LoadFile(const std::filesystem::path& path);
-    /// Loads a text asset as LoadFile does, and returns its first object of a class; nothing if it
-    /// has none.
+    /// Loads a text asset as LoadFile does, and returns its object of a class that has this id, or
+    /// else the first of the class; nothing if it has none.
     /// @throws AssetError as UnityTree
-    UnityNode FieldsOf(const std::filesystem::path& path, UnityClass classID);
+    UnityNode FieldsOf(const std::filesystem::path& path, UnityClass classID,
+                       std::int64_t fileID = 0);
 
 private:
     AssetContext& m_Assets;

@@ -288,14 +288,32 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     return found || model->isLaterPart(mesh.fileID) ? found : NoMeshIn(*path, mesh.fileID, user);
 }
 
+std::shared_ptr<const Material>
+UnityMaterials::Load(const UnityTarget& material, const UnityReader& user, const std::string& path)
+{
+    const UnityInstance* object = material.object;
+    if (material.isNull() || (object != nullptr && object->classID != UnityClass::Material))
+    {
+        user.Note(path, "it is no material, so the part of the mesh that has it is magenta");
+        return Magenta();
+    }
+    if (object == nullptr)
+    {
+        return Load(material.asset, user, path);
+    }
+    const std::string& file = object->scope->file->name();
+    std::shared_ptr<const Material>& known = m_OwnMaterials[{file, object->fileID}];
+    if (!known)
+    {
+        known = Make(object->fields, file);
+    }
+    return known;
+}
+
 std::shared_ptr<const Material> UnityMaterials::Load(const UnityReference& material,
                                                      const UnityReader& user,
                                                      const std::string& path)
 {
-    if (material.isNull())
-    {
-        return Magenta();
-    }
     std::shared_ptr<const Material>& known = m_Materials[material];
     if (!known)
     {
@@ -323,7 +341,7 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
     std::shared_ptr<const Material>& known = m_Materials[material];
     if (!known)
     {
-        known = ReadFile(*path);
+        known = ReadFile(*path, material.fileID);
     }
     if (known == m_Magenta)
     {
@@ -414,10 +432,11 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
                            own != nullptr ? own->color : Color::white);
         return material;
     }
-    return ReadFile(*file);
+    return ReadFile(*file, reference.fileID);
 }
 
-std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::path& path)
+std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::path& path,
+                                                         std::int64_t fileID)
 {
     if (IsShaderGraph(path))
     {
@@ -428,16 +447,28 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     const std::string file = path.generic_string();
     try
     {
-        const UnityNode fields = m_Database.FieldsOf(path, UnityClass::Material);
-        if (!fields)
+        if (const UnityNode fields = m_Database.FieldsOf(path, UnityClass::Material, fileID))
         {
-            if (m_Database.LoadFile(path))
-            {
-                m_Notes.Add(file, 0,
-                            "it holds no material, so the objects that have it are magenta");
-            }
-            return Magenta();
+            return Make(fields, file);
         }
+        if (m_Database.LoadFile(path))
+        {
+            m_Notes.Add(file, 0, "it holds no material, so the objects that have it are magenta");
+        }
+    }
+    catch (const AssetError& error)
+    {
+        m_Notes.Add(error.diagnostics());
+        m_Notes.Add(file, 0, "it cannot be read, so the objects that have it are magenta");
+    }
+    return Magenta();
+}
+
+std::shared_ptr<const Material> UnityMaterials::Make(const UnityNode& fields,
+                                                     const std::string& file)
+{
+    try
+    {
         const UnityShader shader = FindShader(fields, file);
         if (!shader.shader)
         {

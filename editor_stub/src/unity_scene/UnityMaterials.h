@@ -31,9 +31,10 @@ public:
     std::shared_ptr<const Mesh> LoadMesh(const UnityTarget& mesh, const UnityReader& user);
     /// Returns the bones of a mesh that LoadMesh returned, or null if limn knows none.
     const MeshSkin* FindSkin(const Mesh& mesh) const;
-    /// Loads a material. Never returns null.
+    /// Loads a material, of a file or of the scene itself. Never returns null: what is none is
+    /// magenta, which a note at `user` says.
     /// @param path  the path of the reference in `user`
-    std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
+    std::shared_ptr<const Material> Load(const UnityTarget& material, const UnityReader& user,
                                          const std::string& path);
     /// Loads the material that a renderer feature draws with. Returns null and gives `note` the
     /// reason if there is none, or if limn draws magenta or another shader in its place: over the
@@ -56,9 +57,13 @@ private:
                                              const UnityReader& user);
     std::shared_ptr<const Mesh> Unread(const std::filesystem::path& path, const UnityReader& user);
     SkinnableMesh ReadMesh(const std::function<UnityNode()>& fields, const std::string& file);
+    std::shared_ptr<const Material> Load(const UnityReference& material, const UnityReader& user,
+                                         const std::string& path);
     std::shared_ptr<const Material> Read(const UnityReference& material, const UnityReader& user,
                                          const std::string& path);
-    std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path);
+    std::shared_ptr<const Material> ReadFile(const std::filesystem::path& path,
+                                             std::int64_t fileID);
+    std::shared_ptr<const Material> Make(const UnityNode& fields, const std::string& file);
     UnityShader FindShader(const UnityNode& fields, const std::string& material);
     UnityShader ReadGraph(const std::filesystem::path& path, const UnityNode& saved,
                           const std::string& material);
@@ -86,6 +91,8 @@ private:
     std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<UnityReference, std::shared_ptr<const Material>> m_Materials;
+    /// Those that stand in a scene or prefab itself, by file and id.
+    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_OwnMaterials;
     std::shared_ptr<const Material> m_Magenta;
 };
 

@@ -83,7 +83,7 @@ void AddMaterials(UnitySceneLoader& loader, const UnityReader& reader, MeshRende
     {
         const std::string path = "m_Materials.Array.data[" + std::to_string(i) + "]";
         renderer.sharedMaterials.push_back(
-            loader.materials.Load(reader.Reference(path).asset, reader, path));
+            loader.materials.Load(reader.Reference(path), reader, path));
     }
 }
 

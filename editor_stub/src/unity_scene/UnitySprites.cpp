@@ -315,8 +315,8 @@ void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
     reader.Read("m_SortingLayer", layer);
     reader.Read("m_SortingOrder", order);
     const std::string first = "m_Materials.Array.data[0]";
-    made.sharedMaterials = {InOrder(
-        loader.materials.Load(reader.Reference(first).asset, reader, first), 100 * layer + order)};
+    made.sharedMaterials = {InOrder(loader.materials.Load(reader.Reference(first), reader, first),
+                                    100 * layer + order)};
     reader.Read("m_RenderingLayerMask", made.renderingLayerMask);
     object.drawn->renderer = std::move(made);
 }

@@ -225,6 +225,28 @@ TEST(UnityRendererData, LeavesOutAFeatureWhoseScriptIsUnknown)
     EXPECT_TRUE(unknown.renderer.features.empty());
     EXPECT_THAT(Texts(unknown.notes).at(0),
                 Mentions("4:1: Dither:", "left out", ".cs.meta", "guid 'dd'"));
+
+    folder.Write("Assets/FullScreenPass.cs", "class FullScreenPass : ScriptableRendererFeature {}");
+    const auto there = LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
+    EXPECT_THAT(Texts(there.notes).at(0),
+                Mentions("left out", "no feature FullScreenPass", "limn port",
+                         (folder / "Assets/FullScreenPass.cs").generic_string(), "-o"));
+}
+
+TEST(UnityRendererData, LeavesOutAFeatureThatIsOffWithoutAWord)
+{
+    SceneFolder folder;
+    std::filesystem::create_directories(folder / "Assets");
+    for (const char* script : {"cc", "dd"})
+    {
+        folder.Write("Assets/FullScreenPass.cs.meta", "guid: cc\n");
+        folder.Write("Assets/r.asset",
+                     AssetWithFeature("  m_Script: {fileID: 1, guid: " + std::string(script) +
+                                      "}\n  m_Name: Dither\n  m_Active: 0\n"));
+        const auto result = LoadUnityRendererData(folder / "Assets/r.asset", folder.assets);
+        EXPECT_TRUE(result.renderer.features.empty());
+        EXPECT_THAT(Texts(result.notes), testing::Each(testing::Not(testing::HasSubstr("Dither"))));
+    }
 }
 
 TEST(UnityRendererData, ReportsASettingOutsideItsRange)

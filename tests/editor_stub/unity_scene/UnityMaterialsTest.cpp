@@ -65,7 +65,12 @@ protected:
         return LoadBox();
     }
     /// The material of the box, whichever file has its guid.
-    const Material& LoadBox()
+    /// @param reference  the renderer's
+    /// @param more       documents of the scene
+    const Material&
+    LoadBox(const std::string& reference =
+                "{fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}",
+            const std::string& more = "")
     {
         m_Folder.Write(
             "Assets/Main.unity",
@@ -80,8 +85,8 @@ protected:
                 "--- !u!33 &23\nMeshFilter:\n  m_GameObject: {fileID: 2}\n"
                 "  m_Mesh: {fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}\n"
                 "--- !u!23 &22\nMeshRenderer:\n  m_GameObject: {fileID: 2}\n  m_Enabled: 1\n"
-                "  m_Materials:\n  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, "
-                "type: 2}\n");
+                "  m_Materials:\n  - " +
+                reference + "\n" + more);
         m_Asset.emplace(LoadScene(m_Folder.path(), m_Assets));
         for (const auto& object : m_Asset->scene.objects())
         {
@@ -307,6 +312,42 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
     EXPECT_EQ(own.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
     EXPECT_THAT(Notes("Paint.shadergraph"),
                 ElementsAre(Mentions("graph Paint.shadergraph", "not read", "Lit is used")));
+}
+
+/// A script that makes a material in the editor leaves it in the scene.
+TEST_F(MaterialOfAProject, MayStandInTheSceneItself)
+{
+    const Material& material =
+        LoadBox("{fileID: 77}", std::string("--- !u!21 &77\nMaterial:\n  m_Shader: ") + k_Lit +
+                                    "\n  m_SavedProperties:\n    m_Floats:\n"
+                                    "    - _Metallic: 0.75\n");
+    EXPECT_EQ(material.shader()->name(), "Universal Render Pipeline/Lit");
+    EXPECT_EQ(Number(material, "_Metallic"), 0.75f);
+    EXPECT_THAT(Notes("Main.unity"), Not(Contains(HasSubstr("material"))));
+}
+
+TEST_F(MaterialOfAProject, IsTheOneOfItsNumberWhereAFileHasSeveral)
+{
+    const auto material = [](const std::string& id, const std::string& metallic)
+    {
+        return "--- !u!21 &" + id + "\nMaterial:\n  m_Shader: " + k_Lit +
+               "\n  m_SavedProperties:\n    m_Floats:\n    - _Metallic: " + metallic + "\n";
+    };
+    m_Folder.Write("Assets/Font.asset", k_Head + material("5", "0.25") + material("6", "0.5"));
+    WriteMeta("Font.asset", k_MaterialGuid);
+    const std::string file = ", guid: " + std::string(k_MaterialGuid) + ", type: 2}";
+    EXPECT_EQ(Number(LoadBox("{fileID: 5" + file), "_Metallic"), 0.25f);
+    EXPECT_EQ(Number(LoadBox("{fileID: 6" + file), "_Metallic"), 0.5f);
+    EXPECT_EQ(Number(LoadBox("{fileID: 2100000" + file), "_Metallic"), 0.25f)
+        << "versions of Unity number them differently";
+}
+
+TEST_F(MaterialOfAProject, ThatIsNoneIsMagentaAndSaysSo)
+{
+    EXPECT_EQ(LoadBox("{fileID: 0}").shader()->name(), "Hidden/Core/FallbackError");
+    EXPECT_THAT(Notes("Main.unity"), Contains(Mentions("Box", "no material", "magenta")));
+    EXPECT_EQ(LoadBox("{fileID: 24}").shader()->name(), "Hidden/Core/FallbackError");
+    EXPECT_THAT(Notes("Main.unity"), Contains(Mentions("Box", "no material", "magenta")));
 }
 
 TEST_F(MaterialOfAProject, OfAShaderThatCannotBeUsedIsMagentaAndSaysSo)
