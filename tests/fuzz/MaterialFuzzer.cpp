@@ -23,7 +23,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     UnityDatabase database(folder.path() / "Assets", assets, notes);
     UnityMaterials materials(database, assets, notes);
     const UnityInstance user{};
-    test::RequireInFuzzer(materials.Load({2100000, k_FuzzGuid}, UnityReader(user, "object", notes),
+    test::RequireInFuzzer(materials.Load({nullptr, {2100000, k_FuzzGuid}},
+                                         UnityReader(user, "object", notes),
                                          "m_Materials") != nullptr,
                           "no material");
     for (const Diagnostic& note : notes.Finish("fuzz.unity"))
