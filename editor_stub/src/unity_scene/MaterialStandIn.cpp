@@ -18,6 +18,10 @@ namespace
 constexpr const char* k_SimpleLit = "Universal Render Pipeline/Simple Lit";
 constexpr const char* k_Unlit = "Universal Render Pipeline/Unlit";
 
+/// Blends by alpha.
+const std::map<std::string, float, std::less<>> k_Blended = {
+    {"_Surface", 1.0f}, {"_SrcBlend", 5.0f}, {"_DstBlend", 10.0f}, {"_ZWrite", 0.0f}};
+
 /// Returns a saved number; 0 if there is none, or one that is not finite.
 float SavedNumber(const UnityNode& saved, std::string_view name)
 {
@@ -53,6 +57,43 @@ void SetMode(float mode, MaterialStandIn& standIn)
     standIn.values["_AlphaClip"] = mode == 1.0f ? 1.0f : 0.0f;
     standIn.values["_Surface"] = mode >= 2.0f ? 1.0f : 0.0f;
     standIn.isPremultiplied = mode == 3.0f;
+}
+
+bool TakePrefix(std::string_view& text, std::string_view prefix)
+{
+    const bool isThere = text.starts_with(prefix);
+    text.remove_prefix(isThere ? prefix.size() : 0);
+    return isThere;
+}
+
+/// Returns Simple Lit for the built-in pipeline's oldest shaders; nothing for those that mirror,
+/// glow or have light maps, and for other shaders.
+/// @source Unity: URP's upgrader of materials (URP 14)
+std::optional<MaterialStandIn> StandInForLegacy(std::string_view shader)
+{
+    if (!TakePrefix(shader, "Legacy Shaders/") && !TakePrefix(shader, "Mobile/"))
+    {
+        return std::nullopt;
+    }
+    const bool isCutout = TakePrefix(shader, "Transparent/Cutout/");
+    const bool isTransparent = TakePrefix(shader, "Transparent/");
+    static constexpr std::string_view k_Names[] = {
+        "VertexLit",      "Diffuse",         "Diffuse Fast",     "Diffuse Detail",   "Specular",
+        "Bumped Diffuse", "Bumped Specular", "Parallax Diffuse", "Parallax Specular"};
+    if (std::ranges::find(k_Names, shader) == std::end(k_Names))
+    {
+        return std::nullopt;
+    }
+    MaterialStandIn standIn{
+        k_SimpleLit,
+        {{"_MainTex", "_BaseMap"}, {"_Color", "_BaseColor"}, {"_Shininess", "_Smoothness"}}};
+    standIn.values["_SpecularHighlights"] = shader.ends_with("Specular") ? 1.0f : 0.0f;
+    standIn.values["_AlphaClip"] = isCutout ? 1.0f : 0.0f;
+    if (isTransparent)
+    {
+        standIn.values.insert(k_Blended.begin(), k_Blended.end());
+    }
+    return standIn;
 }
 
 /// Returns the first of `usual` that is among `names`, or else of those among `names` that the
@@ -147,21 +188,19 @@ std::optional<MaterialStandIn> StandInFor(std::string_view shader, const UnityNo
         const char* standIn;
         std::map<std::string, float, std::less<>> values;
     };
+    if (std::optional<MaterialStandIn> legacy = StandInForLegacy(shader))
+    {
+        return legacy;
+    }
     static const BuiltInShader k_BuiltInShaders[] = {
         {"Standard", k_Lit, {}},
         {"Standard (Specular setup)", k_Lit, {{"_WorkflowMode", 0}}},
-        {"Legacy Shaders/Diffuse", k_SimpleLit, {{"_SpecularHighlights", 0}}},
         {"Unlit/Texture", k_Unlit, {}},
         {"Unlit/Color", k_Unlit, {}},
-        // Blends by alpha.
-        {"Unlit/Transparent",
-         k_Unlit,
-         {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
+        {"Unlit/Transparent", k_Unlit, k_Blended},
         {"Unlit/Transparent Cutout", k_Unlit, {{"_AlphaClip", 1}}},
         {"Autodesk Interactive", k_Lit, {{"_Surface", 0}, {"_AlphaClip", 0}}},
-        {"Autodesk Interactive Transparent",
-         k_Lit,
-         {{"_Surface", 1}, {"_SrcBlend", 5}, {"_DstBlend", 10}, {"_ZWrite", 0}}},
+        {"Autodesk Interactive Transparent", k_Lit, k_Blended},
         {"Autodesk Interactive Masked", k_Lit, {{"_Surface", 0}, {"_AlphaClip", 1}}},
     };
     const auto* const found = std::ranges::find(k_BuiltInShaders, shader, &BuiltInShader::name);

@@ -1,8 +1,8 @@
-#include "port/PortingTable.h"
 #include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
 #include "port/HeaderWords.h"
+#include "port/PortingTable.h"
 
 #include <cstdlib>
 #include <filesystem>

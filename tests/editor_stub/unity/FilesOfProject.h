@@ -42,8 +42,8 @@ inline std::string ObjectText(long id, const std::string& name, long father = 0)
            std::to_string(father) + "}\n";
 }
 
-inline std::string InstanceText(std::int64_t id, const std::string& source, const std::string& changes,
-                         const std::string& more = "")
+inline std::string InstanceText(std::int64_t id, const std::string& source,
+                                const std::string& changes, const std::string& more = "")
 {
     return "--- !u!1001 &" + std::to_string(id) +
            "\nPrefabInstance:\n  m_Modification:\n    m_TransformParent: {fileID: 0}\n"

@@ -208,6 +208,31 @@ TEST_F(MaterialOfAProject, IsAsSimpleAsTheBuiltInPipelinesOlderShaders)
     EXPECT_THAT(Load(BuiltIn(10751), saved).shaderKeywords(), ElementsAre("_ALPHATEST_ON"));
 }
 
+/// As URP's upgrader of materials turns them into Simple Lit (URP 14).
+TEST_F(MaterialOfAProject, IsSimpleLitInPlaceOfTheOldestShaders)
+{
+    const std::string saved = "  m_CustomRenderQueue: -1\n  m_SavedProperties:\n    m_TexEnvs:\n" +
+                              Map("_MainTex", k_Wood) + Map("_BumpMap", k_Rust) +
+                              "    m_Floats:\n    - _Shininess: 0.25\n    - _Cutoff: 0.75\n";
+    const Material& shiny = Load(BuiltIn(4), saved); // Bumped Specular
+    EXPECT_EQ(shiny.shader()->name(), "Universal Render Pipeline/Simple Lit");
+    EXPECT_EQ(TextureOf(shiny, "_BaseMap"), "wood.png");
+    EXPECT_EQ(Number(shiny, "_Smoothness"), 0.25f);
+    EXPECT_THAT(shiny.shaderKeywords(), ElementsAre("_NORMALMAP", "_SPECULAR_COLOR"));
+    const Material& glass = Load(BuiltIn(30), saved); // Transparent/Diffuse
+    EXPECT_THAT(glass.shaderKeywords(), ElementsAre("_NORMALMAP", "_SURFACE_TYPE_TRANSPARENT"));
+    EXPECT_EQ(Number(glass, "_DstBlend"), 10.0f);
+    EXPECT_EQ(glass.renderQueue(), 3000);
+    const Material& leaves = Load(BuiltIn(51), saved); // Transparent/Cutout/Diffuse
+    EXPECT_THAT(leaves.shaderKeywords(), ElementsAre("_ALPHATEST_ON", "_NORMALMAP"));
+    EXPECT_EQ(Number(leaves, "_Cutoff"), 0.75f);
+    EXPECT_EQ(Load(BuiltIn(10703), saved).shader()->name(), // Mobile/Diffuse
+              "Universal Render Pipeline/Simple Lit");
+    EXPECT_THAT(Notes(), IsEmpty());
+    EXPECT_EQ(LoadBox(BuiltIn(10302)).shader()->name(), "Universal Render Pipeline/Simple Lit")
+        << "the material Default-Diffuse";
+}
+
 TEST_F(MaterialOfAProject, IsLitInPlaceOfAutodesksGraphs)
 {
     const auto shader = [](const std::string& guid)
