@@ -15,9 +15,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 {
     static const test::TemporaryFolder folder;
     static AssetContext assets;
-    folder.Write("Assets/a.mat", test::FuzzText(data, size));
-    folder.Write("Assets/a.mat.meta", std::string("guid: ") + k_FuzzGuid + "\n");
-    static const bool isRoot = (assets.AddRootsAround(folder / "Assets/a.mat"), true);
+    folder.Write("Assets/a.asset", test::FuzzText(data, size));
+    folder.Write("Assets/a.asset.meta", std::string("guid: ") + k_FuzzGuid + "\n");
+    static const bool isRoot = (assets.AddRootsAround(folder / "Assets/a.asset"), true);
     test::RequireInFuzzer(isRoot, "no root");
     UnityNotes notes;
     UnityDatabase database(folder.path() / "Assets", assets, notes);

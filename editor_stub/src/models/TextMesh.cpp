@@ -1,11 +1,12 @@
 #include "models/TextMesh.h"
 
+#include "unity/UnityFields.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
 #include <limits>
-#include <limn/base/ParseWhole.h>
 #include <map>
 #include <span>
 
@@ -16,7 +17,7 @@ namespace
 {
 
 template <typename T>
-T NumberAt(const std::uint8_t* bytes)
+T NumberAt(const std::byte* bytes)
 {
     T value;
     std::memcpy(&value, bytes, sizeof(value));
@@ -24,18 +25,18 @@ T NumberAt(const std::uint8_t* bytes)
 }
 
 template <typename T>
-float PlainAt(const std::uint8_t* bytes)
+float PlainAt(const std::byte* bytes)
 {
     return static_cast<float>(NumberAt<T>(bytes));
 }
 
 template <typename T>
-float NormalizedAt(const std::uint8_t* bytes)
+float NormalizedAt(const std::byte* bytes)
 {
     return std::max(PlainAt<T>(bytes) / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
 }
 
-float HalfAt(const std::uint8_t* bytes)
+float HalfAt(const std::byte* bytes)
 {
     return glm::unpackHalf1x16(NumberAt<std::uint16_t>(bytes));
 }
@@ -44,7 +45,7 @@ float HalfAt(const std::uint8_t* bytes)
 struct VertexFormat
 {
     std::size_t bytes;
-    float (*read)(const std::uint8_t* bytes);
+    float (*read)(const std::byte* bytes);
 };
 
 /// Unity: UnityEngine.Rendering.VertexAttributeFormat (2022.3).
@@ -72,13 +73,10 @@ struct VertexChannel
     std::size_t components = 0; ///< 0 = the mesh has no such array
 };
 
-class TextMeshReader
+class TextMeshReader : public UnityFields
 {
 public:
-    TextMeshReader(const UnityNode& fields, const std::string& file)
-        : m_Fields(fields), m_File(file)
-    {
-    }
+    TextMeshReader(const UnityNode& fields, const std::string& file) : UnityFields(fields, file) {}
 
     SkinnableMesh Read()
     {
@@ -106,51 +104,6 @@ public:
 private:
     static constexpr std::size_t k_MostVertices = std::size_t{1} << 28;
     static constexpr std::size_t k_MostBytes = std::size_t{1} << 30;
-
-    [[noreturn]] void Fail(const UnityNode& node, const std::string& message) const
-    {
-        throw AssetError(m_File, {node ? node.line() : m_Fields.line(), 0}, message);
-    }
-
-    /// A whole number from 0 to `most`; 0 if it is not there.
-    std::size_t Number(const UnityNode& node, std::size_t most) const
-    {
-        const auto value = ParseWhole<std::size_t>(node.text());
-        if (node && value.value_or(most + 1) > most)
-        {
-            Fail(node, std::string(node.key()) + " is '" + std::string(node.text().substr(0, 40)) +
-                           "'; a whole number from 0 to " + std::to_string(most) + " is expected");
-        }
-        return value.value_or(0);
-    }
-
-    std::vector<std::uint8_t> Bytes(const UnityNode& node) const
-    {
-        const auto digit = [&](char c)
-        {
-            const int value = c >= '0' && c <= '9'   ? c - '0'
-                              : c >= 'a' && c <= 'f' ? c - 'a' + 10
-                              : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                                     : -1;
-            if (value < 0)
-            {
-                Fail(node, std::string(node.key()) + " holds '" + std::string(1, c) +
-                               "'; two of 0...9 and a...f for each byte are expected");
-            }
-            return static_cast<std::uint8_t>(value);
-        };
-        const std::string_view text = node.text();
-        if (text.size() % 2 != 0)
-        {
-            Fail(node, std::string(node.key()) + " ends within a byte; the file is cut off");
-        }
-        std::vector<std::uint8_t> bytes(text.size() / 2);
-        for (std::size_t i = 0; i < bytes.size(); ++i)
-        {
-            bytes[i] = static_cast<std::uint8_t>(digit(text[2 * i]) << 4 | digit(text[2 * i + 1]));
-        }
-        return bytes;
-    }
 
     void RequireReadable() const
     {
@@ -224,7 +177,7 @@ private:
             return;
         }
         const std::size_t stride = m_Strides.at(channel.stream);
-        const std::uint8_t* vertex = m_Bytes.data() + m_Starts.at(channel.stream) + channel.offset;
+        const std::byte* vertex = m_Bytes.data() + m_Starts.at(channel.stream) + channel.offset;
         for (std::size_t i = 0; i < m_Count; ++i, vertex += stride)
         {
             glm::vec4 value(0.0f);
@@ -256,7 +209,7 @@ private:
 
     void ReadTriangles(MeshData& data) const
     {
-        const std::vector<std::uint8_t> bytes = Bytes(m_Fields["m_IndexBuffer"]);
+        const std::vector<std::byte> bytes = Bytes(m_Fields["m_IndexBuffer"]);
         const std::size_t width = m_Fields["m_IndexFormat"].text() == "1" ? 4 : 2;
         for (const UnityNode item : m_Fields["m_SubMeshes"])
         {
@@ -272,7 +225,7 @@ private:
             }
             const auto add = [&](std::size_t i)
             {
-                const std::uint8_t* index = bytes.data() + first + i * width;
+                const std::byte* index = bytes.data() + first + i * width;
                 const std::size_t vertex =
                     base + (width == 4 ? NumberAt<std::uint32_t>(index)
                                        : std::size_t{NumberAt<std::uint16_t>(index)});
@@ -379,10 +332,8 @@ private:
     static constexpr std::size_t k_Positions = 0; ///< the channel
     static constexpr std::size_t k_Weights = 12;
     static constexpr std::size_t k_Bones = 13;
-    const UnityNode m_Fields;
-    const std::string& m_File;
     std::size_t m_Count = 0; ///< of vertices
-    std::vector<std::uint8_t> m_Bytes;
+    std::vector<std::byte> m_Bytes;
     std::vector<VertexChannel> m_Channels;
     std::map<std::size_t, std::size_t> m_Strides; ///< bytes of a vertex, by stream
     std::map<std::size_t, std::size_t> m_Starts;  ///< of the streams

@@ -158,6 +158,17 @@ void AddUnfittingGeometry(const ShaderPasses& passes, ShaderProblems& problems)
     }
 }
 
+ShaderProblems FindProblems(const SceneAsset& asset, const ShaderPasses& ofFeatures)
+{
+    ShaderPasses passes = ofFeatures;
+    AddSceneShaders(asset.scene, passes);
+    ShaderProblems problems = CompileAll(passes);
+    ShaderPasses ofObjects;
+    AddSceneShaders(asset.scene, ofObjects);
+    AddUnfittingGeometry(ofObjects, problems);
+    return problems;
+}
+
 std::vector<Diagnostic> AllOf(const ShaderProblems& problems)
 {
     std::vector<Diagnostic> all;
@@ -294,15 +305,7 @@ std::shared_ptr<const Shader> MakePlainShader(const std::string& color,
 
 std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset)
 {
-    ShaderPasses passes = FeatureShaders(asset);
-    AddSceneShaders(asset.scene, passes);
-    ShaderProblems problems = CompileAll(passes);
-    if (asset.isUnityScene)
-    {
-        ShaderPasses ofObjects;
-        AddSceneShaders(asset.scene, ofObjects);
-        AddUnfittingGeometry(ofObjects, problems);
-    }
+    const ShaderProblems problems = FindProblems(asset, FeatureShaders(asset));
     if (problems.empty())
     {
         return {};
@@ -318,9 +321,7 @@ std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
                                                 const std::shared_ptr<ShaderCompiler>& compiler)
 {
     const ShaderPasses ofFeatures = FeatureShaders(asset);
-    ShaderPasses passes = ofFeatures;
-    AddSceneShaders(asset.scene, passes);
-    const ShaderProblems problems = CompileAll(passes);
+    const ShaderProblems problems = FindProblems(asset, ofFeatures);
     const bool hasFeature = std::ranges::any_of(problems, [&](const auto& problem)
                                                 { return ofFeatures.count(problem.first) > 0; });
     if (hasFeature)

@@ -5,6 +5,7 @@
 #include "models/TextMesh.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
+#include "unity/TextTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -617,12 +618,27 @@ UnityMaterials::LoadPicture(const UnityReference& picture, TextureDimension dime
         return nullptr;
     }
     const std::string name = path->filename().string();
+    std::shared_ptr<const Texture> texture;
+    if (ToLower(path->extension().string()) == ".asset")
+    {
+        texture = LoadTextTexture(*path, picture.fileID);
+        if (texture && texture->dimension() != dimension)
+        {
+            problem = name + " is a texture of the kind " + ToString(texture->dimension()) +
+                      ", and the shader takes one of the kind " + ToString(dimension);
+            texture = nullptr;
+        }
+        else if (!texture)
+        {
+            problem = name + " holds no texture that limn reads";
+        }
+        return texture;
+    }
     if (!IsPictureFile(*path))
     {
         problem = name + " is no picture that limn reads";
         return nullptr;
     }
-    std::shared_ptr<const Texture> texture;
     try
     {
         if (dimension == TextureDimension::Tex2D)
@@ -640,6 +656,41 @@ UnityMaterials::LoadPicture(const UnityReference& picture, TextureDimension dime
         m_Notes.Add(error.diagnostics());
     }
     return texture;
+}
+
+std::shared_ptr<const Texture> UnityMaterials::LoadTextTexture(const std::filesystem::path& path,
+                                                               std::int64_t fileID)
+{
+    const auto [known, isNew] = m_TextTextures.try_emplace({path.generic_string(), fileID});
+    if (!isNew)
+    {
+        return known->second;
+    }
+    const auto isTexture = [](const UnityHeader& header)
+    {
+        const auto classID = static_cast<UnityClass>(header.classID);
+        return classID == UnityClass::Texture2D || classID == UnityClass::Texture3D ||
+               classID == UnityClass::Texture2DArray;
+    };
+    try
+    {
+        const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
+        const UnityHeader* found = nullptr;
+        for (const UnityHeader& header : file ? file->headers() : std::span<const UnityHeader>())
+        {
+            found = isTexture(header) && (!found || header.fileID == fileID) ? &header : found;
+        }
+        if (found)
+        {
+            known->second = ReadTextTexture(static_cast<UnityClass>(found->classID),
+                                            file->Fields(*found), file->name());
+        }
+    }
+    catch (const AssetError& error)
+    {
+        m_Notes.Add(error.diagnostics());
+    }
+    return known->second;
 }
 
 /// Returns the dimension of a texture property; Tex2D if the shader declares no such property.

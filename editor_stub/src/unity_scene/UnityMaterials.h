@@ -78,6 +78,9 @@ private:
     std::shared_ptr<const Texture> LoadPicture(const UnityReference& picture,
                                                TextureDimension dimension, std::string_view guid,
                                                const char* otherwise, std::string& problem);
+    /// Loads a texture that an .asset file holds as text; null if it holds none, or with a note.
+    std::shared_ptr<const Texture> LoadTextTexture(const std::filesystem::path& path,
+                                                   std::int64_t fileID);
     /// Returns the name of the graph that is a material file's shader, or "" if it is none.
     std::string GraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();
@@ -89,6 +92,8 @@ private:
     std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs;
     std::map<std::string, std::optional<Model>> m_Models;
     std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
+    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Texture>>
+        m_TextTextures;                             ///< by file and id; null with a note about it
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<UnityReference, std::shared_ptr<const Material>> m_Materials;
     /// Those that stand in a scene or prefab itself, by file and id.

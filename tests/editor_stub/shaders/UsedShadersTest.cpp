@@ -80,7 +80,7 @@ TEST(UsedShaders, AreMagentaOrInactiveInASceneOfUnitysWhereTheyAreBroken)
     EXPECT_THAT(CompileUsedShaders(asset), testing::IsEmpty()) << "nothing is broken any more";
 }
 
-TEST(UsedShaders, AreMagentaInASceneOfUnitysWhereTheirGeometryFunctionTakesPoints)
+TEST(UsedShaders, CannotDrawMeshesWhereTheirGeometryFunctionTakesPoints)
 {
     SceneFolder folder;
     folder.Write("Tint.hlsl", TintText("1, 1, 1"));
@@ -107,6 +107,14 @@ TEST(UsedShaders, AreMagentaInASceneOfUnitysWhereTheirGeometryFunctionTakesPoint
 }
 )");
     SceneAsset asset = folder.Load(k_Materials);
+    EXPECT_THAT([&] { CompileUsedShaders(asset); },
+                testing::ThrowsMessage<AssetError>(
+                    Mentions("own.shader:5:9: error", "geometry", "'triangle'")))
+        << "limn's own scenes";
+    SceneAsset watched = folder.Load(k_Materials);
+    EXPECT_THAT(CompileOrReplaceShaders(watched, folder.assets.compiler()), testing::SizeIs(1));
+    EXPECT_EQ("Hidden/Core/FallbackError",
+              watched.scene.objects()[0]->renderer->sharedMaterials[0]->shader()->name());
     asset.isUnityScene = true;
     std::vector<std::string> texts;
     for (const Diagnostic& note : CompileUsedShaders(asset))

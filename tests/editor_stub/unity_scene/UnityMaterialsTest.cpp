@@ -339,6 +339,109 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
                 ElementsAre(Mentions("graph Paint.shadergraph", "not read", "Lit is used")));
 }
 
+/// Shows textures of three dimensions.
+constexpr const char* k_Textured =
+    "Shader \"Textured\" { Properties { _Ramp (\"\", 2D) = \"\" {}\n"
+    "_Noise (\"\", 3D) = \"\" {}\n _Layers (\"\", 2DArray) = \"\" {} }\n"
+    "SubShader { Pass { } } }\n";
+
+/// Editor scripts save volumes, arrays and ramps so.
+TEST_F(MaterialOfAProject, HasTexturesThatAreSavedAsText)
+{
+    const std::string settings = "  m_TextureSettings:\n    m_FilterMode: 0\n    m_Aniso: 0\n"
+                                 "    m_WrapU: 1\n    m_WrapV: 0\n    m_WrapW: 2\n";
+    m_Folder.Write("Assets/Textured.shader", k_Textured);
+    WriteMeta("Textured.shader", k_GraphGuid);
+    const auto write =
+        [&](const std::string& name, const std::string& guid, const std::string& text)
+    {
+        m_Folder.Write("Assets/" + name, k_Head + text + settings);
+        WriteMeta(name, guid);
+    };
+    // Two levels of 2x1x2 texels of R8_UNorm, which is 5 among the formats of graphics.
+    write("Noise.asset", "eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee",
+          "--- !u!117 &11700000\nTexture3D:\n  m_Name: Noise\n  serializedVersion: 3\n"
+          "  m_ColorSpace: 0\n  m_Format: 5\n  m_Width: 2\n  m_Height: 1\n  m_Depth: 2\n"
+          "  m_MipCount: 2\n  _typelessdata: 0A14ff0107\n");
+    // Two levels of two elements of 2x1 texels of ARGB32, as the first version saved it: its 5.
+    write("Layers.asset", "ffffffffffffffffffffffffffffffff",
+          "--- !u!187 &18700000\nTexture2DArray:\n  m_Name: Layers\n  m_ColorSpace: 1\n"
+          "  m_Format: 5\n  m_Width: 2\n  m_Height: 1\n  m_Depth: 2\n  m_MipCount: 2\n"
+          "  _typelessdata: a0010203b0040506ffffffffc0070809d00a0b0cffffffff\n");
+    // A texel of RGB24 behind another object of the file.
+    write("Ramp.asset", "99999999999999999999999999999999",
+          "--- !u!114 &1\nMonoBehaviour:\n  m_Name: Ramp\n--- !u!28 &2800000\nTexture2D:\n"
+          "  m_Name: Ramp\n  serializedVersion: 2\n  m_TextureFormat: 3\n  m_ColorSpace: 1\n"
+          "  m_Width: 1\n  m_Height: 1\n  m_MipCount: 1\n  _typelessdata: 010203\n");
+    const auto map = [](const std::string& name, const std::string& id, const std::string& guid)
+    {
+        return Map(name, "{fileID: " + id + ", guid: " + guid + ", type: 2}");
+    };
+    const Material& material =
+        Load("{fileID: 4800000, guid: " + std::string(k_GraphGuid) + ", type: 3}",
+             "  m_SavedProperties:\n    m_TexEnvs:\n" +
+                 map("_Noise", "11700000", "eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee") +
+                 map("_Layers", "18700000", "ffffffffffffffffffffffffffffffff") +
+                 map("_Ramp", "2800000", "99999999999999999999999999999999"));
+    EXPECT_THAT(Notes(), IsEmpty());
+    const auto texels = [&](const char* name)
+    {
+        const auto texture = std::dynamic_pointer_cast<const TexelTexture>(
+            material.GetTexture(ShaderPropertyId(name)));
+        std::vector<int> values;
+        for (const std::byte byte : texture ? texture->texels() : std::vector<std::byte>())
+        {
+            values.push_back(static_cast<int>(byte));
+        }
+        return values;
+    };
+    const auto noise = material.GetTexture(ShaderPropertyId("_Noise"));
+    ASSERT_NE(noise, nullptr);
+    EXPECT_EQ(noise->DescribeSize(), "2x1x2 3D");
+    EXPECT_EQ(noise->graphicsFormat(), GraphicsFormat::R8_UNorm);
+    EXPECT_EQ(noise->mipmapCount(), 2);
+    EXPECT_EQ(noise->sampler().filterMode, FilterMode::Point);
+    EXPECT_EQ(noise->sampler().wrapModeU, TextureWrapMode::Clamp);
+    EXPECT_EQ(noise->sampler().wrapModeW, TextureWrapMode::Mirror);
+    EXPECT_THAT(texels("_Noise"), ElementsAre(10, 20, 255, 1));
+    const auto layers = material.GetTexture(ShaderPropertyId("_Layers"));
+    ASSERT_NE(layers, nullptr);
+    EXPECT_EQ(layers->graphicsFormat(), GraphicsFormat::R8G8B8A8_SRGB);
+    EXPECT_THAT(texels("_Layers"),
+                ElementsAre(1, 2, 3, 160, 4, 5, 6, 176, 7, 8, 9, 192, 10, 11, 12, 208));
+    EXPECT_EQ(material.GetTexture(ShaderPropertyId("_Ramp"))->graphicsFormat(),
+              GraphicsFormat::R8G8B8A8_SRGB);
+    EXPECT_THAT(texels("_Ramp"), ElementsAre(1, 2, 3, 255));
+}
+
+TEST_F(MaterialOfAProject, SaysWhyATextureOfTextIsNotRead)
+{
+    m_Folder.Write("Assets/Textured.shader", k_Textured);
+    WriteMeta("Textured.shader", k_GraphGuid);
+    const auto notesOf = [&](const std::string& texture)
+    {
+        m_Folder.Write("Assets/T.asset", std::string(k_Head) + "--- !u!187 &1\nTexture2DArray:\n" +
+                                             "  m_Width: 4\n  m_Height: 4\n  m_Depth: 1\n" +
+                                             texture);
+        WriteMeta("T.asset", "eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee");
+        Load("{fileID: 4800000, guid: " + std::string(k_GraphGuid) + ", type: 3}",
+             "  m_SavedProperties:\n    m_TexEnvs:\n" +
+                 Map("_Layers", "{fileID: 1, guid: eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee, type: 2}"));
+        return Notes("T.asset");
+    };
+    EXPECT_THAT(notesOf("  serializedVersion: 2\n  m_Format: 96\n  _typelessdata: 00\n"),
+                ElementsAre(Mentions("RGBA_DXT1_SRGB", "compressed")));
+    EXPECT_THAT(notesOf("  m_Format: 4\n  _typelessdata: 0000\n"),
+                ElementsAre(Mentions("2 bytes", "4x4x1", "64")));
+    EXPECT_THAT(notesOf("  m_Format: 4\n  _typelessdata: 0x\n"), ElementsAre(Mentions("'x'")));
+    EXPECT_THAT(notesOf("  m_Format: 900\n  _typelessdata: 00\n"), ElementsAre(Mentions("900")));
+    EXPECT_THAT(notesOf("  serializedVersion: 2\n  m_Format: 900\n  _typelessdata: 00\n"),
+                testing::SizeIs(1));
+    EXPECT_THAT(notesOf("  m_Format: 4\n  m_StreamData:\n    path: a.resS\n"),
+                ElementsAre(Mentions("another file")));
+    EXPECT_THAT(Notes(), Contains(Mentions("_Layers", "T.asset", "the shader's own")));
+}
+
 /// A script that makes a material in the editor leaves it in the scene.
 TEST_F(MaterialOfAProject, MayStandInTheSceneItself)
 {
