@@ -92,7 +92,8 @@ TEST(ShaderLibraryPackages, CanBeIncludedFileByFile)
     for (const char* folder :
          {"Packages/com.unity.render-pipelines.core", "Packages/com.unity.postprocessing",
           "Packages/com.unity.render-pipelines.universal/ShaderLibrary",
-          "Packages/com.unity.render-pipelines.universal/Shaders/PostProcessing"})
+          "Packages/com.unity.render-pipelines.universal/Shaders/PostProcessing",
+          "Packages/com.unity.shadergraph/ShaderGraphLibrary"})
     {
         for (const std::string& header : Headers(folder))
         {
