@@ -1,5 +1,5 @@
-// What URP draws of Unity's cutout shaders of the built-in pipeline where another shader takes it by
-// UsePass or Fallback: the shadow of what is not cut out.
+// It lends its pass where UsePass or Fallback names a cutout shader of Unity's built-in pipeline. URP
+// draws nothing else of those: the pass casts the shadow of the parts that are not cut out.
 Shader "Hidden/Limn/CutoutVertexLit"
 {
     SubShader

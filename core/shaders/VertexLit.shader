@@ -1,5 +1,5 @@
-// What URP draws of Unity's opaque shaders of the built-in pipeline where another shader takes it by
-// UsePass or Fallback: the shadow of the mesh.
+// It lends its pass where UsePass or Fallback names an opaque shader of Unity's built-in pipeline. URP
+// draws nothing else of those: the pass casts the shadow of the mesh.
 Shader "Hidden/Limn/VertexLit"
 {
     SubShader

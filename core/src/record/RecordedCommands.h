@@ -243,8 +243,8 @@ using CommandVariant =
                  SetViewCommand, SetProjectionCommand, SetBufferDataCommand,
                  SetBufferCounterCommand, CopyBufferCommand, SetComputeParamsCommand>;
 
-/// One command of a CommandBuffer. A struct of its own, so that CommandBuffer.h needs no more than
-/// its name: a variant of so many types costs each file that sees it most of a second.
+/// One command of a CommandBuffer. It is a struct, so that CommandBuffer.h needs no more than its
+/// name: a variant of so many types costs each file that sees it most of a second.
 struct RecordedCommand : CommandVariant
 {
     using CommandVariant::CommandVariant;

@@ -18,7 +18,7 @@ namespace
 constexpr const char* k_SimpleLit = "Universal Render Pipeline/Simple Lit";
 constexpr const char* k_Unlit = "Universal Render Pipeline/Unlit";
 
-/// Blends by alpha.
+/// The values of a surface that is blended by alpha.
 const std::map<std::string, float, std::less<>> k_Blended = {
     {"_Surface", 1.0f}, {"_SrcBlend", 5.0f}, {"_DstBlend", 10.0f}, {"_ZWrite", 0.0f}};
 

@@ -78,7 +78,8 @@ private:
     std::shared_ptr<const Texture> LoadPicture(const UnityReference& picture,
                                                TextureDimension dimension, std::string_view guid,
                                                const char* otherwise, std::string& problem);
-    /// Loads a texture that an .asset file holds as text; null if it holds none, or with a note.
+    /// Loads a texture that an .asset file holds as text. Returns null if it holds none, and null
+    /// with a note if the texture is broken.
     std::shared_ptr<const Texture> LoadTextTexture(const std::filesystem::path& path,
                                                    std::int64_t fileID);
     /// Returns the name of the graph that is a material file's shader, or "" if it is none.

@@ -208,7 +208,7 @@ TEST_F(MaterialOfAProject, IsAsSimpleAsTheBuiltInPipelinesOlderShaders)
     EXPECT_THAT(Load(BuiltIn(10751), saved).shaderKeywords(), ElementsAre("_ALPHATEST_ON"));
 }
 
-/// As URP's upgrader of materials turns them into Simple Lit (URP 14).
+/// URP's upgrader of materials turns them into Simple Lit, too (URP 14).
 TEST_F(MaterialOfAProject, IsSimpleLitInPlaceOfTheOldestShaders)
 {
     const std::string saved = "  m_CustomRenderQueue: -1\n  m_SavedProperties:\n    m_TexEnvs:\n" +
@@ -339,13 +339,13 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
                 ElementsAre(Mentions("graph Paint.shadergraph", "not read", "Lit is used")));
 }
 
-/// Shows textures of three dimensions.
+/// A shader with textures of three kinds.
 constexpr const char* k_Textured =
     "Shader \"Textured\" { Properties { _Ramp (\"\", 2D) = \"\" {}\n"
     "_Noise (\"\", 3D) = \"\" {}\n _Layers (\"\", 2DArray) = \"\" {} }\n"
     "SubShader { Pass { } } }\n";
 
-/// Editor scripts save volumes, arrays and ramps so.
+/// Editor scripts save volumes, arrays and ramps in such files.
 TEST_F(MaterialOfAProject, HasTexturesThatAreSavedAsText)
 {
     const std::string settings = "  m_TextureSettings:\n    m_FilterMode: 0\n    m_Aniso: 0\n"

@@ -36,10 +36,10 @@ public:
     /// Returns the document of that name, or null if there is none. Case counts, as in Unity.
     const ShaderLabDocument* Find(std::string_view name) const;
 
-    /// Returns the document that lends its passes where UsePass or Fallback has this name: Find's,
-    /// or that of "Hidden/Limn/VertexLit" and "Hidden/Limn/CutoutVertexLit" which has the passes
-    /// that URP draws of a shader of Unity's built-in pipeline ("Diffuse", "Legacy
-    /// Shaders/VertexLit"). Null if there is none.
+    /// Returns the document that lends its passes where UsePass or Fallback has this name, or null
+    /// if there is none. For a shader of Unity's built-in pipeline ("Diffuse") that Find does not
+    /// know, it is limn's document that casts the same shadow: "Hidden/Limn/VertexLit" or
+    /// "Hidden/Limn/CutoutVertexLit".
     /// @source Unity: the built-in shaders and their Fallbacks (2022.3)
     const ShaderLabDocument* FindLender(std::string_view name) const;
 

@@ -85,7 +85,7 @@ uint UnpackShort(float f) { return UnpackInt(f, 16); }
 float PackShortLo(uint i) { return PackByte(i & 0xFFu); }
 float PackShortHi(uint i) { return PackByte(i >> 8); }
 
-// A number in 0...1 as a bit field of a word.
+// A number in 0...1 is a bit field of a word.
 uint PackFloatToUInt(float src, uint offset, uint numBits)
 {
     return UnpackInt(src, numBits) << offset;
@@ -105,8 +105,8 @@ float4 UnpackFromR10G10B10A2(uint rgba)
                   UnpackUIntToFloat(rgba, 20, 10), UnpackUIntToFloat(rgba, 30, 2));
 }
 
-// A fraction f and a whole number i below maxi in one number in 0...1 of so many steps: each i has
-// its share of them.
+// A fraction f and a whole number i below maxi share one number in 0...1, which has `precision` steps:
+// each i has an equal part of them.
 float PackFloatInt(float f, uint i, float maxi, float precision)
 {
     float share = precision / maxi;

@@ -1,3 +1,3 @@
-// What generated passes of URP 7 to 10 include behind the pipeline's own files, which have all of it.
+// Passes that graphs of URP 7 to 10 generated include this file. The pipeline's own has all of it.
 #pragma once
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl"
