@@ -81,7 +81,7 @@ private:
                                "not in Unity and save it again");
         }
         const std::vector<std::byte> bytes = ReadBytes();
-        const std::size_t slice = m_Width * m_Height * m_TexelBytes;
+        const std::size_t slice = m_Width * m_Height * TexelBytes();
         const std::size_t stride = isVolume ? slice : LevelsOfSlice();
         std::vector<std::vector<std::byte>> slices;
         for (std::size_t i = 0; i < m_Depth; ++i)
@@ -124,6 +124,8 @@ private:
                                                  sampler, hasMips);
     }
 
+    std::size_t TexelBytes() const { return static_cast<std::size_t>(BytesPerTexel(m_Format)); }
+
     /// Returns the bytes of all levels of an element.
     std::size_t LevelsOfSlice() const
     {
@@ -131,14 +133,13 @@ private:
         for (std::size_t level = 0; level < m_Levels; ++level)
         {
             bytes += std::max<std::size_t>(m_Width >> level, 1) *
-                     std::max<std::size_t>(m_Height >> level, 1) * m_TexelBytes;
+                     std::max<std::size_t>(m_Height >> level, 1) * TexelBytes();
         }
         return bytes;
     }
 
     std::vector<std::byte> ReadBytes()
     {
-        m_TexelBytes = static_cast<std::size_t>(BytesPerTexel(m_Format));
         const UnityNode node = m_Fields["_typelessdata"];
         if (!m_Fields["m_StreamData"]["path"].text().empty())
         {
@@ -148,7 +149,7 @@ private:
         std::vector<std::byte> bytes = Bytes(node);
         const bool isArray = m_Class == UnityClass::Texture2DArray;
         const std::size_t needed =
-            m_Depth * (isArray ? LevelsOfSlice() : m_Width * m_Height * m_TexelBytes);
+            m_Depth * (isArray ? LevelsOfSlice() : m_Width * m_Height * TexelBytes());
         if (bytes.size() < needed)
         {
             Fail(node, "the texture has " + std::to_string(bytes.size()) + " bytes; " +
@@ -209,7 +210,6 @@ private:
     std::size_t m_Levels = 0;
     GraphicsFormat m_Format = GraphicsFormat::None; ///< as it is saved
     bool m_IsAlphaFirst = false;                    ///< of ARGB32
-    std::size_t m_TexelBytes = 0;
 };
 
 } // namespace

@@ -129,12 +129,18 @@ const std::filesystem::path* UnityDatabase::Find(const std::string& guid)
                : nullptr;
 }
 
-std::string UnityDatabase::WhyNotFound(const std::string& guid, std::string_view whose) const
+std::string UnityDatabase::WhyNotFound(const UnityReference& reference,
+                                       std::string_view whose) const
 {
-    const std::filesystem::path* path = m_Project.Find(guid);
+    if (FindKnownAsset(reference).kind == UnityPackageAsset::Other)
+    {
+        return "limn does not have this asset, which is built into Unity (fileID " +
+               std::to_string(reference.fileID) + ")";
+    }
+    const std::filesystem::path* path = m_Project.Find(reference.guid);
     if (path == nullptr)
     {
-        return "no file of the project has " + std::string(whose) + " " + guid;
+        return "no file of the project has " + std::string(whose) + " " + reference.guid;
     }
     const std::string name = "'" + path->lexically_relative(root()).generic_string() + "'";
     std::error_code ignored;

@@ -45,9 +45,12 @@ public:
 
     /// Returns the file with a guid, or null if it does not exist or may not be read.
     const std::filesystem::path* Find(const std::string& guid);
-    /// Returns why Find finds no file: "no file of the project has the texture's guid 12ab…".
+    /// Returns why there is nothing behind a reference: "no file of the project has the texture's
+    /// guid 12ab…".
     /// @param whose  what has the guid: "the texture's guid"
-    std::string WhyNotFound(const std::string& guid, std::string_view whose = "its guid") const;
+    /// An asset that is built into Unity and that limn lacks has a sentence of its own.
+    std::string WhyNotFound(const UnityReference& reference,
+                            std::string_view whose = "its guid") const;
     /// Loads a text asset. Returns null and adds a note if there is none, it is broken or it is
     /// saved as binary.
     std::shared_ptr<const UnityFile> LoadFile(const std::filesystem::path& path);

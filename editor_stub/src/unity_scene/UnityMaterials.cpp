@@ -1,11 +1,9 @@
 #include "unity_scene/UnityMaterials.h"
 
-#include "assets/PictureFile.h"
 #include "console/Texts.h"
 #include "models/TextMesh.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
-#include "unity/TextTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -96,17 +94,6 @@ void SetKeywordsOf(const MaterialStandIn& standIn, Material& material)
     {
         material.EnableKeyword("_ALPHAPREMULTIPLY_ON");
     }
-}
-
-/// Returns why there is nothing behind a reference.
-/// @param guid  what the reference names: "the texture's guid"
-std::string AbsenceOf(const UnityReference& reference, const UnityDatabase& database,
-                      std::string_view guid = "its guid")
-{
-    return FindKnownAsset(reference).kind == UnityPackageAsset::Other
-               ? "limn does not have this asset, which is built into Unity (fileID " +
-                     std::to_string(reference.fileID) + ")"
-               : database.WhyNotFound(reference.guid, guid);
 }
 
 /// Notes why there is no mesh.
@@ -271,7 +258,7 @@ std::shared_ptr<const Mesh> UnityMaterials::LoadMesh(const UnityReference& mesh,
     const Model* model = path != nullptr ? LoadModelOf(mesh.guid) : nullptr;
     if (path == nullptr)
     {
-        return NoMesh(user, AbsenceOf(mesh, m_Database));
+        return NoMesh(user, m_Database.WhyNotFound(mesh));
     }
     if (IsIn(ToLower(path->extension().string()), {".asset", ".mesh", ".prefab"}))
     {
@@ -330,7 +317,7 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
     const std::filesystem::path* path = m_Database.Find(material.guid);
     if (path == nullptr)
     {
-        note(AbsenceOf(material, m_Database, "the material's guid"));
+        note(m_Database.WhyNotFound(material, "the material's guid"));
         return nullptr;
     }
     const std::string name = path->filename().string();
@@ -374,7 +361,7 @@ std::shared_ptr<const Material> UnityMaterials::LoadSkybox(const UnityReference&
     if (FindKnownAsset(material).kind != UnityPackageAsset::Material &&
         m_Database.Find(material.guid) == nullptr)
     {
-        user.Note(path, AbsenceOf(material, m_Database, "the material's guid") +
+        user.Note(path, m_Database.WhyNotFound(material, "the material's guid") +
                             ", so the background is the camera's colour");
         return nullptr;
     }
@@ -385,7 +372,8 @@ std::shared_ptr<const Texture> UnityMaterials::LoadReflection(const UnityReferen
                                                               const UnityReader& user)
 {
     std::string problem;
-    auto texture = LoadPicture(cube, TextureDimension::Cube, "the cube's guid", "no cube", problem);
+    auto texture =
+        m_Textures.Load(cube, TextureDimension::Cube, "the cube's guid", "no cube", problem);
     if (!problem.empty())
     {
         user.Note("m_CustomReflection", problem + ", so nothing is mirrored");
@@ -420,7 +408,7 @@ std::shared_ptr<const Material> UnityMaterials::Read(const UnityReference& refer
     if (file == nullptr)
     {
         user.Note(path,
-                  AbsenceOf(reference, m_Database, "the material's guid") + ", so it is magenta");
+                  m_Database.WhyNotFound(reference, "the material's guid") + ", so it is magenta");
         return Magenta();
     }
     if (IsModelFile(*file))
@@ -534,7 +522,7 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
         return {m_Assets.FindShader(shipped->name)};
     }
     m_Notes.Add(material, 0,
-                AbsenceOf(reference, m_Database, "its shader's guid") +
+                m_Database.WhyNotFound(reference, "its shader's guid") +
                     ", so the objects that have it are magenta");
     return {nullptr};
 }
@@ -607,92 +595,6 @@ void UnityMaterials::SetValues(const UnityNode& fields, const std::string& file,
     }
 }
 
-std::shared_ptr<const Texture>
-UnityMaterials::LoadPicture(const UnityReference& picture, TextureDimension dimension,
-                            std::string_view guid, const char* otherwise, std::string& problem)
-{
-    const std::filesystem::path* path = m_Database.Find(picture.guid);
-    if (path == nullptr)
-    {
-        problem = AbsenceOf(picture, m_Database, guid);
-        return nullptr;
-    }
-    const std::string name = path->filename().string();
-    std::shared_ptr<const Texture> texture;
-    if (ToLower(path->extension().string()) == ".asset")
-    {
-        texture = LoadTextTexture(*path, picture.fileID);
-        if (texture && texture->dimension() != dimension)
-        {
-            problem = name + " is a texture of the kind " + ToString(texture->dimension()) +
-                      ", and the shader takes one of the kind " + ToString(dimension);
-            texture = nullptr;
-        }
-        else if (!texture)
-        {
-            problem = name + " holds no texture that limn reads";
-        }
-        return texture;
-    }
-    if (!IsPictureFile(*path))
-    {
-        problem = name + " is no picture that limn reads";
-        return nullptr;
-    }
-    try
-    {
-        if (dimension == TextureDimension::Tex2D)
-        {
-            return m_Assets.LoadTexture(*path);
-        }
-        if (dimension == TextureDimension::Cube)
-        {
-            texture = m_Assets.LoadCubemap(*path);
-        }
-        problem = texture ? "" : name + " is " + otherwise;
-    }
-    catch (const AssetError& error)
-    {
-        m_Notes.Add(error.diagnostics());
-    }
-    return texture;
-}
-
-std::shared_ptr<const Texture> UnityMaterials::LoadTextTexture(const std::filesystem::path& path,
-                                                               std::int64_t fileID)
-{
-    const auto [known, isNew] = m_TextTextures.try_emplace({path.generic_string(), fileID});
-    if (!isNew)
-    {
-        return known->second;
-    }
-    const auto isTexture = [](const UnityHeader& header)
-    {
-        const auto classID = static_cast<UnityClass>(header.classID);
-        return classID == UnityClass::Texture2D || classID == UnityClass::Texture3D ||
-               classID == UnityClass::Texture2DArray;
-    };
-    try
-    {
-        const std::shared_ptr<const UnityFile> file = m_Database.LoadFile(path);
-        const UnityHeader* found = nullptr;
-        for (const UnityHeader& header : file ? file->headers() : std::span<const UnityHeader>())
-        {
-            found = isTexture(header) && (!found || header.fileID == fileID) ? &header : found;
-        }
-        if (found)
-        {
-            known->second = ReadTextTexture(static_cast<UnityClass>(found->classID),
-                                            file->Fields(*found), file->name());
-        }
-    }
-    catch (const AssetError& error)
-    {
-        m_Notes.Add(error.diagnostics());
-    }
-    return known->second;
-}
-
 /// Returns the dimension of a texture property; Tex2D if the shader declares no such property.
 static TextureDimension DimensionOf(const Shader& shader, const ShaderPropertyId& id)
 {
@@ -719,11 +621,11 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
         material.SetTextureOffset(id, {read.Number(offset["x"]), read.Number(offset["y"])});
         const UnityReference texture = ReadUnityReference(value["m_Texture"]);
         std::string problem;
-        auto picture =
-            texture.isNull()
-                ? nullptr
-                : LoadPicture(texture, DimensionOf(*material.shader(), id), "the texture's guid",
-                              "no cube, volume or array, which the shader takes", problem);
+        auto picture = texture.isNull()
+                           ? nullptr
+                           : m_Textures.Load(
+                                 texture, DimensionOf(*material.shader(), id), "the texture's guid",
+                                 "no cube, volume or array, which the shader takes", problem);
         if (picture)
         {
             material.SetTexture(id, std::move(picture));

@@ -3,6 +3,7 @@
 #include "models/ModelFile.h"
 #include "unity/UnityDatabase.h"
 #include "unity_scene/MaterialStandIn.h"
+#include "unity_scene/UnityTextures.h"
 
 namespace limn
 {
@@ -20,7 +21,10 @@ class UnityMaterials
 {
 public:
     UnityMaterials(UnityDatabase& database, AssetContext& assets, UnityNotes& notes)
-        : m_Database(database), m_Assets(assets), m_Notes(notes)
+        : m_Database(database),
+          m_Assets(assets),
+          m_Notes(notes),
+          m_Textures(database, assets, notes)
     {
     }
 
@@ -72,16 +76,6 @@ private:
                    Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
                      Material& material);
-    /// Loads a picture. Returns null and adds a note if it is broken, or else sets `problem`.
-    /// @param guid       what the reference names: "the texture's guid"
-    /// @param otherwise  what a picture of another dimension is: "no cube"
-    std::shared_ptr<const Texture> LoadPicture(const UnityReference& picture,
-                                               TextureDimension dimension, std::string_view guid,
-                                               const char* otherwise, std::string& problem);
-    /// Loads a texture that an .asset file holds as text. Returns null if it holds none, and null
-    /// with a note if the texture is broken.
-    std::shared_ptr<const Texture> LoadTextTexture(const std::filesystem::path& path,
-                                                   std::int64_t fileID);
     /// Returns the name of the graph that is a material file's shader, or "" if it is none.
     std::string GraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();
@@ -89,12 +83,11 @@ private:
     UnityDatabase& m_Database;
     AssetContext& m_Assets;
     UnityNotes& m_Notes;
+    UnityTextures m_Textures;
     /// The prefabs of models, by guid.
     std::map<std::string, std::shared_ptr<const UnityFile>> m_Prefabs;
     std::map<std::string, std::optional<Model>> m_Models;
     std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
-    std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Texture>>
-        m_TextTextures;                             ///< by file and id; null with a note about it
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<UnityReference, std::shared_ptr<const Material>> m_Materials;
     /// Those that stand in a scene or prefab itself, by file and id.

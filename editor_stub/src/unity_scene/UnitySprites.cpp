@@ -246,7 +246,7 @@ std::optional<Sprite> FindSprite(UnitySceneLoader& loader, const UnityReader& re
         return Sprite{
             .texture = known, .picture = size, .size = size, .pixelsPerUnit = k_DefaultSpriteUnit};
     }
-    reader.Note("m_Sprite", (path == nullptr ? loader.database.WhyNotFound(asset.guid)
+    reader.Note("m_Sprite", (path == nullptr ? loader.database.WhyNotFound(asset)
                                              : path->filename().string() + " is no picture") +
                                 ", so nothing is drawn");
     return std::nullopt;

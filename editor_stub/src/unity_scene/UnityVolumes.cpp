@@ -65,7 +65,7 @@ void ReadProfile(UnitySceneLoader& loader, const UnityReader& reader, Volume& vo
     if (path == nullptr)
     {
         reader.Note("sharedProfile",
-                    loader.database.WhyNotFound(profile.guid) + ", so the volume does nothing");
+                    loader.database.WhyNotFound(profile) + ", so the volume does nothing");
         return;
     }
     try

@@ -139,8 +139,8 @@ TEST(ResolveShader, ShadowCasterAndMetaComeFromTheFallbackWhereTheyAreMissing)
               (Names{"own", "near"}));
 }
 
-/// Of Unity's built-in shaders (2022.3), the opaque and the cutout ones cast shadows, transparent
-/// ones, sprites and Unlit do not. URP draws nothing else of them.
+/// Opaque and cutout shaders of Unity's built-in pipeline cast shadows; transparent ones, sprites
+/// and Unlit do not (2022.3). URP draws nothing else of them.
 TEST(ResolveShader, TakesShadowsOfUnitysBuiltInShaders)
 {
     ShaderDatabase database;

@@ -10,6 +10,7 @@ namespace
 {
 
 using test::CompileCg;
+using test::k_Tree8Variants;
 using testing::IsEmpty;
 
 /// A pass of the author's around SpeedTreeVert and SpeedTreeFrag; VERTEX is what a vertex holds.
@@ -103,16 +104,6 @@ TEST(BuiltinLibrary, KnowsEveryFunctionOfTheWind)
         CompileCg(define + text);
     }
 }
-
-const std::vector<std::string> k_Tree8Variants[] = {
-    {},
-    {"EFFECT_BUMP", "EFFECT_EXTRA_TEX", "EFFECT_HUE_VARIATION", "EFFECT_SUBSURFACE",
-     "_WINDQUALITY_BEST", "LOD_FADE_PERCENTAGE"},
-    {"_WINDQUALITY_PALM", "EFFECT_SUBSURFACE", "EFFECT_BACKSIDE_NORMALS"},
-    {"_WINDQUALITY_FAST", "EFFECT_BACKSIDE_NORMALS", "EFFECT_BUMP"},
-    {"_WINDQUALITY_NONE", "EFFECT_HUE_VARIATION"},
-    {"EFFECT_BILLBOARD", "_WINDQUALITY_FASTEST", "EFFECT_BACKSIDE_NORMALS"},
-};
 
 TEST(BuiltinLibrary, CompilesSpeedTree8)
 {

@@ -41,4 +41,15 @@ inline std::vector<std::string> TextureNames(const ShaderProgram& pass)
     return names;
 }
 
+/// Keywords of SpeedTree 8: none, and such sets that each keyword is in one.
+inline const std::vector<std::string> k_Tree8Variants[] = {
+    {},
+    {"EFFECT_BUMP", "EFFECT_EXTRA_TEX", "EFFECT_HUE_VARIATION", "EFFECT_SUBSURFACE",
+     "_WINDQUALITY_BEST", "LOD_FADE_PERCENTAGE"},
+    {"_WINDQUALITY_PALM", "EFFECT_SUBSURFACE", "EFFECT_BACKSIDE_NORMALS"},
+    {"_WINDQUALITY_FAST", "EFFECT_BACKSIDE_NORMALS", "EFFECT_BUMP"},
+    {"_WINDQUALITY_NONE", "EFFECT_HUE_VARIATION"},
+    {"EFFECT_BILLBOARD", "_WINDQUALITY_FASTEST", "EFFECT_BACKSIDE_NORMALS"},
+};
+
 } // namespace limn::test

@@ -11,6 +11,7 @@ namespace
 {
 
 using test::CompileEntries;
+using test::k_Tree8Variants;
 
 std::string Terrain(const std::string& file)
 {
@@ -79,16 +80,6 @@ TEST(UniversalFiles, DrawGrassInEachOfItsPasses)
                        ProgramLanguage::Hlsl);
     }
 }
-
-const std::vector<std::string> k_Tree8Variants[] = {
-    {},
-    {"EFFECT_BUMP", "EFFECT_EXTRA_TEX", "EFFECT_HUE_VARIATION", "EFFECT_SUBSURFACE",
-     "_WINDQUALITY_BEST", "LOD_FADE_PERCENTAGE"},
-    {"_WINDQUALITY_PALM", "EFFECT_SUBSURFACE", "EFFECT_BACKSIDE_NORMALS"},
-    {"_WINDQUALITY_FAST", "EFFECT_BACKSIDE_NORMALS", "EFFECT_BUMP"},
-    {"_WINDQUALITY_NONE", "EFFECT_HUE_VARIATION"},
-    {"EFFECT_BILLBOARD", "_WINDQUALITY_FASTEST", "EFFECT_BACKSIDE_NORMALS"},
-};
 
 std::string UrpTree(const std::string& file)
 {
