@@ -181,7 +181,8 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
 {
     std::error_code ignored;
     std::filesystem::path nearest;
-    const std::filesystem::path whole = std::filesystem::absolute(file, ignored);
+    const std::filesystem::path whole =
+        std::filesystem::absolute(file, ignored).lexically_normal(); // without "/./"
     std::filesystem::path above = whole;
     while (above != above.parent_path())
     {
@@ -216,6 +217,22 @@ UnityProject::UnityProject(const std::filesystem::path& asset,
         ScanFolder(m_Root / folder, guids, m_Files);
     }
     guids.Store();
+    if (asset.is_relative())
+    {
+        NameFrom(std::filesystem::current_path());
+    }
+}
+
+/// Messages name the project's files as the user has named the asset, which is shorter.
+void UnityProject::NameFrom(const std::filesystem::path& folder)
+{
+    const std::size_t rootLength = m_Root.native().size() + 1;
+    m_Root = m_Root.lexically_relative(folder);
+    const std::string above = m_Root == "." ? "" : m_Root.generic_string() + "/";
+    for (auto& [guid, path] : m_Files)
+    {
+        path = above + path.native().substr(rootLength);
+    }
 }
 
 const std::filesystem::path* UnityProject::Find(std::string_view guid) const

@@ -19,7 +19,8 @@ std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 class UnityProject
 {
 public:
-    /// Finds the project around `asset`. If there is none, this is empty.
+    /// Finds the project around `asset`. If there is none, this is empty. If `asset` is relative to
+    /// the current folder, so are the paths that this returns.
     /// @param cacheFolder  caches the guids; empty = nothing is cached
     explicit UnityProject(const std::filesystem::path& asset,
                           const std::filesystem::path& cacheFolder = {});
@@ -32,6 +33,8 @@ public:
     const std::filesystem::path& root() const { return m_Root; }
 
 private:
+    void NameFrom(const std::filesystem::path& folder);
+
     std::filesystem::path m_Root;
     std::map<std::string, std::filesystem::path, std::less<>> m_Files;
 };

@@ -198,7 +198,8 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
         const UnityFile file(build.bytes, (project / "ProjectSettings").generic_string());
         for (const UnityNode scene : file.Fields(file.headers().front())["m_Scenes"])
         {
-            const std::filesystem::path path = project / std::string(scene["path"].text());
+            const std::filesystem::path path =
+                (project / std::string(scene["path"].text())).lexically_normal();
             if (scene["enabled"].text() == "1" && std::filesystem::is_regular_file(path, ignored))
             {
                 return path;
@@ -217,7 +218,7 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project)
     }
     if (scenes.size() == 1)
     {
-        return scenes.front();
+        return scenes.front().lexically_normal();
     }
     std::ranges::sort(scenes);
     const std::size_t named = std::min<std::size_t>(scenes.size(), 12);

@@ -1,6 +1,7 @@
 #include "unity/UnityProject.h"
 
 #include "TemporaryFolder.h"
+#include "commands/WorkingFolder.h"
 
 #include <fstream>
 #include <gmock/gmock.h>
@@ -27,6 +28,30 @@ TEST(UnityProjectAround, TakesTheNearestAssetsWhereNoFolderHasProjectSettings)
     const TemporaryFolder folder;
     folder.Write("A/Assets/B/Assets/a.mat", "");
     EXPECT_EQ(UnityProjectAround(folder / "A/Assets/B/Assets/a.mat"), folder / "A/Assets/B");
+}
+
+/// Returns the path of the file with guid A, and the project's, found around an asset.
+std::pair<std::string, std::string> NamesAround(const std::filesystem::path& asset)
+{
+    const UnityProject project(asset);
+    const std::filesystem::path* path = project.Find(k_GuidA);
+    return {path != nullptr ? path->string() : "", project.root().string()};
+}
+
+TEST(UnityProject, NamesFilesFromWhereTheAssetWasNamed)
+{
+    using testing::Pair;
+    const WorkingFolder working;
+    working.folder.Write("Project/Assets/Deep/A.fbx.meta",
+                         "fileFormatVersion: 2\nguid: " + k_GuidA);
+    EXPECT_THAT(NamesAround("Project/Assets/x.unity"),
+                Pair("Project/Assets/Deep/A.fbx", "Project"));
+    EXPECT_THAT(NamesAround(working.folder / "Project/./Assets/x.unity"),
+                Pair(working.folder / "Project/Assets/Deep/A.fbx", working.folder / "Project"));
+    std::filesystem::current_path("Project");
+    EXPECT_THAT(NamesAround("./Assets/x.unity"), Pair("Assets/Deep/A.fbx", "."));
+    std::filesystem::current_path("Assets/Deep");
+    EXPECT_THAT(NamesAround("x.unity"), Pair("../../Assets/Deep/A.fbx", "../.."));
 }
 
 /// A project whose .meta files were last changed an hour ago.
