@@ -167,6 +167,14 @@ void Parser::ParsePropertyDefault(ShaderProperty& property)
 
 bool Parser::ParseNumberDefault(ShaderProperty& property)
 {
+    if (isPunctuation('(')) // Unity takes it
+    {
+        Report(Severity::Warning, m_Token.location,
+               property.name + ": a list has more numbers than the property; write one number");
+        const bool isGood = ParseVectorDefault(property);
+        property.defaultValue = {property.defaultValue[0]};
+        return isGood;
+    }
     const auto number = ParseNumber(property.name);
     property.defaultValue[0] = number.value_or(0.0f);
     return number.has_value();

@@ -48,6 +48,17 @@ TEST(ShaderProperty, FillsAColorOfThreeNumbersWithFullAlphaAndAVectorWithZero)
     EXPECT_EQ(Property("_V (\"v\", Vector) = (1, 2, 3)").defaultValue, (Vector{1, 2, 3, 0}));
 }
 
+TEST(ShaderProperty, OfOneNumberTakesTheFirstOfAList)
+{
+    const ShaderLabParseResult result = ParseShaderLab(
+        "Shader \"x\" { Properties { _W (\"w\", Float) = (2, 3, 4, 5) } }", "t.shader");
+    EXPECT_EQ(
+        test::Messages(result.diagnostics),
+        std::vector<std::string>{
+            "1:45: warning: _W: a list has more numbers than the property; write one number"});
+    EXPECT_EQ(result.document.properties.at(0).defaultValue, (Vector{2, 0, 0, 0}));
+}
+
 struct DimensionCase
 {
     const char* keyword;

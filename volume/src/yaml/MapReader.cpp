@@ -144,7 +144,7 @@ void YamlMapReader::Finish(std::span<const std::string> elsewhere)
 
 std::string YamlMapReader::SubjectOf(std::string_view key) const
 {
-    return m_Subject + "." + std::string(key);
+    return m_Subject + (m_Subject.empty() ? "" : ".") + std::string(key);
 }
 
 } // namespace limn
