@@ -67,13 +67,6 @@ bool IsAbout(const std::string& item, const LeftOut& one)
 
 } // namespace
 
-std::string NearestHint(const std::string& name, const std::vector<std::string>& known)
-{
-    const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
-    return nearest.empty() || nearest == name ? ""
-                                              : "; did you mean '" + std::string(nearest) + "'?";
-}
-
 NameDifference CompareRenderers(const ObjectNames& objects, const std::vector<std::string>& items,
                                 const DrawnFacts& facts, ListKind kind)
 {
@@ -124,8 +117,9 @@ NameDifference CompareNames(const std::vector<std::string>& items,
         }
         else if (j == actual.size() || (i < items.size() && common[i + 1][j] >= common[i][j + 1]))
         {
-            const std::string hint =
-                std::ranges::count(actual, items[i]) > 0 ? "" : NearestHint(items[i], actual);
+            const std::string hint = std::ranges::count(actual, items[i]) > 0
+                                         ? ""
+                                         : DidYouMean(items[i], {actual.begin(), actual.end()});
             result.lines.push_back("- " + items[i++] + "  " + words.missing + hint);
         }
         else
@@ -160,7 +154,7 @@ NameDifference CompareLeftOut(const std::vector<std::string>& items,
             result.lines.push_back(
                 isFound ? "+ " + item + "  left out, but not expected: " + found->reason
                         : "- " + item + "  expected to be left out, but it is not" +
-                              NearestHint(item, passes));
+                              DidYouMean(item, {passes.begin(), passes.end()}));
         }
         else
         {

@@ -40,7 +40,4 @@ NameDifference CompareNames(const std::vector<std::string>& items,
 NameDifference CompareLeftOut(const std::vector<std::string>& items,
                               const std::vector<LeftOut>& actual, ListKind kind);
 
-/// Returns "; did you mean 'X'?" for a name that is not known, or "" where none is near.
-std::string NearestHint(const std::string& name, const std::vector<std::string>& known);
-
 } // namespace limn

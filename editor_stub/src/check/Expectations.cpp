@@ -194,7 +194,8 @@ private:
     {
         return std::ranges::find(known, pass) != known.end()
                    ? ""
-                   : "- " + pass + "  no pass of this name runs" + NearestHint(pass, known);
+                   : "- " + pass + "  no pass of this name runs" +
+                         DidYouMean(pass, {known.begin(), known.end()});
     }
 
     /// Reads what a feature or a pass draws.
@@ -311,13 +312,8 @@ private:
         VolumeParameter* found = nullptr;
         for (std::size_t i = 1; i < names.size(); ++i)
         {
-            const auto isNamed = [&](const VolumeParameter* parameter)
-            {
-                return parameter->name() == names[i] ||
-                       PlainSpelling(parameter->name()) == names[i];
-            };
-            const auto next = std::ranges::find_if(known, isNamed);
-            if (next == known.end())
+            found = limn::FindParameter(known, names[i]);
+            if (!found)
             {
                 m_Diagnostics.Error(
                     entry.keyLocation,
@@ -327,7 +323,6 @@ private:
                                             { return std::string_view(parameter->name()); })));
                 return nullptr;
             }
-            found = *next;
             known = found->parameters();
         }
         return found;
@@ -386,7 +381,7 @@ private:
             if (result.truth.empty())
             {
                 result.diff = {"- " + entry.key + "  the frame has no texture of this name" +
-                               NearestHint(entry.key, names)};
+                               DidYouMean(entry.key, {names.begin(), names.end()})};
             }
             else if (std::ranges::find(result.truth, wanted) == result.truth.end())
             {

@@ -186,9 +186,8 @@ private:
     {
         std::vector<std::string> known;
         std::ranges::transform(m_Table.FlagsOf(*m_Verb), std::back_inserter(known), &Flag::Name);
-        const std::string nearest(NearestName(spelling, {known.begin(), known.end()}));
         Complain("unknown option '" + Shortened(spelling, 64) + "'" +
-                 (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+                 DidYouMean(spelling, {known.begin(), known.end()}));
     }
 
     void CheckTimes()

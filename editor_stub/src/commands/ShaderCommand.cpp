@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <future>
+#include <limn/base/Lists.h>
 #include <limn/base/TerminalText.h>
 #include <limn/shaderlab/ComputeDocument.h>
 #include <limn/shaderlab/InitialKeywords.h>
@@ -100,9 +101,9 @@ std::vector<std::filesystem::path> FindFolders(const std::vector<std::string>& p
     {
         std::filesystem::path folder(path);
         folder = isFolder(folder) ? folder : FolderOfShaders(folder);
-        if (isFolder(folder) && std::ranges::find(folders, folder) == folders.end())
+        if (isFolder(folder))
         {
-            folders.push_back(std::move(folder));
+            AddOnce(folder, folders);
         }
     }
     return folders;

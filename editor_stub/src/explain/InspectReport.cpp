@@ -403,12 +403,10 @@ InspectReport InspectName(const std::string& name, AssetContext& assets)
     if (report.volumes.empty() && report.features.empty() && report.shaders.empty())
     {
         const std::vector<std::string> known = KnownNames(assets);
-        const std::string_view nearest = NearestName(name, {known.begin(), known.end()});
         throw AssetError(name, {},
                          "there is no such file, and no volume component, feature or shader has "
                          "this name" +
-                             (nearest.empty() ? std::string()
-                                              : "; did you mean '" + std::string(nearest) + "'?"));
+                             DidYouMean(name, {known.begin(), known.end()}));
     }
     return report;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limn/base/Lists.h>
 #include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/PostProcessRendererFeature.h>
 
@@ -310,10 +311,7 @@ void SceneLoader::AddNotes(const std::vector<Diagnostic>& notes)
 {
     for (const Diagnostic& note : notes)
     {
-        if (std::ranges::find(asset.notes, note) == asset.notes.end())
-        {
-            asset.notes.push_back(note);
-        }
+        AddOnce(note, asset.notes);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <limn/base/Lists.h>
 #include <limn/core/DynamicGI.h>
 
 namespace limn
@@ -12,10 +13,7 @@ std::vector<std::string> NotesOf(const RenderReport& report)
     std::vector<std::string> notes;
     for (const std::string& note : report.notes)
     {
-        if (std::ranges::find(notes, note) == notes.end())
-        {
-            notes.push_back(note);
-        }
+        AddOnce(note, notes);
     }
     FilterCounts counts{};
     for (const auto* filters : {&report.draws, &report.filters})

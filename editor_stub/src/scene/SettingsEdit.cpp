@@ -45,14 +45,8 @@ std::vector<std::string_view> FeatureBlocks::names() const
     std::vector<std::string_view> names;
     for (const FeatureBlock& block : features)
     {
-        for (const std::string_view name :
-             {std::string_view(block.name), std::string_view(block.type)})
-        {
-            if (std::ranges::find(names, name) == names.end())
-            {
-                names.push_back(name);
-            }
-        }
+        AddOnce(block.name, names);
+        AddOnce(block.type, names);
     }
     return names;
 }
@@ -198,11 +192,7 @@ private:
     void Tell(std::string* value) { unityText = Quoted(*value); }
     void Tell(std::vector<std::string>* value)
     {
-        for (const std::string& item : *value)
-        {
-            unityText += (unityText.empty() ? "[" : ", ") + Quoted(item);
-        }
-        unityText = unityText.empty() ? "[]" : unityText + "]";
+        unityText = "[" + Joined(*value, ", ", Quoted) + "]";
     }
     void Tell(Color* value) { Numbers(&value->r, "rgba"); }
     void Tell(glm::vec4* value) { Numbers(&value->x, "xyzw"); }

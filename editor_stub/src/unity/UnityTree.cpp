@@ -3,6 +3,7 @@
 #include "console/Texts.h"
 
 #include <algorithm>
+#include <limn/volume/YamlNode.h>
 
 namespace limn
 {
@@ -90,29 +91,8 @@ std::size_t FindColonIn(std::string_view text)
     return at;
 }
 
-/// Returns the place behind the closing quote; npos where the text does not hold it.
-std::size_t EndOfUnityQuotes(std::string_view text)
-{
-    const char quote = text.front();
-    for (std::size_t at = 1; at < text.size(); ++at)
-    {
-        if (quote == '"' && text[at] == '\\')
-        {
-            ++at;
-        }
-        else if (text[at] == quote)
-        {
-            if (quote == '"' || at + 1 == text.size() || text[at + 1] != quote)
-            {
-                return at + 1;
-            }
-            ++at;
-        }
-    }
-    return std::string_view::npos;
-}
-
-/// Returns the place behind the bracket that closes the first one, likewise.
+/// Returns the place behind the bracket that closes the first one; npos where
+/// the text does not hold it.
 std::size_t EndOfBrackets(std::string_view text)
 {
     int depth = 0;
@@ -122,7 +102,7 @@ std::size_t EndOfBrackets(std::string_view text)
         if ((letter == '"' || letter == '\'') &&
             (at == 0 || text[at - 1] == ' ' || text[at - 1] == '[' || text[at - 1] == '{'))
         {
-            const std::size_t length = EndOfUnityQuotes(text.substr(at));
+            const std::size_t length = EndOfQuotes(text.substr(at));
             if (length == std::string_view::npos)
             {
                 return length;
@@ -266,7 +246,7 @@ private:
     {
         if (BeginsWithOneOf(m_Text, k_Quotes))
         {
-            const std::size_t end = EndOfUnityQuotes(m_Text);
+            const std::size_t end = EndOfQuotes(m_Text);
             return end < m_Text.size() && m_Text[end] == ':' ? end : std::string_view::npos;
         }
         return BeginsWithOneOf(m_Text, k_Brackets) ? std::string_view::npos : FindColonIn(m_Text);
@@ -309,7 +289,7 @@ private:
         }
         else if (BeginsWithOneOf(m_Text, k_Quotes))
         {
-            m_Values[node].text = Unquoted(TakeLines(EndOfUnityQuotes, "the quotes"));
+            m_Values[node].text = Unquoted(TakeLines(EndOfQuotes, "the quotes"));
             NextLine(1);
         }
         else if (BeginsWithOneOf(m_Text, "|>"))
@@ -459,7 +439,7 @@ private:
     {
         if (BeginsWithOneOf(text, k_Quotes))
         {
-            const std::size_t length = EndOfUnityQuotes(text);
+            const std::size_t length = EndOfQuotes(text);
             if (length == std::string_view::npos)
             {
                 Fail("the quotes do not end");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <limn/base/Lists.h>
 #include <limn/editor_stub/Overrides.h>
 #include <limn/volume/ProfileEdit.h>
 #include <set>
@@ -88,18 +89,11 @@ private:
     std::vector<std::string_view> KnownNames() const
     {
         std::vector<std::string_view> names = m_Assets.volumeComponents().names();
-        const auto add = [&names](std::string_view name)
-        {
-            if (std::ranges::find(names, name) == names.end())
-            {
-                names.push_back(name);
-            }
-        };
         const RendererAsset& renderer = m_Asset.renderer;
         for (std::size_t i = 0; i < renderer.features.size(); ++i)
         {
-            add(renderer.features[i]->name);
-            add(renderer.featureTypes[i]);
+            AddOnce(renderer.features[i]->name, names);
+            AddOnce(renderer.featureTypes[i], names);
         }
         return names;
     }

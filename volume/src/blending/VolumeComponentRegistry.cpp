@@ -3,6 +3,7 @@
 #include "blending/Components.h"
 
 #include <algorithm>
+#include <limn/base/Lists.h>
 
 namespace limn
 {
@@ -68,12 +69,7 @@ const VolumeComponentRegistry::Entry* VolumeComponentRegistry::Find(std::type_in
 
 std::vector<std::string_view> VolumeComponentRegistry::names() const
 {
-    std::vector<std::string_view> names;
-    for (const auto& entry : m_Entries)
-    {
-        names.push_back(entry->name);
-    }
-    return names;
+    return NamesOf(m_Entries, [](const auto& entry) { return std::string_view(entry->name); });
 }
 
 } // namespace limn

@@ -35,7 +35,7 @@ void VolumeManager::SetQualityDefaultProfile(std::shared_ptr<const VolumeProfile
 void VolumeManager::SetCustomDefaultProfiles(
     std::vector<std::shared_ptr<const VolumeProfile>> profiles)
 {
-    profiles.erase(std::remove(profiles.begin(), profiles.end(), nullptr), profiles.end());
+    std::erase(profiles, nullptr);
     m_CustomDefaults = std::move(profiles);
     ++*m_DefaultsChanges;
 }

@@ -90,8 +90,7 @@ void VolumeManager::Update(VolumeStack& stack, const std::optional<glm::vec3>& t
 std::span<const Volume* const> VolumeManager::GetVolumes(LayerMask layerMask)
 {
     NoticeChanges();
-    auto list = std::find_if(m_Lists.begin(), m_Lists.end(),
-                             [layerMask](const SortedList& l) { return l.mask == layerMask; });
+    auto list = std::ranges::find(m_Lists, layerMask, &SortedList::mask);
     if (list == m_Lists.end())
     {
         list = m_Lists.insert(m_Lists.end(), {layerMask, {}, true});
@@ -201,9 +200,7 @@ void VolumeManager::RemoveFromLists(const Registration& registration)
     {
         if (list.mask.Intersects(layer))
         {
-            list.volumes.erase(
-                std::remove(list.volumes.begin(), list.volumes.end(), registration.volume),
-                list.volumes.end());
+            std::erase(list.volumes, registration.volume);
         }
     }
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limn/base/Lists.h>
 #include <limn/volume/CurveParameters.h>
 #include <limn/volume/YamlMapReader.h>
 
@@ -117,17 +118,6 @@ std::string UnityWrapMode(WrapMode mode)
     return std::to_string(found - k_UnityWrapModes.begin());
 }
 
-template <typename Text>
-std::string KeysText(const AnimationCurve& curve, Text&& text)
-{
-    std::string list = "[";
-    for (const Keyframe& key : curve.keys())
-    {
-        list += (list.size() > 1 ? ", " : "") + text(key);
-    }
-    return list + "]";
-}
-
 } // namespace
 
 bool ReadValue(const ValueSource& source, AnimationCurve& value)
@@ -198,7 +188,7 @@ bool ReadValue(const ValueSource& source, TextureCurve& value)
 
 std::string LimnText(const AnimationCurve& value)
 {
-    const std::string keys = KeysText(value, KeyText);
+    const std::string keys = "[" + Joined(value.keys(), ", ", KeyText) + "]";
     const auto clamped = WrapMode::ClampForever;
     if (value.preWrapMode() == clamped && value.postWrapMode() == clamped)
     {
@@ -220,8 +210,8 @@ std::string LimnText(const TextureCurve& value)
 
 std::string UnityText(const AnimationCurve& value)
 {
-    return "{serializedVersion: 2, m_Curve: " + KeysText(value, UnityKeyText) +
-           ", m_PreInfinity: " + UnityWrapMode(value.preWrapMode()) +
+    return "{serializedVersion: 2, m_Curve: [" + Joined(value.keys(), ", ", UnityKeyText) +
+           "], m_PreInfinity: " + UnityWrapMode(value.preWrapMode()) +
            ", m_PostInfinity: " + UnityWrapMode(value.postWrapMode()) + ", m_RotationOrder: 4}";
 }
 

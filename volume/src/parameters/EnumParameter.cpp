@@ -1,29 +1,18 @@
 #include <limn/volume/ValueParameters.h>
 
 #include <algorithm>
+#include <limn/base/Lists.h>
 
 namespace limn::detail
 {
 
-namespace
-{
-
-/// "Off (0), On (1)"
-std::string Listed(const EnumNames& names)
-{
-    std::string text;
-    for (const auto& entry : names)
-    {
-        text += (text.empty() ? "" : ", ") + entry.name + " (" + std::to_string(entry.value) + ")";
-    }
-    return text;
-}
-
-} // namespace
-
 std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subject,
                                      AssetDiagnostics& diagnostics, const EnumNames& names)
 {
+    const auto withNumber = [](const auto& entry)
+    {
+        return entry.name + " (" + std::to_string(entry.value) + ")";
+    };
     const auto found =
         std::find_if(names.begin(), names.end(),
                      [&node](const auto& entry)
@@ -34,7 +23,8 @@ std::optional<std::int64_t> ReadEnum(const YamlNode& node, std::string_view subj
     if (found == names.end())
     {
         diagnostics.Error(node.location(), std::string(subject) + ": found " + node.Describe() +
-                                               "; it must be one of " + Listed(names));
+                                               "; it must be one of " +
+                                               Joined(names, ", ", withNumber));
         return std::nullopt;
     }
     return found->value;

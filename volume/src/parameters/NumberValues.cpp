@@ -1,18 +1,14 @@
 #include "parameters/ParameterValues.h"
 
 #include <cmath>
+#include <limn/base/Lists.h>
 
 namespace limn::detail
 {
 
 std::string ListText(std::span<const float> numbers)
 {
-    std::string text = "[";
-    for (const float number : numbers)
-    {
-        text += (text.size() > 1 ? ", " : "") + LimnText(number);
-    }
-    return text + "]";
+    return "[" + Joined(numbers, ", ", [](float number) { return LimnText(number); }) + "]";
 }
 
 std::string FieldsText(std::span<const float> numbers, std::string_view names)

@@ -2,6 +2,7 @@
 
 #include "blending/Components.h"
 
+#include <limn/base/Lists.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn::detail
@@ -79,14 +80,13 @@ std::string ObjectParameterBase::ValueText() const
 
 std::string ObjectParameterBase::UnityText() const
 {
-    std::string text = "{";
-    for (const VolumeParameter* parameter : parameters())
+    const auto textOf = [](const VolumeParameter* parameter)
     {
-        text += (text.size() > 1 ? ", " : "") + parameter->name() +
-                ": {m_OverrideState: " + (parameter->overrideState() ? "1" : "0") +
-                ", m_Value: " + parameter->UnityText() + "}";
-    }
-    return text + "}";
+        return parameter->name() +
+               ": {m_OverrideState: " + (parameter->overrideState() ? "1" : "0") +
+               ", m_Value: " + parameter->UnityText() + "}";
+    };
+    return "{" + Joined(parameters(), ", ", textOf) + "}";
 }
 
 void ObjectParameterBase::InterpValues(const VolumeParameter& from, const VolumeParameter& to,

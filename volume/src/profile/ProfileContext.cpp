@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limn/base/Lists.h>
 
 namespace limn
 {
@@ -28,12 +29,7 @@ std::optional<int> ProfileContext::FindLayer(std::string_view name) const
 
 std::vector<std::string_view> ProfileContext::layerNames() const
 {
-    std::vector<std::string_view> names;
-    for (const NamedLayer& layer : k_BuiltInLayers)
-    {
-        names.push_back(layer.name);
-    }
-    return names;
+    return NamesOf(k_BuiltInLayers, &NamedLayer::name);
 }
 
 LoadedAsset<Texture> ProfileContext::LoadTexture(const AssetLocation&) const

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limn/base/Case.h>
 
 namespace limn
 {
@@ -42,14 +43,8 @@ std::errc ParseNumber(std::string_view text, T& value)
 /// sign.
 bool IsNonFiniteName(std::string_view text)
 {
-    std::string name;
-    for (const char c : text)
-    {
-        if (c != '.' && c != '+' && c != '-')
-        {
-            name += static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-        }
-    }
+    std::string name = ToLower(text);
+    std::erase_if(name, [](char c) { return c == '.' || c == '+' || c == '-'; });
     return name == "nan" || name == "inf" || name == "infinity";
 }
 

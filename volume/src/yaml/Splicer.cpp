@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limn/base/Lists.h>
 #include <limn/base/ParseWhole.h>
 #include <optional>
 
@@ -95,16 +96,12 @@ std::string FlowText(const YamlNode& node)
     {
         return node.isQuoted() ? InQuotes(node.scalar(), '"') : node.scalar();
     }
-    std::string text;
-    for (const YamlNode& item : node.items())
+    const auto entryText = [](const YamlEntry& entry)
     {
-        text += (text.empty() ? "" : ", ") + FlowText(item);
-    }
-    for (const YamlEntry& entry : node.entries())
-    {
-        text += (text.empty() ? "" : ", ") + entry.key + ": " + FlowText(entry.value);
-    }
-    return node.isMap() ? "{" + text + "}" : "[" + text + "]";
+        return entry.key + ": " + FlowText(entry.value);
+    };
+    return node.isMap() ? "{" + Joined(node.entries(), ", ", entryText) + "}"
+                        : "[" + Joined(node.items(), ", ", FlowText) + "]";
 }
 
 /// Returns how many scalars of one tree differ from those of the other. A scalar in place of

@@ -1,50 +1,16 @@
 #include "yaml/Text.h"
 
 #include <algorithm>
+#include <limn/base/TerminalText.h>
 
 namespace limn
 {
-
-namespace
-{
-
-/// Bytes of the well-formed sequence at the front of `text`; 0 if there is none.
-std::size_t SequenceLength(std::string_view text)
-{
-    const auto byte = [text](std::size_t i)
-    {
-        return static_cast<unsigned char>(text[i]);
-    };
-    const unsigned lead = byte(0);
-    if (lead < 0x80)
-    {
-        return lead == 0 ? 0 : 1;
-    }
-    const std::size_t length = lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
-    if (length == 0 || lead > 0xF4 || length > text.size())
-    {
-        return 0;
-    }
-    for (std::size_t i = 1; i < length; ++i)
-    {
-        if ((byte(i) & 0xC0u) != 0x80u)
-        {
-            return 0;
-        }
-    }
-    const unsigned second = byte(1);
-    const bool overlong = (lead == 0xE0 && second < 0xA0) || (lead == 0xF0 && second < 0x90);
-    const bool outside = (lead == 0xED && second > 0x9F) || (lead == 0xF4 && second > 0x8F);
-    return overlong || outside ? 0 : length;
-}
-
-} // namespace
 
 std::optional<std::size_t> FindNonText(std::string_view text)
 {
     for (std::size_t at = 0; at < text.size();)
     {
-        const std::size_t length = SequenceLength(text.substr(at));
+        const std::size_t length = text[at] == '\0' ? 0 : DecodeCharacter(text.substr(at)).size;
         if (length == 0)
         {
             return at;

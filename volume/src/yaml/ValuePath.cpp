@@ -1,6 +1,7 @@
 #include <limn/volume/ProfileEdit.h>
 
 #include <algorithm>
+#include <limn/base/Lists.h>
 #include <limn/base/ParseWhole.h>
 #include <limn/volume/YamlRead.h>
 #include <optional>
@@ -75,12 +76,7 @@ ValuePath ValuePath::Split(std::string_view text, const std::vector<std::string_
 
 std::string ValuePath::KeysText() const
 {
-    std::string text;
-    for (const std::string& key : keys)
-    {
-        text += (text.empty() ? "" : ".") + key;
-    }
-    return text;
+    return Joined(keys, ".");
 }
 
 YamlNode ValuePath::AsMap(YamlNode value) const

@@ -133,14 +133,8 @@ struct VersionSymbol
 
     bool isMetBy(const std::vector<int>& version) const
     {
-        for (std::size_t i = 0; i < std::min(numbers.size(), version.size()); ++i)
-        {
-            if (numbers[i] != version[i])
-            {
-                return isOrNewer && numbers[i] < version[i];
-            }
-        }
-        return true;
+        const auto [wanted, there] = std::ranges::mismatch(numbers, version);
+        return wanted == numbers.end() || there == version.end() || (isOrNewer && *wanted < *there);
     }
 
     std::string_view subject; ///< "UNITY"

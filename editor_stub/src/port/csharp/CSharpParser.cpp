@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <initializer_list>
+#include <limn/base/TerminalText.h>
 #include <limn/base/WordList.h>
 #include <set>
 
@@ -600,21 +601,6 @@ void IndexMembers(const CSharpFile& file, const CSharpClass* outer,
     }
 }
 
-/// The bytes of the character that begins the text; 0 where it is none of UTF-8.
-std::size_t CharacterLength(std::string_view text)
-{
-    const auto first = static_cast<unsigned char>(text[0]);
-    const std::size_t length = first < 0x80   ? 1
-                               : first < 0xc2 ? 0
-                               : first < 0xe0 ? 2
-                               : first < 0xf0 ? 3
-                               : first < 0xf5 ? 4
-                                              : 0;
-    const bool isGood = length > 0 && length <= text.size() &&
-                        std::ranges::all_of(text.substr(1, length - 1), isInsideCharacter);
-    return isGood ? length : 0;
-}
-
 /// A question mark for each byte of another encoding: compilers refuse it in texts.
 void MakeUtf8(std::string& text)
 {
@@ -624,7 +610,7 @@ void MakeUtf8(std::string& text)
     }
     for (std::size_t at = 0; at < text.size();)
     {
-        const std::size_t length = CharacterLength(std::string_view(text).substr(at));
+        const std::size_t length = DecodeCharacter(std::string_view(text).substr(at)).size;
         text[at] = length == 0 ? '?' : text[at];
         at += std::max<std::size_t>(length, 1);
     }

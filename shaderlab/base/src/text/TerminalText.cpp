@@ -14,35 +14,6 @@ namespace
 
 constexpr std::size_t k_MaxWordBytes = 256; ///< of a message
 
-struct DecodedCharacter
-{
-    std::uint32_t code = 0;
-    std::size_t size = 0; ///< in bytes; 0: not UTF-8
-};
-
-DecodedCharacter DecodeCharacter(std::string_view text)
-{
-    const auto first = static_cast<unsigned char>(text.empty() ? '\xFF' : text[0]);
-    const std::size_t size = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
-    if (first >= 0xF8 || size > text.size() || isInsideCharacter(text[0]))
-    {
-        return {};
-    }
-    std::uint32_t code = size == 1 ? first : first & (0x7Fu >> size);
-    for (const char c : text.substr(1, size - 1))
-    {
-        if (!isInsideCharacter(c))
-        {
-            return {};
-        }
-        code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
-    }
-    constexpr std::uint32_t k_Lowest[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool isCode =
-        code >= k_Lowest[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
-    return isCode ? DecodedCharacter{code, size} : DecodedCharacter{};
-}
-
 bool isPrintable(std::uint32_t code)
 {
     const bool isControl = code < 0x20 || (code >= 0x7F && code < 0xA0);
@@ -94,6 +65,29 @@ std::size_t StartOfCharacter(std::string_view text, std::size_t position)
 }
 
 } // namespace
+
+DecodedCharacter DecodeCharacter(std::string_view text)
+{
+    const auto first = static_cast<unsigned char>(text.empty() ? '\xFF' : text[0]);
+    const std::size_t size = first < 0x80 ? 1 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+    if (first >= 0xF8 || size > text.size() || isInsideCharacter(text[0]))
+    {
+        return {};
+    }
+    std::uint32_t code = size == 1 ? first : first & (0x7Fu >> size);
+    for (const char c : text.substr(1, size - 1))
+    {
+        if (!isInsideCharacter(c))
+        {
+            return {};
+        }
+        code = code << 6 | (static_cast<unsigned char>(c) & 0x3Fu);
+    }
+    constexpr std::uint32_t k_Lowest[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool isCode =
+        code >= k_Lowest[size] && code <= 0x10FFFF && (code < 0xD800 || code > 0xDFFF);
+    return isCode ? DecodedCharacter{code, size} : DecodedCharacter{};
+}
 
 std::string OneLine(std::string_view text)
 {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -26,5 +27,15 @@ std::string Shortened(std::string_view text, std::size_t most);
 /// Returns the number of bytes of the UTF-8 character that a text begins with. Returns 0 if the
 /// text is empty, if that is no character, or if it must not reach a terminal unchanged.
 std::size_t PrintableSize(std::string_view text);
+
+/// A character of UTF-8.
+struct DecodedCharacter
+{
+    std::uint32_t code = 0;
+    std::size_t size = 0; ///< in bytes; 0: not UTF-8
+};
+
+/// Returns the character that a text begins with.
+DecodedCharacter DecodeCharacter(std::string_view text);
 
 } // namespace limn
