@@ -206,4 +206,15 @@ std::string AutoOutlineRendererFeature::AddWide(ScriptableRenderer& renderer,
     return why;
 }
 
+void RegisterAutoOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<AutoOutlineRendererFeature>(
+        "AutoOutlineRendererFeature", {{.name = "Auto",
+                                        .summary = "strokes or distances, whichever is cheaper",
+                                        .place = 40,
+                                        .component = "AutoOutline",
+                                        .settings = {"Outline.m_Grouping=Together"}}});
+    components.Register<AutoOutline>("AutoOutline");
+}
+
 } // namespace limn
