@@ -1,8 +1,9 @@
 # limn_feature_folders(ROOT FUNCTION)
 # What lies in the folders below ROOT, one a feature, found again whenever one is added:
-#   feature_folders  those with C++, which have include/, src/ and src/Register.cpp
+#   feature_folders  those with C++, which have include/ and src/
 #   feature_sources  their sources, and a generated one that defines limn::FUNCTION(FeatureRegistry&,
-#                    VolumeComponentRegistry&), which calls limn::<folder>::Register of each
+#                    VolumeComponentRegistry&), which calls the function that one of the sources of
+#                    each defines: limn::RegisterRimOutline of rim_outline
 #   feature_shaders  the .shader files of all folders, relative to ROOT
 #   feature_header   the generated limn/features/AllFeatures.h, which includes their public headers
 function(limn_feature_folders root function)
@@ -21,14 +22,28 @@ function(limn_feature_folders root function)
     set(calls "")
     set(folders "")
     foreach(name ${names})
-        if(NOT EXISTS ${root}/${name}/src/Register.cpp)
-            message(FATAL_ERROR "${root}/${name}/src: no Register.cpp; it defines\n"
-                "void limn::${name}::Register(FeatureRegistry&, VolumeComponentRegistry&)")
+        set(register Register)
+        string(REPLACE "_" ";" words ${name})
+        foreach(word ${words})
+            string(SUBSTRING ${word} 0 1 initial)
+            string(SUBSTRING ${word} 1 -1 rest)
+            string(TOUPPER ${initial} initial)
+            string(APPEND register ${initial}${rest})
+        endforeach()
+        set(definition "")
+        file(GLOB own ${root}/${name}/src/*.cpp)
+        foreach(source ${own})
+            file(STRINGS ${source} found REGEX "^void ${register}\\(FeatureRegistry&")
+            string(APPEND definition "${found}")
+        endforeach()
+        if(definition STREQUAL "")
+            message(FATAL_ERROR "${root}/${name}/src: no source defines\n"
+                "void limn::${register}(FeatureRegistry&, VolumeComponentRegistry&)")
         endif()
         list(APPEND folders ${root}/${name})
         string(APPEND declarations
-            "namespace ${name}\n{\nvoid Register(FeatureRegistry&, VolumeComponentRegistry&);\n}\n")
-        string(APPEND calls "    ${name}::Register(features, components);\n")
+            "void ${register}(FeatureRegistry&, VolumeComponentRegistry&);\n")
+        string(APPEND calls "    ${register}(features, components);\n")
     endforeach()
     file(CONFIGURE OUTPUT ${function}.cpp @ONLY CONTENT [[
 namespace limn

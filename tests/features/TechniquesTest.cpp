@@ -26,16 +26,17 @@ std::vector<std::string> LinesOf(const std::filesystem::path& path)
     return lines;
 }
 
-/// The feature folder whose src/Register.cpp names the feature.
+/// The feature folder with a source that registers the feature under its name.
 std::string FolderOf(const Technique& technique)
 {
-    for (const auto& folder : std::filesystem::directory_iterator(SourcePath("features")))
+    for (const auto& file : std::filesystem::recursive_directory_iterator(SourcePath("features")))
     {
-        for (const std::string& line : LinesOf(folder.path() / "src/Register.cpp"))
+        for (const std::string& line : LinesOf(file.path()))
         {
-            if (line.find('"' + technique.feature + '"') != std::string::npos)
+            if (file.path().extension() == ".cpp" &&
+                line.find('"' + technique.feature + '"') != std::string::npos)
             {
-                return folder.path().filename().string();
+                return file.path().parent_path().parent_path().filename().string();
             }
         }
     }

@@ -24,6 +24,45 @@ std::pmr::memory_resource& MemoryOfThread()
     return memory;
 }
 
+/// The numbers that a DrawRenderers call gives to keys. Those of an earlier call only keep their
+/// memory.
+template <typename Key, typename Hash = std::hash<Key>>
+class NumbersOfCall
+{
+public:
+    /// Returns the numbers of the thread's next call, none yet.
+    static NumbersOfCall& Begin()
+    {
+        static thread_local NumbersOfCall numbers;
+        constexpr std::size_t k_Most = 1 << 16;
+        if (numbers.m_Known.size() > k_Most)
+        {
+            numbers.m_Known.clear();
+        }
+        ++numbers.m_Call;
+        return numbers;
+    }
+
+    /// Gives the key this number unless it has one.
+    /// @return the number that it has, and whether it is new
+    std::pair<std::uint32_t, bool> TryAdd(const Key& key, std::size_t number)
+    {
+        Known& known = m_Known[key];
+        const bool isNew = std::exchange(known.call, m_Call) != m_Call;
+        known.number = isNew ? static_cast<std::uint32_t>(number) : known.number;
+        return {known.number, isNew};
+    }
+
+private:
+    struct Known
+    {
+        std::uint64_t call = 0; ///< the last that had it
+        std::uint32_t number = 0;
+    };
+    std::uint64_t m_Call = 0;
+    std::pmr::unordered_map<Key, Known, Hash> m_Known{&MemoryOfThread()};
+};
+
 /// A pass of a material, looked up once for all objects that are drawn with it.
 struct ObjectPass
 {
@@ -113,10 +152,10 @@ private:
     std::uint32_t Add(const std::shared_ptr<const Material>& material, int shaderPass,
                       const MaterialPropertyBlock* lights = nullptr)
     {
-        Known& known = m_Index.known[{material.get(), m_Properties, lights, shaderPass}];
-        if (known.call != m_Index.call)
+        const auto [number, isNew] =
+            m_Numbers.TryAdd({material.get(), m_Properties, lights, shaderPass}, m_Passes.size());
+        if (isNew)
         {
-            known = {m_Index.call, static_cast<std::uint32_t>(m_Passes.size())};
             m_Passes.push_back(
                 {material,
                  m_Properties,
@@ -124,14 +163,9 @@ private:
                  m_Recorder.LookUp(*material, shaderPass, {m_Properties, lights}, m_StateBlock),
                  {}});
         }
-        return known.index;
+        return number;
     }
 
-    struct Known
-    {
-        std::uint64_t call = 0; ///< the last that had it
-        std::uint32_t index = 0;
-    };
     struct Key
     {
         const Material* material = nullptr;
@@ -151,30 +185,12 @@ private:
                    static_cast<std::size_t>(key.shaderPass);
         }
     };
-    /// An index of all calls; the entries of an earlier call only keep their memory.
-    struct Index
-    {
-        std::uint64_t call = 0;
-        std::pmr::unordered_map<Key, Known, HashKey> known{&MemoryOfThread()};
-    };
-    static Index& NextCall()
-    {
-        static thread_local Index index;
-        constexpr std::size_t k_Most = 1 << 16;
-        if (index.known.size() > k_Most)
-        {
-            index.known.clear();
-        }
-        ++index.call;
-        return index;
-    }
-
     const DrawingSettings& m_Drawing;
     const RenderStateBlock& m_StateBlock;
     DrawRecorder& m_Recorder;
     const MaterialPropertyBlock* m_Properties = nullptr; ///< of what is added
     std::vector<ObjectPass>& m_Passes = ThreadScratch<ObjectPass>();
-    Index& m_Index = NextCall();
+    NumbersOfCall<Key, HashKey>& m_Numbers = NumbersOfCall<Key, HashKey>::Begin();
 };
 
 bool Blends(RenderTargetBlendState target)
@@ -315,10 +331,9 @@ private:
 
     std::uint32_t PassesOf(std::uint32_t rowClass, ObjectLights::Set set)
     {
-        Known& known = m_Memory.known[std::uint64_t{rowClass} << 32 | set];
-        if (known.call != m_Memory.call)
+        const auto [number, isNew] = m_Numbers.TryAdd(std::uint64_t{rowClass} << 32 | set, m_Next);
+        if (isNew)
         {
-            known = {m_Memory.call, m_Next};
             m_PassesOf.resize(std::max(m_PassesOf.size(), std::size_t{m_Next} + 1));
             PassNumbers& lit = m_PassesOf[m_Next++];
             lit.clear();
@@ -327,31 +342,7 @@ private:
                 lit.push_back(m_Passes.WithLights(pass, m_Lights.ValuesOf(set)));
             }
         }
-        return known.passes;
-    }
-
-    struct Known
-    {
-        std::uint64_t call = 0; ///< the last that had it
-        std::uint32_t passes = 0;
-    };
-    /// The memory of all calls by class and set; the entries of an earlier call only keep their
-    /// memory.
-    struct Memory
-    {
-        std::uint64_t call = 0;
-        std::pmr::unordered_map<std::uint64_t, Known> known{&MemoryOfThread()};
-    };
-    static Memory& NextCall()
-    {
-        static thread_local Memory memory;
-        constexpr std::size_t k_Most = 1 << 16;
-        if (memory.known.size() > k_Most)
-        {
-            memory.known.clear();
-        }
-        ++memory.call;
-        return memory;
+        return number;
     }
 
     const RendererItems& m_Items;
@@ -359,7 +350,7 @@ private:
     std::pmr::vector<PassNumbers>& m_PassesOf;
     ObjectLights& m_Lights;
     std::uint32_t m_Next;
-    Memory& m_Memory = NextCall();
+    NumbersOfCall<std::uint64_t>& m_Numbers = NumbersOfCall<std::uint64_t>::Begin();
     std::vector<ClassRun>& m_Runs = ThreadScratch<ClassRun>();
 };
 

@@ -120,12 +120,6 @@ void AutoOutlineSettings::Describe(Inspector& inspector)
     DescribeGrouping(inspector, m_Grouping);
 }
 
-AutoOutlineRendererFeature::AutoOutlineRendererFeature(AutoOutlineSettings settings)
-    : m_Settings(std::move(settings))
-{
-    name = "AutoOutlineRendererFeature";
-}
-
 void AutoOutlineRendererFeature::Create()
 {
     m_Strokes.reset();
@@ -133,28 +127,13 @@ void AutoOutlineRendererFeature::Create()
     m_Wide[1].reset();
 }
 
-void AutoOutlineRendererFeature::AddRenderPasses(ScriptableRenderer& renderer,
-                                                 RenderingData& renderingData)
-{
-    const auto* component = renderingData.volumeStack->GetComponent<AutoOutline>();
-    std::string why = WhyInactive(component, "AutoOutline");
-    if (why.empty())
-    {
-        CopyValues(*component, m_StrokeValues);
-        CopyValues(*component, m_WideValues);
-        why = AddTechnique(*component, renderer, renderingData);
-    }
-    if (!why.empty())
-    {
-        renderingData.report->notes.push_back(name + ": it is not drawn; " + why);
-    }
-}
-
 std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& component,
                                                      ScriptableRenderer& renderer,
                                                      RenderingData& renderingData)
 {
-    FindOutlinedObjects(renderingData, m_Settings, m_Settings.m_Grouping, m_Found);
+    CopyValues(component, m_StrokeValues);
+    CopyValues(component, m_WideValues);
+    FindOutlinedObjects(renderingData, settings(), settings().m_Grouping, m_Found);
     if (m_Found.objects.empty())
     {
         return m_Found.why;
@@ -162,7 +141,7 @@ std::string AutoOutlineRendererFeature::AddTechnique(const AutoOutline& componen
     OutlineWork work;
     work.isAlphaTested = std::ranges::any_of(m_Found.objects, [](const OutlinedObject& object)
                                              { return IsAlphaTested(*object.item.material); });
-    const OutlineTechnique wanted = m_Settings.m_Technique;
+    const OutlineTechnique wanted = settings().m_Technique;
     const bool isAuto = wanted == OutlineTechnique::Auto;
     if (wanted == OutlineTechnique::Strokes || (isAuto && !work.isAlphaTested))
     {
@@ -201,7 +180,7 @@ void AutoOutlineRendererFeature::MakeStrokes(const ScriptableRenderer& renderer)
     if (!m_Strokes)
     {
         m_Strokes = std::make_unique<StrokeOutlinePass>(
-            name, SettingsFor<StrokeOutlineSettings>(m_Settings),
+            name, SettingsFor<StrokeOutlineSettings>(settings()),
             FindTechniqueShader(renderer, StrokeOutlinePass::k_Shader));
     }
 }
@@ -214,10 +193,10 @@ std::string AutoOutlineRendererFeature::AddWide(ScriptableRenderer& renderer,
     std::unique_ptr<WideOutlineRenderPass>& pass = m_Wide[isFlood ? 1 : 0];
     if (!pass)
     {
-        auto settings = SettingsFor<WideOutlineSettings>(m_Settings);
-        settings.m_Method = isFlood ? WideOutlineMethod::JumpFlood : WideOutlineMethod::Separable;
+        auto wide = SettingsFor<WideOutlineSettings>(settings());
+        wide.m_Method = isFlood ? WideOutlineMethod::JumpFlood : WideOutlineMethod::Separable;
         pass = std::make_unique<WideOutlineRenderPass>(
-            name, settings, FindTechniqueShader(renderer, WideOutlineRenderPass::k_Shader));
+            name, wide, FindTechniqueShader(renderer, WideOutlineRenderPass::k_Shader));
     }
     const std::string why = pass->Setup(m_WideValues, renderingData);
     if (why.empty())
@@ -227,10 +206,15 @@ std::string AutoOutlineRendererFeature::AddWide(ScriptableRenderer& renderer,
     return why;
 }
 
-float AutoOutlineRendererFeature::cullingMargin(const VolumeStackPointer& volumeStack) const
+void RegisterAutoOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
-    const auto* component = volumeStack->GetComponent<AutoOutline>();
-    return WhyInactive(component, "").empty() ? component->reach() : 0.0f;
+    features.Register<AutoOutlineRendererFeature>(
+        "AutoOutlineRendererFeature", {{.name = "Auto",
+                                        .summary = "strokes or distances, whichever is cheaper",
+                                        .place = 40,
+                                        .component = "AutoOutline",
+                                        .settings = {"Outline.m_Grouping=Together"}}});
+    components.Register<AutoOutline>("AutoOutline");
 }
 
 } // namespace limn

@@ -163,4 +163,15 @@ void ColorEdgesPass::BlitPart(CommandBuffer& cmd, const RTHandle& source, const 
                          m_Material, shaderPass);
 }
 
+void RegisterColorEdges(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<ColorEdgesRendererFeature>(
+        "ColorEdgesRendererFeature", {{.name = "Color edges",
+                                       .summary = "steps of the picture's brightness",
+                                       .noWidth = "its lines lie on both sides of an edge",
+                                       .place = 110,
+                                       .component = "ColorEdges"}});
+    components.Register<ColorEdges>("ColorEdges");
+}
+
 } // namespace limn

@@ -59,4 +59,23 @@ void DepthNormalsOutlinePass::Execute(ScriptableRenderContext& context,
     DrawFiltered(context, renderingData, m_Settings.filtering(), m_MaterialPass);
 }
 
+void RegisterDepthNormalsOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<DepthNormalsOutlineRendererFeature>(
+        "DepthNormalsOutlineRendererFeature",
+        {{.name = "Depth and normals (article)",
+          .summary = "the article on depth and normals, its formula",
+          .isArticle = true,
+          .noWidth = "its lines lie on both sides of an edge",
+          .place = 90,
+          .component = "DepthNormalsOutline",
+          .settings = {"DepthNormalsOutline.m_Technique=Article"}},
+         {.name = "Depth and normals",
+          .summary = "depth and normals by metres and degrees",
+          .noWidth = "its lines lie on both sides of an edge",
+          .place = 100,
+          .component = "DepthNormalsOutline"}});
+    components.Register<DepthNormalsOutline>("DepthNormalsOutline");
+}
+
 } // namespace limn

@@ -5,6 +5,7 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/features/Features.h>
 
 namespace limn
 {
@@ -152,6 +153,11 @@ void FullScreenPassRendererFeature::AddRenderPasses(ScriptableRenderer& renderer
     m_FullScreenPass->SetupMembers(passMaterial, passIndex, fetchColorBuffer,
                                    bindDepthStencilAttachment, requirements);
     renderer.EnqueuePass(*m_FullScreenPass);
+}
+
+void RegisterFullScreenPass(FeatureRegistry& features, VolumeComponentRegistry&)
+{
+    features.Register<FullScreenPassRendererFeature>("FullScreenPassRendererFeature");
 }
 
 } // namespace limn

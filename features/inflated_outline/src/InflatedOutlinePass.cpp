@@ -77,4 +77,16 @@ void InflatedOutlinePass::Execute(ScriptableRenderContext& context, RenderingDat
     m_Groups.clear();
 }
 
+void RegisterInflatedOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<InflatedOutlineRendererFeature>(
+        "InflatedOutlineRendererFeature", {{.name = "Inflated",
+                                            .summary = "vertices moved outwards in pixels",
+                                            .place = 50,
+                                            .component = "InflatedOutline",
+                                            .settings = {"Outline.m_Grouping=Together"},
+                                            .hiddenAt = HiddenAt::Point}});
+    components.Register<InflatedOutline>("InflatedOutline");
+}
+
 } // namespace limn

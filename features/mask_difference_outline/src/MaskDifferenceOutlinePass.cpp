@@ -181,4 +181,17 @@ void MaskDifferenceOutlinePass::Execute(ScriptableRenderContext& context,
     context.ExecuteCommandBuffer(*cmd);
 }
 
+void RegisterMaskDifferenceOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<MaskDifferenceOutlineRendererFeature>(
+        "MaskDifferenceOutlineRendererFeature",
+        {{.name = "Mask difference",
+          .summary = "the article on post-processing: five samples of a mask",
+          .isArticle = true,
+          .place = 80,
+          .component = "MaskDifferenceOutline",
+          .settings = {"Outline.m_Grouping=Together"}}});
+    components.Register<MaskDifferenceOutline>("MaskDifferenceOutline");
+}
+
 } // namespace limn

@@ -47,4 +47,7 @@ RenderResult RenderSetup::Render(RenderRequest request)
     return m_Pipeline.RenderSingleCamera(m_Renderer, request);
 }
 
+/// Registers nothing: the code that techniques share has no feature of its own.
+void RegisterOutline(FeatureRegistry&, VolumeComponentRegistry&) {}
+
 } // namespace limn

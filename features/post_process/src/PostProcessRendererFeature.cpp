@@ -380,4 +380,13 @@ void PostProcessRendererFeature::Describe(Inspector& inspector)
                     "The place of colour grading: before or after tonemapping");
 }
 
+void RegisterPostProcess(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<PostProcessRendererFeature>("PostProcessRendererFeature");
+    components.Register<Bloom>("Bloom");
+    components.Register<ColorAdjustments>("ColorAdjustments");
+    components.Register<Tonemapping>("Tonemapping");
+    components.Register<Vignette>("Vignette");
+}
+
 } // namespace limn

@@ -2,6 +2,7 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/Material.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/features/Features.h>
 #include <limn/features/RenderObjects.h>
 #include <limn/features/RenderObjectsPass.h>
 
@@ -170,6 +171,11 @@ void RenderObjects::Create()
 void RenderObjects::AddRenderPasses(ScriptableRenderer& renderer, RenderingData&)
 {
     renderer.EnqueuePass(*m_RenderObjectsPass);
+}
+
+void RegisterRenderObjects(FeatureRegistry& features, VolumeComponentRegistry&)
+{
+    features.Register<RenderObjects>("RenderObjects");
 }
 
 } // namespace limn

@@ -41,4 +41,16 @@ void RimOutlinePass::Execute(ScriptableRenderContext& context, RenderingData& re
     DrawFiltered(context, renderingData, m_Settings.filtering(), 0);
 }
 
+void RegisterRimOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<RimOutlineRendererFeature>(
+        "RimOutlineRendererFeature",
+        {{.name = "Rim",
+          .summary = "where normal and view are at right angles",
+          .noWidth = "its rim lies within the object and is as wide as the object is curved",
+          .place = 120,
+          .component = "RimOutline"}});
+    components.Register<RimOutline>("RimOutline");
+}
+
 } // namespace limn

@@ -108,4 +108,9 @@ void ScreenSpaceAmbientOcclusion::AddRenderPasses(ScriptableRenderer& renderer,
     renderer.EnqueuePass(*m_SSAOPass);
 }
 
+void RegisterScreenSpaceAmbientOcclusion(FeatureRegistry& features, VolumeComponentRegistry&)
+{
+    features.Register<ScreenSpaceAmbientOcclusion>("ScreenSpaceAmbientOcclusion");
+}
+
 } // namespace limn

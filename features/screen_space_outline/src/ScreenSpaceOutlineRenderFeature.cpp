@@ -1,5 +1,6 @@
 #include <limn/core/Inspector.h>
 #include <limn/core/ScriptableRenderer.h>
+#include <limn/features/Features.h>
 #include <limn/features/OutlineComponent.h>
 #include <limn/features/OutlineDrawingRenderPass.h>
 #include <limn/features/ScreenSpaceOutlineRenderFeature.h>
@@ -56,6 +57,21 @@ void ScreenSpaceOutlineRenderFeature::AddRenderPasses(ScriptableRenderer& render
     }
     mPass->Setup(*volumeComponent);
     renderer.EnqueuePass(*mPass);
+}
+
+void RegisterScreenSpaceOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<ScreenSpaceOutlineRenderFeature>(
+        "ScreenSpaceOutlineRenderFeature",
+        {{.name = "Screen space",
+          .summary = "the first article: mask of half the size, Roberts cross",
+          .isArticle = true,
+          .place = 60,
+          .component = "ScreenSpaceOutline",
+          .settings = {"Outline.m_ScreenSpaceOutlineShader=Hidden/ScreenSpaceOutline",
+                       "Outline.m_LayerMask=Everything"},
+          .widestOutline = 10.0}});
+    components.Register<ScreenSpaceOutline>("ScreenSpaceOutline");
 }
 
 } // namespace limn

@@ -356,4 +356,17 @@ void SelectionOutlineRendererFeature::ClearStartTimes()
     settings().startTimes->clear();
 }
 
+void RegisterSelectionOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<SelectionOutlineRendererFeature>(
+        "SelectionOutlineRendererFeature",
+        {{.name = "Selection",
+          .summary = "the article on selection: blurred mask, composite",
+          .isArticle = true,
+          .place = 70,
+          .component = "SelectionOutline",
+          .settings = {"SelectionOutline.m_VaryingColor=false"}}});
+    components.Register<SelectionOutline>("SelectionOutline");
+}
+
 } // namespace limn

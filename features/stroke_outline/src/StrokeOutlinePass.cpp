@@ -205,4 +205,16 @@ int StrokeOutlinePass::edgeCount() const
                            [](int sum, const auto& group) { return sum + group->edgeCount; });
 }
 
+void RegisterStrokeOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<StrokeOutlineRendererFeature>(
+        "StrokeOutlineRendererFeature", {{.name = "Strokes",
+                                          .summary = "silhouette edges drawn as geometry",
+                                          .place = 10,
+                                          .component = "StrokeOutline",
+                                          .settings = {"Outline.m_Grouping=Together"},
+                                          .occlusion = "Outline.m_Occlusion"}});
+    components.Register<StrokeOutline>("StrokeOutline");
+}
+
 } // namespace limn

@@ -312,4 +312,21 @@ void WideOutlineRenderPass::DrawWhole(CommandBuffer& cmd, const RTHandle& source
     cmd.DrawProcedural(glm::mat4(1.0f), m_Material, pass, 3, m_Properties);
 }
 
+void RegisterWideOutline(FeatureRegistry& features, VolumeComponentRegistry& components)
+{
+    features.Register<WideOutlineRendererFeature>(
+        "WideOutlineRendererFeature",
+        {{.name = "Separable",
+          .summary = "distance to the edge, by columns and then by rows",
+          .place = 20,
+          .component = "WideOutline",
+          .settings = {"Outline.m_Method=Separable"}},
+         {.name = "Jump flood",
+          .summary = "distance to the edge, by jump flooding",
+          .place = 30,
+          .component = "WideOutline",
+          .settings = {"Outline.m_Method=JumpFlood"}}});
+    components.Register<WideOutline>("WideOutline");
+}
+
 } // namespace limn

@@ -100,25 +100,19 @@ public:
     RasterRenderGraphBuilder<PassData> AddRasterRenderPass(std::string_view passName,
                                                            PassData*& passData, const Sampler&...)
     {
-        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
-        passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
+        return Add<RasterRenderGraphBuilder<PassData>>(passName, passData);
     }
     template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData,
                                                      const Sampler&...)
     {
-        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
-        passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
+        return Add<UnsafeRenderGraphBuilder<PassData>>(passName, passData);
     }
     template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
                                                        PassData*& passData, const Sampler&...)
     {
-        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
-        passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
+        return Add<ComputeRenderGraphBuilder<PassData>>(passName, passData);
     }
 
     /// Draws the source with the material over the whole destination, whose contents stay where the
@@ -143,6 +137,13 @@ private:
     friend class RenderGraphCamera;
     friend class RenderGraphRun;
     RenderGraphPass& AddPass(std::string_view name);
+    template <typename Builder, typename PassData>
+    Builder Add(std::string_view passName, PassData*& passData)
+    {
+        auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
+        passData = data.get();
+        return {*this, AddPass(passName), std::move(data)};
+    }
     TextureHandle HandleOf(const RTHandle& texture) const;
     /// @throws ContractError beginning with `subject`, unless the handle is of this frame
     void ExpectOfFrame(const TextureHandle& texture, const RenderGraphCall& subject) const;

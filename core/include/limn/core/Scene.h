@@ -14,6 +14,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace limn
@@ -30,20 +32,39 @@ public:
     using iterator = value_type*;
     using const_iterator = const value_type*;
 
-    MaterialList() noexcept : m_One() {}
-    MaterialList(std::initializer_list<value_type> materials);
-    MaterialList(const std::vector<value_type>& materials);
-    MaterialList(const MaterialList& other);
-    MaterialList(MaterialList&& other) noexcept;
-    MaterialList& operator=(MaterialList other) noexcept;
-    ~MaterialList() { Free(); }
+    MaterialList() = default;
+    MaterialList(std::initializer_list<value_type> list) : MaterialList(list.begin(), list.size())
+    {
+    }
+    MaterialList(const std::vector<value_type>& list) : MaterialList(list.data(), list.size()) {}
+    MaterialList(const MaterialList& other) : MaterialList(other.begin(), other.size()) {}
+    MaterialList(MaterialList&& other) noexcept
+        : m_Materials(std::exchange(other.m_Materials, Many()))
+    {
+    }
+    MaterialList& operator=(MaterialList other) noexcept
+    {
+        m_Materials.swap(other.m_Materials);
+        return *this;
+    }
+    ~MaterialList() = default;
 
-    std::size_t size() const { return m_Size; }
-    bool empty() const { return m_Size == 0; }
-    iterator begin() { return isShort() ? &m_One : m_Many; }
-    iterator end() { return begin() + m_Size; }
-    const_iterator begin() const { return isShort() ? &m_One : m_Many; }
-    const_iterator end() const { return begin() + m_Size; }
+    std::size_t size() const
+    {
+        const Many* many = std::get_if<Many>(&m_Materials);
+        return many == nullptr ? 1 : *many ? (*many)->size() : 0;
+    }
+    bool empty() const { return size() == 0; }
+    iterator begin() { return const_cast<iterator>(std::as_const(*this).begin()); }
+    iterator end() { return begin() + size(); }
+    const_iterator begin() const
+    {
+        const Many* many = std::get_if<Many>(&m_Materials);
+        return many == nullptr ? std::get_if<value_type>(&m_Materials)
+               : *many         ? (*many)->data()
+                               : nullptr;
+    }
+    const_iterator end() const { return begin() + size(); }
     value_type& operator[](std::size_t index) { return begin()[index]; }
     const value_type& operator[](std::size_t index) const { return begin()[index]; }
     value_type& front() { return *begin(); }
@@ -53,7 +74,7 @@ public:
     /// @throws std::out_of_range
     const value_type& at(std::size_t index) const;
 
-    void push_back(value_type material) { resize(m_Size + std::size_t{1}, material); }
+    void push_back(value_type material) { resize(size() + 1, material); }
     /// @param material  the value of those that are added
     void resize(std::size_t count, const value_type& material = nullptr);
     void clear() { *this = MaterialList(); }
@@ -61,17 +82,11 @@ public:
     bool operator==(const MaterialList& other) const;
 
 private:
-    bool isShort() const { return m_Size <= 1; }
-    void Assign(const value_type* materials, std::size_t count);
-    void Take(MaterialList& other) noexcept;
-    void Free() noexcept;
+    using Many = std::unique_ptr<std::vector<value_type>>; ///< null in an empty list
 
-    union
-    {
-        value_type m_One;   ///< null in an empty list
-        value_type* m_Many; ///< allocated with new[]
-    };
-    std::uint32_t m_Size = 0;
+    MaterialList(const value_type* materials, std::size_t count);
+
+    std::variant<Many, value_type> m_Materials;
 };
 
 /// The property blocks that SetPropertyBlock has set, for a renderer and for single materials.

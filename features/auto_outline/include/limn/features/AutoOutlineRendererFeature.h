@@ -52,31 +52,23 @@ struct AutoOutlineSettings : OutlineSettings
 
 /// Draws an outline outside of the objects with the technique that suits them. The frame's report
 /// says which one and why (RenderReport::choices).
-class AutoOutlineRendererFeature final : public ScriptableRendererFeature
+class AutoOutlineRendererFeature final
+    : public OutlineTechniqueFeature<AutoOutline, AutoOutlineSettings>
 {
 public:
-    using Component = AutoOutline;
-    using Settings = AutoOutlineSettings;
-
-    explicit AutoOutlineRendererFeature(AutoOutlineSettings settings = {});
+    using OutlineTechniqueFeature::OutlineTechniqueFeature;
 
     void Create() override;
-    void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override;
-    float cullingMargin(const VolumeStackPointer& volumeStack) const override;
-    void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
-
-    const AutoOutlineSettings& settings() const { return m_Settings; }
     OutlinedObjects m_Found; ///< of this frame, kept for its memory
 
 private:
     // They return why nothing is drawn, or "".
     std::string AddTechnique(const AutoOutline& component, ScriptableRenderer& renderer,
-                             RenderingData& renderingData);
+                             RenderingData& renderingData) override;
     std::string AddWide(ScriptableRenderer& renderer, RenderingData& renderingData,
                         OutlineTechnique technique);
     void MakeStrokes(const ScriptableRenderer& renderer);
 
-    AutoOutlineSettings m_Settings;
     StrokeOutline m_StrokeValues;
     std::unique_ptr<StrokeOutlinePass> m_Strokes;
     WideOutline m_WideValues;

@@ -55,11 +55,7 @@ private:
 /// Draws lines where the brightness of the picture changes, whatever the cause: silhouettes,
 /// textures, shadows.
 /// @source technique 3 of the introduction of the article on selection outlines
-class ColorEdgesRendererFeature final
-    : public OutlineRendererFeature<ColorEdges, ColorEdgesSettings, ColorEdgesPass>
-{
-public:
-    using OutlineRendererFeature::OutlineRendererFeature;
-};
+using ColorEdgesRendererFeature =
+    OutlineRendererFeature<ColorEdges, ColorEdgesSettings, ColorEdgesPass>;
 
 } // namespace limn

@@ -8,14 +8,7 @@ namespace limn
 
 /// The settings for which objects get lines: opaque ones, because others are in neither texture,
 /// before transparent ones are drawn over them.
-struct DepthNormalsOutlineSettings : OutlineSettings
-{
-    DepthNormalsOutlineSettings()
-    {
-        m_RenderPassEvent = RenderPassEvent::AfterRenderingOpaques;
-        m_RenderQueueRange = OutlineRenderQueueRange::Opaque;
-    }
-};
+using DepthNormalsOutlineSettings = OpaqueOutlineSettings;
 
 /// Draws the filtered objects once more over themselves, in the outline's colour where depth or
 /// normals change. Requires both textures of the camera.
@@ -42,12 +35,8 @@ private:
 /// silhouettes and creases.
 /// @source the article on outlining objects one by one, whose shader graph does it in their
 /// material
-class DepthNormalsOutlineRendererFeature final
-    : public OutlineRendererFeature<DepthNormalsOutline, DepthNormalsOutlineSettings,
-                                    DepthNormalsOutlinePass>
-{
-public:
-    using OutlineRendererFeature::OutlineRendererFeature;
-};
+using DepthNormalsOutlineRendererFeature =
+    OutlineRendererFeature<DepthNormalsOutline, DepthNormalsOutlineSettings,
+                           DepthNormalsOutlinePass>;
 
 } // namespace limn

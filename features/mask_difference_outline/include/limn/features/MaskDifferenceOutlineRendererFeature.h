@@ -90,12 +90,8 @@ private:
 /// Draws lines around objects by comparing each texel of a mask with its four neighbours, up to a
 /// depth.
 /// @source the article on outlines as post-processing (mask, four neighbours, depth clip)
-class MaskDifferenceOutlineRendererFeature final
-    : public OutlineRendererFeature<MaskDifferenceOutline, MaskDifferenceOutlineSettings,
-                                    MaskDifferenceOutlinePass>
-{
-public:
-    using OutlineRendererFeature::OutlineRendererFeature;
-};
+using MaskDifferenceOutlineRendererFeature =
+    OutlineRendererFeature<MaskDifferenceOutline, MaskDifferenceOutlineSettings,
+                           MaskDifferenceOutlinePass>;
 
 } // namespace limn

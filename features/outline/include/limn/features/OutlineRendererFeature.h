@@ -37,30 +37,22 @@ protected:
     OutlinedObjects m_Found; ///< of this frame, kept for its memory
 };
 
-/// The feature of a technique. It draws with its pass while a volume switches its component on, and
-/// otherwise reports why it does not draw.
+/// The feature of a technique. It draws while a volume switches its component on, and otherwise
+/// reports why it does not draw.
 /// @tparam ItsComponent  derives from OutlineComponent; registered under the name of its class,
 ///     which the feature's default name begins with
 /// @tparam ItsSettings   derives from OutlineSettings
-/// @tparam Pass       a ScriptableRenderPass with
-///                    static constexpr const char* k_Shader: the name of its shader;
-///                    Pass(const std::string& featureName, const Settings&,
-///                         std::shared_ptr<const Shader>);
-///                    std::string Setup(const Component&, RenderingData&): why nothing is drawn, or
-///                    "" after which the pass is enqueued
-template <typename ItsComponent, typename ItsSettings, typename Pass>
-class OutlineRendererFeature : public ScriptableRendererFeature
+template <typename ItsComponent, typename ItsSettings>
+class OutlineTechniqueFeature : public ScriptableRendererFeature
 {
 public:
     using Component = ItsComponent;
     using Settings = ItsSettings;
 
-    explicit OutlineRendererFeature(Settings settings = {}) : m_Settings(std::move(settings))
+    explicit OutlineTechniqueFeature(Settings settings = {}) : m_Settings(std::move(settings))
     {
         name = ComponentName() + "RendererFeature";
     }
-
-    void Create() override { m_Pass.reset(); }
 
     void AddRenderPasses(ScriptableRenderer& renderer, RenderingData& renderingData) override
     {
@@ -68,19 +60,12 @@ public:
         std::string why = WhyInactive(component, ComponentName());
         if (why.empty())
         {
-            if (!m_Pass)
-            {
-                m_Pass = std::make_unique<Pass>(name, m_Settings,
-                                                FindTechniqueShader(renderer, Pass::k_Shader));
-            }
-            why = m_Pass->Setup(*component, renderingData);
+            why = AddTechnique(*component, renderer, renderingData);
         }
         if (!why.empty())
         {
             renderingData.report->notes.push_back(name + ": it is not drawn; " + why);
-            return;
         }
-        renderer.EnqueuePass(*m_Pass);
     }
 
     float cullingMargin(const VolumeStackPointer& volumeStack) const override
@@ -92,8 +77,11 @@ public:
     void Describe(Inspector& inspector) override { m_Settings.Describe(inspector); }
 
     const Settings& settings() const { return m_Settings; }
-    /// Returns the pass, or null before the first frame in which it draws; for tests and dumps.
-    const Pass* pass() const { return m_Pass.get(); }
+
+protected:
+    /// Enqueues what draws. @return why nothing is drawn; "" = something is
+    virtual std::string AddTechnique(const Component& component, ScriptableRenderer& renderer,
+                                     RenderingData& renderingData) = 0;
 
 private:
     static const std::string& ComponentName()
@@ -103,6 +91,43 @@ private:
     }
 
     Settings m_Settings;
+};
+
+/// The feature of a technique that draws with one pass.
+/// @tparam Pass       a ScriptableRenderPass with
+///                    static constexpr const char* k_Shader: the name of its shader;
+///                    Pass(const std::string& featureName, const Settings&,
+///                         std::shared_ptr<const Shader>);
+///                    std::string Setup(const Component&, RenderingData&): why nothing is drawn, or
+///                    "" after which the pass is enqueued
+template <typename ItsComponent, typename ItsSettings, typename Pass>
+class OutlineRendererFeature : public OutlineTechniqueFeature<ItsComponent, ItsSettings>
+{
+public:
+    using OutlineTechniqueFeature<ItsComponent, ItsSettings>::OutlineTechniqueFeature;
+
+    void Create() override { m_Pass.reset(); }
+
+    /// Returns the pass, or null before the first frame in which it draws; for tests and dumps.
+    const Pass* pass() const { return m_Pass.get(); }
+
+private:
+    std::string AddTechnique(const ItsComponent& component, ScriptableRenderer& renderer,
+                             RenderingData& renderingData) override
+    {
+        if (!m_Pass)
+        {
+            m_Pass = std::make_unique<Pass>(this->name, this->settings(),
+                                            FindTechniqueShader(renderer, Pass::k_Shader));
+        }
+        std::string why = m_Pass->Setup(component, renderingData);
+        if (why.empty())
+        {
+            renderer.EnqueuePass(*m_Pass);
+        }
+        return why;
+    }
+
     std::unique_ptr<Pass> m_Pass;
 };
 

@@ -48,6 +48,16 @@ struct OutlineSettings
     FilteringSettings filtering() const;
 };
 
+/// The settings of a technique that draws over the outlined objects, which are opaque.
+struct OpaqueOutlineSettings : OutlineSettings
+{
+    OpaqueOutlineSettings()
+    {
+        m_RenderPassEvent = RenderPassEvent::AfterRenderingOpaques;
+        m_RenderQueueRange = OutlineRenderQueueRange::Opaque;
+    }
+};
+
 /// Describes the settings that select the outlined objects to an inspector.
 void DescribeFilter(Inspector& inspector, OutlineRenderQueueRange& renderQueueRange,
                     LayerMask& layerMask, int& renderingLayerMask);

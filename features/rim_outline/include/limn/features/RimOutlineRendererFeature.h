@@ -9,14 +9,7 @@ namespace limn
 /// The settings for when and on which objects the rim is drawn. By default these are opaque
 /// objects, whose depth shows which parts are seen, before transparent ones are drawn in front of
 /// them.
-struct RimOutlineSettings : OutlineSettings
-{
-    RimOutlineSettings()
-    {
-        m_RenderPassEvent = RenderPassEvent::AfterRenderingOpaques;
-        m_RenderQueueRange = OutlineRenderQueueRange::Opaque;
-    }
-};
+using RimOutlineSettings = OpaqueOutlineSettings;
 
 /// Draws the outlined objects once more where they are seen. The viewing angle decides how strong
 /// the rim's colour is.
@@ -44,11 +37,7 @@ private:
 /// Draws a glow along the inside of each object's silhouette, computed from the angle between
 /// normal and line of sight. It needs no texture and no second picture, and has no exact width.
 /// @source technique 2 of the introduction of the article on selection outlines
-class RimOutlineRendererFeature final
-    : public OutlineRendererFeature<RimOutline, RimOutlineSettings, RimOutlinePass>
-{
-public:
-    using OutlineRendererFeature::OutlineRendererFeature;
-};
+using RimOutlineRendererFeature =
+    OutlineRendererFeature<RimOutline, RimOutlineSettings, RimOutlinePass>;
 
 } // namespace limn

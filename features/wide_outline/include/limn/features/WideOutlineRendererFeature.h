@@ -88,11 +88,7 @@ private:
 /// Draws outlines of any width, as exact as the mask with four samples per pixel shows the
 /// silhouette. Technique: B. Golus, "The Quest for Very Wide Outlines" (2020); columns and rows
 /// after Felzenszwalb and Huttenlocher (2012), limited to the width.
-class WideOutlineRendererFeature final
-    : public OutlineRendererFeature<WideOutline, WideOutlineSettings, WideOutlineRenderPass>
-{
-public:
-    using OutlineRendererFeature::OutlineRendererFeature;
-};
+using WideOutlineRendererFeature =
+    OutlineRendererFeature<WideOutline, WideOutlineSettings, WideOutlineRenderPass>;
 
 } // namespace limn

@@ -2,13 +2,13 @@
 #include <limn/features/Glow.h>
 #include <limn/volume/VolumeComponentRegistry.h>
 
-namespace limn::glow
+namespace limn
 {
 
-void Register(FeatureRegistry& features, VolumeComponentRegistry& components)
+void RegisterGlow(FeatureRegistry& features, VolumeComponentRegistry& components)
 {
     features.Register<GlowFeature>("GlowFeature", {{.name = "Glow", .component = "Glow"}});
     components.Register<Glow>("Glow");
 }
 
-} // namespace limn::glow
+} // namespace limn
