@@ -241,7 +241,7 @@ ProgramObjects& ProgramPool::Use(const std::shared_ptr<const ShaderProgram>& pro
     if (program->computeSpirv.empty())
     {
         objects.vertex = CreateModule(program->vertexSpirv, VK_SHADER_STAGE_VERTEX_BIT);
-        objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, BuiltInVertexIndex);
+        objects.readsVertexIndex = HasBuiltIn(program->vertexSpirv, spv::BuiltInVertexIndex);
         objects.fragment = CreateModule(program->fragmentSpirv, VK_SHADER_STAGE_FRAGMENT_BIT);
     }
     return m_Programs.emplace(Identity{program, program.get()}, std::move(objects)).first->second;

@@ -12,11 +12,6 @@ namespace limn::vulkan
 namespace
 {
 
-// These numbers are from the SPIR-V specification.
-constexpr std::uint32_t k_ExtendedFormats = 49; // capabilities
-constexpr std::uint32_t k_ReadWithoutFormat = 55;
-constexpr std::uint32_t k_Binding = 33; // a decoration
-
 using Instruction = std::span<const std::uint32_t>;
 
 class FormatWriter
@@ -31,7 +26,7 @@ public:
 
     Words Write()
     {
-        Add({(2u << 16) | OpCapability, k_ExtendedFormats});
+        Add({(2u << 16) | spv::OpCapability, spv::CapabilityStorageImageExtendedFormats});
         EachInstruction(m_Spirv, [this](std::uint32_t op, Instruction words) { Copy(op, words); });
         return std::move(m_Result);
     }
@@ -45,15 +40,16 @@ private:
 
     void Learn(std::uint32_t op, Instruction words, const ImageFormats& formats)
     {
-        if (op == OpDecorate && words[2] == k_Binding && formats.contains(words[3]))
+        if (op == spv::OpDecorate && words[2] == spv::DecorationBinding &&
+            formats.contains(words[3]))
         {
             m_Formats[words[1]] = formats.at(words[3]);
         }
-        else if (op == OpTypeImage)
+        else if (op == spv::OpTypeImage)
         {
             m_Images[words[1]] = {words.begin(), words.end()};
         }
-        else if (op == OpTypePointer)
+        else if (op == spv::OpTypePointer)
         {
             m_Pointers[words[1]] = {words.begin(), words.end()};
         }
@@ -61,13 +57,13 @@ private:
 
     void Copy(std::uint32_t op, Instruction words)
     {
-        if (op == OpCapability && words[1] == k_ReadWithoutFormat)
+        if (op == spv::OpCapability && words[1] == spv::CapabilityStorageImageReadWithoutFormat)
         {
             return; // the device may lack it, and each that is read has a format now
         }
         const std::size_t begin = m_Result.size();
-        const bool isVariable = op == OpVariable && m_Formats.contains(words[2]);
-        const bool isLoad = op == OpLoad && m_Formats.contains(words[3]);
+        const bool isVariable = op == spv::OpVariable && m_Formats.contains(words[2]);
+        const bool isLoad = op == spv::OpLoad && m_Formats.contains(words[3]);
         std::uint32_t type = 0;
         if (isVariable)
         {
@@ -118,9 +114,6 @@ private:
     std::map<std::uint32_t, Types> m_Types;                          ///< by variable
 };
 
-// This number is from the SPIR-V specification.
-constexpr std::uint32_t k_Output = 3; // a storage class
-
 class SizeWriter
 {
 public:
@@ -142,30 +135,30 @@ public:
 private:
     void Copy(std::uint32_t op, Instruction words)
     {
-        if (op >= OpTypeVoid && op <= OpTypeForwardPointer && !m_IsDecorated)
+        if (op >= spv::OpTypeVoid && op <= spv::OpTypeForwardPointer && !m_IsDecorated)
         {
             m_IsDecorated = true; // annotations come before all types
-            Add(OpDecorate, {m_Variable, k_BuiltIn, BuiltInPointSize});
+            Add(spv::OpDecorate, {m_Variable, spv::DecorationBuiltIn, spv::BuiltInPointSize});
         }
-        if (op == OpFunction)
+        if (op == spv::OpFunction)
         {
             Declare();
             m_IsEntry = words[2] == m_Entry;
         }
-        const bool isAtTop = op == OpVariable || op == OpLine || op == OpNoLine;
+        const bool isAtTop = op == spv::OpVariable || op == spv::OpLine || op == spv::OpNoLine;
         if (m_IsInFirstBlock && !isAtTop)
         {
             m_IsInFirstBlock = false;
-            Add(OpStore, {m_Variable, m_One});
+            Add(spv::OpStore, {m_Variable, m_One});
         }
         m_Result.insert(m_Result.end(), words.begin(), words.end());
-        if (op == OpEntryPoint)
+        if (op == spv::OpEntryPoint)
         {
             m_Entry = words[2];
             m_Result[m_Result.size() - words.size()] += 1u << 16; // a word longer
             m_Result.push_back(m_Variable);
         }
-        if (op == OpLabel && m_IsEntry)
+        if (op == spv::OpLabel && m_IsEntry)
         {
             m_IsEntry = false;
             m_IsInFirstBlock = true;
@@ -177,9 +170,9 @@ private:
     {
         if (!std::exchange(m_IsDeclared, true))
         {
-            Add(OpTypePointer, {m_Pointer, k_Output, m_Float});
-            Add(OpConstant, {m_Float, m_One, std::bit_cast<std::uint32_t>(1.0f)});
-            Add(OpVariable, {m_Pointer, m_Variable, k_Output});
+            Add(spv::OpTypePointer, {m_Pointer, spv::StorageClassOutput, m_Float});
+            Add(spv::OpConstant, {m_Float, m_One, std::bit_cast<std::uint32_t>(1.0f)});
+            Add(spv::OpVariable, {m_Pointer, m_Variable, spv::StorageClassOutput});
         }
     }
 
@@ -277,11 +270,11 @@ Words WithPointSize(const Words& vertexSpirv)
     EachInstruction(vertexSpirv,
                     [&](std::uint32_t op, Instruction words)
                     {
-                        const bool isFloat = op == OpTypeFloat && words[2] == 32;
+                        const bool isFloat = op == spv::OpTypeFloat && words[2] == 32;
                         floatType = isFloat ? words[1] : floatType;
                     });
     // A position is made of floats, so that there is the type.
-    const bool isComplete = HasBuiltIn(vertexSpirv, BuiltInPointSize) || floatType == 0;
+    const bool isComplete = HasBuiltIn(vertexSpirv, spv::BuiltInPointSize) || floatType == 0;
     return isComplete ? vertexSpirv : SizeWriter(vertexSpirv, floatType).Write();
 }
 
