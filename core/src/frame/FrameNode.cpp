@@ -1,5 +1,6 @@
 #include "frame/FrameNode.h"
 
+#include <limn/base/Lists.h>
 #include <typeinfo>
 
 namespace limn
@@ -38,10 +39,7 @@ void AddBindings(FrameNode& node, const DrawBindings& bindings)
     }
     for (const StorageTextureSlot& slot : bindings.storageTextures)
     {
-        if (std::ranges::find(node.writes, slot.texture) == node.writes.end())
-        {
-            node.writes.push_back(slot.texture);
-        }
+        AddOnce(slot.texture, node.writes);
     }
     for (const BufferSlot& slot : bindings.buffers)
     {

@@ -1,6 +1,7 @@
 #include "frame/FrameNode.h"
 
 #include <algorithm>
+#include <limn/base/Lists.h>
 
 namespace limn
 {
@@ -101,10 +102,7 @@ void StripUnusedStencil(FrameNodes& nodes, OutputSpan outputs, CompiledFrame& fr
         if (depth && !OutlivesFrame(*depth, frame.states) && HasStencil(depth->graphicsFormat()) &&
             !kept.contains(depth->id()))
         {
-            if (std::ranges::find(replaced, depth) == replaced.end())
-            {
-                replaced.push_back(depth);
-            }
+            AddOnce(depth, replaced);
             depth = TwinOf(depth, twins);
             LeaveOutClears(node);
         }

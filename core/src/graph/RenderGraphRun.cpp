@@ -5,6 +5,7 @@
 #include "resolve/DrawRecorder.h"
 
 #include <algorithm>
+#include <limn/base/Lists.h>
 #include <utility>
 
 namespace limn
@@ -213,10 +214,7 @@ void RenderGraphRun::Finish()
 
 void RenderGraphRun::Fail(std::string problem)
 {
-    if (std::ranges::find(m_Problems, problem) == m_Problems.end())
-    {
-        m_Problems.push_back(std::move(problem));
-    }
+    AddOnce(problem, m_Problems);
 }
 
 void RenderGraphRun::NoteOrFail(bool isDrawnRight, const std::string& what, const char* otherwise,

@@ -1,5 +1,6 @@
 #include <limn/core/ShaderKeyword.h>
 
+#include <limn/base/Lists.h>
 #include <limn/core/Shader.h>
 #include <set>
 
@@ -34,13 +35,9 @@ LocalKeyword::LocalKeyword(const Shader& shader, std::string_view name)
     const std::set<std::string_view> keywords = KeywordsOf(shader);
     if (!keywords.contains(name))
     {
-        std::string known;
-        for (const std::string_view keyword : keywords)
-        {
-            known += (known.empty() ? "" : ", ") + std::string(keyword);
-        }
-        throw ContractError("shader '" + shader.name() + "' has no keyword '" + m_Name + "'; " +
-                            (known.empty() ? "it has none" : "it has " + known));
+        throw ContractError(
+            "shader '" + shader.name() + "' has no keyword '" + m_Name + "'; " +
+            (keywords.empty() ? "it has none" : "it has " + Joined(keywords, ", ")));
     }
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
+#include <limn/base/Lists.h>
 #include <limn/core/Camera.h>
 #include <limn/core/DrawError.h>
 #include <limn/core/TargetOrientation.h>
@@ -505,10 +506,7 @@ void DrawRecorder::NoteMissingDepth(const PipelineState& state, const Material& 
                        "depthBufferBits, or bind colour and depth and blit to CurrentActive. "
                        "The camera's colour has a depth in URP 7 to 11: where the feature is "
                        "written for one of those, set pipelineVersion to it";
-    if (std::ranges::find(*m_Notes, note) == m_Notes->end())
-    {
-        m_Notes->push_back(std::move(note));
-    }
+    AddOnce(note, *m_Notes);
 }
 
 /// Returns whether it can be a draw over the whole of the target.

@@ -167,11 +167,10 @@ void DrawResolver::End()
         {
             known.push_back(property.name);
         }
-        const std::string_view nearest = NearestName(name, known);
-        m_Notes->push_back(
-            "material '" + undeclared.material + "': '" + name + "' was set, but shader '" +
-            shader.name() + "' has no such property and nothing that was drawn reads it" +
-            (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
+        m_Notes->push_back("material '" + undeclared.material + "': '" + name +
+                           "' was set, but shader '" + shader.name() +
+                           "' has no such property and nothing that was drawn reads it" +
+                           DidYouMean(name, known));
     }
 }
 

@@ -1,5 +1,6 @@
 #include "compiler/ProgramCompiler.h"
 
+#include <limn/base/Lists.h>
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/ProgramRequirements.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
@@ -134,11 +135,9 @@ const HlslFunction& FindEntry(const PassProgram& program, const HlslSource& sour
         }
         known.push_back(function.hasBody ? function.name : std::string_view());
     }
-    const std::string_view nearest = NearestName(entry.name, known);
     throw AssetError(program.file, entry.location,
                      "#pragma " + std::string(StageName(stage)) + ": there is no function '" +
-                         entry.name + "'" +
-                         (nearest.empty() ? "" : "; did you mean '" + std::string(nearest) + "'?"));
+                         entry.name + "'" + DidYouMean(entry.name, known));
 }
 
 [[noreturn]] void ThrowInterface(const HlslSource& source, const HlslFunction& function,
@@ -258,10 +257,7 @@ void RemoveRepeated(std::vector<Diagnostic>& diagnostics)
     std::vector<Diagnostic> once;
     for (Diagnostic& diagnostic : diagnostics)
     {
-        if (std::ranges::find(once, diagnostic) == once.end())
-        {
-            once.push_back(std::move(diagnostic));
-        }
+        AddOnce(diagnostic, once);
     }
     diagnostics = std::move(once);
 }

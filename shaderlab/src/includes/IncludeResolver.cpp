@@ -3,6 +3,7 @@
 #include <limn/base/Text.h>
 
 #include <limn/base/EmbeddedFile.h>
+#include <limn/base/Lists.h>
 #include <limn/base/ReadFile.h>
 
 #include <algorithm>
@@ -320,10 +321,7 @@ void IncludeResolver::TakeManifests()
 
 void IncludeResolver::AddDependency(const IncludeDependency& dependency)
 {
-    if (std::ranges::find(m_Dependencies, dependency) == m_Dependencies.end())
-    {
-        m_Dependencies.push_back(dependency);
-    }
+    AddOnce(dependency, m_Dependencies);
 }
 
 std::optional<IncludedFile> IncludeResolver::Reread(const std::string& name)

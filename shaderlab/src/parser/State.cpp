@@ -1,10 +1,12 @@
 #include "parser/Parser.h"
 
+#include <limn/base/Lists.h>
 #include <limn/base/Text.h>
 #include <limn/shaderlab/PrintShaderLab.h>
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace limn
 {
@@ -592,18 +594,11 @@ void Parser::NoteLegacyCommands(const ShaderLabPass& pass)
     std::vector<std::string> names;
     for (const LegacyCommand& command : pass.legacyCommands)
     {
-        std::string name = command.text.substr(0, command.text.find(' '));
-        if (std::ranges::find(names, name) == names.end())
-        {
-            names.push_back(std::move(name));
-        }
+        AddOnce(command.text.substr(0, command.text.find(' ')), names);
     }
-    std::string list;
-    for (std::size_t i = 0; i < std::min(names.size(), k_MaxNamed); ++i)
-    {
-        list += (i == 0 ? "" : ", ") + names[i];
-    }
-    list += names.size() > k_MaxNamed ? ", ..." : "";
+    const std::size_t named = std::min(names.size(), k_MaxNamed);
+    const std::string list =
+        Joined(std::span(names).first(named), ", ") + (named < names.size() ? ", ..." : "");
     Report(Severity::Note, m_NotedLegacy,
            pass.program ? list + ": it is ignored, since the pass has a program"
                         : list + ": limn makes no program of fixed-function commands, so the pass "

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limn/base/Lists.h>
 #include <limn/base/TerminalText.h>
 
 namespace limn
@@ -11,16 +12,6 @@ namespace limn
 
 namespace
 {
-
-std::string Join(const std::vector<Diagnostic>& diagnostics)
-{
-    std::string text;
-    for (const Diagnostic& diagnostic : diagnostics)
-    {
-        text += (text.empty() ? "" : "\n") + ToString(diagnostic);
-    }
-    return text;
-}
 
 constexpr std::size_t k_MaxName = 64;  ///< longer names are no typo, and comparing them takes long
 constexpr std::size_t k_MaxLine = 160; ///< bytes of a line of the file to show
@@ -160,7 +151,8 @@ std::string ToStringWithSource(const Diagnostic& diagnostic, std::string_view te
 }
 
 AssetError::AssetError(std::vector<Diagnostic> diagnostics)
-    : std::runtime_error(Join(diagnostics)), m_Diagnostics(std::move(diagnostics))
+    : std::runtime_error(Joined(diagnostics, "\n", &ToString)),
+      m_Diagnostics(std::move(diagnostics))
 {
 }
 
@@ -207,12 +199,7 @@ std::string UnknownName(std::string_view name, const std::vector<std::string_vie
     {
         return quoted + meant;
     }
-    std::string names;
-    for (const std::string_view each : known)
-    {
-        names += (names.empty() ? "" : ", ") + std::string(each);
-    }
-    return quoted + (known.empty() ? "" : " (known: " + names + ")");
+    return quoted + (known.empty() ? "" : " (known: " + Joined(known, ", ") + ")");
 }
 
 } // namespace limn

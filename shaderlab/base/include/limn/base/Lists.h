@@ -6,7 +6,6 @@
 #include <iterator>
 #include <string>
 #include <string_view>
-#include <type_traits>
 #include <vector>
 
 namespace limn
@@ -32,8 +31,8 @@ inline bool IsIn(std::string_view word, std::initializer_list<std::string_view> 
 }
 
 /// Adds the item if it is not in the list already.
-template <typename Item>
-void AddOnce(const std::type_identity_t<Item>& item, std::vector<Item>& items)
+template <typename List>
+void AddOnce(const typename List::value_type& item, List& items)
 {
     if (std::ranges::find(items, item) == items.end())
     {
