@@ -31,6 +31,7 @@ LIBRARIES = {
     "SPIRV/": ["shaderlab"],
     "spirv-tools/": ["shaderlab"],
     "spirv_cross/": ["shaderlab", "editor_stub"],
+    "spirv_cross/spirv.hpp": ["core/vulkan"],  # nothing but the numbers of SPIR-V
     "yaml-cpp/": ["volume"],
 }
 # What knows the operating system lies in these folders; its headers may be included there alone.
@@ -68,9 +69,9 @@ def why_not(root, file, layer, quote, name):
         return None if target == layer or target in LAYERS[layer] else f"{layer} may not include {target}"
     if SYSTEM_HEADERS.fullmatch(name) and not any(root / folder in file.parents for folder in PLATFORM):
         return f"only {' and '.join(PLATFORM)} may include headers of the operating system"
-    for library, layers in LIBRARIES.items():
-        if name.startswith(library) and layer not in layers:
-            return f"only {' and '.join(layers)} may include {library.rstrip('/')}"
+    library = max((one for one in LIBRARIES if name.startswith(one)), key=len, default=None)
+    if library and layer not in LIBRARIES[library]:
+        return f"only {' and '.join(LIBRARIES[library])} may include {library.rstrip('/')}"
     return None
 
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <glslang/SPIRV/spirv.hpp>
 #include <span>
+#include <spirv_cross/spirv.hpp>
 #include <vector>
 
 namespace limn::vulkan
