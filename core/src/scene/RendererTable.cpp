@@ -169,12 +169,11 @@ void RendererTable::FindChanges(std::size_t known)
 void RendererTable::FindChange(std::uint32_t index, bool isKnown, Part& part)
 {
     const ObjectHash hash = HashOf(object(index), part.matrices);
-    const ObjectHash before = m_Hash[index];
+    const ObjectHash before = std::exchange(m_Hash[index], hash);
     if (isKnown && hash == before)
     {
-        return; // Writing the same hash would send its memory back and forth in every frame.
+        return;
     }
-    m_Hash[index] = hash;
     part.changed.push_back(index);
     if (!isKnown || hash.rest != before.rest || !MoveRows(index, part))
     {
