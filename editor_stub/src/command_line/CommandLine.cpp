@@ -364,7 +364,9 @@ Verb PortVerb(PortOptions& options)
             "Start a C++ port of a Unity render feature, and report which of the members that it "
             "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
-            {Argument("FILE.cs", "The C# files of the feature, its passes and its volume component",
+            {Argument("FILE.cs",
+                      "The C# file of the feature; files of its Unity project that declare what it "
+                      "uses are read, too",
                       Into(options.files), AtLeastOnce, Files({".cs"})),
              NewFolderFlag(options.folder)}};
 }

@@ -4,6 +4,7 @@
 #include "assets/FileKind.h"
 #include "console/Texts.h"
 #include "port/PortFolder.h"
+#include "port/ProjectScripts.h"
 
 #include <algorithm>
 #include <array>
@@ -15,6 +16,9 @@ namespace limn
 namespace
 {
 
+/// The paths and texts of C# files.
+using CSharpTexts = std::vector<std::pair<std::string, std::string>>;
+
 /// The classes of C# and the Unity that its conditions were answered for.
 struct ReadCSharpFiles
 {
@@ -22,8 +26,7 @@ struct ReadCSharpFiles
     CSharpTarget target;
 };
 
-CSharpFiles ReadFor(const std::vector<std::pair<std::string, std::string>>& texts,
-                    const CSharpTarget& target)
+CSharpFiles ReadFor(const CSharpTexts& texts, const CSharpTarget& target)
 {
     CSharpFiles files;
     for (const auto& [path, text] : texts)
@@ -55,9 +58,8 @@ bool HasConditions(const CSharpFiles& files)
 
 /// Reads C# for Unity 2022.3, whose URP 14 limn mirrors. Where no render feature is left by the
 /// conditions of that version, for Unity 6, and then with all symbols of a project defined.
-/// @param texts  path and text of each file
 /// @throws AssetError if one is no C#
-ReadCSharpFiles ReadCSharp(const std::vector<std::pair<std::string, std::string>>& texts)
+ReadCSharpFiles ReadCSharp(const CSharpTexts& texts)
 {
     ReadCSharpFiles first{ReadFor(texts, {}), {}};
     if (HasFeature(first.files) || !HasConditions(first.files))
@@ -96,6 +98,63 @@ std::string Counts(const std::vector<UsedMember>& uses)
     return text.empty() ? "nothing" : text;
 }
 
+/// Returns whether a script of the project declares something that limn can have, at least in part.
+/// The behaviours of a game, its assets and its other features have no place in a port.
+bool CanBePorted(const std::string& path, const std::string& text, std::string_view name,
+                 const CSharpTarget& target)
+try
+{
+    const CSharpFiles files = ReadFor({{path, text}}, target);
+    const std::vector<CSharpClass>& classes = files.front()->classes;
+    const auto found = std::ranges::find(classes, name, &CSharpClass::name);
+    return found != classes.end() && found->keyword != "interface" &&
+           std::ranges::none_of(std::array{"MonoBehaviour", "ScriptableObject", "Editor",
+                                           "ScriptableRendererFeature"},
+                                [&](const char* base) { return found->Derives(base); });
+}
+catch (const AssetError&)
+{
+    return false; // the user has not named this file
+}
+
+/// Adds the files of the Unity project that declare what the classes use and no file declares.
+/// @return the names of these classes, each with its file
+std::vector<std::string> AddDeclarations(const PortFolder& port, const CSharpTarget& target,
+                                         const ProjectScripts& scripts, CSharpTexts& texts)
+{
+    const bool isRelative = std::filesystem::path(texts.front().first).is_relative();
+    const std::filesystem::path folder = isRelative ? std::filesystem::current_path() : "";
+    const auto isThere = [&](const ProjectScript& script)
+    {
+        return std::ranges::any_of(
+            texts,
+            [&](const auto& file) { return std::filesystem::equivalent(file.first, script.path); });
+    };
+    std::vector<std::string> added;
+    for (const UsedMember& use : port.uses)
+    {
+        const auto found =
+            use.entry ? std::vector<const ProjectScript*>() : scripts.FindDeclarations(use.key);
+        for (const ProjectScript* script : found)
+        {
+            if (isThere(*script))
+            {
+                break; // the conditions of the file have left it out
+            }
+            const std::filesystem::path& whole = script->path;
+            const std::string path =
+                (isRelative ? whole.lexically_relative(folder) : whole).generic_string();
+            if (CanBePorted(path, script->text, use.key, target))
+            {
+                texts.emplace_back(path, script->text);
+                added.push_back(use.key + " of " + path);
+                break;
+            }
+        }
+    }
+    return added;
+}
+
 void PrintUse(const UsedMember& use, Console& console)
 {
     const CSharpPlace& first = use.places.front();
@@ -126,14 +185,23 @@ void NoteConditions(const ReadCSharpFiles& read, Console& console)
 
 ExitCode RunPort(const PortOptions& options, Console& console)
 {
-    std::vector<std::pair<std::string, std::string>> texts;
+    CSharpTexts texts;
     for (const std::string& path : options.files)
     {
         RequireKind(path, {FileKind::CSharp}, "port");
         texts.emplace_back(path, ReadFile(path));
     }
-    const ReadCSharpFiles read = ReadCSharp(texts);
-    const PortFolder port = PortFeature(read.files, UnityPortingTable());
+    ReadCSharpFiles read = ReadCSharp(texts);
+    PortFolder port = PortFeature(read.files, UnityPortingTable());
+    const ProjectScripts scripts(options.files.front());
+    std::vector<std::string> taken;
+    for (auto more = AddDeclarations(port, read.target, scripts, texts); !more.empty();
+         more = AddDeclarations(port, read.target, scripts, texts))
+    {
+        taken.insert(taken.end(), more.begin(), more.end());
+        read.files = ReadFor(texts, read.target);
+        port = PortFeature(read.files, UnityPortingTable());
+    }
     WriteFeatureFolder(options.folder, port.files, console);
     for (const UsedMember& use : port.uses)
     {
@@ -141,6 +209,10 @@ ExitCode RunPort(const PortOptions& options, Console& console)
         {
             PrintUse(use, console);
         }
+    }
+    if (!taken.empty())
+    {
+        console.Note("also read, since these files use it: " + Joined(taken, ", "));
     }
     NoteConditions(read, console);
     console.Note("the C# uses " + std::to_string(port.uses.size()) +

@@ -371,6 +371,11 @@ private:
             }
             names.emplace_back((m_At++)->text);
         } while (Next("."));
+        while (names.size() > 1 && IsIn(names.front(), {"UnityEngine", "Experimental", "Rendering",
+                                                        "Universal", "RenderGraphModule"}))
+        {
+            names.erase(names.begin()); // a namespace
+        }
         if (m_At < m_End && m_At->Is("(") &&
             names == std::vector<std::string>{"Shader", "PropertyToID"})
         {

@@ -123,7 +123,7 @@ PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
     {
         return PortRole::Enum;
     }
-    if (one.keyword == "interface" || one.isGeneric || depth > 20)
+    if (one.keyword == "interface" || (one.isGeneric && depth == 0) || depth > 20)
     {
         return PortRole::Other;
     }
@@ -149,6 +149,8 @@ PortRole PortModel::ChooseRole(const CSharpClass& one, int depth) const
         if (own && own != &one)
         {
             role = ChooseRole(*own, depth + 1);
+            // A pass says what its base has to give it; other classes would lack it without a word.
+            role = own->isGeneric && role != PortRole::Pass ? PortRole::Other : role;
         }
         else if (!IsInterfaceName(plain))
         {

@@ -12,6 +12,7 @@ namespace limn::test
 namespace
 {
 
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -179,6 +180,49 @@ TEST(PortCommand, CarriesOverTheArticle)
     EXPECT_THAT(ported.run.err, Not(HasSubstr("unknown")));
     EXPECT_THAT(ported.report, Not(HasSubstr("| missing |")));
     EXPECT_THAT(ported.report, Not(HasSubstr("TODO |")));
+}
+
+TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
+{
+    const WorkingFolder working;
+    const auto write = [&](const std::string& path, const std::string& text)
+    {
+        std::filesystem::create_directories(std::filesystem::path(path).parent_path());
+        working.folder.Write(path, text);
+    };
+    write("ProjectSettings/ProjectSettings.asset", "");
+    write("Assets/Glow/GlowFeature.cs",
+          "class GlowFeature : ScriptableRendererFeature {\n"
+          "  public GlowMode mode; public Lamp lamp; GlowPass m_Pass;\n"
+          "  public override void Create() { m_Pass = new GlowPass(); }\n"
+          "  public override void AddRenderPasses(ScriptableRenderer renderer,\n"
+          "      ref RenderingData data) { renderer.EnqueuePass(m_Pass); } }\n");
+    write("Assets/Passes/GlowPass.cs",
+          "class GlowPass : DrawingPass<GlowMode> {\n"
+          "  static readonly int Tint = UnityEngine.Shader.PropertyToID(\"_Tint\"); }\n");
+    write("Assets/Passes/Modes.cs", "enum GlowModes { }\nenum GlowMode { Soft, Hard }\n");
+    write("Packages/mine/DrawingPass.cs",
+          "class DrawingPass<T> : ScriptableRenderPass { protected T what; }\n");
+    // None of these has a place in the port.
+    write("Assets/Lamp.cs", "class Lamp : MonoBehaviour { public int watts; }\n");
+    write("Assets/Editor/GlowMode.cs", "enum GlowMode { OfTheEditor }\n");
+    write("Packages/com.unity.passes/GlowPass.cs", "class GlowPass { int unitys; }\n");
+    write("Assets/Broken.cs", "class Broken { class GlowMode {\n");
+
+    const Ported ported = Port({"Assets/Glow/GlowFeature.cs"}, "GlowFeature");
+    ExpectAll(ported.run.err, {"note: also read, since these files use it: "
+                               "GlowMode of Assets/Passes/Modes.cs, "
+                               "GlowPass of Assets/Passes/GlowPass.cs, "
+                               "DrawingPass of Packages/mine/DrawingPass.cs\n",
+                               "unknown: 'Lamp': a type"});
+    ExpectAll(ported.header, {"Soft,", "GlowMode mode", "std::unique_ptr<GlowPass> m_Pass;"});
+    ExpectAll(ported.source,
+              {"class GlowPass final : public ScriptableRenderPass",
+               "// TODO GlowPass.cs:1: what 'DrawingPass<GlowMode>' has goes in here, too",
+               "Tint = Shader::PropertyToID(\"_Tint\");", "// class DrawingPass<T>",
+               "m_Pass = std::make_unique<GlowPass>();"});
+    EXPECT_THAT(ported.source + ported.header,
+                Not(AnyOf(HasSubstr("watts"), HasSubstr("OfTheEditor"), HasSubstr("unitys"))));
 }
 
 TEST(PortCommand, SaysWhatIsWrongWithAFile)
