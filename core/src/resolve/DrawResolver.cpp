@@ -47,13 +47,22 @@ struct CameraTexture
     const char* name;
     const char* color; ///< Unity's, where nothing was written yet: 0 is far with reversed Z
     const char* look;
-    const char* event;
+    const char* reason;
     bool isDepth = false;
 };
-constexpr CameraTexture k_CameraTextures[] = {{"_CameraDepthTexture", "black", "far", "150", true},
-                                              {"_CameraNormalsTexture", "gray", "gray", "150"},
-                                              {"_CameraDepthNormalsTexture", "gray", "gray", "150"},
-                                              {"_CameraOpaqueTexture", "gray", "gray", "400"}};
+constexpr const char* k_IsLater = "nothing has written it yet; UniversalRenderer makes it for "
+                                  "passes after event 150";
+constexpr const char* k_IsLast = "nothing has written it yet; UniversalRenderer makes it for "
+                                 "passes after event 400";
+constexpr const char* k_HasNoShadow = "no light throws a shadow onto what is seen, or this pass "
+                                      "comes before the shadows";
+constexpr CameraTexture k_CameraTextures[] = {
+    {"_CameraDepthTexture", "black", "far", k_IsLater, true},
+    {"_CameraNormalsTexture", "gray", "gray", k_IsLater},
+    {"_CameraDepthNormalsTexture", "gray", "gray", k_IsLater},
+    {"_CameraOpaqueTexture", "gray", "gray", k_IsLast},
+    {"_MainLightShadowmapTexture", "black", "far", k_HasNoShadow, true},
+    {"_AdditionalLightsShadowmapTexture", "black", "far", k_HasNoShadow, true}};
 
 /// Returns true if a command of the state, as `Cull [_Cull]`, takes its value from the property.
 bool RefersTo(const RenderState& state, const std::string& property)
@@ -511,10 +520,7 @@ std::shared_ptr<const Texture> DrawResolver::DefaultOf(ShaderPropertyId id,
             (m_PassName == SampleName() ? "" : " in pass '" + m_PassName.name() + "'") +
             ": texture '" + id.name() + "' is ";
         m_Notes->push_back(
-            subject + (isMade ? std::string(made->look) +
-                                    " everywhere: nothing has written it yet; UniversalRenderer "
-                                    "makes it for passes after event " +
-                                    made->event
+            subject + (isMade ? std::string(made->look) + " everywhere: " + made->reason
                               : "gray: it is no property of the shader, and neither material "
                                 "'" +
                                     sources.material->name() + "' nor anything global sets it"));

@@ -205,10 +205,13 @@ void ExpectValid(const ShadowSettings& s)
     Expect(s.shadowCascadeCount >= 1 && s.shadowCascadeCount <= k_MostCascades,
            "shadowCascadeCount", "1...4");
     const char* const shares = "between 0 and 1, each above the one before";
-    Expect(Rise({s.cascade2Split}), "cascade2Split", shares);
-    Expect(Rise({s.cascade3Split.x, s.cascade3Split.y}), "cascade3Split", shares);
-    Expect(Rise({s.cascade4Split.x, s.cascade4Split.y, s.cascade4Split.z}), "cascade4Split",
-           shares);
+    // Splits of other counts have no effect.
+    Expect(s.shadowCascadeCount != 2 || Rise({s.cascade2Split}), "cascade2Split", shares);
+    Expect(s.shadowCascadeCount != 3 || Rise({s.cascade3Split.x, s.cascade3Split.y}),
+           "cascade3Split", shares);
+    Expect(s.shadowCascadeCount != 4 ||
+               Rise({s.cascade4Split.x, s.cascade4Split.y, s.cascade4Split.z}),
+           "cascade4Split", shares);
     Expect(s.cascadeBorder >= 0.0f && s.cascadeBorder <= 1.0f, "cascadeBorder", "0...1");
     Expect(s.shadowDepthBias >= 0.0f && s.shadowDepthBias <= 10.0f, "shadowDepthBias", "0...10");
     Expect(s.shadowNormalBias >= 0.0f && s.shadowNormalBias <= 10.0f, "shadowNormalBias", "0...10");

@@ -55,10 +55,21 @@ void ReadShadowSettings(YamlMapReader& map, ShadowSettings& settings, AssetDiagn
     };
     VisitShadowSettings(settings, read);
     const ShadowSettings& s = settings;
-    CheckSplits(map, "m_Cascade2Split", {s.cascade2Split}, diagnostics);
-    CheckSplits(map, "m_Cascade3Split", {s.cascade3Split.x, s.cascade3Split.y}, diagnostics);
-    CheckSplits(map, "m_Cascade4Split", {s.cascade4Split.x, s.cascade4Split.y, s.cascade4Split.z},
-                diagnostics);
+    switch (s.shadowCascadeCount) // splits of other counts have no effect
+    {
+    case 2:
+        CheckSplits(map, "m_Cascade2Split", {s.cascade2Split}, diagnostics);
+        break;
+    case 3:
+        CheckSplits(map, "m_Cascade3Split", {s.cascade3Split.x, s.cascade3Split.y}, diagnostics);
+        break;
+    case 4:
+        CheckSplits(map, "m_Cascade4Split",
+                    {s.cascade4Split.x, s.cascade4Split.y, s.cascade4Split.z}, diagnostics);
+        break;
+    default:
+        break;
+    }
 }
 
 } // namespace limn

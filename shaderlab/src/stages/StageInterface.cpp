@@ -169,8 +169,10 @@ public:
                        : std::string(typeName));
         if (!type)
         {
-            Fail(variable,
-                 "': type '" + std::string(variable.type) + "' cannot cross the border of a stage");
+            Fail(variable, (isObjectType(typeName) ? "': type '" : "': unknown type '") +
+                               std::string(variable.type) +
+                               (isObjectType(typeName) ? "' cannot cross the border of a stage"
+                                                       : "'; no file declares it"));
         }
         if (variable.semantic.empty())
         {

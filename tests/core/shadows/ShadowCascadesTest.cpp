@@ -152,9 +152,28 @@ TEST_F(ShadowCascadesTest, RefuseNumbersOutsideTheirRange)
     refuses([](ShadowSettings& s) { s.mainLightShadowmapResolution = 32; });
     refuses([](ShadowSettings& s) { s.shadowDistance = -1.0f; });
     refuses([](ShadowSettings& s) { s.shadowCascadeCount = 0; });
-    refuses([](ShadowSettings& s) { s.cascade2Split = 1.0f; });
-    refuses([](ShadowSettings& s) { s.cascade3Split = {0.3f, 0.3f}; });
-    refuses([](ShadowSettings& s) { s.cascade4Split = {0.0f, 0.3f, 0.4f}; });
+    const auto spoil = [](ShadowSettings& s)
+    {
+        s.cascade2Split = 1.0f;
+        s.cascade3Split = {0.3f, 0.3f};
+        s.cascade4Split = {0.0f, 0.3f, 0.4f};
+    };
+    for (const int count : {1, 2, 3, 4})
+    {
+        ShadowSettings settings;
+        settings.shadowCascadeCount = count;
+        const ShadowSettings whole = settings;
+        spoil(settings);
+        settings.cascade2Split = count == 2 ? whole.cascade2Split : settings.cascade2Split;
+        settings.cascade3Split = count == 3 ? whole.cascade3Split : settings.cascade3Split;
+        settings.cascade4Split = count == 4 ? whole.cascade4Split : settings.cascade4Split;
+        EXPECT_NO_THROW(ExpectValid(settings)) << "the splits of other counts than " << count;
+        spoil(settings);
+        if (count > 1)
+        {
+            EXPECT_THROW(ExpectValid(settings), ContractError) << count;
+        }
+    }
     refuses([](ShadowSettings& s) { s.cascadeBorder = 1.5f; });
     refuses([](ShadowSettings& s) { s.shadowNormalBias = 11.0f; });
 }

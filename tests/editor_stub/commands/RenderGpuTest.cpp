@@ -194,6 +194,30 @@ TEST_F(Render, NotesWhatAShaderUsesThatLimnDoesNotHave)
         run.err);
 }
 
+// URP binds an empty map then, whose texels are as far as can be.
+TEST_F(Render, GivesShadersAnEmptyShadowMapWhereNothingThrowsAShadow)
+{
+    folder.Write(
+        "map.shader",
+        "Shader \"My/Map\" { SubShader { Pass { HLSLPROGRAM\n"
+        "#pragma vertex V\n#pragma fragment F\n#include "
+        "\"Packages/com.unity.render-pipelines.universal/ShaderLibrary/Core.hlsl\"\n"
+        "Texture2D _MainLightShadowmapTexture;\n"
+        "float4 V(float4 p : POSITION) : SV_POSITION { return TransformObjectToHClip(p.xyz); }"
+        "\nfloat4 F() : SV_Target { return float4(0, "
+        "_MainLightShadowmapTexture.Load(0).r == UNITY_RAW_FAR_CLIP_VALUE, 0, 1); }\n"
+        "ENDHLSL } } }");
+    folder.Write("s.scene.yaml",
+                 "size: [8, 8]\ncamera: {}\nmaterials: {m: {shader: map.shader}}\n"
+                 "objects: [{name: a, mesh: cube, material: m, position: [0, 0, 2]}]\n");
+    const CommandRun run = Draw({});
+    EXPECT_EQ(0, run.exitCode) << run.err;
+    EXPECT_THAT(LinesOf(run.err),
+                testing::ElementsAre(
+                    Mentions("'_MainLightShadowmapTexture'", "far everywhere", "throws a shadow")));
+    EXPECT_GT(GreenPixels("out.png"), 4);
+}
+
 TEST_F(Render, NotesThatTessellationAddsNoVertices)
 {
     folder.Write(

@@ -81,11 +81,13 @@ TEST(ShadowFile, TheSceneSaysHowAllShadowsAreInEitherSpelling)
     wanted.mainLightShadowmapResolution = 512;
     EXPECT_EQ(wanted, settings);
     EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
-                                  "shadows: {shadowCascadeCount: 5, cascade4Split: [0.5, 0.4, "
-                                  "0.9], distance: 3}\n"),
+                                  "shadows: {shadowCascadeCount: 5, distance: 3}\n"),
                 testing::ElementsAre(testing::HasSubstr("shadows.m_ShadowCascadeCount: 5"),
-                                     Mentions("shares", "0 and 1"),
                                      testing::HasSubstr("unknown key 'distance'")));
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
+                                  "shadows: {shadowCascadeCount: 4, cascade2Split: 1, "
+                                  "cascade4Split: [0.5, 0.4, 0.9]}\n"),
+                testing::ElementsAre(Mentions("m_Cascade4Split", "shares", "0 and 1")));
 }
 
 TEST(ShadowFile, TheyComeFromUnitysPipelineAsset)

@@ -210,6 +210,18 @@ TEST(ShaderCompilerError, ReportsSemanticsThatAreMissingDoubledOrOutOfPlace)
                 ElementsAre(Mentions("t.shader:3:8: error: frag", "'SV_TARGET'", "two values")));
 }
 
+TEST(ShaderCompilerError, TellsATypeThatNobodyDeclaresFromOneThatNoStageMayHave)
+{
+    const std::string frag = "\nfloat4 frag() : SV_Target { return 1; }";
+    EXPECT_THAT(
+        CompileMessages(Program("float4 vert(Attributes i) : SV_Position { return 1; }" + frag)),
+        ElementsAre(Mentions("t.shader:1: error: vert: 'i'", "unknown type 'Attributes'")));
+    EXPECT_THAT(
+        CompileMessages(
+            Program("float4 vert(Texture2D t : TEXCOORD0) : SV_Position { return 1; }" + frag)),
+        ElementsAre(Mentions("t.shader:1: error: vert: 't'", "'Texture2D'", "border of a stage")));
+}
+
 TEST(ShaderCompilerError, IsReportedForStructsWithoutAnEnd)
 {
     const std::string frag = "float4 frag() : SV_Target { return 1; }";

@@ -39,7 +39,7 @@ struct ShadowSettings
     float shadowDistance = 50.0f; ///< metres from the camera to where shadows end, >= 0
     int shadowCascadeCount = 1;   ///< 1...4
     // The places where the cascades but the last end, as shares of the distance, each above the one
-    // before.
+    // before. Those of other numbers of cascades have no effect.
     float cascade2Split = 0.25f;
     glm::vec2 cascade3Split{0.1f, 0.3f};
     glm::vec3 cascade4Split{0.067f, 0.2f, 0.467f};
