@@ -177,8 +177,8 @@ struct PortOptions
 };
 
 /// Writes the folder of a plug-in with the beginning of a Unity render feature in C++, and reports
-/// which parts of the C# limn does not have or know. Reads further files of the Unity project, which
-/// declare what the files use.
+/// which parts of the C# limn does not have or know. Reads further files of the Unity project,
+/// which declare what the files use.
 /// @throws AssetError if a file is no C#, no file has a feature, or the folder cannot be written
 ExitCode RunPort(const PortOptions& options, Console& console);
 
