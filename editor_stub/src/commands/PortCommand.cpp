@@ -118,7 +118,7 @@ catch (const AssetError&)
 }
 
 /// Adds the files of the Unity project that declare what the classes use and no file declares.
-/// @return the names of these classes, each with its file
+/// @return "Assets/Glow.cs for GlowPass", one for each file
 std::vector<std::string> AddDeclarations(const PortFolder& port, const CSharpTarget& target,
                                          const ProjectScripts& scripts, CSharpTexts& texts)
 {
@@ -147,7 +147,7 @@ std::vector<std::string> AddDeclarations(const PortFolder& port, const CSharpTar
             if (CanBePorted(path, script->text, use.key, target))
             {
                 texts.emplace_back(path, script->text);
-                added.push_back(use.key + " of " + path);
+                added.push_back(path + " for " + use.key);
                 break;
             }
         }
@@ -212,7 +212,7 @@ ExitCode RunPort(const PortOptions& options, Console& console)
     }
     if (!taken.empty())
     {
-        console.Note("also read, since these files use it: " + Joined(taken, ", "));
+        console.Note("these files of the project are read, too: " + Joined(taken, ", "));
     }
     NoteConditions(read, console);
     console.Note("the C# uses " + std::to_string(port.uses.size()) +

@@ -1,5 +1,6 @@
 #include "port/ProjectScripts.h"
 
+#include "port/csharp/CSharpTokens.h"
 #include "unity/UnityProject.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace
 
 constexpr std::uintmax_t k_MaxScriptBytes = std::uintmax_t{1} << 20;
 
-bool IsWordLetter(char letter)
-{
-    return std::isalnum(static_cast<unsigned char>(letter)) != 0 || letter == '_';
-}
-
 /// Returns whether a text has the words `class name`, or those of a struct or an enum.
 bool Declares(std::string_view text, std::string_view name)
 {
@@ -28,7 +24,7 @@ bool Declares(std::string_view text, std::string_view name)
         for (std::size_t at = text.find(words); at != text.npos; at = text.find(words, at + 1))
         {
             const std::size_t end = at + words.size();
-            if (end == text.size() || !IsWordLetter(text[end]))
+            if (end == text.size() || !IsNamePart(text[end]))
             {
                 return true;
             }
@@ -89,9 +85,10 @@ void ProjectScripts::AddFolder(const std::filesystem::path& folder)
 std::vector<const ProjectScript*> ProjectScripts::FindDeclarations(std::string_view name) const
 {
     std::vector<const ProjectScript*> found;
+    const bool isName = std::ranges::all_of(name, IsNamePart); // and no "Type.member"
     for (const ProjectScript& script : m_Scripts)
     {
-        if (Declares(script.text, name))
+        if (isName && Declares(script.text, name))
         {
             found.push_back(&script);
         }

@@ -210,10 +210,10 @@ TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
     write("Assets/Broken.cs", "class Broken { class GlowMode {\n");
 
     const Ported ported = Port({"Assets/Glow/GlowFeature.cs"}, "GlowFeature");
-    ExpectAll(ported.run.err, {"note: also read, since these files use it: "
-                               "GlowMode of Assets/Passes/Modes.cs, "
-                               "GlowPass of Assets/Passes/GlowPass.cs, "
-                               "DrawingPass of Packages/mine/DrawingPass.cs\n",
+    ExpectAll(ported.run.err, {"note: these files of the project are read, too: "
+                               "Assets/Passes/Modes.cs for GlowMode, "
+                               "Assets/Passes/GlowPass.cs for GlowPass, "
+                               "Packages/mine/DrawingPass.cs for DrawingPass\n",
                                "unknown: 'Lamp': a type"});
     ExpectAll(ported.header, {"Soft,", "GlowMode mode", "std::unique_ptr<GlowPass> m_Pass;"});
     ExpectAll(ported.source,

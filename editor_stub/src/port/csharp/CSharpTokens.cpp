@@ -16,11 +16,6 @@ bool IsNameStart(char c)
     return isLetter(c) || static_cast<unsigned char>(c) > 127;
 }
 
-bool IsNamePart(char c)
-{
-    return IsNameStart(c) || isDigit(c);
-}
-
 constexpr std::string_view k_LongPunctuation[] = {
     "=>", "::", "?.", "??", "==", "!=", "<=", ">=", "+=",
     "-=", "*=", "/=", "%=", "&=", "|=", "^=", "&&", "||"};
@@ -364,6 +359,11 @@ private:
 };
 
 } // namespace
+
+bool IsNamePart(char c)
+{
+    return IsNameStart(c) || isDigit(c);
+}
 
 CSharpTokens TokenizeCSharp(std::string_view text, const std::string& file,
                             const CSharpTarget& target)

@@ -92,6 +92,9 @@ struct CSharpTarget
 /// uses for it.
 bool IsDefinedFor(std::string_view symbol, const CSharpTarget& target);
 
+/// Returns whether a byte may stand in a name of C#.
+bool IsNamePart(char c);
+
 /// Cuts C# into words. Comments and what #if leaves out are removed.
 /// @param text  must outlive the result
 /// @param file  the file's name in messages
