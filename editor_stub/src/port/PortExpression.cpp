@@ -99,7 +99,7 @@ private:
             {
                 return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
             }
-            if (!isRendering || value.cpp[0] == '-' || value.cpp[0] == '~')
+            if (value.cpp[0] == '-' || value.cpp[0] == '~')
             {
                 return std::nullopt;
             }
@@ -272,9 +272,9 @@ private:
     Result ReadNew(const std::string& wanted)
     {
         std::string type = m_At < m_End && !m_At->Is("(") ? ReadCSharpType(m_At) : "";
-        if (m_At < m_End && m_At->Is("[")) // new T[3]
+        if (m_At < m_End && m_At->Is("["))
         {
-            return std::nullopt;
+            return ReadArray(type + "[]");
         }
         type = type.empty() || type == "[]" ? wanted : type;
         std::vector<CSharpWords> arguments;
@@ -287,6 +287,25 @@ private:
             return arguments.empty() ? ReadElements(type) : std::nullopt;
         }
         return Construct(type, arguments);
+    }
+
+    /// Behind `new T`: [3] or [2] {a, b}.
+    Result ReadArray(const std::string& type)
+    {
+        const auto cpp = m_Model.CppType(type);
+        const Result size = Translate(m_Model, m_Scope, m_At->Inside(), "int");
+        m_At = m_At->Behind();
+        if (m_At < m_End && m_At->Is("{"))
+        {
+            return ReadElements(type);
+        }
+        if (!cpp || !size || (m_At < m_End && m_At->Is("["))) // of arrays
+        {
+            return std::nullopt;
+        }
+        return PortValue{*cpp + "(" + (size->isLiteral ? "" : "static_cast<std::size_t>(") +
+                             size->cpp + (size->isLiteral ? ")" : "))"),
+                         type};
     }
 
     Result Construct(const std::string& type, const std::vector<CSharpWords>& arguments)

@@ -359,6 +359,24 @@ TEST(PortInput, AColourWithHintsAndATooltipCompiles)
                "UIntParameter f{this, \"f\", 0u};"});
 }
 
+TEST(PortInput, ArraysAndMasksBeginWithWhatTheyBeginWithInCSharp)
+{
+    const Ported ported = PortMembers("    const int Most = 4;\n"
+                                      "    Vector4[] centers = new Vector4[16];\n"
+                                      "    RTHandle[] handles = new RTHandle[Most + 1];\n"
+                                      "    int[] two = new int[2] { 3, 4 };\n"
+                                      "    int[][] rows = new int[2][];\n"
+                                      "    float[] table = new float[2, 2];\n"
+                                      "    LayerMask mine = 5;\n"
+                                      "    LayerMask odd = -2;\n");
+    ExpectAll(ported.header,
+              {"std::vector<Vector4> centers = std::vector<Vector4>(16);",
+               "handles = std::vector<RTHandle>(static_cast<std::size_t>((Most + 1)));",
+               "std::vector<int> two = {3, 4};", "LayerMask mine = LayerMask(5u);",
+               "// int[][] rows = new int[2][];", "// float[] table = new float[2, 2];",
+               "// LayerMask odd = -2;"});
+}
+
 TEST(PortInput, SettingsOfMasksAndOfSettingsAreSettings)
 {
     const Ported ported =
