@@ -71,6 +71,11 @@ void PortedCode::Close(std::string_view end)
 {
     --m_Indent;
     Line(end);
+    for (std::size_t i = 0; m_Indent == 0 && i < m_Behind.size(); ++i)
+    {
+        Line(m_Behind[i]);
+    }
+    m_Behind.resize(m_Indent == 0 ? 0 : m_Behind.size());
 }
 
 void PortedCode::Comment(std::string_view csharp)

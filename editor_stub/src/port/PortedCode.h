@@ -33,6 +33,8 @@ public:
     void Line(std::string_view line = {}); ///< indented by m_Indent
     void Open(std::string_view line = {}); ///< writes the line, if there is one, and a {
     void Close(std::string_view end = "}");
+    /// Writes the line behind the class that is being written and those around it.
+    void Behind(std::string line) { m_Behind.push_back(std::move(line)); }
     void Label(std::string_view line) { text.append(line).append("\n"); } ///< public:
     /// Writes `// TODO: why, place`, and the C# below it as comments.
     void Todo(const std::string& why, const std::string& place, std::string_view csharp);
@@ -47,6 +49,7 @@ public:
 private:
     PortModel& m_Model;
     std::size_t m_Indent = 0;
+    std::vector<std::string> m_Behind;
     std::vector<PortedThing> m_Things;
 };
 

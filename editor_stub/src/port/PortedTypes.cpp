@@ -351,6 +351,13 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
                                                 : "";
     // A nested class has no default values yet where the outer one is being defined.
     const bool isPlainData = own && (!value || value->cpp == *type + "{}");
+    if (isPlainData && !isEnum && field.isStatic && own->outer)
+    {
+        code.Line("static " + *type + " " + name + ";");
+        code.Behind("inline " + *type + " " + model.QualifiedName(one) + "::" + name + ";");
+        Declare(code.model(), one, field, scope);
+        return;
+    }
     code.Line(prefix + (isText ? "const char*" : *type) + " " + name +
               (isPlainData && !isEnum ? ""
                : !value               ? PortModel::CppDefault(*type)

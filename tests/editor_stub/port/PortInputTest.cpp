@@ -359,6 +359,19 @@ TEST(PortInput, AColourWithHintsAndATooltipCompiles)
                "UIntParameter f{this, \"f\", 0u};"});
 }
 
+// A nested class has its default values behind the class around it only.
+TEST(PortInput, AStaticMemberOfANestedClassIsDefinedBehindTheOuterClass)
+{
+    const Ported ported =
+        PortMembers("    P m_Pass;\n", "class P : ScriptableRenderPass {\n"
+                                       "    class History { public int frames = 2; }\n"
+                                       "    static History s_History; static History s_Made = "
+                                       "new History(); }\n");
+    ExpectAll(ported.source,
+              {"    static P::History s_History;\n", "    static P::History s_Made;\n",
+               "};\ninline P::History P::s_History;\ninline P::History P::s_Made;\n"});
+}
+
 TEST(PortInput, ArraysAndMasksBeginWithWhatTheyBeginWithInCSharp)
 {
     const Ported ported = PortMembers("    const int Most = 4;\n"
