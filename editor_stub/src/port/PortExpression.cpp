@@ -299,7 +299,11 @@ private:
         {
             return ReadElements(type);
         }
-        if (!cpp || !size || (m_At < m_End && m_At->Is("["))) // of arrays
+        // C# fills an array of a class with null, and C++ can make no nested class here yet.
+        const CSharpClass* own = m_Model.Find(type.substr(0, type.size() - 2));
+        const bool isOfClass = own && m_Model.RoleOf(*own) != PortRole::Enum;
+        const bool isOfArrays = m_At < m_End && m_At->Is("[");
+        if (!cpp || !size || isOfClass || isOfArrays)
         {
             return std::nullopt;
         }
@@ -390,8 +394,10 @@ private:
             }
             names.emplace_back((m_At++)->text);
         } while (Next("."));
-        while (names.size() > 1 && IsIn(names.front(), {"UnityEngine", "Experimental", "Rendering",
-                                                        "Universal", "RenderGraphModule"}))
+        const bool isQualified = names.front() == "UnityEngine";
+        while (isQualified && names.size() > 1 &&
+               IsIn(names.front(),
+                    {"UnityEngine", "Experimental", "Rendering", "Universal", "RenderGraphModule"}))
         {
             names.erase(names.begin()); // a namespace
         }

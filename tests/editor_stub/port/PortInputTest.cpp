@@ -379,6 +379,8 @@ TEST(PortInput, ArraysAndMasksBeginWithWhatTheyBeginWithInCSharp)
                                       "    RTHandle[] handles = new RTHandle[Most + 1];\n"
                                       "    int[] two = new int[2] { 3, 4 };\n"
                                       "    int[][] rows = new int[2][];\n"
+                                      "    class Row { public int n = 2; }\n"
+                                      "    Row[] own = new Row[3];\n"
                                       "    float[] table = new float[2, 2];\n"
                                       "    LayerMask mine = 5;\n"
                                       "    LayerMask odd = -2;\n");
@@ -386,8 +388,8 @@ TEST(PortInput, ArraysAndMasksBeginWithWhatTheyBeginWithInCSharp)
               {"std::vector<Vector4> centers = std::vector<Vector4>(16);",
                "handles = std::vector<RTHandle>(static_cast<std::size_t>((Most + 1)));",
                "std::vector<int> two = {3, 4};", "LayerMask mine = LayerMask(5u);",
-               "// int[][] rows = new int[2][];", "// float[] table = new float[2, 2];",
-               "// LayerMask odd = -2;"});
+               "// int[][] rows = new int[2][];", "// Row[] own = new Row[3];",
+               "// float[] table = new float[2, 2];", "// LayerMask odd = -2;"});
 }
 
 TEST(PortInput, SettingsOfMasksAndOfSettingsAreSettings)
