@@ -10,6 +10,7 @@ namespace limn
 
 std::vector<std::string> NotesOf(const RenderReport& report)
 {
+    static const ShaderTagId k_ShadowCaster{"ShadowCaster"};
     std::vector<std::string> notes;
     for (const std::string& note : report.notes)
     {
@@ -20,6 +21,10 @@ std::vector<std::string> NotesOf(const RenderReport& report)
     {
         for (const DrawRenderersReport& filter : *filters)
         {
+            if (filter.drawing.GetShaderPassName(0) == k_ShadowCaster)
+            {
+                continue; // a shadow is no picture of the object that throws it
+            }
             std::ranges::transform(filter.counts, counts, counts.begin(), std::plus());
         }
     }

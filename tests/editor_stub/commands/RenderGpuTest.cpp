@@ -347,6 +347,20 @@ TEST_F(Render, SaysSoWhereNoPassDrawsAnObject)
     const CommandRun run = RunCommand({"render", Path("other.scene.yaml"), "-o", Path("out.png")});
     EXPECT_EQ(run.exitCode, 0) << run.err;
     EXPECT_THAT(run.err, Mentions("no pass draws any of the objects", "LightMode", "limn explain"));
+    // A shadow is no picture of the object.
+    folder.Write("r.asset", "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n--- !u!114 &11400000\n"
+                            "MonoBehaviour:\n  m_Name: R\n"
+                            "  m_OpaqueLayerMask:\n    serializedVersion: 2\n    m_Bits: 0\n"
+                            "  m_RendererFeatures: []\n");
+    folder.Write("masked.scene.yaml",
+                 "size: [8, 8]\nlight: {shadows: Hard}\nrenderer: {rendererData: r.asset}\n"
+                 "objects: [{name: Piece, mesh: cube}]\ncamera: {position: [0, 0, -4]}\n");
+    const CommandRun masked =
+        RunCommand({"render", Path("masked.scene.yaml"), "-o", Path("out.png")});
+    EXPECT_EQ(masked.exitCode, 0) << masked.err;
+    EXPECT_THAT(masked.err, Mentions("no pass draws any of the objects", "layer masks"));
+    const CommandRun shadows = RunCommand({"explain", Path("masked.scene.yaml")});
+    EXPECT_THAT(shadows.out, HasSubstr("MainLightShadow: 1 of 1 drawn"));
     const CommandRun drawn = Draw({});
     EXPECT_THAT(drawn.err, testing::Not(HasSubstr("no pass draws")));
 }
