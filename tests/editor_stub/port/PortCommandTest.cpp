@@ -203,7 +203,7 @@ TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
     write("Assets/Passes/Modes.cs", "enum GlowModes { }\nenum GlowMode { Soft, Hard }\n");
     write("Packages/mine/DrawingPass.cs",
           "class DrawingPass<T> : ScriptableRenderPass { protected T what; }\n");
-    // None of these has a place in the port.
+    // The following files have no place in the port.
     write("Assets/Lamp.cs", "class Lamp : MonoBehaviour { public int watts; }\n");
     write("Assets/Editor/GlowMode.cs", "enum GlowMode { OfTheEditor }\n");
     write("Packages/com.unity.passes/GlowPass.cs", "class GlowPass { int unitys; }\n");
