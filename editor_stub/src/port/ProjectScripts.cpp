@@ -68,10 +68,8 @@ void ProjectScripts::AddFolder(const std::filesystem::path& folder)
     {
         const std::filesystem::path& path = entry->path();
         const std::string name = path.filename().string();
-        // A player has no scripts of the editor, limn stands for Unity's packages, and Unity passes
-        // over the other two.
-        if (name == "Editor" || name.starts_with("com.unity.") || name.starts_with('.') ||
-            name.ends_with('~'))
+        // A player has no scripts of the editor, and limn stands for Unity's packages.
+        if (name == "Editor" || name.starts_with("com.unity.") || IsPassedOver(name))
         {
             entry.disable_recursion_pending();
         }

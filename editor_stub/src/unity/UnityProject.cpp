@@ -20,12 +20,6 @@ constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
     {"6d613f08f173d4dd895bb07b3230baa9", "FullScreenPassRendererFeature"},
     {"f62c9c65cf3354c93be831c8bc075510", "ScreenSpaceAmbientOcclusion"}};
 
-/// Unity passes over these files and folders.
-bool IsPassedOver(const std::string& name)
-{
-    return name.starts_with('.') || name.ends_with('~') || name.ends_with(".tmp") || name == "cvs";
-}
-
 bool HasMetaFile(const std::filesystem::path& path)
 {
     std::error_code ignored;
@@ -176,6 +170,11 @@ void ScanFolder(const std::filesystem::path& folder, GuidIndex& guids,
 }
 
 } // namespace
+
+bool IsPassedOver(std::string_view name)
+{
+    return name.starts_with('.') || name.ends_with('~') || name.ends_with(".tmp") || name == "cvs";
+}
 
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file)
 {

@@ -15,6 +15,9 @@ namespace limn
 /// "" for other files.
 std::filesystem::path UnityProjectAround(const std::filesystem::path& file);
 
+/// Returns whether Unity passes over files and folders of this name.
+bool IsPassedOver(std::string_view name);
+
 /// The files of the Unity project around an asset, by guid.
 class UnityProject
 {
