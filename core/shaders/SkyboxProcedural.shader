@@ -66,7 +66,12 @@ Shader "Skybox/Procedural"
             float3 Rayleigh()
             {
                 float3 longest = float3(0.65, 0.57, 0.475) + 0.15; // micrometres, of no tint
-                float3 wavelength = longest - 0.3 * LinearToSRGB(_SkyTint.rgb);
+            #ifdef UNITY_COLORSPACE_GAMMA
+                float3 tint = _SkyTint.rgb;
+            #else
+                float3 tint = LinearToSRGB(_SkyTint.rgb);
+            #endif
+                float3 wavelength = longest - 0.3 * tint;
                 return 0.0025 * pow(abs(_AtmosphereThickness), 2.5) / Sq(Sq(wavelength));
             }
             float Density(float height) { return exp(-height / (AIR_HEIGHT * SCALE_HEIGHT)); }
@@ -113,7 +118,11 @@ Shader "Skybox/Procedural"
                 float beyondEye = exp(-EYE_HEIGHT / SCALE_HEIGHT) * depthToEye;
                 float3 left = Attenuation(density * depthToBoth - beyondEye, rayleigh);
                 float3 air = left * (density * step / AIR_HEIGHT);
-                return air * (rayleigh + MIE) * SUN_BRIGHTNESS + _GroundColor.rgb * saturate(left);
+                float3 color = _GroundColor.rgb;
+            #ifdef UNITY_COLORSPACE_GAMMA
+                color *= color;
+            #endif
+                return air * (rayleigh + MIE) * SUN_BRIGHTNESS + color * saturate(left);
             }
 
             // How bright the sun's disc is there, as a part of its brightest.
@@ -154,7 +163,11 @@ Shader "Skybox/Procedural"
                     float3 sky = air * rayleigh * (0.75 + 0.75 * Sq(dot(toSun, ray)));
                     color = lerp(sky, Ground(ray, toSun, rayleigh), saturate(-ray.y / HORIZON));
                 }
-                return half4(color * _Exposure, 1.0);
+                color *= _Exposure;
+            #ifdef UNITY_COLORSPACE_GAMMA
+                color = sqrt(color); // it is worked out in linear light
+            #endif
+                return half4(color, 1.0);
             }
             ENDHLSL
         }

@@ -13,6 +13,23 @@ Shader "Hidden/Universal Render Pipeline/Bloom"
         return SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_LinearClamp, uv, 0).rgb;
     }
 
+    // In gamma space the pictures of the glow keep roots, as URP's do.
+    half4 Encode(half3 glow)
+    {
+    #ifdef UNITY_COLORSPACE_GAMMA
+        glow = sqrt(glow);
+    #endif
+        return half4(glow, 1.0);
+    }
+    half3 Decode(half3 encoded)
+    {
+    #ifdef UNITY_COLORSPACE_GAMMA
+        encoded *= encoded;
+    #endif
+        return encoded;
+    }
+    half3 Glow(float2 uv) { return Decode(Source(uv)); }
+
     // From 0 a knee below the threshold, all of it a knee above.
     half3 Bright(half3 color)
     {
@@ -61,9 +78,9 @@ Shader "Hidden/Universal Render Pipeline/Bloom"
             half4 PrefilterFragment(Varyings input) : SV_Target
             {
             #ifdef _BLOOM_HQ
-                return half4(Bright(Boxes(input.texcoord)), 1.0);
+                return Encode(Bright(Boxes(input.texcoord)));
             #else
-                return half4(Bright(Source(input.texcoord)), 1.0);
+                return Encode(Bright(Source(input.texcoord)));
             #endif
             }
             ENDHLSL
@@ -82,13 +99,13 @@ Shader "Hidden/Universal Render Pipeline/Bloom"
             {
                 static const float weights[5] = {0.22702703, 0.19459459, 0.12162162, 0.05405405, 0.01621622};
                 float texel = _BlitTexture_TexelSize.x * 2.0;
-                half3 sum = weights[0] * Source(input.texcoord);
+                half3 sum = weights[0] * Glow(input.texcoord);
                 for (int i = 1; i < 5; i++)
                 {
                     float2 aside = float2(texel * i, 0.0);
-                    sum += weights[i] * (Source(input.texcoord - aside) + Source(input.texcoord + aside));
+                    sum += weights[i] * (Glow(input.texcoord - aside) + Glow(input.texcoord + aside));
                 }
-                return half4(sum, 1.0);
+                return Encode(sum);
             }
             ENDHLSL
         }
@@ -106,10 +123,10 @@ Shader "Hidden/Universal Render Pipeline/Bloom"
             {
                 float2 near = float2(0.0, 1.38461538 * _BlitTexture_TexelSize.y);
                 float2 far = float2(0.0, 3.23076923 * _BlitTexture_TexelSize.y);
-                half3 sum = 0.22702703 * Source(input.texcoord);
-                sum += 0.31621622 * (Source(input.texcoord - near) + Source(input.texcoord + near));
-                sum += 0.07027027 * (Source(input.texcoord - far) + Source(input.texcoord + far));
-                return half4(sum, 1.0);
+                half3 sum = 0.22702703 * Glow(input.texcoord);
+                sum += 0.31621622 * (Glow(input.texcoord - near) + Glow(input.texcoord + near));
+                sum += 0.07027027 * (Glow(input.texcoord - far) + Glow(input.texcoord + far));
+                return Encode(sum);
             }
             ENDHLSL
         }
@@ -135,7 +152,7 @@ Shader "Hidden/Universal Render Pipeline/Bloom"
             #else
                 half3 low = SAMPLE_TEXTURE2D_X_LOD(_SourceTexLowMip, sampler_LinearClamp, input.texcoord, 0).rgb;
             #endif
-                return half4(lerp(Source(input.texcoord), low, _Params.x), 1.0);
+                return Encode(lerp(Glow(input.texcoord), Decode(low), _Params.x));
             }
             ENDHLSL
         }

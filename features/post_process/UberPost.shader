@@ -46,6 +46,9 @@ Shader "Hidden/Universal Render Pipeline/UberPost"
             #else
                 float3 bloom = SAMPLE_TEXTURE2D_X_LOD(_Bloom_Texture, sampler_LinearClamp, uv, 0).rgb;
             #endif
+            #ifdef UNITY_COLORSPACE_GAMMA
+                bloom *= bloom; // Bloom.shader keeps the root
+            #endif
                 bloom *= _Bloom_Params.rgb;
             #ifdef _BLOOM_DIRT
                 float3 dirt = SAMPLE_TEXTURE2D_LOD(_LensDirt_Texture, sampler_LinearClamp,
@@ -110,6 +113,9 @@ Shader "Hidden/Universal Render Pipeline/UberPost"
                 float2 uv = input.texcoord;
                 float3 color = SAMPLE_TEXTURE2D_X_LOD(_BlitTexture, sampler_PointClamp, uv, 0).rgb;
                 color = color > 0.0 ? min(color, HALF_MAX) : 0.0; // NaN is not above 0
+            #ifdef UNITY_COLORSPACE_GAMMA
+                color = GetSRGBToLinear(color); // effects are linear in both colour spaces
+            #endif
             #if defined(_BLOOM_LQ) || defined(_BLOOM_HQ)
                 color += Glow(uv);
             #endif
@@ -117,7 +123,11 @@ Shader "Hidden/Universal Render Pipeline/UberPost"
                 color = ApplyVignette(color, uv, _Vignette_Params2.xy, _Vignette_Params2.z, _Vignette_Params1.w,
                                       _Vignette_Params2.w, _Vignette_Params1.rgb);
             #endif
-                return float4(Grade(color * _PostExposure), 1.0);
+                color = Grade(color * _PostExposure);
+            #ifdef UNITY_COLORSPACE_GAMMA
+                color = GetLinearToSRGB(color);
+            #endif
+                return float4(color, 1.0);
             }
             ENDHLSL
         }

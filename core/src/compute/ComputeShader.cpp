@@ -1,5 +1,6 @@
 #include <limn/core/ComputeShader.h>
 
+#include "material/CompileVariant.h"
 #include "material/PropertyValues.h"
 #include "support/UniqueId.h"
 
@@ -176,7 +177,7 @@ ComputeShader::Compile(int kernelIndex, std::span<const std::string> globalKeywo
     std::shared_ptr<const ShaderProgram>& compiled = m_Compiled[{kernelIndex, variant}];
     if (!compiled)
     {
-        compiled = m_Compiler->Compile(kernel, variant);
+        compiled = CompileVariant(*m_Compiler, kernel, variant);
     }
     last = {m_Keywords, {globalKeywords.begin(), globalKeywords.end()}, compiled};
     return compiled;

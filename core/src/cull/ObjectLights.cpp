@@ -5,7 +5,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <limn/core/CommandBuffer.h>
+#include <limn/core/CoreUtils.h>
 
 namespace limn
 {
@@ -45,7 +45,7 @@ constexpr double k_NearestSquared = 6.103515625e-5; // HALF_MIN
 ObjectLights::Place ObjectLights::PlaceOf(const Light& light)
 {
     const glm::dmat4 world = light.transform.worldMatrix();
-    const Color color = light.color.linear();
+    const Color color = CoreUtils::ConvertSRGBToActiveColorSpace(light.color);
     const double angle = glm::radians(static_cast<double>(light.spotAngle)) * 0.5;
     const bool isSpot = light.type == LightType::Spot;
     return {glm::dvec3(world[3]),

@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 #include <limn/base/Diagnostic.h>
 #include <limn/core/Debug.h>
+#include <limn/core/QualitySettings.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
 namespace limn
@@ -74,6 +75,20 @@ CubeLight DrawSky(GraphicsDevice& device, const std::shared_ptr<ShaderCompiler>&
     return light;
 }
 
+/// Returns the light of a sky that was drawn in the colour space of the process. Harmonics are
+/// linear in both.
+CubeLight InLinearSpace(CubeLight light)
+{
+    if (QualitySettings::activeColorSpace() == ColorSpace::Gamma)
+    {
+        for (glm::vec3& texel : light.texels)
+        {
+            texel = glm::vec3(Color(texel.r, texel.g, texel.b).linear().vector());
+        }
+    }
+    return light;
+}
+
 } // namespace
 
 void DynamicGI::UpdateEnvironment(GraphicsDevice& device,
@@ -99,7 +114,7 @@ void DynamicGI::UpdateEnvironment(GraphicsDevice& device,
         DrawSky(device, compiler, scene, isMirrored ? resolution : k_AmbientTexels, time);
     if (scene.ambientMode == AmbientMode::Skybox)
     {
-        scene.ambientProbe = ProjectLight(light);
+        scene.ambientProbe = ProjectLight(InLinearSpace(light));
     }
     if (isMirrored)
     {

@@ -5,6 +5,7 @@
 
 #include <cstring>
 #include <limn/base/Case.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/FilteringSettings.h>
 #include <limn/core/Material.h>
 #include <limn/core/Mathf.h>
@@ -188,7 +189,7 @@ void Material::SetColorArray(ShaderPropertyId id, const std::vector<Color>& valu
     std::vector<glm::vec4> vectors;
     for (const Color& value : values)
     {
-        vectors.push_back(value.linear().vector());
+        vectors.push_back(CoreUtils::ConvertSRGBToActiveColorSpace(value).vector());
     }
     Set(id, std::move(vectors));
 }
@@ -237,7 +238,7 @@ Color Material::GetColor(ShaderPropertyId id) const
     if (const auto* vector = std::get_if<glm::vec4>(value))
     {
         const Color linear{vector->x, vector->y, vector->z, vector->w};
-        return isHdr(id) ? linear : linear.gamma();
+        return isHdr(id) ? linear : FromActiveColorSpace(linear);
     }
     FailGet(id, "a colour");
 }
@@ -446,7 +447,7 @@ std::vector<Color> Material::GetColorArray(ShaderPropertyId id) const
     std::vector<Color> colors;
     for (const glm::vec4& value : GetVectorArray(id))
     {
-        colors.push_back(Color(value.x, value.y, value.z, value.w).gamma());
+        colors.push_back(FromActiveColorSpace({value.x, value.y, value.z, value.w}));
     }
     return colors;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limn/base/Diagnostic.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/Mathf.h>
 
 namespace limn
@@ -191,14 +192,15 @@ glm::vec4 MaterialPropertyBlock::GetVector(ShaderPropertyId id) const
 {
     const ShaderPropertyValue* value = Find(id);
     const Color* color = std::get_if<Color>(value);
-    return color != nullptr ? color->linear().vector() : CopyOf<glm::vec4>(value);
+    return color != nullptr ? CoreUtils::ConvertSRGBToActiveColorSpace(*color).vector()
+                            : CopyOf<glm::vec4>(value);
 }
 
 Color MaterialPropertyBlock::GetColor(ShaderPropertyId id) const
 {
     if (const auto* vector = std::get_if<glm::vec4>(Find(id)))
     {
-        return Color(vector->x, vector->y, vector->z, vector->w).gamma();
+        return FromActiveColorSpace({vector->x, vector->y, vector->z, vector->w});
     }
     return Has<Color>(id) ? Get<Color>(id) : Color::clear;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limn/core/MaterialPropertyBlock.h>
+#include <limn/core/QualitySettings.h>
 #include <string_view>
 
 namespace limn
@@ -13,6 +14,12 @@ Kind CopyOf(const ShaderPropertyValue* value)
 {
     const auto* kind = std::get_if<Kind>(value);
     return kind != nullptr ? *kind : Kind{};
+}
+
+/// Returns a colour of the process's colour space as sRGB.
+inline Color FromActiveColorSpace(const Color& color)
+{
+    return QualitySettings::activeColorSpace() == ColorSpace::Linear ? color.gamma() : color;
 }
 
 /// Returns whether all numbers of the value are finite; textures have none.

@@ -1,6 +1,7 @@
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Shader.h>
 
+#include "material/CompileVariant.h"
 #include "support/UniqueId.h"
 
 #include <algorithm>
@@ -220,7 +221,7 @@ Shader::CompileVariant(int passIndex, const std::vector<std::string>& variant) c
                                          "fixed-function commands; write an HLSLPROGRAM"
                                        : ": a GrabPass is not drawn; read _CameraOpaqueTexture"));
     }
-    return m_Compiler->Compile(*pass.program, variant);
+    return limn::CompileVariant(*m_Compiler, *pass.program, variant);
 }
 
 template <typename Compilation>

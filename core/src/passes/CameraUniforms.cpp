@@ -144,7 +144,9 @@ void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)
 {
     const DirectionalLight& light = scene.mainLight;
     cmd.SetGlobalVector(_MainLightPosition, glm::vec4(-light.direction, 0.0f));
-    const glm::vec4 color(glm::vec3(light.color.linear().vector()) * light.intensity, 1.0f);
+    const glm::vec4 color(
+        glm::vec3(CoreUtils::ConvertSRGBToActiveColorSpace(light.color).vector()) * light.intensity,
+        1.0f);
     // The second name is the built-in pipeline's, which its shaders may declare by themselves.
     for (const ShaderPropertyId name : {_MainLightColor, _LightColor0})
     {
@@ -164,15 +166,17 @@ void SetAmbientUniforms(CommandBuffer& cmd, const RenderSettings& settings)
     const bool isFlat = settings.ambientMode == AmbientMode::Flat;
     const auto side = [&](const Color& color)
     {
-        return (isFlat ? settings.ambientLight : color).linear().vector();
+        return CoreUtils::ConvertSRGBToActiveColorSpace(isFlat ? settings.ambientLight : color)
+            .vector();
     };
     cmd.SetGlobalVector(unity_AmbientSky, side(settings.ambientSkyColor));
     cmd.SetGlobalVector(unity_AmbientEquator, side(settings.ambientEquatorColor));
     cmd.SetGlobalVector(unity_AmbientGround, side(settings.ambientGroundColor));
 
     const float intensity = settings.reflectionIntensity;
+    const Color around(ambient(0, 0), ambient(1, 0), ambient(2, 0));
     cmd.SetGlobalVector(_GlossyEnvironmentColor,
-                        glm::vec4(ambient(0, 0), ambient(1, 0), ambient(2, 0), 1.0f) * intensity);
+                        CoreUtils::ConvertLinearToActiveColorSpace(around * intensity).vector());
     const std::shared_ptr<const Texture>& reflection = settings.ReflectionTexture();
     const std::shared_ptr<const Texture> black = DefaultTexture("black", TextureDimension::Cube);
     // Shaders multiply texels, which are linear and may be above 1, by this; all 0 tells them that
@@ -206,7 +210,8 @@ void SetFogUniforms(CommandBuffer& cmd, const RenderSettings& settings)
     depth = std::abs(depth) < k_Step ? std::copysign(k_Step, depth) : depth;
     cmd.SetGlobalVector(unity_FogParams, glm::vec4(density / std::sqrt(ln2), density / ln2,
                                                    -1.0 / depth, end / depth));
-    cmd.SetGlobalVector(unity_FogColor, settings.fogColor.linear().vector());
+    cmd.SetGlobalVector(unity_FogColor,
+                        CoreUtils::ConvertSRGBToActiveColorSpace(settings.fogColor).vector());
 }
 
 } // namespace limn

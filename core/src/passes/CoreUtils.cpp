@@ -2,6 +2,7 @@
 
 #include "record/Arguments.h"
 #include "record/RecordedCommands.h"
+#include <limn/core/QualitySettings.h>
 
 namespace limn
 {
@@ -49,6 +50,16 @@ void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const
     {
         cmd.ClearRenderTarget(clearFlag, clearColor);
     }
+}
+
+Color ConvertSRGBToActiveColorSpace(const Color& color)
+{
+    return QualitySettings::activeColorSpace() == ColorSpace::Linear ? color.linear() : color;
+}
+
+Color ConvertLinearToActiveColorSpace(const Color& color)
+{
+    return QualitySettings::activeColorSpace() == ColorSpace::Linear ? color : color.gamma();
 }
 
 void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state)

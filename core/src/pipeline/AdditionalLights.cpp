@@ -6,6 +6,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/FixedList.h>
 #include <limn/core/Light.h>
 
@@ -44,8 +45,8 @@ bool IsSeen(const glm::dvec3& center, double radius, const glm::dmat4& viewProje
 
 Color Bright(const Color& color, float intensity)
 {
-    const Color linear = color.linear();
-    return {linear.r * intensity, linear.g * intensity, linear.b * intensity, 1.0f};
+    const Color active = CoreUtils::ConvertSRGBToActiveColorSpace(color);
+    return {active.r * intensity, active.g * intensity, active.b * intensity, 1.0f};
 }
 
 struct LightArrays

@@ -52,8 +52,9 @@ ClearFlag CameraClearFlag(const CameraData& data)
 
 Color BackgroundOf(const CameraData& data)
 {
-    return ClearsNothing(data) && HasSamples(data) ? Color::black
-                                                   : data.camera->backgroundColor.linear();
+    return ClearsNothing(data) && HasSamples(data)
+               ? Color::black
+               : CoreUtils::ConvertSRGBToActiveColorSpace(data.camera->backgroundColor);
 }
 
 /// Lets each of the passes clean up, also behind one that cannot.

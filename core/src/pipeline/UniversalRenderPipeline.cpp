@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limn/base/NumberText.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/UniversalRenderPipeline.h>
 
@@ -132,7 +133,7 @@ GraphicsFormat ColorFormat(bool isHdr, HDRColorBufferPrecision precision,
     constexpr GraphicsFormat k_Of32Bits = GraphicsFormat::B10G11R11_UFloatPack32;
     if (!isHdr)
     {
-        return GraphicsFormat::R8G8B8A8_SRGB;
+        return SystemInfo::GetGraphicsFormat(DefaultFormat::LDR);
     }
     if (precision == HDRColorBufferPrecision::_32Bits)
     {
@@ -216,7 +217,8 @@ RenderingData MakeRenderingData(const RenderRequest& request, const Camera& came
     data.cameraData.postProcessEnabled = camera.renderPostProcessing;
     data.cameraData.antialiasing = request.camera->antialiasing;
     data.cameraData.defaultOpaqueSortFlags = OpaqueSortFlags(*request.camera);
-    data.cameraData.backgroundColor = camera.backgroundColor.linear();
+    data.cameraData.backgroundColor =
+        CoreUtils::ConvertSRGBToActiveColorSpace(camera.backgroundColor);
     data.cameraData.volumeLayerMask = request.camera->volumeLayerMask;
     data.cameraData.worldSpaceCameraPos = camera.transform.position();
     data.cameraData.viewMatrix = camera.viewMatrix();
@@ -256,8 +258,9 @@ void AllocateOutput(RTHandle& output, const RenderRequest& request)
         output = output && output.rt() == target ? output : RTHandle(target);
         return;
     }
-    AllocateTransient(output, {request.width, request.height, GraphicsFormat::R8G8B8A8_SRGB},
-                      "limn_Output", FilterMode::Point);
+    AllocateTransient(
+        output, {request.width, request.height, SystemInfo::GetGraphicsFormat(DefaultFormat::LDR)},
+        "limn_Output", FilterMode::Point);
 }
 
 /// Sets the uniforms that do not change within a camera, and those that an overlay must not take

@@ -7,6 +7,7 @@
 #include <cstring>
 #include <glm/gtc/type_ptr.hpp>
 #include <limits>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/DrawError.h>
 #include <limn/core/ShaderKeyword.h>
 
@@ -61,7 +62,7 @@ void Write(const UniformPlace& member, const glm::vec4& value, Bytes bytes)
 
 void Write(const UniformPlace& member, const Color& value, Bytes bytes)
 {
-    Write(member, value.linear().vector(), bytes);
+    Write(member, CoreUtils::ConvertSRGBToActiveColorSpace(value).vector(), bytes);
 }
 
 void Write(const UniformPlace&, const glm::mat4& value, Bytes bytes)

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <limn/core/GraphicsDevice.h>
+#include <limn/core/QualitySettings.h>
 #include <limn/core/SystemInfo.h>
 #include <mutex>
 #include <span>
@@ -202,7 +203,9 @@ GraphicsFormat SystemInfo::GetGraphicsFormat(DefaultFormat format)
     switch (format)
     {
     case DefaultFormat::LDR:
-        return GraphicsFormat::R8G8B8A8_SRGB;
+        return QualitySettings::activeColorSpace() == ColorSpace::Linear
+                   ? GraphicsFormat::R8G8B8A8_SRGB
+                   : GraphicsFormat::R8G8B8A8_UNorm;
     case DefaultFormat::HDR:
         return GraphicsFormat::R16G16B16A16_SFloat;
     case DefaultFormat::DepthStencil:

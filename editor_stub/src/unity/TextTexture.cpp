@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limn/core/GraphicsFormatUtility.h>
+#include <limn/core/QualitySettings.h>
 
 namespace limn
 {
@@ -45,7 +46,8 @@ private:
     void ReadFormat()
     {
         const bool isOld = !m_Fields["serializedVersion"];
-        const bool isSRGB = m_Fields["m_ColorSpace"].text() == "1";
+        const bool isSRGB = m_Fields["m_ColorSpace"].text() == "1" &&
+                            QualitySettings::activeColorSpace() == ColorSpace::Linear;
         const UnityNode node =
             m_Fields[m_Class == UnityClass::Texture2D ? "m_TextureFormat" : "m_Format"];
         const std::size_t number = Number(node, 1000);

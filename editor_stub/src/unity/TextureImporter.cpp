@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <limn/base/ByteStream.h>
+#include <limn/core/QualitySettings.h>
 #include <limn/volume/YamlMapReader.h>
 
 namespace limn
@@ -153,6 +154,14 @@ TextureImport ReadTextureImport(const YamlNode& meta, const std::filesystem::pat
     return import;
 }
 
+/// Lets the texels reach shaders as they are, if that is the colour space of the process.
+TextureImport InActiveSpace(TextureImport import)
+{
+    import.picture.sRGB =
+        import.picture.sRGB && QualitySettings::activeColorSpace() == ColorSpace::Linear;
+    return import;
+}
+
 YamlNode ToYamlNode(const UnityNode& node)
 {
     YamlContent content;
@@ -287,7 +296,7 @@ std::filesystem::path MetaFileOf(const std::filesystem::path& texture)
 std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path,
                                                const Importer& importer)
 {
-    TextureImport import = LoadTextureImport(MetaFileOf(path));
+    TextureImport import = InActiveSpace(LoadTextureImport(MetaFileOf(path)));
     import.cube = CubeMapping::None;
     Image image = Import(path, import, importer);
     return std::make_shared<const Texture2D>(path.filename().string(), image.width, image.height,
@@ -298,7 +307,7 @@ std::shared_ptr<const Texture2D> ImportTexture(const std::filesystem::path& path
 std::shared_ptr<const Cubemap> ImportCubemap(const std::filesystem::path& path,
                                              const Importer& importer)
 {
-    const TextureImport import = LoadTextureImport(MetaFileOf(path));
+    const TextureImport import = InActiveSpace(LoadTextureImport(MetaFileOf(path)));
     if (import.cube == CubeMapping::None)
     {
         ReadForImport(k_Picture, path); // a file that is not there is no other kind of picture

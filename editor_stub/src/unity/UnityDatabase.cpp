@@ -93,7 +93,9 @@ UnityKnownAsset FindKnownAsset(const UnityReference& reference)
         {"31321ba15b8f8eb4c954353edc038b1d", Material, k_Lit},
         {"6a1143ee683302f4aa628c052723efc1", Material, "Universal Render Pipeline/Simple Lit"},
         {"e823cd5b5d27c0f4b8256e7c12ee3e6d", Material, "Universal Render Pipeline/Particles/Unlit"},
-        // Sprite-Lit-Default and Sprite-Unlit-Default; without the 2D renderer neither is lit.
+        // Sprite-Lit-Default, its material and the one of Sprite-Unlit-Default; without the 2D
+        // renderer none is lit.
+        {"e260cfa7296ee7642b167f1eb5be5023", Shader, "Sprites/Default"},
         {"a97c105638bdf8b4a8650670310a4cd3", Material, "Sprites/Default"},
         {"9dfc825aed78fcd4ba02077103263b40", Material, "Sprites/Default"},
     };

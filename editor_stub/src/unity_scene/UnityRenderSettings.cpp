@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limn/core/QualitySettings.h>
 
 namespace limn
 {
@@ -52,11 +53,13 @@ void ReadAmbient(const UnityReader& reader, RenderSettings& settings)
     {
         settings.ambientMode = AmbientMode::Flat; // as Unity's inspector offers it then
     }
-    // Linear; the first is what Unity bakes for its default sky.
-    Color average{0.18028f, 0.22571f, 0.30692f, 1.0f};
+    const bool isGamma = QualitySettings::activeColorSpace() == ColorSpace::Gamma;
+    // In the project's colour space; the first is what Unity bakes for its default sky.
+    const Color ofDefaultSky{0.18028f, 0.22571f, 0.30692f, 1.0f};
+    Color average = isGamma ? ofDefaultSky.gamma() : ofDefaultSky;
     reader.Read("m_IndirectSpecularColor", average);
     settings.ambientProbe.Clear();
-    settings.ambientProbe.AddAmbientLight(average);
+    settings.ambientProbe.AddAmbientLight(isGamma ? average.linear() : average);
 }
 
 void ReadReflections(const UnityReader& reader, UnityMaterials& materials, RenderSettings& settings)

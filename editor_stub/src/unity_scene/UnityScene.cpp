@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limn/base/ReadFile.h>
+#include <limn/core/QualitySettings.h>
 
 namespace limn
 {
@@ -124,14 +125,12 @@ void NoteEmptyPicture(UnitySceneLoader& loader)
                           : "; limn does not run its " + CountText(scripts, "script component")));
 }
 
-void NoteGamma(UnitySceneLoader& loader)
+/// Sets the colour space before anything is made that depends on it.
+void SetColorSpace(const UnitySceneLoader& loader)
 {
-    if (loader.ProjectSettings("ProjectSettings.asset")["m_ActiveColorSpace"].text() == "0")
-    {
-        loader.notes.Add(loader.path.generic_string(), 0,
-                         "the project's colour space is gamma, and limn draws in linear light, so "
-                         "its lights, blends and post-processing look different");
-    }
+    const UnityNode player = loader.ProjectSettings("ProjectSettings.asset");
+    PlayerSettings::SetColorSpace(player["m_ActiveColorSpace"].text() == "0" ? ColorSpace::Gamma
+                                                                             : ColorSpace::Linear);
 }
 
 SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
@@ -152,6 +151,7 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     asset.isUnityScene = true;
     asset.path = path;
     UnitySceneLoader loader{path, assets, notes, database, materials, hierarchy, asset};
+    SetColorSpace(loader);
     ReadLayers(loader);
     AddUnityObjects(loader);
     const int renderer = ReadUnityCamera(loader);
@@ -162,7 +162,6 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     ReadUnityVolumes(loader);
     CountOthers(loader);
     NoteEmptyPicture(loader);
-    NoteGamma(loader);
     asset.notes = notes.Finish(path.generic_string());
     return asset;
 }
@@ -263,8 +262,12 @@ SceneAsset LoadScene(const std::filesystem::path& path, AssetContext& assets,
     {
         return LoadUnityScene(FindFirstUnityScene(path), assets);
     }
-    return path.extension() == ".unity" ? LoadUnityScene(path, assets)
-                                        : LoadSceneFile(path, assets, inactive);
+    if (path.extension() == ".unity")
+    {
+        return LoadUnityScene(path, assets);
+    }
+    PlayerSettings::SetColorSpace(ColorSpace::Linear);
+    return LoadSceneFile(path, assets, inactive);
 }
 
 } // namespace limn

@@ -10,6 +10,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 #include <limn/base/ReadFile.h>
+#include <limn/core/CoreUtils.h>
 #include <limn/core/Image.h>
 #include <limn/core/MaterialPropertyBlock.h>
 #include <span>
@@ -179,7 +180,7 @@ std::shared_ptr<const Mesh> QuadOf(const Sprite& sprite, const glm::vec2& size, 
         data.vertices.emplace_back((corner - sprite.pivot) * size, 0.0f);
         data.normals.emplace_back(0.0f, 0.0f, -1.0f);
         data.uv.push_back((sprite.low + corner * sprite.size) / sprite.picture);
-        data.colors.push_back(color.linear().vector());
+        data.colors.push_back(CoreUtils::ConvertSRGBToActiveColorSpace(color).vector());
     }
     data.triangles = {0, 1, 2, 0, 2, 3};
     return std::make_shared<const Mesh>(sprite.texture->name(), std::move(data));

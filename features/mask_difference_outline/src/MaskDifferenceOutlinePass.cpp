@@ -144,7 +144,7 @@ void MaskDifferenceOutlinePass::DrawMask(CommandBuffer& cmd, const CameraData& c
 {
     CoreUtils::SetRenderTarget(cmd, m_Mask, m_MaskDepth, ClearFlag::All, Color::clear);
     SetRegionProjection(cmd, m_Region, camera);
-    const glm::vec4 color = m_Color.linear().vector();
+    const glm::vec4 color = CoreUtils::ConvertSRGBToActiveColorSpace(m_Color).vector();
     m_Properties.Clear();
     for (const OutlinedObject& object : m_Found.objects)
     {

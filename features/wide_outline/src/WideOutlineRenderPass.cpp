@@ -188,10 +188,12 @@ void WideOutlineRenderPass::SetBand(const WideOutline& component, const glm::ive
     const float length = side == WideOutlineSide::Centred ? 0.5f * width : width;
     m_Material->SetVector(_WideOutlineBand, {low, high, start, 1.0f / length});
     m_Material->SetColor(_WideOutlineColor, component.m_OutlineColor.value());
-    m_Material->SetVector(_WideOutlineOuterColor,
-                          glm::mix(component.m_OutlineColor.value().linear().vector(),
-                                   component.m_OuterColor.value().linear().vector(),
-                                   component.m_Gradient.value()));
+    m_Material->SetVector(
+        _WideOutlineOuterColor,
+        glm::mix(
+            CoreUtils::ConvertSRGBToActiveColorSpace(component.m_OutlineColor.value()).vector(),
+            CoreUtils::ConvertSRGBToActiveColorSpace(component.m_OuterColor.value()).vector(),
+            component.m_Gradient.value()));
     m_Material->SetFloat(_WideOutlineFalloff, component.m_Falloff.value());
 }
 

@@ -110,9 +110,16 @@ UNITY_DECLARE_TEX2D(unity_DynamicLightmap);
 UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicDirectionality);
 UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicNormal);
 
-// Values of colours as light is added up linearly.
+// What depends on the colour space in which light is added up.
+#ifdef UNITY_COLORSPACE_GAMMA
+#define unity_ColorSpaceGrey float4(0.5, 0.5, 0.5, 0.5)
+#define unity_ColorSpaceDouble float4(2.0, 2.0, 2.0, 2.0)
+#define unity_ColorSpaceDielectricSpec half4(0.220916301, 0.220916301, 0.220916301, 1.0 - 0.220916301)
+#define unity_ColorSpaceLuminance half4(0.22, 0.707, 0.071, 0.0)
+#else
 #define unity_ColorSpaceGrey float4(0.214041144, 0.214041144, 0.214041144, 0.5)
 #define unity_ColorSpaceDouble float4(4.59479380, 4.59479380, 4.59479380, 2.0)
 #define unity_ColorSpaceDielectricSpec half4(0.04, 0.04, 0.04, 1.0 - 0.04)
 #define unity_ColorSpaceLuminance half4(0.0396819152, 0.458021790, 0.00609653955, 1.0)
+#endif
 #endif

@@ -100,9 +100,12 @@ half4 BRDF1_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivit
     // Diffuse light is not divided by pi here, so the highlight is multiplied by it.
     half3 highlight = half3(0, 0, 0);
 #if !defined(_SPECULARHIGHLIGHTS_OFF)
-    float scale = any(specColor) ? UNITY_PI : 0.0; // a surface without any has none at its rim
-    float facets =
-        GGXTerm(cosines.y, roughness) * SmithJointGGXVisibilityTerm(cosines.x, nv, roughness);
+    float facets = UNITY_PI * GGXTerm(cosines.y, roughness) *
+                   SmithJointGGXVisibilityTerm(cosines.x, nv, roughness);
+#ifdef UNITY_COLORSPACE_GAMMA
+    facets = sqrt(max(1e-4, facets));
+#endif
+    float scale = any(specColor) ? 1.0 : 0.0; // a surface without any has none at its rim
     highlight = max(0.0, scale * facets * cosines.x) * FresnelTerm(specColor, cosines.z);
 #endif
     half matte = cosines.x * DisneyDiffuse(nv, cosines.x, cosines.z, perceptualRoughness);
@@ -110,7 +113,12 @@ half4 BRDF1_Unity_PBS(half3 diffColor, half3 specColor, half oneMinusReflectivit
 
     half3 grazing = saturate(smoothness + (1.0 - oneMinusReflectivity));
     half3 mirrored = gi.specular * FresnelLerp(specColor, grazing, nv);
-    half3 around = gi.diffuse * diffColor + mirrored / (1.0 + roughness * roughness);
+#ifdef UNITY_COLORSPACE_GAMMA
+    mirrored *= 1.0 - 0.28 * roughness * perceptualRoughness;
+#else
+    mirrored /= 1.0 + roughness * roughness;
+#endif
+    half3 around = gi.diffuse * diffColor + mirrored;
     return half4(direct + around, 1.0);
 }
 

@@ -84,7 +84,7 @@ half3 ShadeSHPerVertex(half3 normal, half3 ambient)
 #elif SHADER_TARGET < 30
     return ambient + max(half3(0, 0, 0), ShadeSH9(half4(normal, 1.0)));
 #else
-    return ambient + SHEvalLinearL2(half4(normal, 1.0));
+    return limn_LinearAmbient(ambient) + SHEvalLinearL2(half4(normal, 1.0));
 #endif
 }
 half3 ShadeSHPerPixel(half3 normal, half3 ambient, float3 worldPos)
@@ -94,7 +94,8 @@ half3 ShadeSHPerPixel(half3 normal, half3 ambient, float3 worldPos)
 #elif SHADER_TARGET < 30
     return ambient;
 #else
-    return max(half3(0, 0, 0), ambient + SHEvalLinearL0L1(half4(normal, 1.0)));
+    half3 light = ambient + SHEvalLinearL0L1(half4(normal, 1.0));
+    return limn_BuiltinAmbient(max(half3(0, 0, 0), light));
 #endif
 }
 

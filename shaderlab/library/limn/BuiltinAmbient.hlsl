@@ -11,9 +11,32 @@ half3 SHEvalLinearL2(half4 normal)
 {
     return limn_ShQuadratic(normal.xyz, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC);
 }
-half3 ShadeSH9(half4 normal) { return SHEvalLinearL0L1(normal) + SHEvalLinearL2(normal); }
-half3 ShadeSH3Order(half4 normal) { return SHEvalLinearL2(normal); }
-half3 ShadeSH12Order(half4 normal) { return max(SHEvalLinearL0L1(normal), 0.0); }
+// Light of harmonics, which are linear, in the colour space of the process, and back.
+half3 limn_BuiltinAmbient(half3 light)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    return LinearToGammaSpace(light);
+#else
+    return light;
+#endif
+}
+half3 limn_LinearAmbient(half3 light)
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    return GammaToLinearSpace(light);
+#else
+    return light;
+#endif
+}
+half3 ShadeSH9(half4 normal)
+{
+    return limn_BuiltinAmbient(SHEvalLinearL0L1(normal) + SHEvalLinearL2(normal));
+}
+half3 ShadeSH3Order(half4 normal) { return limn_BuiltinAmbient(SHEvalLinearL2(normal)); }
+half3 ShadeSH12Order(half4 normal)
+{
+    return limn_BuiltinAmbient(max(SHEvalLinearL0L1(normal), 0.0));
+}
 
 // There are no volumes of light probes.
 half3 SHEvalLinearL0L1_SampleProbeVolume(half4 normal, float3 worldPos)

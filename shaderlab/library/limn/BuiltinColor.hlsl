@@ -1,10 +1,16 @@
-// Colours and textures of the built-in pipeline, which works in linear space here.
+// Colours and textures of the built-in pipeline.
 #pragma once
 
-bool IsGammaSpace() { return false; }
+bool IsGammaSpace()
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    return true;
+#else
+    return false;
+#endif
+}
 
-// The weights of unity_ColorSpaceLuminance are those that Unity's built-in pipeline has in linear
-// space: white gives 0.504. LinearRgbToLuminance has the weights of Rec. 709.
+// In linear space the weights of unity_ColorSpaceLuminance give 0.504 for white, as Unity's do. LinearRgbToLuminance has the weights of Rec. 709.
 half Luminance(half3 rgb) { return dot(rgb, unity_ColorSpaceLuminance.rgb); }
 half LinearRgbToLuminance(half3 linearRgb)
 {

@@ -260,6 +260,14 @@ TEST_F(MaterialOfAProject, IsLitInPlaceOfAutodesksGraphs)
                 ElementsAre("_ALPHATEST_ON"));
 }
 
+TEST_F(MaterialOfAProject, IsASpritesInPlaceOfTheLitOneOfThe2DRenderer)
+{
+    EXPECT_EQ(Load("{fileID: 4800000, guid: e260cfa7296ee7642b167f1eb5be5023, type: 3}", "")
+                  .shader()
+                  ->name(),
+              "Sprites/Default");
+}
+
 TEST_F(MaterialOfAProject, HasACubeWhereThePictureIsOne)
 {
     m_Folder.Write("Assets/Sky.shader",

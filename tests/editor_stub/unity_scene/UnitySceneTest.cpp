@@ -358,15 +358,12 @@ TEST_F(ProjectOfAFewFiles, SaysWhyNothingIsDrawn)
 
 TEST_F(ProjectOfAFewFiles, SaysWhoseSettingsItHasNot)
 {
-    Write("ProjectSettings/ProjectSettings.asset",
-          "--- !u!129 &1\nPlayerSettings:\n  m_ActiveColorSpace: 0\n");
     Write("Assets/Other.asset", "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: Other\n",
           "dddddddddddddddddddddddddddddddd");
     Write("ProjectSettings/GraphicsSettings.asset",
           "--- !u!30 &1\nGraphicsSettings:\n  m_CustomRenderPipeline: {fileID: 11400000, guid: "
           "dddddddddddddddddddddddddddddddd, type: 2}\n");
     const SceneAsset asset = Load(k_Camera + CubeText(2, "Box", 0, k_Red));
-    EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("colour space is gamma")));
     EXPECT_THAT(NotesOf(asset), Contains(HasSubstr("not the Universal Render Pipeline")));
 }
 

@@ -131,7 +131,7 @@ struct Camera
     /// does it, PostProcessRendererFeature. Unity: UniversalAdditionalCameraData.antialiasing.
     AntialiasingMode antialiasing = AntialiasingMode::None;
     /// If true and the pipeline supportsHDR, the camera's colour is HDR, in the pipeline's
-    /// hdrColorBufferPrecision; otherwise it is R8G8B8A8_SRGB.
+    /// hdrColorBufferPrecision; otherwise it has the format of DefaultFormat::LDR.
     bool allowHDR = true;
     /// If true, there are as many samples per texel as the pipeline sets, else one.
     bool allowMSAA = true;

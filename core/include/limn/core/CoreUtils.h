@@ -68,6 +68,11 @@ void SetKeyword(Material& material, const std::string& keyword, bool state);
 void DrawRendererList(ScriptableRenderContext& renderContext, CommandBuffer& cmd,
                       const RendererList& rendererList);
 
+/// Returns an sRGB colour, or a linear one, in the colour space of the process, as Unity's
+/// functions of these names do (core 14). See QualitySettings::activeColorSpace.
+Color ConvertSRGBToActiveColorSpace(const Color& color);
+Color ConvertLinearToActiveColorSpace(const Color& color);
+
 // Unity's scene views can switch these off; limn has no editor. Unity: CoreUtils (core 14).
 inline bool IsSceneViewFogEnabled(const Camera&)
 {

@@ -61,8 +61,8 @@ public:
     {
         SetVector(id, detail::ToVector4(value));
     }
-    /// @param value  in sRGB; it is converted to linear for the shader, unless the property is
-    ///     declared [HDR]: those values are linear already
+    /// @param value  in sRGB; the shader gets it in the active colour space, unless the property is
+    ///     declared [HDR]: those values are in that space already
     void SetColor(ShaderPropertyId id, const Color& value);
     void SetMatrix(ShaderPropertyId id, const glm::mat4& value) { Set(id, value); }
     // Arrays behave as those of MaterialPropertyBlock.

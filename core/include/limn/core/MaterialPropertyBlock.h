@@ -45,8 +45,9 @@ struct ConsecutiveParams
     bool operator==(const ConsecutiveParams&) const = default;
 };
 
-/// The value of a shader property. A Color is sRGB and reaches the shader as linear; a vec4 is
-/// passed as it is. There must be no more than eleven kinds: up to there std::visit is a switch.
+/// The value of a shader property. A Color is sRGB and reaches the shader in the colour space of
+/// QualitySettings; a vec4 is passed as it is. There must be no more than eleven kinds: up to there
+/// std::visit is a switch.
 using ShaderPropertyValue =
     std::variant<float, int, glm::vec4, Color, glm::mat4, PropertyArray<float>,
                  PropertyArray<glm::vec4>, PropertyArray<glm::mat4>, std::shared_ptr<const Texture>,

@@ -74,7 +74,7 @@ bool IsFormatSupported(GraphicsFormat format, GraphicsFormatUsage usage);
 /// or None if there is no such format. Unity's own choice is the platform's.
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, FormatUsage usage);
 GraphicsFormat GetCompatibleFormat(GraphicsFormat format, GraphicsFormatUsage usage);
-/// @throws ContractError for Video
+/// LDR is R8G8B8A8_SRGB, or R8G8B8A8_UNorm in gamma space. @throws ContractError for Video
 GraphicsFormat GetGraphicsFormat(DefaultFormat format);
 /// Returns whether the format can be a target: a depth format as a depth.
 inline bool SupportsRenderTextureFormat(RenderTextureFormat format)

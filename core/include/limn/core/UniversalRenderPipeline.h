@@ -39,8 +39,8 @@ struct RenderRequest
 /// The result of rendering.
 struct RenderResult
 {
-    /// The picture: R8G8B8A8_SRGB, or the camera's targetTexture. Read it back with
-    /// GraphicsDevice::ReadBack.
+    /// The picture, in the format of DefaultFormat::LDR, or the camera's targetTexture. Read it
+    /// back with GraphicsDevice::ReadBack.
     RTHandle output;
     RenderReport report;
     std::shared_ptr<const CompiledFrame> frame; ///< as the device ran it; never null

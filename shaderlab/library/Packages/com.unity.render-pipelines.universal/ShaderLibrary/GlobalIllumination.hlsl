@@ -14,7 +14,7 @@ float3 SampleSH(float3 normalWS)
 {
     float3 light = SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb) +
                    SHEvalLinearL2(normalWS, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC);
-    return max(float3(0, 0, 0), light);
+    return max(float3(0, 0, 0), limn_InActiveSpace(light));
 }
 float3 SampleSHVertex(float3 normalWS)
 {
@@ -31,8 +31,8 @@ float3 SampleSHPixel(float3 L2Term, float3 normalWS)
 #if defined(EVALUATE_SH_VERTEX)
     return L2Term;
 #elif defined(EVALUATE_SH_MIXED)
-    return max(float3(0, 0, 0),
-               L2Term + SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb));
+    float3 light = L2Term + SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb);
+    return max(float3(0, 0, 0), limn_InActiveSpace(light));
 #else
     return SampleSH(normalWS);
 #endif

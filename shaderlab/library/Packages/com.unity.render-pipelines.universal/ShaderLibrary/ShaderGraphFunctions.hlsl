@@ -59,9 +59,9 @@ float3 shadergraph_LWSampleSceneNormals(float2 uv)
 }
 float3 limn_AmbientFrom(float3 normalWS)
 {
-    return max(float3(0, 0, 0),
-               SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb) +
-                   SHEvalLinearL2(normalWS, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC));
+    float3 light = SHEvalLinearL0L1(normalWS, unity_SHAr, unity_SHAg, unity_SHAb) +
+                   SHEvalLinearL2(normalWS, unity_SHBr, unity_SHBg, unity_SHBb, unity_SHC);
+    return max(float3(0, 0, 0), limn_InActiveSpace(light));
 }
 float3 shadergraph_LWBakedGI(float3 positionWS, float3 normalWS, float2 uvStaticLightmap,
                              float2 uvDynamicLightmap, bool applyScaling)

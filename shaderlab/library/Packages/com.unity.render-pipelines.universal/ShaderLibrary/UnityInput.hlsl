@@ -24,7 +24,11 @@
 #define unity_MotionVectorsParams float4(0, 0, 0, 1)
 #define unity_RendererBounds_Min float4(0, 0, 0, 0)
 #define unity_RendererBounds_Max float4(0, 0, 0, 0)
+#ifdef UNITY_COLORSPACE_GAMMA
+#define unity_ColorSpaceDouble float4(2.0, 2.0, 2.0, 2.0)
+#else
 #define unity_ColorSpaceDouble float4(4.59479380, 4.59479380, 4.59479380, 2.0)
+#endif
 #define UNITY_PREV_MATRIX_M unity_MatrixPreviousM
 #define UNITY_PREV_MATRIX_I_M unity_MatrixPreviousMI
 #define _LastTimeParameters _TimeParameters
