@@ -20,6 +20,8 @@ public class EveryTypeFeature : ScriptableRendererFeature
     public List<Own> ownList = new List<Own> { new Own(), new Own() };
     public Kind kind = Kind.Two;
     public int number = Numbers.A + 1;
+    public RenderQueueType queueType = RenderQueueType.Transparent;
+    public StencilStateData stencilData = new StencilStateData();
     EveryPass m_Pass;
 
     public override void Create() { m_Pass = new EveryPass(new Own(), own, default, 3); }

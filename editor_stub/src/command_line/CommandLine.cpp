@@ -365,8 +365,8 @@ Verb PortVerb(PortOptions& options)
             "uses limn has",
             [&options](Console& console) { return RunPort(options, console); },
             {Argument("FILE.cs",
-                      "The C# file of the feature; files of its Unity project that declare what it "
-                      "uses are read, too",
+                      "The C# file of the feature; files of its Unity project, or else of its "
+                      "folder, that declare what it uses are read, too",
                       Into(options.files), AtLeastOnce, Files({".cs"})),
              NewFolderFlag(options.folder)}};
 }

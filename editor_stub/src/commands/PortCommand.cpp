@@ -212,7 +212,7 @@ ExitCode RunPort(const PortOptions& options, Console& console)
     }
     if (!taken.empty())
     {
-        console.Note("these files of the project are read, too: " + Joined(taken, ", "));
+        console.Note("these files are read, too: " + Joined(taken, ", "));
     }
     NoteConditions(read, console);
     console.Note("the C# uses " + std::to_string(port.uses.size()) +

@@ -18,11 +18,11 @@ std::string KnownType(const std::string& type)
         "AccessFlags BlendMode BlendState BufferHandle CameraType ClearFlag ColorWriteMask "
         "CompareFunction CullMode DepthState DrawingSettings FilterMode FilteringSettings "
         "GraphicsFormat MaterialPropertyBlock RTHandle RasterState RenderPassEvent "
-        "RenderQueueRange RenderStateBlock RenderStateMask RenderTargetHandle "
+        "RenderQueueRange RenderQueueType RenderStateBlock RenderStateMask RenderTargetHandle "
         "RenderTargetIdentifier RenderTextureDescriptor RenderTextureFormat RendererList "
         "RendererListHandle RenderingLayerMask ScriptableRenderPassInput ShaderPropertyId "
-        "ShaderTagId SortingCriteria SortingSettings StencilOp StencilState TextureDesc "
-        "TextureHandle TextureWrapMode Vector2 Vector2Int Vector3 Vector3Int Vector4 "
+        "ShaderTagId SortingCriteria SortingSettings StencilOp StencilState StencilStateData "
+        "TextureDesc TextureHandle TextureWrapMode Vector2 Vector2Int Vector3 Vector3Int Vector4 "
         "int float double bool Color LayerMask ProfilingSampler");
     static const WordList made("Material ComputeShader GraphicsBuffer ComputeBuffer");
     static const WordList loaded("Shader Texture RenderTexture Mesh");
@@ -311,7 +311,8 @@ bool PortModel::isSetting(const std::string& type) const
 {
     static const WordList types(
         "int uint float bool string string[] List<string> Color Vector4 LayerMask "
-        "RenderingLayerMask RenderPassEvent Shader Material CompareFunction StencilOp");
+        "RenderingLayerMask RenderPassEvent Shader Material CompareFunction StencilOp "
+        "RenderQueueType StencilStateData");
     const CSharpClass* own = Find(type);
     return own ? CppType(type).has_value() && !type.ends_with("]") && !type.starts_with("List<")
                : types.Has(type);

@@ -103,14 +103,15 @@ void DescribeField(PortedCode& code, const CSharpField& field)
     {
         code.Line("inspector.Header(\"" + header + "\");");
     }
-    if (own && model.RoleOf(*own) == PortRole::Data)
+    const bool isStencil = !own && field.type == "StencilStateData";
+    if (isStencil || (own && model.RoleOf(*own) == PortRole::Data))
     {
         code.Line("inspector.BeginGroup(\"" + field.name + "\");");
         code.Line(name + ".Describe(inspector);");
         code.Line("inspector.EndGroup();");
         return;
     }
-    if (field.type == "CompareFunction" || field.type == "StencilOp")
+    if (!own && IsIn(field.type, {"CompareFunction", "StencilOp", "RenderQueueType"}))
     {
         code.Line("inspector.Field" + start + ", " + field.type + "Entries()" + tooltip);
         return;

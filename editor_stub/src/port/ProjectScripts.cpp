@@ -46,8 +46,13 @@ ProjectScripts::ProjectScripts(const std::filesystem::path& file)
 {
     const std::filesystem::path root = UnityProjectAround(file);
     std::error_code ignored;
-    if (root.empty())
+    if (root.empty()) // a folder that somebody has copied out of a project
     {
+        std::filesystem::directory_iterator entry(m_File.parent_path(), ignored);
+        for (; entry != std::filesystem::directory_iterator(); entry.increment(ignored))
+        {
+            AddScript(entry->path());
+        }
         return;
     }
     if (!std::filesystem::is_directory(root / "Assets", ignored))
@@ -73,10 +78,18 @@ void ProjectScripts::AddFolder(const std::filesystem::path& folder)
         {
             entry.disable_recursion_pending();
         }
-        else if (path.extension() == ".cs")
+        else
         {
-            m_Scripts.push_back({path, TryReadFile(path, k_MaxScriptBytes).bytes});
+            AddScript(path);
         }
+    }
+}
+
+void ProjectScripts::AddScript(const std::filesystem::path& path)
+{
+    if (path.extension() == ".cs")
+    {
+        m_Scripts.push_back({path, TryReadFile(path, k_MaxScriptBytes).bytes});
     }
 }
 

@@ -14,12 +14,12 @@ struct ProjectScript
     std::string text;
 };
 
-/// The C# files of the Unity project around a file. A render feature often has its passes, volume
-/// components and helpers in other folders.
+/// The C# files of the Unity project around a file, or else of its folder. A render feature often
+/// has its passes, volume components and helpers in other folders.
 class ProjectScripts
 {
 public:
-    /// Reads them. There are none if `file` lies in no project, see UnityProjectAround.
+    /// Reads them. UnityProjectAround tells the project.
     explicit ProjectScripts(const std::filesystem::path& file);
 
     /// Returns the files that declare a class, struct or enum of this name: first those that are
@@ -28,6 +28,7 @@ public:
 
 private:
     void AddFolder(const std::filesystem::path& folder);
+    void AddScript(const std::filesystem::path& path);
 
     std::filesystem::path m_File;
     std::vector<ProjectScript> m_Scripts;

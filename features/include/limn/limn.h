@@ -11,6 +11,7 @@
 #include <limn/core/GraphicsFormatUtility.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/PrimitiveMesh.h>
+#include <limn/core/QualitySettings.h>
 #include <limn/core/ShaderSource.h>
 #include <limn/core/UniversalFrameData.h>
 #include <limn/core/UniversalRenderPipeline.h>

@@ -12,7 +12,6 @@ namespace limn
 namespace
 {
 
-constexpr EnumEntry k_RenderQueueTypes[] = {{"Opaque", 0}, {"Transparent", 1}};
 constexpr EnumEntry k_OverrideModes[] = {{"None", 0}, {"Material", 1}, {"Shader", 2}};
 constexpr ValueRange k_PassIndices{0, 255};
 constexpr std::size_t k_MaxPassNames = 16; ///< of DrawingSettings
@@ -38,24 +37,6 @@ void DescribeOverrides(RenderObjectsSettings& settings, Inspector& inspector)
     inspector.Field("depthCompareFunction", settings.depthCompareFunction, CompareFunctionEntries(),
                     "ZTest");
     inspector.Field("enableWrite", settings.enableWrite, "ZWrite");
-}
-
-void DescribeStencil(StencilStateData& stencil, Inspector& inspector)
-{
-    inspector.BeginGroup("stencilSettings");
-    inspector.Field("overrideStencilState", stencil.overrideStencilState,
-                    "Replaces the passes' whole Stencil block with these settings");
-    inspector.Field("stencilReference", stencil.stencilReference, {0, 255}, "Ref");
-    inspector.Field("stencilCompareFunction", stencil.stencilCompareFunction,
-                    CompareFunctionEntries(),
-                    "Comp: the comparison of the reference with the stored value");
-    inspector.Field("passOperation", stencil.passOperation, StencilOpEntries(),
-                    "The operation where stencil and depth test pass");
-    inspector.Field("failOperation", stencil.failOperation, StencilOpEntries(),
-                    "The operation where the stencil test fails");
-    inspector.Field("zFailOperation", stencil.zFailOperation, StencilOpEntries(),
-                    "The operation where only the depth test fails");
-    inspector.EndGroup();
 }
 
 void DescribeCamera(RenderObjectsSettings::CustomCameraSettings& camera, Inspector& inspector)
@@ -101,6 +82,27 @@ void ExpectPass(const std::string& feature, const char* setting, int index, cons
 
 } // namespace
 
+std::span<const EnumEntry> RenderQueueTypeEntries()
+{
+    static constexpr EnumEntry k_Entries[] = {{"Opaque", 0}, {"Transparent", 1}};
+    return k_Entries;
+}
+
+void StencilStateData::Describe(Inspector& inspector)
+{
+    inspector.Field("overrideStencilState", overrideStencilState,
+                    "Replaces the passes' whole Stencil block with these settings");
+    inspector.Field("stencilReference", stencilReference, {0, 255}, "Ref");
+    inspector.Field("stencilCompareFunction", stencilCompareFunction, CompareFunctionEntries(),
+                    "Comp: the comparison of the reference with the stored value");
+    inspector.Field("passOperation", passOperation, StencilOpEntries(),
+                    "The operation where stencil and depth test pass");
+    inspector.Field("failOperation", failOperation, StencilOpEntries(),
+                    "The operation where the stencil test fails");
+    inspector.Field("zFailOperation", zFailOperation, StencilOpEntries(),
+                    "The operation where only the depth test fails");
+}
+
 void RenderObjectsSettings::Describe(Inspector& inspector)
 {
     inspector.Field("passTag", passTag, "The name of the pass in captures and timings");
@@ -108,7 +110,7 @@ void RenderObjectsSettings::Describe(Inspector& inspector)
 
     inspector.Header("Filters");
     inspector.BeginGroup("filterSettings");
-    inspector.Field("RenderQueueType", filterSettings.RenderQueueType, k_RenderQueueTypes,
+    inspector.Field("RenderQueueType", filterSettings.RenderQueueType, RenderQueueTypeEntries(),
                     "Opaque: queues up to 2500; Transparent: the ones above");
     inspector.Field("LayerMask", filterSettings.LayerMask,
                     "The layers of the objects that are drawn");
@@ -119,7 +121,9 @@ void RenderObjectsSettings::Describe(Inspector& inspector)
 
     DescribeOverrides(*this, inspector);
     inspector.Header("Stencil");
-    DescribeStencil(stencilSettings, inspector);
+    inspector.BeginGroup("stencilSettings");
+    stencilSettings.Describe(inspector);
+    inspector.EndGroup();
     inspector.Header("Camera");
     DescribeCamera(cameraSettings, inspector);
 }

@@ -20,7 +20,8 @@ public:
     {
         for (const char* folder :
              {"core/include/limn/core", "volume/include/limn/volume",
-              "shaderlab/include/limn/shaderlab", "features/include/limn/features"})
+              "shaderlab/include/limn/shaderlab", "features/include/limn/features",
+              "features/render_objects/include/limn/features"})
         {
             for (const auto& entry : std::filesystem::directory_iterator(SourcePath(folder)))
             {

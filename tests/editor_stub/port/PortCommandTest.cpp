@@ -210,7 +210,7 @@ TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
     write("Assets/Broken.cs", "class Broken { class GlowMode {\n");
 
     const Ported ported = Port({"Assets/Glow/GlowFeature.cs"}, "GlowFeature");
-    ExpectAll(ported.run.err, {"note: these files of the project are read, too: "
+    ExpectAll(ported.run.err, {"note: these files are read, too: "
                                "Assets/Passes/Modes.cs for GlowMode, "
                                "Assets/Passes/GlowPass.cs for GlowPass, "
                                "Packages/mine/DrawingPass.cs for DrawingPass\n",
@@ -223,6 +223,21 @@ TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
                "m_Pass = std::make_unique<GlowPass>();"});
     EXPECT_THAT(ported.source + ported.header,
                 Not(AnyOf(HasSubstr("watts"), HasSubstr("OfTheEditor"), HasSubstr("unitys"))));
+}
+
+TEST(PortCommand, ReadsTheFilesBesideAFeatureThatLiesInNoProject)
+{
+    const WorkingFolder working;
+    working.folder.Write("GlowFeature.cs",
+                         "class GlowFeature : ScriptableRendererFeature {\n"
+                         "  GlowPass m_Pass;\n"
+                         "  public override void Create() { m_Pass = new GlowPass(); } }\n");
+    working.folder.Write("GlowPass.cs", "class GlowPass : ScriptableRenderPass { }\n");
+    std::filesystem::create_directory("Old");
+    working.folder.Write("Old/GlowPass.cs", "class GlowPass { int old; }\n");
+    const Ported ported = Port({"GlowFeature.cs"}, "GlowFeature");
+    ExpectAll(ported.run.err, {"note: these files are read, too: GlowPass.cs for GlowPass\n"});
+    ExpectAll(ported.source, {"class GlowPass final : public ScriptableRenderPass"});
 }
 
 TEST(PortCommand, SaysWhatIsWrongWithAFile)

@@ -158,6 +158,10 @@ void SameLines::Commands()
     SAME("CoreUtils.ArePostProcessesEnabled", CoreUtils::ArePostProcessesEnabled(camera));
     SAME("CoreUtils.ClearRenderTarget",
          CoreUtils::ClearRenderTarget(cmd, ClearFlag::All, Color::clear));
+    SAME("CoreUtils.ConvertLinearToActiveColorSpace",
+         CoreUtils::ConvertLinearToActiveColorSpace(color));
+    SAME("CoreUtils.ConvertSRGBToActiveColorSpace",
+         CoreUtils::ConvertSRGBToActiveColorSpace(color));
     SAME("CoreUtils.CreateCubeMesh", CoreUtils::CreateCubeMesh(Vector3(0), Vector3(1)));
     SAME("CoreUtils.DivRoundUp", CoreUtils::DivRoundUp(7, 8));
     SAME("CoreUtils.DrawFullScreen", CoreUtils::DrawFullScreen(cmd, material, block, 0));

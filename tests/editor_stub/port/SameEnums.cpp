@@ -40,6 +40,9 @@ void SameLines::Enums()
     SAME("ClearFlag.DepthStencil", ClearFlag::DepthStencil);
     SAME("ClearFlag.None", ClearFlag::None);
     SAME("ClearFlag.Stencil", ClearFlag::Stencil);
+    SAME("ColorSpace", ColorSpace());
+    SAME("ColorSpace.Gamma", ColorSpace::Gamma);
+    SAME("ColorSpace.Linear", ColorSpace::Linear);
     SAME("ColorWriteMask", ColorWriteMask::All);
     ColorWriteMask colorMask = ColorWriteMask::Red;
     SAME("ColorWriteMask", colorMask |= ColorWriteMask::Green);
@@ -228,6 +231,9 @@ void SameLines::Enums()
     SAME("RenderPassEvent.BeforeRenderingTransparents",
          RenderPassEvent::BeforeRenderingTransparents);
     SAME("RenderQueue", RenderQueue::Geometry);
+    SAME("RenderQueueType", RenderQueueType());
+    SAME("RenderQueueType.Opaque", RenderQueueType::Opaque);
+    SAME("RenderQueueType.Transparent", RenderQueueType::Transparent);
     SAME("RenderStateMask", RenderStateMask());
     SAME("RenderStateMask.Blend", RenderStateMask::Blend);
     SAME("RenderStateMask.Depth", RenderStateMask::Depth);
@@ -291,6 +297,15 @@ void SameLines::Enums()
     SAME("StencilOp.Keep", StencilOp::Keep);
     SAME("StencilOp.Replace", StencilOp::Replace);
     SAME("StencilOp.Zero", StencilOp::Zero);
+    StencilStateData data;
+    SAME("StencilStateData", data = StencilStateData());
+    SAME("StencilStateData.failOperation", data.failOperation = StencilOp::Keep);
+    SAME("StencilStateData.overrideStencilState", data.overrideStencilState = true);
+    SAME("StencilStateData.passOperation", data.passOperation = StencilOp::Replace);
+    SAME("StencilStateData.stencilCompareFunction",
+         data.stencilCompareFunction = CompareFunction::Always);
+    SAME("StencilStateData.stencilReference", data.stencilReference = 1);
+    SAME("StencilStateData.zFailOperation", data.zFailOperation = StencilOp::Keep);
     SAME("TextureDimension", TextureDimension());
     SAME("TextureDimension.Cube", TextureDimension::Cube);
     SAME("TextureDimension.Tex2D", TextureDimension::Tex2D);

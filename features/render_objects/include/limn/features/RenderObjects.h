@@ -6,12 +6,14 @@
 #include <limn/core/ScriptableRendererFeature.h>
 #include <limn/core/Shader.h>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 namespace limn
 {
 
+struct EnumEntry;
 class Material;
 class RenderObjectsPass;
 
@@ -21,6 +23,8 @@ enum class RenderQueueType
     Opaque,
     Transparent
 };
+/// Returns its members, for settings of this type. The span lives as long as the program.
+std::span<const EnumEntry> RenderQueueTypeEntries();
 
 /// Unity: UnityEngine.Rendering.Universal.StencilStateData (URP 14). It applies to both faces, with
 /// masks of 255.
@@ -32,6 +36,8 @@ struct StencilStateData
     StencilOp passOperation = StencilOp::Keep;
     StencilOp failOperation = StencilOp::Keep;
     StencilOp zFailOperation = StencilOp::Keep;
+
+    void Describe(Inspector& inspector);
 };
 
 /// The settings of RenderObjects, with the names Unity serialises.
