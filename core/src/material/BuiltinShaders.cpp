@@ -2,6 +2,7 @@
 #include <array>
 #include <limn/base/Case.h>
 #include <limn/core/BuiltinShaders.h>
+#include <limn/core/QualitySettings.h>
 
 namespace limn
 {
@@ -18,13 +19,20 @@ struct SolidColor
 {
     const char* name;
     std::array<std::uint8_t, 4> rgba;
+    GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm; ///< sRGB is linear in gamma space
 };
 
 /// The alpha of bump, for which Unity's manual has a half, is one: UnpackNormal multiplies by it.
 constexpr SolidColor k_SolidColors[] = {
-    {"white", {255, 255, 255, 255}}, {"black", {0, 0, 0, 255}}, {"gray", {128, 128, 128, 128}},
-    {"bump", {128, 128, 255, 255}},  {"red", {255, 0, 0, 255}}, {"green", {0, 255, 0, 255}},
-    {"blue", {0, 0, 255, 255}},      {"clear", {0, 0, 0, 0}}};
+    {"white", {255, 255, 255, 255}},
+    {"black", {0, 0, 0, 255}},
+    {"gray", {128, 128, 128, 128}, GraphicsFormat::R8G8B8A8_SRGB},
+    {"linearGray", {128, 128, 128, 128}},
+    {"bump", {128, 128, 255, 255}},
+    {"red", {255, 0, 0, 255}},
+    {"green", {0, 255, 0, 255}},
+    {"blue", {0, 0, 255, 255}},
+    {"clear", {0, 0, 0, 0}}};
 
 constexpr std::array k_Dimensions = {TextureDimension::Tex2D, TextureDimension::Tex3D,
                                      TextureDimension::Cube, TextureDimension::Tex2DArray,
@@ -32,7 +40,7 @@ constexpr std::array k_Dimensions = {TextureDimension::Tex2D, TextureDimension::
 
 std::shared_ptr<const Texture> SolidTexture(const SolidColor& color, TextureDimension dimension)
 {
-    constexpr GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
+    const GraphicsFormat format = color.format;
     std::vector<std::byte> texel;
     for (const std::uint8_t channel : color.rgba)
     {
@@ -101,8 +109,12 @@ std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDime
                std::begin(k_SolidColors);
     };
     const std::ptrdiff_t count = std::ssize(k_SolidColors);
-    const std::ptrdiff_t found = place(EqualsIgnoringCase(name, "normal") ? "bump" : name);
-    const std::ptrdiff_t color = found < count ? found : place("gray");
+    const std::ptrdiff_t found = place(EqualsIgnoringCase(name, "normal")       ? "bump"
+                                       : EqualsIgnoringCase(name, "linearGrey") ? "linearGray"
+                                                                                : name);
+    const bool isGamma = QualitySettings::activeColorSpace() == ColorSpace::Gamma;
+    const std::ptrdiff_t gray = place(isGamma ? "linearGray" : "gray");
+    const std::ptrdiff_t color = found < count && found != place("gray") ? found : gray;
     const std::ptrdiff_t row = std::ranges::find(k_Dimensions, dimension) - k_Dimensions.begin();
     return textures.at(static_cast<std::size_t>(row * count + color));
 }

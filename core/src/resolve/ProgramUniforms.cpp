@@ -2,9 +2,43 @@
 
 #include <algorithm>
 #include <cstring>
+#include <limn/core/CoreUtils.h>
 
 namespace limn
 {
+
+namespace
+{
+
+/// Finds the numbers of a shader that are declared [Gamma].
+/// @param ids  gets them
+void FindGammaProperties(const Shader& shader, std::vector<ShaderPropertyId>& ids)
+{
+    ids.clear();
+    for (const ShaderProperty& property : shader.document().properties)
+    {
+        if (property.HasAttribute("Gamma"))
+        {
+            ids.emplace_back(property.name);
+        }
+    }
+}
+
+/// Returns a number or vector that is sRGB in the active colour space, and another value as it is.
+ShaderPropertyValue InActiveSpace(const ShaderPropertyValue& value)
+{
+    if (const auto* number = std::get_if<float>(&value))
+    {
+        return CoreUtils::ConvertSRGBToActiveColorSpace({*number, 0.0f, 0.0f}).r;
+    }
+    if (const auto* v = std::get_if<glm::vec4>(&value))
+    {
+        return CoreUtils::ConvertSRGBToActiveColorSpace({v->x, v->y, v->z, v->w}).vector();
+    }
+    return value;
+}
+
+} // namespace
 
 ProgramUniforms::ProgramUniforms(const PropertyLayout& layout, FrameGlobals& globals)
 {
@@ -104,6 +138,7 @@ void ProgramUniforms::WriteLayer(const Material& material, MaterialLayer& layer)
     layer.texelSizes.clear();
     layer.fits = true;
     m_Layer.resize(m_Globals.size());
+    FindGammaProperties(*material.shader(), m_Gamma);
     for (std::uint32_t i = 0; i < m_Members.size(); ++i)
     {
         const UniformPlace& place = m_Members[i];
@@ -117,7 +152,10 @@ void ProgramUniforms::WriteLayer(const Material& material, MaterialLayer& layer)
             }
             continue;
         }
-        layer.fits = WriteUniform(place, value, nullptr, m_Layer) && layer.fits;
+        const bool isGamma = std::ranges::find(m_Gamma, place.id) != m_Gamma.end();
+        const ShaderPropertyValue converted = isGamma ? InActiveSpace(*value) : 0;
+        layer.fits =
+            WriteUniform(place, isGamma ? &converted : value, nullptr, m_Layer) && layer.fits;
         if (layer.runs.empty() || layer.runs.back().offset + layer.runs.back().size != place.offset)
         {
             layer.runs.push_back({place.offset, 0});

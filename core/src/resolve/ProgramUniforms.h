@@ -141,7 +141,8 @@ private:
     std::uint64_t m_GlobalsVersion = 0;
     std::vector<std::uint32_t>
         m_Unfit;                    ///< members whose global value is of another kind than theirs
-    std::vector<std::byte> m_Layer; ///< for its memory
+    std::vector<std::byte> m_Layer; ///< for its memory, as the next one
+    std::vector<ShaderPropertyId> m_Gamma;
 };
 
 } // namespace limn

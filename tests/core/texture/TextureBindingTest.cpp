@@ -184,6 +184,8 @@ TEST_P(DimensionBindings, DefaultToTheNamedColourInTheDimensionThatTheShaderDecl
          {Default{"white", "white", {255, 255, 255, 255}},
           Default{"black", "black", {0, 0, 0, 255}}, Default{"gray", "gray", {128, 128, 128, 128}},
           Default{"grey", "gray", {128, 128, 128, 128}},
+          Default{"linearGrey", "linearGray", {128, 128, 128, 128}},
+          Default{"linearGray", "linearGray", {128, 128, 128, 128}},
           Default{"bump", "bump", {128, 128, 255, 255}}, Default{"red", "red", {255, 0, 0, 255}},
           Default{"", "gray", {128, 128, 128, 128}}})
     {
@@ -193,6 +195,7 @@ TEST_P(DimensionBindings, DefaultToTheNamedColourInTheDimensionThatTheShaderDecl
         ASSERT_NE(texture, nullptr);
         EXPECT_EQ(texture->dimension(), GetParam().dimension);
         EXPECT_EQ(texture->name(), expected.name);
+        EXPECT_EQ(IsSRGBFormat(texture->graphicsFormat()), std::string(expected.name) == "gray");
         std::vector<int> firstTexel;
         for (std::size_t i = 0; i < 4; ++i)
         {

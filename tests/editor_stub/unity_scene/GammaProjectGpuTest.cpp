@@ -17,7 +17,9 @@ namespace
 
 /// Stripes of four pixels, each of which shows one thing that depends on the colour space.
 constexpr const char* k_Stripes = R"(Shader "Test/Stripes" {
-Properties { _Tint ("Tint", Color) = (0.5, 0.5, 0.5, 1) _MainTex ("Picture", 2D) = "white" {} }
+Properties { _Tint ("Tint", Color) = (0.5, 0.5, 0.5, 1) _MainTex ("Picture", 2D) = "white" {}
+  _Grey ("Grey", 2D) = "grey" {} _LinearGrey ("Linear grey", 2D) = "linearGrey" {}
+  [Gamma] _Number ("Number", Range(0, 2)) = 0.5 [Gamma] _Numbers ("Numbers", Vector) = (0.25, 0.5, 2, 0.5) }
 SubShader { Tags { "Queue" = "Transparent" } Pass {
 Blend SrcAlpha OneMinusSrcAlpha
 HLSLPROGRAM
@@ -25,7 +27,11 @@ HLSLPROGRAM
 #pragma fragment F
 #include "Packages/com.unity.render-pipelines.universal/ShaderLibrary/Lighting.hlsl"
 float4 _Tint;
+float _Number;
+float4 _Numbers;
 TEXTURE2D(_MainTex);
+TEXTURE2D(_Grey);
+TEXTURE2D(_LinearGrey);
 SAMPLER(sampler_MainTex);
 float4 V(float4 p : POSITION) : SV_POSITION { return TransformObjectToHClip(p.xyz); }
 float4 F(float4 p : SV_POSITION) : SV_Target
@@ -38,6 +44,9 @@ float4 F(float4 p : SV_POSITION) : SV_Target
     case 3: return float4(SampleSH(float3(0, 1, 0)), 1);
     case 4: return float4(unity_AmbientSky.rgb, 1);
     case 5: return float4(1, 1, 1, 0.5);
+    case 6: return float4(_Number, _Numbers.x, _Numbers.y, 1);
+    case 7: return float4(_Numbers.zzz / 8, 1);
+    case 8: return float4(_Grey.Load(0).r, _LinearGrey.Load(0).r, _Grey.Load(0).a, 1);
     }
 #ifdef UNITY_COLORSPACE_GAMMA
     return float4(0, 1, 0, 1);
@@ -156,7 +165,7 @@ protected:
                        "PlayerSettings:\n  m_ActiveColorSpace: " +
                            std::to_string(static_cast<int>(space)) + "\n");
         std::vector<std::string> args = {
-            "render", m_Folder / "yard", "-o", m_Folder / "out.png", "--size", "28x4",
+            "render", m_Folder / "yard", "-o", m_Folder / "out.png", "--size", "40x4",
             "-q",     "--validate"};
         if (!profile.empty())
         {
@@ -197,7 +206,10 @@ TEST_F(GammaProject, WorksWithColoursAsTheyAreWritten)
     ExpectStripe(picture, 3, k_AmbientSky);
     ExpectStripe(picture, 4, k_AmbientSky);
     ExpectStripe(picture, 5, Grey(0.5 * 1 + 0.5 * 0.25));
-    ExpectStripe(picture, 6, {0, 1, 0});
+    ExpectStripe(picture, 6, {0.5, 0.25, 0.5});
+    ExpectStripe(picture, 7, Grey(2.0 / 8));
+    ExpectStripe(picture, 8, Grey(128 / 255.0));
+    ExpectStripe(picture, 9, {0, 1, 0});
 }
 
 TEST_F(GammaProject, IsNoLinearOne)
@@ -214,7 +226,11 @@ TEST_F(GammaProject, IsNoLinearOne)
     ExpectStripe(picture, 3, k_AmbientSky);
     ExpectStripe(picture, 4, k_AmbientSky);
     ExpectStripe(picture, 5, Grey(EncodeSrgb(0.5 * 1 + 0.5 * DecodeSrgb(0.25))));
-    ExpectStripe(picture, 6, {1, 0, 0});
+    ExpectStripe(picture, 6, {0.5, 0.25, 0.5}); // it decodes what the picture encodes
+    ExpectStripe(picture, 7, Grey(EncodeSrgb(std::pow(2.0, 2.2) / 8)));
+    const double shown = EncodeSrgb(128 / 255.0);
+    ExpectStripe(picture, 8, {128 / 255.0, shown, shown});
+    ExpectStripe(picture, 9, {1, 0, 0});
 }
 
 // URP works effects out in linear light in both. Only the glow's source is what the camera drew.

@@ -19,8 +19,8 @@ FindBuiltinShader(std::string_view name, const std::shared_ptr<ShaderCompiler>& 
     return Shader::Find(name, BuiltinShaders(), compiler);
 }
 
-/// Returns "white", "black", "gray", "bump", "red", "green", "blue", "clear". Unity: texture
-/// defaults of ShaderLab properties.
+/// Returns "white", "black", "gray" (sRGB), "linearGray", "bump", "red", "green", "blue", "clear".
+/// Unity: texture defaults of ShaderLab properties.
 std::vector<std::string_view> DefaultTextureNames();
 
 /// Returns a texture of one texel, or of one texel per slice or face, by one of these names in any
