@@ -1,3 +1,4 @@
+#include <cmath>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/FrameCompiler.h>
 #include <limn/core/ScriptableRenderContext.h>
@@ -309,6 +310,7 @@ TEST_F(TextureDimensions, HaveTheDefaultThatThePropertyNames)
         Float4 rgba;
     };
     constexpr float half = 128.0f / 255.0f;
+    const float gray = std::pow((half + 0.055f) / 1.055f, 2.4f); // it is sRGB
     for (const Case& c :
          {Case{"2D", "Texture2D", "_At.xy"}, Case{"3D", "Texture3D", "_At.xyz"},
           Case{"Cube", "TextureCube", "_At.xyz"}, Case{"2DArray", "Texture2DArray", "_At.xyz"},
@@ -316,7 +318,8 @@ TEST_F(TextureDimensions, HaveTheDefaultThatThePropertyNames)
     {
         for (const Default& expected :
              {Default{"white", {1, 1, 1, 1}}, Default{"black", {0, 0, 0, 1}},
-              Default{"bump", {half, half, 1, 1}}, Default{"", {half, half, half, half}}})
+              Default{"bump", {half, half, 1, 1}}, Default{"", {gray, gray, gray, half}},
+              Default{"linearGray", {half, half, half, half}}})
         {
             MapDraw draw(std::string(c.type) + " _Map; SamplerState sampler_Map;",
                          std::string("_Map.SampleLevel(sampler_Map, ") + c.coordinate + ", 0)",
