@@ -19,7 +19,7 @@ struct SolidColor
 {
     const char* name;
     std::array<std::uint8_t, 4> rgba;
-    GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm; ///< sRGB is linear in gamma space
+    GraphicsFormat format = GraphicsFormat::R8G8B8A8_UNorm;
 };
 
 /// The alpha of bump, for which Unity's manual has a half, is one: UnpackNormal multiplies by it.
@@ -112,6 +112,7 @@ std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDime
     const std::ptrdiff_t found = place(EqualsIgnoringCase(name, "normal")       ? "bump"
                                        : EqualsIgnoringCase(name, "linearGrey") ? "linearGray"
                                                                                 : name);
+    // Nothing is decoded in gamma space.
     const bool isGamma = QualitySettings::activeColorSpace() == ColorSpace::Gamma;
     const std::ptrdiff_t gray = place(isGamma ? "linearGray" : "gray");
     const std::ptrdiff_t color = found < count && found != place("gray") ? found : gray;

@@ -10,8 +10,7 @@ namespace limn
 namespace
 {
 
-/// Finds the numbers of a shader that are declared [Gamma].
-/// @param ids  gets them
+/// Finds the properties of a shader that are declared [Gamma]; `ids` gets them.
 void FindGammaProperties(const Shader& shader, std::vector<ShaderPropertyId>& ids)
 {
     ids.clear();

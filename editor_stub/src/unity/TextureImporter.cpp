@@ -154,7 +154,7 @@ TextureImport ReadTextureImport(const YamlNode& meta, const std::filesystem::pat
     return import;
 }
 
-/// Lets the texels reach shaders as they are, if that is the colour space of the process.
+/// Returns the settings for the colour space of the process: in gamma nothing is decoded.
 TextureImport InActiveSpace(TextureImport import)
 {
     import.picture.sRGB =

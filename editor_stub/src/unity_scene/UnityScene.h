@@ -14,7 +14,7 @@ std::filesystem::path FindFirstUnityScene(const std::filesystem::path& project);
 
 /// Loads a scene of a Unity project, with its prefabs, models, materials, volumes, lights and main
 /// camera, and the renderer of its quality level. Things that limn does not draw become notes.
-/// Unity: the text form of 2018.3 to 6000.
+/// It sets the colour space of the process. Unity: the text form of 2018.3 to 6000.
 /// @throws AssetError  if the scene cannot be read, or has no camera
 SceneAsset LoadUnityScene(const std::filesystem::path& path, AssetContext& assets);
 

@@ -110,7 +110,7 @@ UNITY_DECLARE_TEX2D(unity_DynamicLightmap);
 UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicDirectionality);
 UNITY_DECLARE_TEX2D_NOSAMPLER(unity_DynamicNormal);
 
-// What depends on the colour space in which light is added up.
+// These depend on the colour space in which light is added up.
 #ifdef UNITY_COLORSPACE_GAMMA
 #define unity_ColorSpaceGrey float4(0.5, 0.5, 0.5, 0.5)
 #define unity_ColorSpaceDouble float4(2.0, 2.0, 2.0, 2.0)

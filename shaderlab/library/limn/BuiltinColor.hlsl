@@ -10,7 +10,8 @@ bool IsGammaSpace()
 #endif
 }
 
-// In linear space the weights of unity_ColorSpaceLuminance give 0.504 for white, as Unity's do. LinearRgbToLuminance has the weights of Rec. 709.
+// In linear space the weights of unity_ColorSpaceLuminance give 0.504 for white, as Unity's do.
+// LinearRgbToLuminance has the weights of Rec. 709.
 half Luminance(half3 rgb) { return dot(rgb, unity_ColorSpaceLuminance.rgb); }
 half LinearRgbToLuminance(half3 linearRgb)
 {

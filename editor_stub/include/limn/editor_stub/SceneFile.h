@@ -82,7 +82,8 @@ enum class InactiveObjects
 
 /// Loads a scene from a *.scene.yaml file, from a .unity file, or from a folder that is a Unity
 /// project. Paths in a *.scene.yaml file start from its folder, and lead into that folder, the
-/// Unity project around it or another root of the assets.
+/// Unity project around it or another root of the assets. It sets the colour space of the process:
+/// that of a Unity scene's project, else linear.
 /// @throws AssetError with every problem of the file: broken YAML, unknown keys and names, values
 ///     of the wrong type or outside their range, and files it refers to that are missing or wrong,
 ///     with the errors of those files
