@@ -158,7 +158,7 @@ TEST_F(TextureProperty, TakesADefaultInItsOwnDimension)
 
 TEST_F(TextureProperty, SaysWhatATextureOfItsDimensionLooksLike)
 {
-    const std::string names = "white, black, gray, bump, red, green, blue, clear";
+    const std::string names = "white, black, gray, linearGray, bump, red, green, blue, clear";
     EXPECT_THAT(ProblemsOf("_Map: {slices: [px.png]}"),
                 ElementsAre(Mentions("5:11: material 'm'._Map:", "a map", ".png", names)));
     EXPECT_THAT(
