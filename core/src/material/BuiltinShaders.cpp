@@ -112,7 +112,7 @@ std::shared_ptr<const Texture> DefaultTexture(std::string_view name, TextureDime
     const std::ptrdiff_t found = place(EqualsIgnoringCase(name, "normal")       ? "bump"
                                        : EqualsIgnoringCase(name, "linearGrey") ? "linearGray"
                                                                                 : name);
-    // Nothing is decoded in gamma space.
+    // Shaders read the same number in gamma space, where no texel is decoded.
     const bool isGamma = QualitySettings::activeColorSpace() == ColorSpace::Gamma;
     const std::ptrdiff_t gray = place(isGamma ? "linearGray" : "gray");
     const std::ptrdiff_t color = found < count && found != place("gray") ? found : gray;

@@ -47,6 +47,7 @@ float4 F(float4 p : SV_POSITION) : SV_Target
     case 6: return float4(_Number, _Numbers.x, _Numbers.y, 1);
     case 7: return float4(_Numbers.zzz / 8, 1);
     case 8: return float4(_Grey.Load(0).r, _LinearGrey.Load(0).r, _Grey.Load(0).a, 1);
+    case 9: return float4(unity_FogColor.rgb, 1);
     }
 #ifdef UNITY_COLORSPACE_GAMMA
     return float4(0, 1, 0, 1);
@@ -62,6 +63,8 @@ constexpr const char* k_StripesScene = R"(%YAML 1.1
 RenderSettings:
   m_AmbientSkyColor: {r: 0.25, g: 0.5, b: 0.75, a: 1}
   m_AmbientMode: 3
+  m_Fog: 1
+  m_FogColor: {r: 0.75, g: 0.5, b: 0.25, a: 1}
 --- !u!1 &100
 GameObject: {m_Name: Camera, m_TagString: MainCamera, m_IsActive: 1}
 --- !u!4 &104
@@ -165,7 +168,7 @@ protected:
                        "PlayerSettings:\n  m_ActiveColorSpace: " +
                            std::to_string(static_cast<int>(space)) + "\n");
         std::vector<std::string> args = {
-            "render", m_Folder / "yard", "-o", m_Folder / "out.png", "--size", "40x4",
+            "render", m_Folder / "yard", "-o", m_Folder / "out.png", "--size", "44x4",
             "-q",     "--validate"};
         if (!profile.empty())
         {
@@ -209,7 +212,8 @@ TEST_F(GammaProject, WorksWithColoursAsTheyAreWritten)
     ExpectStripe(picture, 6, {0.5, 0.25, 0.5});
     ExpectStripe(picture, 7, Grey(2.0 / 8));
     ExpectStripe(picture, 8, Grey(128 / 255.0));
-    ExpectStripe(picture, 9, {0, 1, 0});
+    ExpectStripe(picture, 9, {0.75, 0.5, 0.25});
+    ExpectStripe(picture, 10, {0, 1, 0});
 }
 
 TEST_F(GammaProject, IsNoLinearOne)
@@ -230,7 +234,8 @@ TEST_F(GammaProject, IsNoLinearOne)
     ExpectStripe(picture, 7, Grey(EncodeSrgb(std::pow(2.0, 2.2) / 8)));
     const double shown = EncodeSrgb(128 / 255.0);
     ExpectStripe(picture, 8, {128 / 255.0, shown, shown});
-    ExpectStripe(picture, 9, {1, 0, 0});
+    ExpectStripe(picture, 9, {0.75, 0.5, 0.25});
+    ExpectStripe(picture, 10, {1, 0, 0});
 }
 
 // URP works effects out in linear light in both. Only the glow's source is what the camera drew.
