@@ -121,7 +121,28 @@ void SceneView::Render(UniversalRenderPipeline& pipeline, RenderRequest& request
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.pipelineVersion = m_Asset.pipelineVersion;
     pipeline.shadows = m_Asset.shadows;
+    std::vector<RenderResult> textures;
+    if (!m_Asset.textureCameras.empty())
+    {
+        textures = RenderTextures(pipeline, request);
+    }
     pipeline.RenderSingleCamera(m_Renderer, request, result);
+    for (const RenderResult& texture : textures)
+    {
+        std::ranges::copy(texture.report.notes, std::back_inserter(result.report.notes));
+    }
+}
+
+std::vector<RenderResult> SceneView::RenderTextures(UniversalRenderPipeline& pipeline,
+                                                    RenderRequest request)
+{
+    std::vector<const Camera*> cameras;
+    for (const Camera& camera : m_Asset.textureCameras)
+    {
+        cameras.push_back(&camera);
+    }
+    request.compile.isLast = false; // the picture reads what they draw
+    return pipeline.Render(m_Renderer, request, cameras);
 }
 
 } // namespace limn

@@ -41,6 +41,10 @@ public:
     bool leavesOut = true; ///< see FrameCompilerOptions
 
 private:
+    /// Draws the textures that the picture reads.
+    std::vector<RenderResult> RenderTextures(UniversalRenderPipeline& pipeline,
+                                             RenderRequest request);
+
     SceneAsset m_Asset;
     UniversalRenderer m_Renderer;
     VolumeManager m_Volumes;

@@ -125,16 +125,18 @@ private:
     YamlMapReader* m_Map = nullptr;     ///< that has the field's value
 };
 
-/// Fields of URP's own features that name what its package has for them, and limn has built in.
-constexpr std::pair<std::string_view, std::string_view> k_PackageResources[] = {
+/// Fields of URP's own features that name what its package has for them, and limn has built in, or
+/// that tell its editor from which version they are.
+constexpr std::pair<std::string_view, std::string_view> k_PackageFields[] = {
     {"ScreenSpaceAmbientOcclusion", "m_Shader"},
-    {"ScreenSpaceAmbientOcclusion", "m_BlueNoise256Textures"}};
+    {"ScreenSpaceAmbientOcclusion", "m_BlueNoise256Textures"},
+    {"FullScreenPassRendererFeature", "m_Version"}};
 
 /// Returns whether every MonoBehaviour's or feature's block has the key, or all of this type.
 bool IsBookkeeping(std::string_view type, std::string_view key)
 {
     return isUnityHeaderField(key) || key == "m_Active" ||
-           std::ranges::count(k_PackageResources, std::pair(type, key)) > 0;
+           std::ranges::count(k_PackageFields, std::pair(type, key)) > 0;
 }
 
 /// Returns whether the value is a reference, a vector or a colour: a map that is one value.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limn/core/GraphicsFormatUtility.h>
 #include <limn/core/QualitySettings.h>
+#include <limn/core/SystemInfo.h>
 
 namespace limn
 {
@@ -30,6 +31,31 @@ public:
         try
         {
             return Make();
+        }
+        catch (const ContractError& error)
+        {
+            Fail(m_Fields, error.what());
+        }
+    }
+
+    std::shared_ptr<const RenderTexture> ReadTarget()
+    {
+        RenderTextureDescriptor target;
+        target.width = static_cast<int>(Number(m_Fields["m_Width"], k_MostTexels));
+        target.height = static_cast<int>(Number(m_Fields["m_Height"], k_MostTexels));
+        // Every device draws with 1 and with 4 samples, and not every one with 2 or 8.
+        target.msaaSamples = Number(m_Fields["m_AntiAliasing"], 8) > 1 ? 4 : 1;
+        target.useMipMap = m_Fields["m_MipMap"].text() == "1";
+        target.graphicsFormat = TargetFormat();
+        if (const UnityNode dimension = m_Fields["m_Dimension"];
+            dimension && Number(dimension, 5) != static_cast<std::size_t>(TextureDimension::Tex2D))
+        {
+            Fail(dimension, "limn has no render textures but 2D ones, whose m_Dimension is 2");
+        }
+        try
+        {
+            return std::make_shared<const RenderTexture>(std::string(m_Fields["m_Name"].text()),
+                                                         target, ReadSampler());
         }
         catch (const ContractError& error)
         {
@@ -71,6 +97,27 @@ private:
         {
             Fail(node, error.what());
         }
+    }
+
+    /// A render texture has saved a RenderTextureFormat before the third version, and a
+    /// GraphicsFormat since.
+    GraphicsFormat TargetFormat() const
+    {
+        const UnityNode node = m_Fields["m_ColorFormat"];
+        const std::size_t number = Number(node, 1000);
+        GraphicsFormat format = static_cast<GraphicsFormat>(number);
+        if (Number(m_Fields["serializedVersion"], 1000) < 3)
+        {
+            const bool isSRGB = m_Fields["m_SRGB"].text() == "1" &&
+                                QualitySettings::activeColorSpace() == ColorSpace::Linear;
+            format = ToGraphicsFormat(static_cast<RenderTextureFormat>(number), isSRGB);
+        }
+        if (!SystemInfo::IsFormatSupported(format, FormatUsage::Render) || IsDepthFormat(format))
+        {
+            Fail(node, "the format " + std::to_string(number) +
+                           " is no colour that the device can draw into");
+        }
+        return format;
     }
 
     std::shared_ptr<const Texture> Make()
@@ -220,6 +267,12 @@ std::shared_ptr<const Texture> ReadTextTexture(UnityClass classID, const UnityNo
                                                const std::string& file)
 {
     return TextTextureReader(classID, fields, file).Read();
+}
+
+std::shared_ptr<const RenderTexture> ReadRenderTexture(const UnityNode& fields,
+                                                       const std::string& file)
+{
+    return TextTextureReader(UnityClass::RenderTexture, fields, file).ReadTarget();
 }
 
 } // namespace limn

@@ -28,6 +28,7 @@ enum class UnityClass : int
     Mesh = 43,
     BoxCollider = 65,
     MeshCollider = 64,
+    RenderTexture = 84,
     RenderSettings = 104,
     Light = 108,
     MonoBehaviour = 114,

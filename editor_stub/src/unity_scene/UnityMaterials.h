@@ -54,6 +54,8 @@ public:
     std::shared_ptr<const Texture> LoadReflection(const UnityReference& cube,
                                                   const UnityReader& user);
 
+    UnityTextures& textures() { return m_Textures; }
+
 private:
     const Model* LoadModelOf(const std::string& guid);
     std::shared_ptr<const Mesh> LoadMesh(const UnityReference& mesh, const UnityReader& user);

@@ -31,7 +31,8 @@ const std::filesystem::path* FindPipeline(const UnitySceneLoader& loader, float&
 
 void ReadRenderer(UnitySceneLoader& loader, const UnityNode& pipeline, int index)
 {
-    index = index < 0 ? NumberOf(pipeline["m_DefaultRendererIndex"], 0) : index;
+    loader.defaultRenderer = NumberOf(pipeline["m_DefaultRendererIndex"], 0);
+    index = index < 0 ? loader.defaultRenderer : index;
     const UnityNode renderer = pipeline["m_RendererDataList"].At(static_cast<std::size_t>(index));
     if (const auto* path = loader.database.Find(ReadUnityReference(renderer).guid))
     {

@@ -160,6 +160,7 @@ SceneAsset ReadScene(const std::filesystem::path& path, AssetContext& assets)
     const UnityInstance* sun = ReadSettings(expansion, loader);
     ReadUnityLights(loader, sun);
     ReadUnityVolumes(loader);
+    ReadUnityTextureCameras(loader, renderer);
     CountOthers(loader);
     NoteEmptyPicture(loader);
     asset.notes = notes.Finish(path.generic_string());

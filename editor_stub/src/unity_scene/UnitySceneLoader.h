@@ -20,6 +20,7 @@ struct UnitySceneLoader
     SceneAsset& asset; ///< the scene that is being made
     /// The pictures of Unity's own shapes that the scene's sprites have so far, by guid.
     std::map<std::string, std::shared_ptr<const Texture2D>> defaultSprites = {};
+    int defaultRenderer = 0; ///< the index of the renderer for cameras that ask for none
 
     UnityReader ReaderOf(const UnityGameObject& object, const UnityInstance& component) const
     {
@@ -45,10 +46,15 @@ void AddUnityRenderers(UnitySceneLoader& loader, float lodBias);
 void AddUnitySprite(UnitySceneLoader& loader, const UnityGameObject& object,
                     const UnityInstance& renderer);
 
-/// Reads the camera that draws the picture, with its stack.
+/// Reads the camera that draws the picture, with its stack. It has to be read before materials are,
+/// so that these find the textures that other cameras draw into.
 /// @return the index of the renderer that the camera asks for; -1 for the pipeline's first one
-/// @throws AssetError  if no camera draws onto the screen
+/// @throws AssetError  if the scene has no enabled camera
 int ReadUnityCamera(UnitySceneLoader& loader);
+
+/// Reads the cameras that draw into a texture which a material reads.
+/// @param renderer  what ReadUnityCamera has returned
+void ReadUnityTextureCameras(UnitySceneLoader& loader, int renderer);
 
 /// Reads the pipeline asset of the project's quality level, and one of the pipeline's renderers.
 /// @param renderer  the renderer's index; -1 for the pipeline's first one

@@ -19,11 +19,24 @@ std::shared_ptr<const Texture> UnityTextures::Load(const UnityReference& texture
         problem = m_Database.WhyNotFound(texture, guid);
         return nullptr;
     }
-    if (ToLower(path->extension().string()) == ".asset")
+    const std::string extension = ToLower(path->extension().string());
+    if (extension == ".rendertexture" && !m_Drawn.contains(texture))
+    {
+        problem = "no camera of the scene draws into " + path->filename().string();
+        return nullptr;
+    }
+    if (extension == ".asset" || extension == ".rendertexture")
     {
         return LoadText(texture, *path, dimension, problem);
     }
     return LoadPicture(*path, dimension, otherwise, problem);
+}
+
+std::shared_ptr<const RenderTexture> UnityTextures::FindTarget(const UnityReference& texture) const
+{
+    const auto found = m_OfText.find(texture);
+    return found == m_OfText.end() ? nullptr
+                                   : std::dynamic_pointer_cast<const RenderTexture>(found->second);
 }
 
 std::shared_ptr<const Texture> UnityTextures::LoadText(const UnityReference& texture,
@@ -87,7 +100,7 @@ std::shared_ptr<const Texture> UnityTextures::ReadText(const std::filesystem::pa
     {
         const auto classID = static_cast<UnityClass>(header.classID);
         return classID == UnityClass::Texture2D || classID == UnityClass::Texture3D ||
-               classID == UnityClass::Texture2DArray;
+               classID == UnityClass::Texture2DArray || classID == UnityClass::RenderTexture;
     };
     try
     {
@@ -97,9 +110,17 @@ std::shared_ptr<const Texture> UnityTextures::ReadText(const std::filesystem::pa
         {
             found = isTexture(header) && (!found || header.fileID == fileID) ? &header : found;
         }
-        return found ? ReadTextTexture(static_cast<UnityClass>(found->classID),
-                                       file->Fields(*found), file->name())
-                     : nullptr;
+        if (found == nullptr)
+        {
+            return nullptr;
+        }
+        const UnityNode fields = file->Fields(*found);
+        const auto classID = static_cast<UnityClass>(found->classID);
+        if (classID == UnityClass::RenderTexture)
+        {
+            return ReadRenderTexture(fields, file->name());
+        }
+        return ReadTextTexture(classID, fields, file->name());
     }
     catch (const AssetError& error)
     {

@@ -2,12 +2,14 @@
 
 #include "unity/UnityDatabase.h"
 
-#include <limn/core/Texture.h>
+#include <limn/core/RenderTexture.h>
+#include <set>
 
 namespace limn
 {
 
-/// The textures of a project's scene: pictures, and textures that .asset files hold as text.
+/// The textures of a project's scene: pictures, textures that .asset files hold as text, and those
+/// that cameras draw into.
 class UnityTextures
 {
 public:
@@ -23,6 +25,11 @@ public:
                                         std::string_view guid, const char* otherwise,
                                         std::string& problem);
 
+    /// Lets Load make the render texture of a file. Others are refused, since nothing fills them.
+    void AddTarget(const UnityReference& texture) { m_Drawn.insert(texture); }
+    /// Returns the render texture that Load has made, or null if nothing has asked for it.
+    std::shared_ptr<const RenderTexture> FindTarget(const UnityReference& texture) const;
+
 private:
     std::shared_ptr<const Texture> LoadText(const UnityReference& texture,
                                             const std::filesystem::path& path,
@@ -30,14 +37,15 @@ private:
     std::shared_ptr<const Texture> LoadPicture(const std::filesystem::path& path,
                                                TextureDimension dimension, const char* otherwise,
                                                std::string& problem);
-    /// Reads the texture of this id, or else the first of the file; null if it holds none, and null
-    /// with a note if it is broken.
+    /// Reads the texture of this id, or else the first of the file. Returns null if it holds none,
+    /// and null with a note if it is broken.
     std::shared_ptr<const Texture> ReadText(const std::filesystem::path& path, std::int64_t fileID);
 
     UnityDatabase& m_Database;
     AssetContext& m_Assets;
     UnityNotes& m_Notes;
     std::map<UnityReference, std::shared_ptr<const Texture>> m_OfText;
+    std::set<UnityReference> m_Drawn; ///< the render textures that cameras draw into
 };
 
 } // namespace limn

@@ -91,10 +91,11 @@ TEST(UnityRendererData, ReadsAFullScreenPassByBothOfItsGuids)
                                       ", type: 3}\n  m_Name: Whole\n"
                                       "  m_EditorClassIdentifier: \n  m_Active: 1\n"
                                       "  injectionPoint: 600\n  requirements: 5\n"
-                                      "  passIndex: 0\n"));
+                                      "  passIndex: 0\n  m_Version: 0\n"));
         AssetContext assets;
         const UnityRendererDataLoadResult result =
             LoadUnityRendererData(folder / "r.asset", assets);
+        EXPECT_THAT(result.notes, testing::IsEmpty());
         ASSERT_EQ(1u, result.renderer.features.size()) << guid;
         EXPECT_EQ("Whole", result.renderer.features[0]->name);
         const auto& pass =

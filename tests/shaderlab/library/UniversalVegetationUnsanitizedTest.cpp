@@ -52,8 +52,11 @@ TEST(UniversalFiles, DrawTerrainsInEachOfTheirPasses)
         CompileEntries(text, pass.vertex, pass.fragment, keywords, ProgramLanguage::Hlsl);
     }
     const std::string normals = Terrain("TerrainLitInput") + Terrain("TerrainLitDepthNormalsPass");
+    const std::string baked = Terrain("TerrainLitInput") + Terrain("TerrainLitMetaPass");
     for (const auto& variant : {std::vector<std::string>{}, keywords})
     {
+        CompileEntries(baked, "TerrainVertexMeta", "TerrainFragmentMeta", variant,
+                       ProgramLanguage::Hlsl);
         CompileEntries(normals, "DepthNormalOnlyVertex", "DepthNormalOnlyFragment", variant,
                        ProgramLanguage::Hlsl);
     }

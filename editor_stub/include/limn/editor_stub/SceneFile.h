@@ -54,7 +54,8 @@ struct SceneAsset : PipelineSettings
     int width = 1280; ///< of the picture, in pixels
     int height = 720;
     Scene scene;
-    Camera camera;
+    Camera camera;                      ///< the camera that the picture is of
+    std::vector<Camera> textureCameras; ///< what they draw is there before `camera` draws
     LayerNames layers;
     LayerNames renderingLayers;
     RendererAsset renderer;
