@@ -179,6 +179,14 @@ private:
         {
             added.color = {color.r, color.g, color.b, color.a};
         }
+        aiString texture;
+        if (LIMN_ASSIMP(aiGetMaterialString)(&material, AI_MATKEY_TEXTURE_DIFFUSE(0), &texture) ==
+            aiReturn_SUCCESS)
+        {
+            const std::string file = texture.C_Str(); // of another machine, perhaps
+            added.texture =
+                std::filesystem::path(file.substr(file.find_last_of("/\\") + 1)).stem().string();
+        }
     }
 
     /// @param parentRest  what is left over of the parent's chain

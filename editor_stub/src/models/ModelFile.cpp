@@ -68,7 +68,8 @@ void TransferModel(auto& stream, auto& model)
                 [&](auto& material)
                 {
                     auto& color = material.color;
-                    stream.Values(material.name, color.r, color.g, color.b, color.a);
+                    stream.Values(material.name, color.r, color.g, color.b, color.a,
+                                  material.texture);
                 });
 }
 
@@ -88,7 +89,7 @@ std::string ImportModel(const ImportedFile& file)
 
 constexpr std::string_view k_MeshPart = "_MeshPart"; ///< before a part's number in its name
 
-constexpr ImportKind k_Model{"model", "model 2", ImportInWorker<ImportModel>};
+constexpr ImportKind k_Model{"model", "model 3", ImportInWorker<ImportModel>};
 
 /// The materials of an .obj lie in files beside it, which it names.
 std::string MaterialFilesOf(const std::filesystem::path& path, std::string_view bytes)
@@ -103,6 +104,27 @@ std::string MaterialFilesOf(const std::filesystem::path& path, std::string_view 
         contents += TryReadFile(path.parent_path() / name).bytes;
     }
     return contents;
+}
+
+/// Materials were always External until Unity 2017.3, which gave them a location.
+void ReadMaterialSettings(const UnityNode& settings, ModelImport& import)
+{
+    const auto isOff = [&settings](const char* key)
+    {
+        return settings[key].text() == "0";
+    };
+    if (isOff("importMaterials") || isOff("materialImportMode"))
+    {
+        import.materialLocation = ModelMaterialLocation::None;
+    }
+    else if (settings && (!settings["materialLocation"] || isOff("materialLocation")))
+    {
+        import.materialLocation = ModelMaterialLocation::External;
+    }
+    import.materialName =
+        static_cast<ModelMaterialName>(std::clamp(NumberOf(settings["materialName"], 0), 0, 3));
+    import.materialSearch =
+        static_cast<ModelMaterialSearch>(std::clamp(NumberOf(settings["materialSearch"], 1), 0, 2));
 }
 
 } // namespace
@@ -141,6 +163,7 @@ ModelImport ReadModelImport(const UnityNode& meta)
         import.materials[std::string(entry["first"]["name"].text())] =
             ReadUnityReference(entry["second"]);
     }
+    ReadMaterialSettings(importer["materials"], import);
     return import;
 }
 

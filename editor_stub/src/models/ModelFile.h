@@ -22,6 +22,34 @@ enum class ModelTangents : std::uint8_t
     CalculateLegacyWithSplitTangents
 };
 
+/// Selects where a model's materials are. Unity: UnityEditor.ModelImporterMaterialLocation, and
+/// ModelImporterMaterialImportMode.None.
+enum class ModelMaterialLocation
+{
+    External, ///< in .mat files of the project, which are found by their names
+    InPrefab, ///< in the model itself
+    None      ///< nowhere: everything has Unity's default material
+};
+
+/// Selects the names of materials that are External.
+/// Unity: UnityEditor.ModelImporterMaterialName.
+enum class ModelMaterialName
+{
+    BasedOnTextureName, ///< of the base texture, or else of the model's material
+    BasedOnMaterialName,
+    BasedOnModelNameAndMaterialName, ///< "Model-Material"
+    BasedOnTextureName_Or_ModelNameAndMaterialName
+};
+
+/// Selects the folders that materials are looked for in which are External.
+/// Unity: UnityEditor.ModelImporterMaterialSearch.
+enum class ModelMaterialSearch
+{
+    Local,       ///< the folder Materials beside the model
+    RecursiveUp, ///< also those beside the folders around it
+    Everywhere   ///< also the rest of the project
+};
+
 /// The settings by which Unity imports a model, from its .meta file.
 /// Unity: UnityEditor.ModelImporter (2022.3).
 struct ModelImport
@@ -38,6 +66,9 @@ struct ModelImport
     std::map<std::int64_t, std::string> names = {};
     /// The project's materials that replace the model's own, by the names of the replaced ones.
     std::map<std::string, UnityReference> materials = {};
+    ModelMaterialLocation materialLocation = ModelMaterialLocation::InPrefab;
+    ModelMaterialName materialName = ModelMaterialName::BasedOnTextureName;
+    ModelMaterialSearch materialSearch = ModelMaterialSearch::RecursiveUp;
 };
 
 /// Reads the ModelImporter of a .meta file. Settings that it lacks get Unity's defaults.
@@ -60,6 +91,7 @@ struct ModelMaterial
 {
     std::string name;
     Color color = Color::white; ///< sRGB
+    std::string texture;        ///< the file's name of the base texture without its ending, or ""
 };
 
 /// A model file as Unity imports it.

@@ -240,6 +240,20 @@ const std::filesystem::path* UnityProject::Find(std::string_view guid) const
     return found == m_Files.end() || guid.empty() ? nullptr : &found->second;
 }
 
+std::map<std::filesystem::path, std::string>
+UnityProject::FindByName(std::string_view filename) const
+{
+    std::map<std::filesystem::path, std::string> found;
+    for (const auto& [guid, path] : m_Files)
+    {
+        if (path.filename().string() == filename)
+        {
+            found.emplace(path, guid);
+        }
+    }
+    return found;
+}
+
 std::string UnityScriptClass(const std::string& guid, const UnityProject& project)
 {
     for (const auto& [packageGuid, type] : k_PackageScripts)

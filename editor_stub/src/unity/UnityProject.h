@@ -32,6 +32,9 @@ public:
     /// or null if no .meta file that was read has the guid.
     const std::filesystem::path* Find(std::string_view guid) const;
 
+    /// Returns the files of this name, of those that have a guid, by their paths.
+    std::map<std::filesystem::path, std::string> FindByName(std::string_view filename) const;
+
     /// Returns the project's folder, or "" if there is none. See UnityProjectAround.
     const std::filesystem::path& root() const { return m_Root; }
 

@@ -4,6 +4,7 @@
 #include "models/TextMesh.h"
 #include "shaders/KeywordsOfValues.h"
 #include "shaders/UsedShaders.h"
+#include "unity_scene/ModelMaterials.h"
 
 #include <algorithm>
 #include <cmath>
@@ -125,6 +126,7 @@ const Model* UnityMaterials::LoadModelOf(const std::string& guid)
             const std::string text = limn::ReadFile(meta);
             const UnityTree tree(text, meta, 1);
             model = LoadModel(*path, ReadModelImport(tree.root()), m_Assets.importer());
+            FindModelMaterials(*model, *path, m_Database.project());
         }
         catch (const AssetError& error)
         {
