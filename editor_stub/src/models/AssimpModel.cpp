@@ -86,21 +86,26 @@ Chain ChainOf(const std::vector<const aiNode*>& links)
 class UnityAxes
 {
 public:
-    explicit UnityAxes(double scale) : m_Scale(scale) {}
+    /// @param turn  turns the file's vertices and nodes before that
+    UnityAxes(double scale, const glm::dmat3& turn) : m_Scale(scale), m_Turn(turn) {}
 
-    glm::vec3 Position(const glm::dvec3& p) const
+    glm::vec3 Position(const glm::dvec3& position) const
     {
+        const glm::dvec3 p = m_Turn * position;
         return glm::vec3(glm::dvec3(-p.x, p.y, p.z) * m_Scale);
     }
-    static glm::vec3 Direction(const glm::dvec3& d)
+    glm::vec3 Direction(const glm::dvec3& direction) const
     {
+        const glm::dvec3 d = m_Turn * direction;
         const double length = glm::length(d);
         return length > 0.0 ? glm::vec3(glm::dvec3(-d.x, d.y, d.z) / length) : glm::vec3(0.0f);
     }
     /// Returns the matrix that does in Unity's space what `matrix` does in the file's.
     glm::dmat4 Matrix(const glm::dmat4& matrix) const
     {
-        const glm::dmat4 axes = glm::scale(glm::dmat4(1.0), glm::dvec3(-m_Scale, m_Scale, m_Scale));
+        const glm::dmat4 axes =
+            glm::scale(glm::dmat4(1.0), glm::dvec3(-m_Scale, m_Scale, m_Scale)) *
+            glm::dmat4(m_Turn);
         return axes * matrix * glm::inverse(axes);
     }
     void SetTransform(const glm::dmat4& matrix, ModelNode& node) const
@@ -110,9 +115,10 @@ public:
         glm::dvec3 position;
         glm::dvec3 skew;
         glm::dvec4 perspective;
-        if (glm::decompose(matrix, scale, rotation, position, skew, perspective))
+        const glm::dmat4 turned = glm::dmat4(m_Turn) * matrix * glm::dmat4(glm::transpose(m_Turn));
+        if (glm::decompose(turned, scale, rotation, position, skew, perspective))
         {
-            node.position = Position(position);
+            node.position = glm::vec3(glm::dvec3(-position.x, position.y, position.z) * m_Scale);
             node.rotation = glm::quat(glm::dquat(rotation.w, rotation.x, -rotation.y, -rotation.z));
             node.scale = glm::vec3(scale);
         }
@@ -120,7 +126,31 @@ public:
 
 private:
     double m_Scale;
+    glm::dmat3 m_Turn;
 };
+
+/// Returns the rotation that turns an FBX file's axes so that y is up, as Unity has it. A file that
+/// has y up already is left as it is, and so is one that has other axes than right-handed ones.
+glm::dmat3 TurnOf(const aiScene& scene)
+{
+    glm::dmat3 rows(0.0);
+    constexpr std::pair<const char*, const char*> k_Names[] = {
+        {"CoordAxis", "CoordAxisSign"}, {"UpAxis", "UpAxisSign"}, {"FrontAxis", "FrontAxisSign"}};
+    for (int i = 0; i < 3; ++i)
+    {
+        int axis = -1;
+        int sign = 0;
+        const auto& [axisName, signName] = k_Names[i];
+        if (scene.mMetaData == nullptr || !scene.mMetaData->Get(axisName, axis) ||
+            !scene.mMetaData->Get(signName, sign) || axis < 0 || axis > 2)
+        {
+            return glm::dmat3(1.0);
+        }
+        rows[i][axis] = sign < 0 ? -1.0 : 1.0;
+    }
+    const bool isYUp = rows[1][1] > 0.0;
+    return isYUp || glm::determinant(rows) < 0.5 ? glm::dmat3(1.0) : glm::transpose(rows);
+}
 
 double UnitOf(const aiScene& scene)
 {
@@ -141,8 +171,10 @@ public:
     ModelReader(const aiScene& scene, const ModelImport& import, bool isFbx)
         : m_Scene(scene),
           m_Import(import),
+          m_Turn(isFbx ? TurnOf(scene) : glm::dmat3(1.0)),
           m_Axes((isFbx && import.useFileScale ? 0.01 * UnitOf(scene) : 1.0) *
-                 static_cast<double>(import.globalScale))
+                     static_cast<double>(import.globalScale),
+                 import.bakesAxisConversion ? m_Turn : glm::dmat3(1.0))
     {
     }
 
@@ -158,7 +190,8 @@ public:
         AddMeshes(root, glm::dmat4(1.0), 0);
         for (unsigned i = 0; i < root.mNumChildren; ++i)
         {
-            AddNode(*root.mChildren[i], 0, glm::dmat4(1.0));
+            AddNode(*root.mChildren[i], 0,
+                    m_Import.bakesAxisConversion ? glm::dmat4(1.0) : glm::dmat4(m_Turn));
         }
         PlaceBones();
         return std::move(m_Model);
@@ -392,7 +425,7 @@ private:
             data.vertices.push_back(
                 m_Axes.Position(glm::dvec3(matrix * glm::dvec4(vector(mesh.mVertices[i]), 1.0))));
             data.normals.push_back(mesh.HasNormals()
-                                       ? UnityAxes::Direction(directions * vector(mesh.mNormals[i]))
+                                       ? m_Axes.Direction(directions * vector(mesh.mNormals[i]))
                                        : glm::vec3(0.0f, 1.0f, 0.0f));
             if (channels.hasTangents)
             {
@@ -400,7 +433,7 @@ private:
                 const glm::dvec3 along = vector(mesh.mTangents[i]);
                 const double side =
                     glm::dot(glm::cross(normal, along), vector(mesh.mBitangents[i]));
-                data.tangents.emplace_back(UnityAxes::Direction(glm::dmat3(matrix) * along),
+                data.tangents.emplace_back(m_Axes.Direction(glm::dmat3(matrix) * along),
                                            side < 0.0 ? 1.0f : -1.0f); // turned over with x
             }
             if (channels.hasColors)
@@ -440,6 +473,7 @@ private:
 
     const aiScene& m_Scene;
     const ModelImport& m_Import;
+    const glm::dmat3 m_Turn; ///< turns the file's axes
     UnityAxes m_Axes;
     ModelContent m_Model;
     std::map<std::vector<unsigned>, std::size_t> m_Known; ///< meshes by what they are joined of

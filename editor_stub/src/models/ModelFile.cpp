@@ -25,9 +25,9 @@ std::string NameOf(const std::map<std::int64_t, std::string>& names, std::int64_
 
 void TransferModelSettings(auto& stream, auto& name, auto& import)
 {
-    stream.Values(name, import.globalScale, import.useFileScale, import.preserveHierarchy,
-                  import.calculatesNormals, import.normalSmoothAngle, import.tangents,
-                  import.swapUVChannels);
+    stream.Values(name, import.globalScale, import.useFileScale, import.bakesAxisConversion,
+                  import.preserveHierarchy, import.calculatesNormals, import.normalSmoothAngle,
+                  import.tangents, import.swapUVChannels);
 }
 
 void TransferMesh(auto& stream, auto& mesh)
@@ -89,7 +89,7 @@ std::string ImportModel(const ImportedFile& file)
 
 constexpr std::string_view k_MeshPart = "_MeshPart"; ///< before a part's number in its name
 
-constexpr ImportKind k_Model{"model", "model 3", ImportInWorker<ImportModel>};
+constexpr ImportKind k_Model{"model", "model 4", ImportInWorker<ImportModel>};
 
 /// The materials of an .obj lie in files beside it, which it names.
 std::string MaterialFilesOf(const std::filesystem::path& path, std::string_view bytes)
@@ -138,6 +138,7 @@ ModelImport ReadModelImport(const UnityNode& meta)
     const float scale = NumberOf(meshes["globalScale"], 1.0f);
     import.globalScale = std::isfinite(scale) ? scale : 1.0f;
     import.useFileScale = NumberOf(meshes["useFileScale"], 1) != 0;
+    import.bakesAxisConversion = NumberOf(meshes["bakeAxisConversion"], 0) != 0;
     import.preserveHierarchy = NumberOf(meshes["preserveHierarchy"], 0) != 0;
     import.swapUVChannels = NumberOf(meshes["swapUVChannels"], 0) != 0;
     import.calculatesNormals = NumberOf(space["normalImportMode"], 0) == 1;

@@ -55,7 +55,10 @@ enum class ModelMaterialSearch
 struct ModelImport
 {
     float globalScale = 1.0f;
-    bool useFileScale = true;       ///< lengths are multiplied by the file's unit
+    bool useFileScale = true; ///< lengths are multiplied by the file's unit
+    /// If true, the vertices of an FBX file whose axes are not Unity's are turned; otherwise the
+    /// nodes at the top are.
+    bool bakesAxisConversion = false;
     bool preserveHierarchy = false; ///< a single top node stays below the root
     bool calculatesNormals = false;
     float normalSmoothAngle = 60.0f; ///< degrees

@@ -2,6 +2,7 @@
 
 #include "models/AssimpModel.h"
 
+#include "IsNear.h"
 #include "Mentions.h"
 #include "Paths.h"
 #include "TemporaryFolder.h"
@@ -219,6 +220,45 @@ void ExpectSameModel(const Model& a, const Model& b)
     }
 }
 
+// As 3ds Max writes them: a point (x, y, z) of the file is (x, z, -y) where y is up.
+TEST_F(ModelOfAnFbx, IsTurnedWhereItsZIsUp)
+{
+    std::string text = ReadFile(m_File);
+    for (const auto& [axis, value] :
+         {std::pair("\"UpAxis\"", "2"), {"\"FrontAxis\"", "1"}, {"\"FrontAxisSign\"", "-1"}})
+    {
+        const std::size_t end = text.find('\n', text.find(axis));
+        text.replace(end - 1, 1, value);
+    }
+    const Model plain = LoadModel(m_File, {});
+    const Model turned = LoadModel(m_Folder.Write("Turned.fbx", text), {});
+    ModelImport bakes;
+    bakes.bakesAxisConversion = true;
+    const Model baked = LoadModel(m_Folder / "Turned.fbx", bakes);
+
+    const auto vertices = [](const Model& model)
+    {
+        return model.meshes.front()->data().vertices;
+    };
+    const auto placed = [](const Model& model, const glm::vec3& vertex)
+    {
+        const ModelNode& node = model.nodes.front();
+        return node.position + node.rotation * (node.scale * vertex);
+    };
+    EXPECT_EQ(vertices(turned), vertices(plain)) << "the node alone is turned";
+    ASSERT_EQ(vertices(baked).size(), vertices(plain).size());
+    for (std::size_t i = 0; i < vertices(plain).size(); ++i)
+    {
+        const glm::vec3 v = vertices(plain)[i];
+        const glm::vec3 p = placed(plain, v);
+        EXPECT_THAT(vertices(baked)[i], IsNear(glm::vec3(v.x, v.z, -v.y)));
+        EXPECT_THAT(placed(turned, v), IsNear(glm::vec3(p.x, p.z, -p.y)));
+        EXPECT_THAT(placed(baked, vertices(baked)[i]), IsNear(glm::vec3(p.x, p.z, -p.y)));
+        const glm::vec3 n = plain.meshes.front()->data().normals[i];
+        EXPECT_THAT(baked.meshes.front()->data().normals[i], IsNear(glm::vec3(n.x, n.z, -n.y)));
+    }
+}
+
 TEST_F(ModelOfAnFbx, HasItsOriginAtThePivotInMetres)
 {
     const Model model = LoadModel(m_File, {});
@@ -280,11 +320,14 @@ TEST_F(ModelOfAnFbx, HasTheTangentsAndUvThatItsImporterSays)
     EXPECT_TRUE(data.tangents.empty());
     EXPECT_EQ(data.uv[data.triangles[0]].y > 0.05f, true) << "those of the light map";
     const std::string meta = "ModelImporter:\n  meshes:\n    swapUVChannels: 1\n"
+                             "    bakeAxisConversion: 1\n"
                              "    globalScale: nan\n  tangentSpace:\n"
                              "    tangentImportMode: 2\n    normalSmoothAngle: 1e9\n";
     const ModelImport read = ReadModelImport(UnityTree(meta, "a.meta", 1).root());
     EXPECT_EQ(read.tangents, ModelTangents::None);
     EXPECT_TRUE(read.swapUVChannels);
+    EXPECT_TRUE(read.bakesAxisConversion);
+    EXPECT_FALSE(ModelImport().bakesAxisConversion);
     EXPECT_EQ(read.globalScale, 1.0f);
     EXPECT_EQ(read.normalSmoothAngle, 60.0f);
     EXPECT_EQ(ModelImport().tangents, ModelTangents::CalculateMikk);

@@ -1,3 +1,4 @@
+#include "IsNear.h"
 #include "Mentions.h"
 #include "unity_scene/UnityScene.h"
 
@@ -225,11 +226,6 @@ std::vector<glm::vec3> WorldVertices(SceneAsset& asset, const std::string& objec
         places.emplace_back(found.transform.worldMatrix() * glm::dvec4(glm::dvec3(vertex), 1.0));
     }
     return places;
-}
-
-MATCHER_P(IsNear, place, "")
-{
-    return glm::distance(arg, place) < 1e-5f;
 }
 
 TEST_F(MeshesOfAProject, AreWhereTheirBonesPutThem)
