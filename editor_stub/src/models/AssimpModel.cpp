@@ -216,7 +216,7 @@ private:
         if (LIMN_ASSIMP(aiGetMaterialString)(&material, AI_MATKEY_TEXTURE_DIFFUSE(0), &texture) ==
             aiReturn_SUCCESS)
         {
-            const std::string file = texture.C_Str(); // of another machine, perhaps
+            const std::string file = texture.C_Str(); // it may be a path of another machine
             added.texture =
                 std::filesystem::path(file.substr(file.find_last_of("/\\") + 1)).stem().string();
         }

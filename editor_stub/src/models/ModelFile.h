@@ -37,8 +37,8 @@ enum class ModelMaterialName
 {
     BasedOnTextureName, ///< of the base texture, or else of the model's material
     BasedOnMaterialName,
-    BasedOnModelNameAndMaterialName, ///< "Model-Material"
-    BasedOnTextureName_Or_ModelNameAndMaterialName
+    BasedOnModelNameAndMaterialName,               ///< "Model-Material"
+    BasedOnTextureName_Or_ModelNameAndMaterialName ///< the second where there is no texture
 };
 
 /// Selects the folders that materials are looked for in which are External.

@@ -1,4 +1,4 @@
-// What TerrainLitInput.hlsl gives to baked light.
+// The pass of URP's terrain that bakes light.
 #pragma once
 #ifndef UNIVERSAL_TERRAIN_LIT_META_PASS_INCLUDED
 #define UNIVERSAL_TERRAIN_LIT_META_PASS_INCLUDED
