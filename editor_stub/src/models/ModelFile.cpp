@@ -218,12 +218,19 @@ bool Model::isLaterPart(std::int64_t fileID) const
 std::shared_ptr<const Mesh> Model::FindMesh(std::int64_t fileID) const
 {
     const std::string name = NameOf(import.names, fileID);
+    // The table names meshes of one name in their order.
+    const auto isSame = [&name](const auto& known)
+    {
+        return known.first / 100'000 == static_cast<int>(UnityClass::Mesh) && known.second == name;
+    };
+    const auto number =
+        std::count_if(import.names.begin(), import.names.lower_bound(fileID), isSame);
     std::map<std::string, int> counts;
     for (const auto& mesh : meshes)
     {
-        const std::string text =
-            "Type:Mesh->" + mesh->name() + std::to_string(counts[mesh->name()]++);
-        if (name.empty() ? HashedFileID(text) == fileID : mesh->name() == name)
+        const int count = counts[mesh->name()]++;
+        const std::string text = "Type:Mesh->" + mesh->name() + std::to_string(count);
+        if (name.empty() ? HashedFileID(text) == fileID : mesh->name() == name && count == number)
         {
             return mesh;
         }

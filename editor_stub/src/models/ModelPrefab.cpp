@@ -24,6 +24,7 @@ public:
                                   ? "//RootNode/root"
                                   : m_Paths[m_Model.nodes[i].parent] + "/" + m_Model.nodes[i].name);
         }
+        SetIds();
         for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
         {
             WriteNode(i);
@@ -32,36 +33,65 @@ public:
     }
 
 private:
-    /// The id of a node's GameObject or of one of its components.
-    std::int64_t IdOf(std::size_t node, UnityClass classID) const
+    /// Sets the ids of the nodes' objects and of the meshes. Several may have one name, and Unity
+    /// numbers them.
+    void SetIds()
     {
-        const std::string name = NameOf(classID);
-        const std::string wanted = node == 0 ? "//RootNode" : m_Model.nodes[node].name;
-        const std::int64_t first = static_cast<std::int64_t>(classID) * 100'000;
-        const auto begin = m_Model.import.names.lower_bound(first);
-        const auto end = m_Model.import.names.lower_bound(first + 100'000);
-        const auto found =
-            std::find_if(begin, end, [&](const auto& entry) { return entry.second == wanted; });
-        if (found != end)
+        for (std::size_t i = 0; i < m_Model.nodes.size(); ++i)
         {
-            return found->first;
-        }
-        return HashedFileID("Type:" + name + "->" + m_Paths[node] +
-                            (classID == UnityClass::GameObject ? "0" : "/" + name + "0"));
-    }
-
-    std::int64_t MeshId(std::size_t mesh) const
-    {
-        const std::string& name = m_Model.meshes[mesh]->name();
-        for (const auto& [id, known] : m_Model.import.names)
-        {
-            if (id / 100'000 == static_cast<int>(UnityClass::Mesh) && known == name)
+            const std::string& name = i == 0 ? k_RootName : m_Model.nodes[i].name;
+            for (const UnityClass classID : ClassesOf(m_Model.nodes[i]))
             {
-                return id;
+                const std::string text =
+                    "Type:" + NameOf(classID) + "->" + m_Paths[i] +
+                    (classID == UnityClass::GameObject ? "" : "/" + NameOf(classID));
+                m_Ids[{i, classID}] = NewId(classID, name, text);
             }
         }
-        return HashedFileID("Type:Mesh->" + name + "0");
+        for (const auto& mesh : m_Model.meshes)
+        {
+            m_MeshIds.push_back(
+                NewId(UnityClass::Mesh, mesh->name(), "Type:Mesh->" + mesh->name()));
+        }
     }
+
+    std::vector<UnityClass> ClassesOf(const ModelNode& node) const
+    {
+        std::vector<UnityClass> classes{UnityClass::GameObject, UnityClass::Transform};
+        if (node.mesh && m_Model.skins[*node.mesh].isEmpty())
+        {
+            classes.insert(classes.end(), {UnityClass::MeshFilter, UnityClass::MeshRenderer});
+        }
+        else if (node.mesh)
+        {
+            classes.push_back(UnityClass::SkinnedMeshRenderer);
+        }
+        return classes;
+    }
+
+    /// Returns the id of the next object of this name: that of the model's table, or else a hash.
+    /// @param text  what is hashed, without the number
+    std::int64_t NewId(UnityClass classID, const std::string& name, const std::string& text)
+    {
+        const int number = m_Counts[NameOf(classID) + "/" + name]++;
+        const std::int64_t first = static_cast<std::int64_t>(classID) * 100'000;
+        int left = number;
+        for (auto known = m_Model.import.names.lower_bound(first);
+             known != m_Model.import.names.lower_bound(first + 100'000); ++known)
+        {
+            if (known->second == name && left-- == 0)
+            {
+                return known->first;
+            }
+        }
+        return HashedFileID(text + std::to_string(m_Counts[text]++));
+    }
+
+    std::int64_t IdOf(std::size_t node, UnityClass classID) const
+    {
+        return m_Ids.at({node, classID});
+    }
+    std::int64_t MeshId(std::size_t mesh) const { return m_MeshIds.at(mesh); }
 
     void Begin(UnityClass classID, std::int64_t id)
     {
@@ -151,7 +181,11 @@ private:
 
     const Model& m_Model;
     const std::string& m_Guid;
-    std::vector<std::string> m_Paths; ///< by node
+    const std::string k_RootName = "//RootNode";
+    std::vector<std::string> m_Paths;                                 ///< by node
+    std::map<std::pair<std::size_t, UnityClass>, std::int64_t> m_Ids; ///< by node and class
+    std::vector<std::int64_t> m_MeshIds;
+    std::map<std::string, int> m_Counts; ///< of the objects so far, by what they have in common
     std::string m_Text;
 };
 

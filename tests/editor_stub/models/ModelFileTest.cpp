@@ -156,6 +156,42 @@ TEST_F(ModelOfAFile, IsRefusedWhereItIsBroken)
     }
 }
 
+// Unity numbers what has the same name; one id for two objects would make the prefab unreadable.
+TEST(ModelPrefab, MayHaveSeveralPartsOfOneName)
+{
+    ModelImport table; // as Unity until 2019.2 names them
+    for (const int first : {100'000, 400'000, 2'300'000, 3'300'000, 4'300'000})
+    {
+        table.names[first] = "Leg";
+        table.names[first + 2] = "Leg";
+    }
+    for (const ModelImport& import : {ModelImport(), table})
+    {
+        Model model;
+        model.import = import;
+        model.nodes.push_back({.name = "Table"});
+        for (std::size_t i = 0; i < 2; ++i)
+        {
+            MeshData data = CreatePrimitive(PrimitiveType::Quad)->data();
+            data.vertices.front().z = static_cast<float>(i);
+            model.meshes.push_back(std::make_shared<const Mesh>("Leg", std::move(data)));
+            model.skins.emplace_back();
+            model.nodes.push_back({.name = "Leg", .mesh = i});
+        }
+        const UnityFile file(PrefabTextOf(model, std::string(32, 'a')), "Table.fbx");
+        std::vector<std::shared_ptr<const Mesh>> shown;
+        for (const UnityHeader& header : file.headers())
+        {
+            if (header.classID == static_cast<int>(UnityClass::MeshFilter))
+            {
+                shown.push_back(
+                    model.FindMesh(ReadUnityReference(file.Fields(header)["m_Mesh"]).fileID));
+            }
+        }
+        EXPECT_EQ(model.meshes, shown);
+    }
+}
+
 /// An FBX file of the tests' own: a node with a pivot, two polygons of a material each, colours and
 /// two sets of uv.
 class ModelOfAnFbx : public testing::Test
