@@ -169,14 +169,16 @@ TEST(ModelPrefab, MayHaveSeveralPartsOfOneName)
     {
         Model model;
         model.import = import;
-        model.nodes.push_back({.name = "Table"});
+        model.nodes.emplace_back().name = "Table";
         for (std::size_t i = 0; i < 2; ++i)
         {
             MeshData data = CreatePrimitive(PrimitiveType::Quad)->data();
             data.vertices.front().z = static_cast<float>(i);
             model.meshes.push_back(std::make_shared<const Mesh>("Leg", std::move(data)));
             model.skins.emplace_back();
-            model.nodes.push_back({.name = "Leg", .mesh = i});
+            ModelNode& leg = model.nodes.emplace_back();
+            leg.name = "Leg";
+            leg.mesh = i;
         }
         const UnityFile file(PrefabTextOf(model, std::string(32, 'a')), "Table.fbx");
         std::vector<std::shared_ptr<const Mesh>> shown;
