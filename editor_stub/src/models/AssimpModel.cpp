@@ -89,11 +89,7 @@ public:
     /// @param turn  turns the file's vertices and nodes before that
     UnityAxes(double scale, const glm::dmat3& turn) : m_Scale(scale), m_Turn(turn) {}
 
-    glm::vec3 Position(const glm::dvec3& position) const
-    {
-        const glm::dvec3 p = m_Turn * position;
-        return glm::vec3(glm::dvec3(-p.x, p.y, p.z) * m_Scale);
-    }
+    glm::vec3 Position(const glm::dvec3& position) const { return Scaled(m_Turn * position); }
     glm::vec3 Direction(const glm::dvec3& direction) const
     {
         const glm::dvec3 d = m_Turn * direction;
@@ -118,13 +114,18 @@ public:
         const glm::dmat4 turned = glm::dmat4(m_Turn) * matrix * glm::dmat4(glm::transpose(m_Turn));
         if (glm::decompose(turned, scale, rotation, position, skew, perspective))
         {
-            node.position = glm::vec3(glm::dvec3(-position.x, position.y, position.z) * m_Scale);
+            node.position = Scaled(position);
             node.rotation = glm::quat(glm::dquat(rotation.w, rotation.x, -rotation.y, -rotation.z));
             node.scale = glm::vec3(scale);
         }
     }
 
 private:
+    glm::vec3 Scaled(const glm::dvec3& p) const
+    {
+        return glm::vec3(glm::dvec3(-p.x, p.y, p.z) * m_Scale);
+    }
+
     double m_Scale;
     glm::dmat3 m_Turn;
 };

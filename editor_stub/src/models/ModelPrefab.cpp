@@ -73,9 +73,8 @@ private:
     /// @param text  what is hashed, without the number
     std::int64_t NewId(UnityClass classID, const std::string& name, const std::string& text)
     {
-        const int number = m_Counts[NameOf(classID) + "/" + name]++;
+        int left = m_Counts[NameOf(classID) + "/" + name]++; // objects of this name before it
         const std::int64_t first = static_cast<std::int64_t>(classID) * 100'000;
-        int left = number;
         for (auto known = m_Model.import.names.lower_bound(first);
              known != m_Model.import.names.lower_bound(first + 100'000); ++known)
         {

@@ -54,6 +54,23 @@ std::string FindNearest(const std::string& filename, const std::filesystem::path
     return search == ModelMaterialSearch::Everywhere ? files.begin()->second : "";
 }
 
+/// Returns the file that a material is External in, if there is one.
+std::optional<UnityReference> FindFile(const ModelMaterial& material,
+                                       const std::filesystem::path& model,
+                                       const ModelImport& import, const UnityProject& project)
+{
+    for (const std::string& name : NamesOf(material, model.stem().string(), import.materialName))
+    {
+        const std::string guid =
+            name.empty() ? "" : FindNearest(name + ".mat", model, import.materialSearch, project);
+        if (!guid.empty())
+        {
+            return UnityReference{2100000, guid}; // the id that a file's material has
+        }
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 void FindModelMaterials(Model& model, const std::filesystem::path& path,
@@ -64,24 +81,15 @@ void FindModelMaterials(Model& model, const std::filesystem::path& path,
     {
         return;
     }
+    const UnityReference defaultMaterial{10303, "0000000000000000f000000000000000"};
     for (const ModelMaterial& material : model.materials)
     {
-        if (import.materialLocation == ModelMaterialLocation::None)
+        const auto found = import.materialLocation == ModelMaterialLocation::None
+                               ? defaultMaterial
+                               : FindFile(material, path, import, project);
+        if (found)
         {
-            import.materials.try_emplace(material.name,
-                                         UnityReference{10303, "0000000000000000f000000000000000"});
-            continue;
-        }
-        for (const std::string& name : NamesOf(material, path.stem().string(), import.materialName))
-        {
-            const std::string guid =
-                name.empty() ? ""
-                             : FindNearest(name + ".mat", path, import.materialSearch, project);
-            if (!guid.empty())
-            {
-                constexpr std::int64_t k_MaterialOfFile = 2100000;
-                import.materials.try_emplace(material.name, UnityReference{k_MaterialOfFile, guid});
-            }
+            import.materials.try_emplace(material.name, *found);
         }
     }
 }

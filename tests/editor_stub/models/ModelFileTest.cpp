@@ -258,7 +258,7 @@ void ExpectSameModel(const Model& a, const Model& b)
     }
 }
 
-// As 3ds Max writes them: a point (x, y, z) of the file is (x, z, -y) where y is up.
+// 3ds Max writes files whose z is up. A point (x, y, z) of the file is (x, z, -y) where y is up.
 TEST_F(ModelOfAnFbx, IsTurnedWhereItsZIsUp)
 {
     std::string text = ReadFile(m_File);

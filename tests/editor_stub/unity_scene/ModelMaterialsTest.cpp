@@ -4,7 +4,6 @@
 #include "unity_scene/UnityScene.h"
 
 #include <gmock/gmock.h>
-#include <limn/base/WorkerProcess.h>
 #include <limn/core/Material.h>
 
 namespace limn::test
@@ -19,9 +18,6 @@ class ModelMaterials : public testing::Test
 protected:
     ModelMaterials()
     {
-        ShaderCompilerOptions options;
-        options.process = std::make_shared<WorkerProcess>();
-        m_Assets.emplace(std::move(options));
         m_Folder.Write("Assets/Things/Crate/crate.obj",
                        "mtllib crate.mtl\nv 0 0 0\nv 0 1 0\nv 1 0 0\nusemtl Wood\nf 1 2 3\n");
         m_Folder.Write("Assets/Things/Crate/crate.mtl",
@@ -58,8 +54,8 @@ protected:
     {
         const std::string meta = "Assets/Things/Crate/crate.obj.meta";
         m_Folder.Write(meta, "guid: " + std::string(32, 'c') + "\nModelImporter:\n" + importer);
-        m_Assets->Forget(m_Folder.path() / meta);
-        m_Asset.emplace(LoadScene(m_Folder.path(), *m_Assets));
+        m_Assets.Forget(m_Folder.path() / meta);
+        m_Asset.emplace(LoadScene(m_Folder.path(), m_Assets));
         for (const auto& object : m_Asset->scene.objects())
         {
             if (object->renderer && !object->renderer->sharedMaterials.empty())
@@ -85,7 +81,7 @@ protected:
     }
 
     TemporaryFolder m_Folder;
-    std::optional<AssetContext> m_Assets;
+    AssetContext m_Assets;
     std::optional<SceneAsset> m_Asset;
     std::map<int, std::string> m_Paths; ///< by render queue
 };
