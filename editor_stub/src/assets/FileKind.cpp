@@ -30,6 +30,8 @@ constexpr NamedKind k_NamedKinds[] = {
      "FILE' shows it"},
     {".material.yaml", FileKind::Material, "material", "a material; a scene's 'materials' name it"},
     {".shader", FileKind::Shader, "shader", "a shader; 'limn shader FILE' describes it"},
+    {".shadergraph", FileKind::Shader, "shader graph",
+     "a shader graph; 'limn shader FILE' describes it, with '--print' as ShaderLab"},
     {".asset", FileKind::UnityAsset, "Unity asset", "an Unity asset; 'limn inspect FILE' shows it"},
     {".unity", FileKind::UnityScene, "Unity scene",
      "a Unity scene; 'limn render FILE -o out.png' draws it, 'limn inspect FILE' shows its "

@@ -300,10 +300,10 @@ Verb ShaderVerb(ShaderOptions& options)
 {
     return {
         "shader",
-        "Check ShaderLab files; of a single one show passes, states and layout",
+        "Check ShaderLab files and shader graphs; of a single one show passes, states and layout",
         [&options](Console& console) { return RunShader(options, console); },
         {Argument("FILE|DIR", "Files, and folders with .shader files below them; or .compute files",
-                  Into(options.paths), AtLeastOnce, Files({".shader", ".compute"})),
+                  Into(options.paths), AtLeastOnce, Files({".shader", ".shadergraph", ".compute"})),
          WithLetter('o', {"output", "DIR", "Where --emit writes",
                           Into(options.outputFolder, CheckFolder)}),
          {"emit", "spirv|glsl|glsles|msl|hlsl", "Write the compiled programs", Into(options.emit)},

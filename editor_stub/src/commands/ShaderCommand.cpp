@@ -1,6 +1,7 @@
 #include "commands/Commands.h"
 
 #include "assets/FileKind.h"
+#include "shader_graph/GraphShader.h"
 #include "shader_reports/ShaderDescription.h"
 #include "shader_reports/ShaderEmit.h"
 #include "shaders/ShaderFolders.h"
@@ -259,7 +260,7 @@ std::string CanonicalText(const std::filesystem::path& file, Console& console)
 {
     try
     {
-        const ShaderLabParseResult result = LoadShaderLabWithDiagnostics(file);
+        const ShaderLabParseResult result = LoadShaderFile(file);
         console.PrintWithSource(result.diagnostics);
         if (result.hasErrors())
         {

@@ -1,6 +1,7 @@
 #include "explain/InspectReport.h"
 
 #include "settings/ShadowKeys.h"
+#include "shader_graph/GraphShader.h"
 #include "unity/UnityDatabase.h"
 
 #include <algorithm>
@@ -126,13 +127,17 @@ MaterialShader FindShaderOf(const UnityObject& material, const UnityProject& pro
     }
     const std::string file = FileOf(*reference, project);
     const std::filesystem::path* path = project.Find(guid);
-    if (!path || path->extension() != ".shader")
+    const bool isGraph = path && IsShaderGraph(*path);
+    if (!isGraph && (!path || path->extension() != ".shader"))
     {
-        return {file, path ? "limn reads .shader files only" : "", nullptr};
+        return {file, path ? "limn reads .shader and .shadergraph files only" : "", nullptr};
     }
     try
     {
-        const std::shared_ptr<const Shader> shader = assets.LoadShader(*path);
+        const std::shared_ptr<const Shader> shader =
+            isGraph ? std::make_shared<const Shader>(LoadShaderFile(*path).TakeDocument(),
+                                                     assets.compiler())
+                    : assets.LoadShader(*path);
         return {shader->name(), file, shader};
     }
     catch (const AssetError&)

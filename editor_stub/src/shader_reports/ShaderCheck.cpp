@@ -1,13 +1,13 @@
 #include "shader_reports/ShaderCheck.h"
 
 #include "console/Texts.h"
+#include "shader_graph/GraphShader.h"
 #include "shaders/ShaderFolders.h"
 
 #include <algorithm>
 #include <limn/shaderlab/InitialKeywords.h>
 #include <limn/shaderlab/MissingIncludeError.h>
 #include <limn/shaderlab/ResolveShader.h>
-#include <limn/shaderlab/ShaderLabParser.h>
 #include <limn/shaderlab/UnsupportedProgramError.h>
 
 namespace limn
@@ -265,7 +265,7 @@ ShaderCheck CheckShader(const std::filesystem::path& file, const ShaderCheckOpti
     check.file = file;
     try
     {
-        ShaderLabParseResult parsed = LoadShaderLabWithDiagnostics(file);
+        ShaderLabParseResult parsed = LoadShaderFile(file);
         check.isParsed = !parsed.hasErrors();
         check.diagnostics = std::move(parsed.diagnostics);
         check.document = std::make_shared<const ShaderLabDocument>(std::move(parsed.document));

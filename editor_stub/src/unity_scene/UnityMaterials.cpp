@@ -24,11 +24,6 @@ bool IsModelFile(const std::filesystem::path& path)
                 {".fbx", ".obj", ".dae", ".3ds", ".ply", ".stl"});
 }
 
-bool IsShaderGraph(const std::filesystem::path& path)
-{
-    return ToLower(path.extension().string()) == ".shadergraph";
-}
-
 /// Reads the numbers of a file's values. One that is not finite is 0, with a note.
 class NumberReader
 {
@@ -323,9 +318,10 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
         return nullptr;
     }
     const std::string name = path->filename().string();
-    if (const std::string graph = GraphOf(*path); !graph.empty())
+    if (const std::string graph = StrangeGraphOf(*path); !graph.empty())
     {
-        note("the shader of " + name + " is the graph " + graph + ", which limn does not read");
+        note("the shader of " + name + " is the graph " + graph +
+             ", which limn cannot translate, as the notes about it explain");
         return nullptr;
     }
     std::shared_ptr<const Material>& known = m_Materials[material];
@@ -341,14 +337,16 @@ UnityMaterials::LoadForFeature(const UnityReference& material,
     return known;
 }
 
-std::string UnityMaterials::GraphOf(const std::filesystem::path& material)
+std::string UnityMaterials::StrangeGraphOf(const std::filesystem::path& material)
 {
     try
     {
         const UnityNode fields = m_Database.FieldsOf(material, UnityClass::Material);
         const std::filesystem::path* path =
             m_Database.Find(ReadUnityReference(fields["m_Shader"]).guid);
-        return path != nullptr && IsShaderGraph(*path) ? path->filename().string() : "";
+        return path != nullptr && IsShaderGraph(*path) && !ReadGraph(*path).shader
+                   ? path->filename().string()
+                   : "";
     }
     catch (const AssetError&) // ReadFile notes what is wrong with the file
     {
@@ -432,8 +430,10 @@ std::shared_ptr<const Material> UnityMaterials::ReadFile(const std::filesystem::
     if (IsShaderGraph(path))
     {
         // Unity imports a graph as a shader and a material of it.
-        const UnityShader graph = ReadGraph(path, UnityNode(), path.generic_string());
-        return std::make_shared<const Material>(graph.shader);
+        const UnityShader graph = LoadGraph(path, UnityNode(), path.generic_string());
+        auto material = std::make_shared<Material>(graph.shader);
+        SetTextures(UnityNode(), path.generic_string(), graph, *material);
+        return material;
     }
     const std::string file = path.generic_string();
     try
@@ -514,7 +514,7 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
     }
     if (path != nullptr && IsShaderGraph(*path))
     {
-        return ReadGraph(*path, saved, material);
+        return LoadGraph(*path, saved, material);
     }
     const std::filesystem::path* missing = m_Database.project().Find(reference.guid);
     const ShaderLabDocument* shipped =
@@ -529,9 +529,41 @@ UnityShader UnityMaterials::FindShader(const UnityNode& fields, const std::strin
     return {nullptr};
 }
 
-UnityShader UnityMaterials::ReadGraph(const std::filesystem::path& path, const UnityNode& saved,
+UnityShader UnityMaterials::ReadGraph(const std::filesystem::path& path)
+{
+    const auto [known, isNew] = m_Graphs.try_emplace(path);
+    if (isNew)
+    {
+        const auto find = [this](const std::string& guid)
+        {
+            const std::filesystem::path* file = m_Database.Find(guid);
+            return file != nullptr ? *file : std::filesystem::path();
+        };
+        try
+        {
+            TranslatedGraph graph = TranslateGraph(path, find);
+            ShaderLabParseResult parsed = ParseShaderLab(graph.shaderLab, path.generic_string());
+            known->second = {
+                std::make_shared<const Shader>(parsed.TakeDocument(), m_Assets.compiler()),
+                {},
+                std::move(graph.textures)};
+        }
+        catch (const AssetError& error)
+        {
+            m_Notes.Add(error.diagnostics());
+        }
+    }
+    return known->second;
+}
+
+UnityShader UnityMaterials::LoadGraph(const std::filesystem::path& path, const UnityNode& saved,
                                       const std::string& material)
 {
+    const UnityShader graph = ReadGraph(path);
+    if (graph.shader)
+    {
+        return graph;
+    }
     const FileContent content = TryReadFile(path, k_MaxGraphBytes);
     const MaterialStandIn standIn = StandInForGraph(content.bytes, saved);
     std::string shown;
@@ -541,7 +573,7 @@ UnityShader UnityMaterials::ReadGraph(const std::filesystem::path& path, const U
     }
     m_Notes.Add(material, 0,
                 "its shader is the graph " + path.filename().string() +
-                    ", which limn does not read; " + standIn.shader + shown + " is used");
+                    ", which limn cannot translate; " + standIn.shader + shown + " is used");
     return {m_Assets.FindShader(standIn.shader), standIn};
 }
 
@@ -605,10 +637,25 @@ static TextureDimension DimensionOf(const Shader& shader, const ShaderPropertyId
     return property == properties.end() ? TextureDimension::Tex2D : property->dimension;
 }
 
+std::string UnityMaterials::SetTexture(const UnityReference& texture, const ShaderPropertyId& id,
+                                       Material& material)
+{
+    std::string problem;
+    auto picture =
+        m_Textures.Load(texture, DimensionOf(*material.shader(), id), "the texture's guid",
+                        "no cube, volume or array, which the shader takes", problem);
+    if (picture)
+    {
+        material.SetTexture(id, std::move(picture));
+    }
+    return problem;
+}
+
 void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
                                  const UnityShader& shader, Material& material)
 {
     const NumberReader read(file, m_Notes);
+    std::set<std::string> saved;
     for (const auto& [name, value] : PropertiesIn(list))
     {
         const ShaderPropertyId id(shader.standIn ? shader.standIn->NameOf(name)
@@ -622,20 +669,25 @@ void UnityMaterials::SetTextures(const UnityNode& list, const std::string& file,
         material.SetTextureScale(id, {read.Number(scale["x"]), read.Number(scale["y"])});
         material.SetTextureOffset(id, {read.Number(offset["x"]), read.Number(offset["y"])});
         const UnityReference texture = ReadUnityReference(value["m_Texture"]);
-        std::string problem;
-        auto picture = texture.isNull()
-                           ? nullptr
-                           : m_Textures.Load(
-                                 texture, DimensionOf(*material.shader(), id), "the texture's guid",
-                                 "no cube, volume or array, which the shader takes", problem);
-        if (picture)
-        {
-            material.SetTexture(id, std::move(picture));
-        }
+        const std::string problem = texture.isNull() ? "" : SetTexture(texture, id, material);
+        saved.insert(texture.isNull() ? "" : id.name());
         if (!problem.empty())
         {
             m_Notes.Add(file, value.line(),
                         std::string(name) + ": " + problem + ", so the shader's own is used");
+        }
+    }
+    for (const GraphTexture& texture : shader.textures)
+    {
+        const ShaderPropertyId id(texture.property);
+        if (!saved.contains(id.name()) && material.HasTexture(id))
+        {
+            const std::string problem = SetTexture({texture.fileID, texture.guid}, id, material);
+            if (!problem.empty())
+            {
+                m_Notes.Add(shader.shader->document().file, 0,
+                            "a texture of the graph: " + problem + ", so its default is used");
+            }
         }
     }
 }

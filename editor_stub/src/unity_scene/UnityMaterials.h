@@ -1,6 +1,7 @@
 #pragma once
 
 #include "models/ModelFile.h"
+#include "shader_graph/GraphShader.h"
 #include "unity/UnityDatabase.h"
 #include "unity_scene/MaterialStandIn.h"
 #include "unity_scene/UnityTextures.h"
@@ -13,6 +14,8 @@ struct UnityShader
 {
     std::shared_ptr<const Shader> shader;     ///< null if the material is magenta
     std::optional<MaterialStandIn> standIn{}; ///< set if it stands in for another shader
+    /// The textures that a shader graph itself names.
+    std::vector<GraphTexture> textures{};
 };
 
 /// The meshes, materials, textures and prefabs of a project's scene, each loaded once. Missing ones
@@ -71,15 +74,20 @@ private:
                                              std::int64_t fileID);
     std::shared_ptr<const Material> Make(const UnityNode& fields, const std::string& file);
     UnityShader FindShader(const UnityNode& fields, const std::string& material);
-    UnityShader ReadGraph(const std::filesystem::path& path, const UnityNode& saved,
+    UnityShader LoadGraph(const std::filesystem::path& path, const UnityNode& saved,
                           const std::string& material);
+    UnityShader ReadGraph(const std::filesystem::path& path);
     std::shared_ptr<const Shader> FindByName(std::string_view name, const std::string& material);
     void SetValues(const UnityNode& fields, const std::string& file, const UnityShader& shader,
                    Material& material);
     void SetTextures(const UnityNode& list, const std::string& file, const UnityShader& shader,
                      Material& material);
-    /// Returns the name of the graph that is a material file's shader, or "" if it is none.
-    std::string GraphOf(const std::filesystem::path& material);
+    /// Sets a texture of the project. Returns why it is not, or "".
+    std::string SetTexture(const UnityReference& texture, const ShaderPropertyId& id,
+                           Material& material);
+    /// Returns the name of the graph that is a material file's shader and cannot be translated, or
+    /// "" for any other shader.
+    std::string StrangeGraphOf(const std::filesystem::path& material);
     std::shared_ptr<const Material> Magenta();
 
     UnityDatabase& m_Database;
@@ -92,6 +100,7 @@ private:
     std::map<std::pair<std::string, std::int64_t>, SkinnableMesh> m_TextMeshes; ///< by file and id
     std::set<std::filesystem::path> m_UnreadMeshes; ///< those that a note is about
     std::map<UnityReference, std::shared_ptr<const Material>> m_Materials;
+    std::map<std::filesystem::path, UnityShader> m_Graphs; ///< without a shader: not translated
     /// Those that stand in a scene or prefab itself, by file and id.
     std::map<std::pair<std::string, std::int64_t>, std::shared_ptr<const Material>> m_OwnMaterials;
     std::shared_ptr<const Material> m_Magenta;

@@ -315,7 +315,7 @@ TEST_F(MaterialOfAProject, OfAGraphIsLitWithItsMainTextureAndColour)
     EXPECT_EQ(first.shader()->name(), "Universal Render Pipeline/Lit");
     EXPECT_EQ(TextureOf(first, "_BaseMap"), "rust.png") << "the graph's first";
     EXPECT_EQ(first.GetColor(ShaderPropertyId("_BaseColor")), (Color{0, 0.5f, 0, 1}));
-    EXPECT_THAT(Notes(), ElementsAre(Mentions("graph Paint.shadergraph", "not read",
+    EXPECT_THAT(Notes(), ElementsAre(Mentions("graph Paint.shadergraph", "cannot translate",
                                               "Universal Render Pipeline/Lit",
                                               "Color_7 as _BaseColor", "Texture2D_2 as _BaseMap")));
 
@@ -343,8 +343,10 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
     const Material& own = LoadBox();
     EXPECT_EQ(own.shader()->name(), "Universal Render Pipeline/Lit");
     EXPECT_EQ(own.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
-    EXPECT_THAT(Notes("Paint.shadergraph"),
-                ElementsAre(Mentions("graph Paint.shadergraph", "not read", "Lit is used")));
+    EXPECT_THAT(
+        Notes("Paint.shadergraph"),
+        ElementsAre(HasSubstr("before 2020.2"),
+                            Mentions("graph Paint.shadergraph", "cannot translate", "Lit is used")));
 }
 
 /// A shader with textures of three kinds.

@@ -29,8 +29,14 @@ Gradient NewGradient(int type, int colorsLength, int alphasLength, float4 colors
     return result;
 }
 
-// limn computes colours linearly.
-bool IsGammaSpace() { return false; }
+bool IsGammaSpace()
+{
+#ifdef UNITY_COLORSPACE_GAMMA
+    return true;
+#else
+    return false;
+#endif
+}
 
 float4 ComputeScreenPos(float4 pos, float projectionSign)
 {
