@@ -178,7 +178,6 @@ GraphValue GraphCode::Between(GraphScope& scope, const GraphNode& node, const st
     return value;
 }
 
-/// Returns an expression of nodes.txt with values in place of names.
 std::string GraphCode::Expand(GraphScope& scope, const GraphNode& node, const std::string& text)
 {
     std::string expanded;

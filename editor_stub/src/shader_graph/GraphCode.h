@@ -55,17 +55,21 @@ public:
     const std::vector<std::string>& inputs() const { return m_Inputs; }
 
 private:
+    // What a node's inputs and outputs are, with the code that computes them.
     GraphValue Input(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     GraphValue Output(GraphScope& scope, const GraphNode& node, int slot);
     GraphValue Evaluate(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     GraphValue FromTable(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     GraphValue Between(GraphScope& scope, const GraphNode& node, const std::string& name,
                        const NodeExpression& expression);
+    /// Returns an expression of nodes.txt with values in place of names.
     std::string Expand(GraphScope& scope, const GraphNode& node, const std::string& text);
     std::string Named(GraphScope& scope, const GraphNode& node, const std::string& word);
+    // The type of a slot; of those that take what is connected with them, that of the node.
     std::string TypeOf(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     std::string DynamicType(GraphScope& scope, const GraphNode& node);
     GraphValue Unconnected(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
+    // Nodes and slots that no line of nodes.txt describes.
     GraphValue Geometry(const char* node, const Json& fields);
     GraphValue TextureOf(const GraphNode& node, const GraphSlot& slot);
     GraphValue Sampler(const Json& fields);
@@ -76,8 +80,11 @@ private:
     GraphValue CustomFunction(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     GraphValue Keyword(GraphScope& scope, const GraphNode& node);
     GraphValue Dropdown(GraphScope& scope, const GraphNode& node);
+    /// Adds a variable.
     GraphValue Declared(const std::string& type, const std::string& text);
+    /// Notes that the code uses a value of inputs.txt. Returns its name in the code.
     std::string Use(const std::string& input);
+    /// Notes why the graph cannot be translated. Returns a value to go on with.
     GraphValue Problem(const GraphNode& node, const std::string& type, const std::string& why);
     const GraphFile* FindSubGraph(const std::string& guid, const GraphNode& node);
     void AddFunction(const GraphNode& node, const std::string& name);

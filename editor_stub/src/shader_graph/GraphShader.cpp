@@ -249,10 +249,12 @@ private:
     /// Returns the end of the block's name that bends normals: TS, OS, WS, or "" for none.
     std::string NormalSpace() const;
     std::string PassText(const GraphPass& pass);
+    PassCode CodeOf(const GraphPass& pass);
     void AddSurface(const GraphPass& pass, PassCode& code);
     void AddVertex(PassCode& code);
     std::string StructuresText(const GraphPass& pass, PassCode& code) const;
     std::string FunctionsText() const;
+    void RequireNoProblems() const;
 
     GraphFile m_File;
     GraphTarget m_Target;
@@ -429,7 +431,40 @@ std::string GraphWriter::FunctionsText() const
     return text;
 }
 
-std::string GraphWriter::PassText(const GraphPass& pass)
+/// Returns the #define lines of what code asks of the scene behind it.
+std::string RequirementsText(const std::string& code)
+{
+    std::set<std::string> lines;
+    for (const auto& [word, texture] : {std::pair{"SAMPLE_SCENE_DEPTH", "DEPTH"},
+                                        {"SceneEyeDepth", "DEPTH"},
+                                        {"SAMPLE_SCENE_COLOR", "OPAQUE"},
+                                        {"SAMPLE_SCENE_NORMAL", "NORMAL"}})
+    {
+        if (code.find(word) != std::string::npos)
+        {
+            lines.insert(GraphLine(std::string("#define REQUIRE_") + texture + "_TEXTURE"));
+        }
+    }
+    std::string text;
+    for (const std::string& line : lines)
+    {
+        text += line;
+    }
+    return text;
+}
+
+/// Returns the lines that include what the code of any graph calls.
+std::string LibrariesText()
+{
+    const std::string library = std::string(k_Universal) + "ShaderLibrary/";
+    return Include(library + "Core.hlsl") + Include(library + "Lighting.hlsl") +
+           Include(library + "ShaderGraphFunctions.hlsl") +
+           Include(std::string(k_Includes) + "ShaderPass.hlsl") +
+           Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") +
+           Include("limn/GraphNodes.hlsl");
+}
+
+GraphWriter::PassCode GraphWriter::CodeOf(const GraphPass& pass)
 {
     m_Around.functions.clear();
     m_Around.includes.clear();
@@ -448,39 +483,41 @@ std::string GraphWriter::PassText(const GraphPass& pass)
         }
     }
     AddVertex(code);
-    const std::string structures = StructuresText(pass, code);
-    // What the scene behind has to be for the nodes that look at it.
-    for (const auto& [word, texture] : {std::pair{"CENE_DEPTH", "DEPTH"},
-                                        {"SceneEyeDepth", "DEPTH"},
-                                        {"CENE_COLOR", "OPAQUE"},
-                                        {"CENE_NORMAL", "NORMAL"}})
-    {
-        const std::string define =
-            GraphLine(std::string("#define REQUIRE_") + texture + "_TEXTURE");
-        const bool isSaid = code.defines.find(define) != std::string::npos;
-        code.defines += code.text.find(word) != std::string::npos && !isSaid ? define : "";
-    }
+    code.text = StructuresText(pass, code) + code.text;
+    code.defines += RequirementsText(code.text);
+    return code;
+}
+
+std::string GraphWriter::PassText(const GraphPass& pass)
+{
+    const PassCode code = CodeOf(pass);
     const bool isScreen = m_Target.IsScreen();
+    const std::string mode = "Tags { \"LightMode\" = \"" + pass.lightMode + "\" }";
     return "        Pass\n        {\n" + GraphLine("Name \"" + pass.name + "\"") +
-           (pass.lightMode.empty()
-                ? ""
-                : GraphLine("Tags { \"LightMode\" = \"" + pass.lightMode + "\" }")) +
-           m_Target.CullText() + (pass.state.empty() ? m_Target.StateText() : pass.state) +
-           GraphLine("HLSLPROGRAM") + GraphLine("#pragma vertex vert") +
-           GraphLine("#pragma fragment frag") + pass.lines + m_Target.DefinesText() +
-           GraphKeywordsText(m_Around) + code.defines +
+           (pass.lightMode.empty() ? "" : GraphLine(mode)) + m_Target.CullText() +
+           (pass.state.empty() ? m_Target.StateText() : pass.state) + GraphLine("HLSLPROGRAM") +
+           GraphLine("#pragma vertex vert") + GraphLine("#pragma fragment frag") + pass.lines +
+           m_Target.DefinesText() + GraphKeywordsText(m_Around) + code.defines +
            (isScreen ? Include(std::string(k_ScreenIncludes) + "FullscreenShaderPass.cs.hlsl")
                      : "") +
-           Include(std::string(k_Universal) + "ShaderLibrary/Core.hlsl") +
-           Include(std::string(k_Universal) + "ShaderLibrary/Lighting.hlsl") +
-           Include(std::string(k_Universal) + "ShaderLibrary/ShaderGraphFunctions.hlsl") +
-           Include(std::string(k_Includes) + "ShaderPass.hlsl") +
-           Include("Packages/com.unity.render-pipelines.core/ShaderLibrary/Texture.hlsl") +
-           Include("limn/GraphNodes.hlsl") + GraphUniformsText(m_File, m_Around) +
-           (isScreen ? GraphLine("float _FlipY;") : "") + FunctionsText() + structures + code.text +
+           LibrariesText() + GraphUniformsText(m_File, m_Around) +
+           (isScreen ? GraphLine("float _FlipY;") : "") + FunctionsText() + code.text +
            Include(isScreen ? std::string(k_ScreenIncludes) + "FullscreenCommon.hlsl"
                             : std::string(k_Includes) + "Varyings.hlsl") +
            Include(pass.include) + GraphLine("ENDHLSL") + "        }\n";
+}
+
+void GraphWriter::RequireNoProblems() const
+{
+    std::vector<Diagnostic> problems;
+    for (const std::string& problem : m_Around.problems)
+    {
+        problems.push_back({Severity::Error, m_File.path().generic_string(), {}, problem});
+    }
+    if (!problems.empty())
+    {
+        throw AssetError(std::move(problems));
+    }
 }
 
 TranslatedGraph GraphWriter::Write()
@@ -493,17 +530,9 @@ TranslatedGraph GraphWriter::Write()
     const std::vector<GraphPass> passes = PassesOf(m_Target);
     for (const GraphPass& pass : passes)
     {
-        PassText(pass); // finds the textures, samplers and keywords that all passes declare
+        CodeOf(pass); // finds the textures, samplers and keywords that all passes declare
     }
-    if (!m_Around.problems.empty())
-    {
-        std::vector<Diagnostic> problems;
-        for (const std::string& problem : m_Around.problems)
-        {
-            problems.push_back({Severity::Error, m_File.path().generic_string(), {}, problem});
-        }
-        throw AssetError(std::move(problems));
-    }
+    RequireNoProblems();
     std::string body;
     for (const GraphPass& pass : passes)
     {

@@ -346,7 +346,7 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
     EXPECT_THAT(
         Notes("Paint.shadergraph"),
         ElementsAre(HasSubstr("before 2020.2"),
-                            Mentions("graph Paint.shadergraph", "cannot translate", "Lit is used")));
+                    Mentions("graph Paint.shadergraph", "cannot translate", "Lit is used")));
 }
 
 /// A shader with textures of three kinds.
