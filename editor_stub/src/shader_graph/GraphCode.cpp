@@ -274,8 +274,10 @@ GraphValue GraphCode::Unconnected(GraphScope& scope, const GraphNode& node, cons
     const std::string type = TypeOf(scope, node, slot);
     if (kind == "UV")
     {
-        return {"float4",
-                Use("uv" + std::to_string(static_cast<int>(NumberIn(fields, "m_Channel"))))};
+        const int channel = IntIn(fields, "m_Channel");
+        return channel < 0 || channel > 3
+                   ? Problem(node, "float4", "takes texture coordinates that limn does not have")
+                   : GraphValue{"float4", Use("uv" + std::to_string(channel))};
     }
     if (kind == "VertexColor")
     {
@@ -607,7 +609,7 @@ GraphValue GraphCode::Dropdown(GraphScope& scope, const GraphNode& node)
         return Problem(node, "float", "is a dropdown that the graph does not have");
     }
     const Json& entries = PartOf(*dropdown, "m_Entries");
-    const auto index = static_cast<std::size_t>(std::max(NumberIn(*dropdown, "m_Value"), 0.0));
+    const auto index = static_cast<std::size_t>(std::max(IntIn(*dropdown, "m_Value"), 0));
     double id = index < entries.size() ? NumberIn(entries[index], "id") : 0.0;
     const Json none = Json::object();
     const Json& caller = scope.caller != nullptr ? *scope.caller->fields : none;

@@ -2,6 +2,7 @@
 
 #include "console/Texts.h"
 
+#include <algorithm>
 #include <limn/base/Diagnostic.h>
 #include <limn/base/ReadFile.h>
 #include <sstream>
@@ -38,6 +39,11 @@ double NumberIn(const Json& fields, const char* key)
         return found->get<bool>() ? 1.0 : 0.0;
     }
     return found != fields.end() && found->is_number() ? found->get<double>() : 0.0;
+}
+
+int IntIn(const Json& fields, const char* key)
+{
+    return static_cast<int>(std::clamp(NumberIn(fields, key), -2147483648.0, 2147483647.0));
 }
 
 const Json& PartOf(const Json& fields, const char* key)
@@ -122,7 +128,7 @@ GraphNode GraphFile::ReadNode(const Json& fields) const
                 kind.resize(kind.size() - ending.size());
             }
         }
-        node.slots.push_back({static_cast<int>(NumberIn(*slot, "m_Id")),
+        node.slots.push_back({IntIn(*slot, "m_Id"),
                               Replaced(TextIn(*slot, "m_ShaderOutputName"), " ", ""), kind,
                               NumberIn(*slot, "m_SlotType") == 1.0, slot});
     }
@@ -139,8 +145,7 @@ void GraphFile::ReadEdges()
         const GraphNode* target = FindNode(PartOf(to, "m_Node"));
         if (source != nullptr && target != nullptr)
         {
-            m_Sources[{target->id, static_cast<int>(NumberIn(to, "m_SlotId"))}] = {
-                source, static_cast<int>(NumberIn(from, "m_SlotId"))};
+            m_Sources[{target->id, IntIn(to, "m_SlotId")}] = {source, IntIn(from, "m_SlotId")};
         }
     }
 }

@@ -90,6 +90,8 @@ std::string GraphTypeOf(const Json& fields);
 std::string TextIn(const Json& fields, const char* key);
 /// Returns a field's number, or 0 if there is none; true is 1.
 double NumberIn(const Json& fields, const char* key);
+/// Returns the same as a whole number, the nearest that there is.
+int IntIn(const Json& fields, const char* key);
 /// Returns an object or list, or an empty object if there is none.
 const Json& PartOf(const Json& fields, const char* key);
 

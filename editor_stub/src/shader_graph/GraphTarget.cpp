@@ -67,12 +67,12 @@ GraphTarget::GraphTarget(const GraphFile& file)
 
 int GraphTarget::Setting(const char* name, int otherwise) const
 {
-    return m_Target->contains(name) ? static_cast<int>(NumberIn(*m_Target, name)) : otherwise;
+    return m_Target->contains(name) ? IntIn(*m_Target, name) : otherwise;
 }
 
 int GraphTarget::ScreenSetting(const char* name) const
 {
-    return m_Screen != nullptr ? static_cast<int>(NumberIn(*m_Screen, name)) : 0;
+    return m_Screen != nullptr ? IntIn(*m_Screen, name) : 0;
 }
 
 int GraphTarget::RenderFace() const

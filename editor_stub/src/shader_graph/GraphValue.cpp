@@ -47,7 +47,7 @@ void AddAlpha(double alpha, double place, GradientKeys& to)
 GradientKeys ReadGradient(const Json& value)
 {
     GradientKeys keys;
-    keys.mode = static_cast<int>(NumberIn(value, "m_Mode"));
+    keys.mode = IntIn(value, "m_Mode");
     for (int i = 0; i < 8; ++i)
     {
         const std::string number = std::to_string(i);
@@ -70,7 +70,7 @@ GradientKeys ReadGradient(const Json& value)
 GradientKeys ReadGradientNode(const Json& node)
 {
     GradientKeys keys;
-    keys.mode = static_cast<int>(NumberIn(node, "m_SerializableMode"));
+    keys.mode = IntIn(node, "m_SerializableMode");
     for (const Json& key : PartOf(node, "m_SerializableColorKeys"))
     {
         AddColor(key, {"x", "y", "z"}, NumberIn(key, "w"), keys);

@@ -219,8 +219,12 @@ float2 limn_LegacyVoronoiPoint(float2 cell)
 limn_VORONOI(Voronoi, limn_VoronoiPoint)
 limn_VORONOI(LegacyVoronoi, limn_LegacyVoronoiPoint)
 
-// 1 inside of a shape, whose border is where the distance is 1, a pixel soft.
-float limn_ShapeOf(float distance) { return saturate((1 - distance) / fwidth(distance)); }
+// 1 inside of a shape, whose border is where the distance is 1, a pixel soft. The distance does not
+// change in the middle of some shapes: nothing is divided by 0 there.
+float limn_ShapeOf(float distance)
+{
+    return saturate((1 - distance) / max(fwidth(distance), 1e-6));
+}
 float limn_PolygonDistance(float2 uv, float sides, float width, float height)
 {
     float2 at = (uv * 2 - 1) / (float2(width, height) * cos(PI / sides));
@@ -238,7 +242,7 @@ float limn_Rectangle(float2 uv, float2 size, int isNicest)
         float2 soft = saturate(0.5 - outside / max(width * 2, 1e-6));
         return soft.x * soft.y;
     }
-    float2 inside = saturate(1 - outside / fwidth(outside));
+    float2 inside = saturate(1 - outside / max(fwidth(outside), 1e-6));
     return min(inside.x, inside.y);
 }
 float limn_RoundedRectangle(float2 uv, float2 size, float radius)
@@ -250,7 +254,7 @@ float3 limn_Checkerboard(float2 uv, float3 a, float3 b, float2 frequency)
 {
     uv = (uv + 0.5) * frequency;
     float2 change = sqrt(ddx(uv) * ddx(uv) + ddy(uv) * ddy(uv));
-    float2 wave = clamp((4.0 * abs(frac(uv + 0.25) - 0.5) - 1.0) * 0.35 / change, -1.0, 1.0);
+    float2 wave = clamp((4.0 * abs(frac(uv + 0.25) - 0.5) - 1.0) * 0.35 / max(change, 1e-6), -1.0, 1.0);
     float blurred = sqrt(saturate(1.1 - max(change.x, change.y)));
     return lerp(a, b, saturate(0.5 + 0.5 * wave.x * wave.y * blurred));
 }

@@ -191,7 +191,7 @@ TEST_F(NodeValues, OfArithmeticAreThoseOfTheManual)
                                          }}})
     {
         Expect({type, two, out}, Pairs(),
-               [formula](const dvec4& a, const dvec4& b, const dvec4&) -> Values
+               [formula = formula](const dvec4& a, const dvec4& b, const dvec4&) -> Values
                { return Each(a, b, formula); });
     }
     for (const auto& [type, formula] : {std::pair<const char*, Binary>{"OneMinus",
@@ -240,7 +240,7 @@ TEST_F(NodeValues, OfArithmeticAreThoseOfTheManual)
                                          }}})
     {
         Expect({type, one, out}, Pairs(),
-               [formula](const dvec4& a, const dvec4& b, const dvec4&) -> Values
+               [formula = formula](const dvec4& a, const dvec4& b, const dvec4&) -> Values
                { return Each(a, b, formula); });
     }
     Expect({"Remap", one + ", InMinMax Vector2 b.xy, OutMinMax Vector2 c.xy", out}, Pairs(),
@@ -526,7 +526,7 @@ TEST_F(NodeValues, OfColoursAreThoseOfTheManual)
         const Mode formula = modes[mode];
         Expect({"Blend", inputs, "Out DynamicVector", "\"m_BlendMode\": " + std::to_string(mode)},
                Pairs(),
-               [formula](const dvec4& a, const dvec4& b, const dvec4& c) -> Values
+               [formula = formula](const dvec4& a, const dvec4& b, const dvec4& c) -> Values
                { return glm::mix(Xyz(a), Each(a, b, formula), c.y); },
                {1e-4, 1e-4});
     }

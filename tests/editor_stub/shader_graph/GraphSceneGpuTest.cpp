@@ -76,8 +76,9 @@ MeshRenderer:
   m_Enabled: 1
   m_Materials:
 )" + m_Materials + m_Light);
-        const CommandRun run = RunCommand({"render", m_Folder / "Assets/Main.unity", "-o",
-                                           m_Folder / "out.png", "--size", "16x16", "--validate"});
+        const CommandRun run =
+            RunCommand({"render", m_Folder / "Assets/Main.unity", "-o", m_Folder / "out.png",
+                        "--size", m_Size + "x" + m_Size, "--validate"});
         EXPECT_EQ(0, run.exitCode) << run.err;
         m_Picture = ReadPng(m_Folder / "out.png");
         return run.err;
@@ -85,7 +86,8 @@ MeshRenderer:
     /// Returns the colour of a pixel: "0 255 0". 0, 0 is at the bottom left.
     std::string Pixel(int x, int y) const
     {
-        const auto texel = static_cast<std::size_t>((15 - y) * m_Picture.width + x);
+        const auto texel =
+            static_cast<std::size_t>((m_Picture.height - 1 - y) * m_Picture.width + x);
         std::string color;
         for (std::size_t i = 0; i < 3; ++i)
         {
@@ -97,7 +99,8 @@ MeshRenderer:
 
     TemporaryFolder m_Folder;
     Image m_Picture;
-    std::string m_Materials = ///< the quad's materials
+    std::string m_Size = "16"; ///< of the picture, in pixels either way
+    std::string m_Materials =  ///< the quad's materials
         "  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}\n";
     std::string m_Light; ///< a light of the scene
 };
@@ -199,6 +202,65 @@ TEST_F(DrawnGraph, HasTheTexturesThatStandInIt)
     graph.Connect(sample, 0, graph.Block(k_ColorBlock, "0 BaseColor ColorRGB"), 0);
     EXPECT_THAT(Draw(graph), Not(HasSubstr("texture")));
     EXPECT_EQ(Pixel(8, 12), "0 255 0");
+}
+
+// Each shape is as wide and high as half of the quad.
+TEST_F(DrawnGraph, HasShapes)
+{
+    m_Size = "128"; // their borders are a pixel soft
+    for (const auto& [type, slots] :
+         {std::pair("Ellipse", "0 UV UV, 2 Width Vector1 = 0.5, 3 Height Vector1 = 0.5, >4 Out "
+                               "Vector1"),
+          std::pair("Rectangle", "0 UV UV, 1 Width Vector1 = 0.5, 2 Height Vector1 = 0.5, >4 Out "
+                                 "Vector1"),
+          std::pair("RoundedRectangle", "0 UV UV, 1 Width Vector1 = 0.5, 2 Height Vector1 = 0.5, "
+                                        "3 Radius Vector1 = 0.1, >4 Out Vector1"),
+          std::pair("Polygon", "0 UV UV, 1 Sides Vector1 = 6, 2 Width Vector1 = 0.5, 3 Height "
+                               "Vector1 = 0.5, >4 Out Vector1")})
+    {
+        SCOPED_TRACE(type);
+        GraphText graph;
+        const std::string shape = graph.Node(type, slots);
+        graph.Connect(shape, 4, graph.Block(k_ColorBlock, "0 BaseColor ColorRGB"), 0);
+        Draw(graph);
+        EXPECT_EQ(Pixel(64, 96), "255 255 255");
+        EXPECT_EQ(Pixel(50, 90), "255 255 255");
+        EXPECT_EQ(Pixel(2, 96), "0 0 0");
+        EXPECT_EQ(Pixel(64, 66), "0 0 0");
+        EXPECT_EQ(Pixel(126, 126), "0 0 0");
+    }
+}
+
+TEST_F(DrawnGraph, HasGradientsAndChecks)
+{
+    GraphText graph;
+    const std::string gradient =
+        graph.Node("Gradient", ">0 Out Gradient",
+                   R"("m_SerializableColorKeys": [{"x": 1, "y": 0, "z": 0, "w": 0.25},
+        {"x": 0, "y": 0, "z": 1, "w": 0.75}], "m_SerializableAlphaKeys": [{"x": 1, "y": 0}])");
+    const std::string time = graph.Node("Split", "0 In DynamicVector, >1 R Vector1");
+    graph.Connect(graph.Node("UV", ">0 Out Vector4"), 0, time, 0);
+    const std::string sample =
+        graph.Node("SampleGradient", "0 Gradient GradientInput, 1 Time Vector1, >2 Out Vector4");
+    graph.Connect(gradient, 0, sample, 0);
+    graph.Connect(time, 1, sample, 1);
+    graph.Connect(sample, 2, graph.Block(k_ColorBlock, "0 BaseColor ColorRGB"), 0);
+    Draw(graph);
+    EXPECT_EQ(Pixel(2, 12), "255 0 0") << "before the first key";
+    EXPECT_EQ(Pixel(13, 12), "0 0 255") << "behind the last";
+    // At 13/32, 5/16 of the way: 11/16 of red and 5/16 of blue, in linear light.
+    EXPECT_EQ(Pixel(6, 12), "216 0 152");
+
+    GraphText checks;
+    const std::string board = checks.Node(
+        "Checkerboard", R"(0 UV UV, 1 ColorA ColorRGB = {"x": 1}, 2 ColorB ColorRGB = {"z": 1},
+        3 Frequency Vector2 = {"x": 2, "y": 1}, >4 Out Vector3)");
+    checks.Connect(board, 4, checks.Block(k_ColorBlock, "0 BaseColor ColorRGB"), 0);
+    Draw(checks);
+    EXPECT_EQ(Pixel(1, 9), Pixel(9, 9)) << "it repeats after half of the quad";
+    EXPECT_EQ(Pixel(1, 9), Pixel(5, 13)) << "and is shifted in the next row";
+    EXPECT_NE(Pixel(1, 9), Pixel(5, 9));
+    EXPECT_NE(Pixel(1, 9), Pixel(1, 13));
 }
 
 TEST_F(DrawnGraph, FollowsAKeywordOfTheMaterial)

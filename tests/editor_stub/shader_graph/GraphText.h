@@ -41,7 +41,8 @@ public:
             }
             list += (list.empty() ? "" : ", ") + Slot(slots.substr(at, end - at));
         }
-        Object(id, "UnityEditor.ShaderGraph." + type + "Node",
+        const std::string ending = type == "SampleGradient" ? "" : "Node"; // Unity's own exception
+        Object(id, "UnityEditor.ShaderGraph." + type + ending,
                "\"m_Name\": \"" + type + "\", \"m_Slots\": [" + list + "]" + Behind(fields));
         return id;
     }
