@@ -261,9 +261,10 @@ std::string GraphCode::DynamicType(GraphScope& scope, const GraphNode& node)
 GraphValue GraphCode::Geometry(const char* node, const Json& fields)
 {
     const std::optional<NodeExpression> found = FindNodeExpression(node, fields, "Out");
-    const GraphNode none;
+    GraphNode asked;
+    asked.fields = &fields;
     return found ? GraphValue{std::string_view(node) == "ScreenPosition" ? "float4" : "float3",
-                              Expand(*m_Root, none, found->text)}
+                              Expand(*m_Root, asked, found->text)}
                  : GraphValue{"float3", "float3(0, 0, 0)"};
 }
 
