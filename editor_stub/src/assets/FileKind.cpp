@@ -3,6 +3,7 @@
 #include "console/Texts.h"
 
 #include <algorithm>
+#include <limn/base/Case.h>
 #include <limn/features/Features.h>
 #include <limn/volume/YamlNode.h>
 
@@ -111,7 +112,7 @@ FileKind FileKindOf(const std::filesystem::path& file)
     {
         return FileKind::UnityScene; // the project's first
     }
-    const std::string name = file.filename().string();
+    const std::string name = ToLower(file.filename().string());
     for (const NamedKind& named : k_NamedKinds)
     {
         if (name.ends_with(named.ending))

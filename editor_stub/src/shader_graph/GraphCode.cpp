@@ -43,6 +43,14 @@ std::vector<GraphSlot> InputsFirst(std::vector<GraphSlot> slots)
     return slots;
 }
 
+/// Returns the first part of a node's id, as far as a name can have it.
+std::string NameOfNode(const GraphNode& node)
+{
+    std::string name = node.id.substr(0, 14);
+    std::erase_if(name, [](char c) { return c == '-' || c == ' '; });
+    return name;
+}
+
 } // namespace
 
 GraphCode::GraphCode(const GraphFile& file, GraphStage stage, GraphSurroundings& around)
@@ -328,7 +336,7 @@ GraphValue GraphCode::TextureOf(const GraphNode& node, const GraphSlot& slot)
     const Json& fields = slot.isOutput ? *node.fields : *slot.fields;
     const GraphAsset asset = ReadGraphTexture(slot.kind, fields);
     const std::string property =
-        "_limn_" + node.id.substr(0, 12) + "_" + std::to_string(slot.id) + "_Texture";
+        "_limn_" + NameOfNode(node) + "_" + std::to_string(slot.id & 0xffff) + "_Texture";
     const std::string type = GraphTypeOfKind(slot.kind);
     const bool isPlain = slot.kind == "Texture2D";
     m_Around.textures[property] = {property, dimension, isPlain ? GraphDefaultTexture(fields) : "",
@@ -363,7 +371,8 @@ const GraphSlot* GraphCode::SlotOfProperty(const GraphScope& scope, const GraphN
             return scope.caller->FindSlot(ids[i].get<int>());
         }
     }
-    return nullptr;
+    // Until 2019 the node did not list them.
+    return scope.caller->FindSlot(GraphReferenceName(*property), false);
 }
 
 GraphValue GraphCode::Property(GraphScope& scope, const GraphNode& node)
@@ -533,7 +542,7 @@ GraphValue GraphCode::CustomFunction(GraphScope& scope, const GraphNode& node,
         precision == 2.0 ||
         (precision == 0.0 && NumberIn(scope.file.graph(), "m_GraphPrecision") == 2.0);
     std::string name = TextIn(*node.fields, "m_FunctionName");
-    name += isFile ? (isHalf ? "_half" : "_float") : "_" + node.id.substr(0, 12);
+    name += isFile ? (isHalf ? "_half" : "_float") : "_" + NameOfNode(node);
     AddFunction(node, name);
     std::string arguments;
     std::string results;

@@ -1,6 +1,7 @@
 #include "shader_graph/GraphFile.h"
 
 #include "console/Texts.h"
+#include "shader_graph/OldGraph.h"
 
 #include <algorithm>
 #include <limn/base/Diagnostic.h>
@@ -85,6 +86,7 @@ GraphFile::GraphFile(const std::filesystem::path& path) : m_Path(path)
 void GraphFile::ReadObjects(const std::string& text)
 {
     std::istringstream stream(text);
+    std::vector<Json> objects;
     try
     {
         while (stream >> std::ws && !stream.eof())
@@ -93,9 +95,12 @@ void GraphFile::ReadObjects(const std::string& text)
             stream >> object;
             if (object.is_object())
             {
-                m_Objects.push_back(std::make_unique<const Json>(std::move(object)));
-                m_ById.emplace(TextIn(*m_Objects.back(), "m_ObjectId"), m_Objects.back().get());
+                objects.push_back(std::move(object));
             }
+        }
+        if (objects.size() == 1 && IsOldGraph(objects.front()))
+        {
+            objects = UpgradeGraph(objects.front());
         }
     }
     catch (const Json::exception&)
@@ -103,14 +108,19 @@ void GraphFile::ReadObjects(const std::string& text)
         throw AssetError(m_Path.generic_string(), {},
                          "it is no shader graph, which is JSON; the object that begins behind "
                          "number " +
-                             std::to_string(m_Objects.size()) + " cannot be read");
+                             std::to_string(objects.size()) + " cannot be read");
+    }
+    for (Json& object : objects)
+    {
+        m_Objects.push_back(std::make_unique<const Json>(std::move(object)));
+        m_ById.emplace(TextIn(*m_Objects.back(), "m_ObjectId"), m_Objects.back().get());
     }
     m_Graph = FindOfType("GraphData");
     if (m_Graph == nullptr)
     {
         throw AssetError(m_Path.generic_string(), {},
-                         "it is a graph as Unity saved them before 2020.2, or none; limn reads "
-                         "those of later versions");
+                         "it is no shader graph; one has an object of the type GraphData, or "
+                         "before Unity 2020.2 the key m_SerializableNodes");
     }
 }
 

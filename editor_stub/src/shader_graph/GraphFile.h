@@ -46,13 +46,13 @@ struct GraphOutput
 };
 
 /// A .shadergraph or .shadersubgraph file: JSON objects one after another that refer to each other
-/// by id (Shader Graph 10 to 17).
+/// by id (Shader Graph 10 to 17). Those of Shader Graph 4 to 8 are one object, and are read as if a
+/// later version had saved them.
 class GraphFile
 {
 public:
     /// Reads a file.
-    /// @throws AssetError if there is none, it is no such file, or it is in the form that Unity
-    ///     wrote before 2020.2
+    /// @throws AssetError if there is none, or it is no such file
     explicit GraphFile(const std::filesystem::path& path);
 
     const std::filesystem::path& path() const { return m_Path; }

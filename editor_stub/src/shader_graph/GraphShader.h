@@ -18,7 +18,7 @@ struct TranslatedGraph
 
 /// Translates a .shadergraph file with a target for URP: Lit, Unlit, Sprite Lit, Sprite Unlit,
 /// Sprite Custom Lit (drawn unlit) or Fullscreen. Its passes include what Unity's generated shaders
-/// include. Unity: Shader Graph 10 to 17 (2020.2 to 6).
+/// include. Unity: Shader Graph 4 to 17 (2018.3 to 6).
 /// @param files  finds sub graphs and the files of custom functions
 /// @throws AssetError with all reasons if it cannot be read or has nodes that limn does not know
 TranslatedGraph TranslateGraph(const std::filesystem::path& path, const GraphFiles& files);

@@ -265,8 +265,11 @@ std::string GraphSamplerName(const Json& fields)
 
 std::string GraphReferenceName(const Json& property)
 {
-    const std::string name = TextIn(property, "m_OverrideReferenceName");
-    return name.empty() ? TextIn(property, "m_DefaultReferenceName") : name;
+    std::string name = TextIn(property, "m_OverrideReferenceName");
+    name = name.empty() ? TextIn(property, "m_DefaultReferenceName") : name;
+    return name.empty() ? GraphTypeOf(property) + "_" +
+                              TextIn(PartOf(property, "m_Guid"), "m_GuidSerialized").substr(0, 8)
+                        : name;
 }
 
 std::string GraphTextureDimension(std::string_view kind)

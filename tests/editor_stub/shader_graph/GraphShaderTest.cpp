@@ -197,9 +197,12 @@ TEST_F(ShaderOfAGraph, ListsAllThatItCannotTranslate)
 
 TEST_F(ShaderOfAGraph, IsAnErrorOfItsFileWhereItIsNone)
 {
-    EXPECT_THAT(Problems("{\"m_SerializableNodes\": []}"), ElementsAre(Mentions("before 2020.2")));
+    EXPECT_THAT(Problems(R"({"m_SerializableNodes": []})"),
+                ElementsAre(Mentions("no target for URP")));
+    EXPECT_THAT(Problems(R"({"m_SerializableNodes": [{"JSONnodeData": "{"}]})"),
+                ElementsAre(Mentions("JSON")));
     EXPECT_THAT(Problems("{} {\"a\": "), ElementsAre(Mentions("JSON", "number 1")));
-    EXPECT_THAT(Problems("[1, 2]"), ElementsAre(Mentions("before 2020.2")));
+    EXPECT_THAT(Problems("[1, 2]"), ElementsAre(Mentions("no shader graph", "GraphData")));
     EXPECT_THAT(Problems(GraphText("Decal").text()),
                 ElementsAre(Mentions("UniversalDecalSubTarget", "Fullscreen")));
     EXPECT_THAT(Problems("{\"m_Type\": \"UnityEditor.ShaderGraph.GraphData\"}"),
@@ -209,6 +212,64 @@ TEST_F(ShaderOfAGraph, IsAnErrorOfItsFileWhereItIsNone)
     {
         EXPECT_FALSE(Problems(whole.substr(0, size)).empty()) << size;
     }
+}
+
+/// An object of a graph of Unity 2019, whose own text stands in a string.
+std::string OldObject(const std::string& type, const std::string& json)
+{
+    std::string text;
+    for (const char c : json)
+    {
+        text += c == '\n'               ? "\\n"
+                : c == '"' || c == '\\' ? std::string{'\\', c}
+                                        : std::string(1, c);
+    }
+    return R"({"typeInfo": {"fullName": "UnityEditor.ShaderGraph.)" + type +
+           R"("}, "JSONnodeData": ")" + text + "\"}";
+}
+
+std::string OldSlot(const std::string& kind, const std::string& id, const std::string& name,
+                    const std::string& more = "")
+{
+    return OldObject(kind + "MaterialSlot", R"({"m_Id": )" + id + R"(, "m_ShaderOutputName": ")" +
+                                                name + "\"" + more + "}");
+}
+
+TEST_F(ShaderOfAGraph, MayBeOneThatUnity2019HasSaved)
+{
+    const std::string slots = OldSlot("Position", "9", "Vertex Position") + ", " +
+                              OldSlot("ColorRGB", "0", "Albedo") + ", " +
+                              OldSlot("Vector1", "2", "Metallic", R"(, "m_Value": 0.25)") + ", " +
+                              OldSlot("Vector1", "8", "AlphaClipThreshold", R"(, "m_Value": 0.5)");
+    const std::string properties =
+        OldObject("ColorShaderProperty", R"({"m_Name": "Tint", "m_DefaultReferenceName": "Color_1",
+                  "m_GeneratePropertyBlock": true, "m_Guid": {"m_GuidSerialized": "p"},
+                  "m_Value": {"r": 1}})");
+    const std::string nodes =
+        OldObject("PropertyNode", R"({"m_GuidSerialized": "a", "m_PropertyGuidSerialized": "p",
+                  "m_SerializableSlots": [)" +
+                                      OldSlot("Vector4", "0", "Out", R"(, "m_SlotType": 1)") +
+                                      "]}") +
+        ", " +
+        OldObject("PBRMasterNode", R"({"m_GuidSerialized": "m", "m_Model": 1, "m_TwoSided": true,
+                  "m_SerializableSlots": [)" +
+                                       slots + "]}");
+    const std::string edges =
+        OldObject("Edge", R"({"m_OutputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "a"},
+                  "m_InputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "m"}})");
+    EXPECT_THAT(Problems(R"({"m_Path": "Old", "m_SerializedProperties": [)" + properties +
+                         R"(], "m_SerializableNodes": [)" + nodes +
+                         R"(], "m_SerializableEdges": [)" + edges + "]}"),
+                ElementsAre());
+    const std::string text = TranslateGraph(m_Folder / "a.shadergraph", [](const std::string&)
+                                            { return std::filesystem::path(); })
+                                 .shaderLab;
+    EXPECT_THAT(text, HasSubstr("Shader \"Old/a\""));
+    EXPECT_THAT(text, HasSubstr("Color_1(\"Tint\", Color) = (1, 0, 0, 0)"));
+    EXPECT_THAT(text, HasSubstr("surface.BaseColor = Color_1.xyz;"));
+    EXPECT_THAT(text, HasSubstr("surface.Metallic = float(0.25);"));
+    EXPECT_THAT(text, HasSubstr("\"Queue\" = \"AlphaTest\"")) << "its threshold is not 0";
+    EXPECT_EQ(FirstState(text), "Cull Off Blend Off ZTest LEqual ZWrite On");
 }
 
 // Nodes that are connected in a circle, in a chain without end, or with what they do not have.

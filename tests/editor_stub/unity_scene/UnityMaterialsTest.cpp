@@ -345,7 +345,7 @@ TEST_F(MaterialOfAProject, MayBeTheOneThatUnityImportsWithAGraph)
     EXPECT_EQ(own.GetColor(ShaderPropertyId("_BaseColor")), Color::white);
     EXPECT_THAT(
         Notes("Paint.shadergraph"),
-        ElementsAre(HasSubstr("before 2020.2"),
+        ElementsAre(HasSubstr("no shader graph"),
                     Mentions("graph Paint.shadergraph", "cannot translate", "Lit is used")));
 }
 
