@@ -276,16 +276,21 @@ float limn_KeyPlace(float time, float before, float after, bool isFixed)
     float place = saturate((time - before) / max(after - before, 1e-6));
     return isFixed ? step(0.01, place) : place;
 }
+// type 1: the next key's colour; 2: blended evenly for the eye, in Oklab
 float4 limn_SampleGradient(Gradient gradient, float time)
 {
-    float3 color = gradient.colors[0].rgb;
-    float alpha = gradient.alphas[0].x;
     bool isFixed = gradient.type == 1;
+    bool isEven = gradient.type == 2;
+    float3 color = isEven ? LinearToOklab(gradient.colors[0].rgb) : gradient.colors[0].rgb;
+    float alpha = gradient.alphas[0].x;
     for (int c = 1; c < 8; ++c)
     {
         float place = limn_KeyPlace(time, gradient.colors[c - 1].w, gradient.colors[c].w, isFixed);
-        color = lerp(color, gradient.colors[c].rgb, c < gradient.colorsLength ? place : 0.0);
+        float3 key = gradient.colors[c].rgb;
+        color = lerp(color, isEven ? LinearToOklab(key) : key,
+                     c < gradient.colorsLength ? place : 0.0);
     }
+    color = isEven ? OklabToLinear(color) : color;
 #ifdef UNITY_COLORSPACE_GAMMA
     color = LinearToSRGB(color);
 #endif

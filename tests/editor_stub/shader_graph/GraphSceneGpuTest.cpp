@@ -231,13 +231,16 @@ TEST_F(DrawnGraph, HasShapes)
     }
 }
 
-TEST_F(DrawnGraph, HasGradientsAndChecks)
+/// A graph whose colour goes from one key, at a quarter of its width, to the other at three
+/// quarters.
+GraphText GraphOfAGradient(const std::string& mode, const std::string& from, const std::string& to)
 {
     GraphText graph;
     const std::string gradient =
         graph.Node("Gradient", ">0 Out Gradient",
-                   R"("m_SerializableColorKeys": [{"x": 1, "y": 0, "z": 0, "w": 0.25},
-        {"x": 0, "y": 0, "z": 1, "w": 0.75}], "m_SerializableAlphaKeys": [{"x": 1, "y": 0}])");
+                   R"("m_SerializableMode": )" + mode + R"(, "m_SerializableColorKeys": [{)" +
+                       from + R"(, "w": 0.25}, {)" + to +
+                       R"(, "w": 0.75}], "m_SerializableAlphaKeys": [{"x": 1, "y": 0}])");
     const std::string time = graph.Node("Split", "0 In DynamicVector, >1 R Vector1");
     graph.Connect(graph.Node("UV", ">0 Out Vector4"), 0, time, 0);
     const std::string sample =
@@ -245,12 +248,28 @@ TEST_F(DrawnGraph, HasGradientsAndChecks)
     graph.Connect(gradient, 0, sample, 0);
     graph.Connect(time, 1, sample, 1);
     graph.Connect(sample, 2, graph.Block(k_ColorBlock, "0 BaseColor ColorRGB"), 0);
-    Draw(graph);
+    return graph;
+}
+
+TEST_F(DrawnGraph, HasGradients)
+{
+    Draw(GraphOfAGradient("0", R"("x": 1, "y": 0, "z": 0)", R"("x": 0, "y": 0, "z": 1)"));
     EXPECT_EQ(Pixel(2, 12), "255 0 0") << "before the first key";
     EXPECT_EQ(Pixel(13, 12), "0 0 255") << "behind the last";
     // At 13/32, 5/16 of the way: 11/16 of red and 5/16 of blue, in linear light.
     EXPECT_EQ(Pixel(6, 12), "216 0 152");
 
+    const std::string black = R"("x": 0, "y": 0, "z": 0)";
+    const std::string white = R"("x": 1, "y": 1, "z": 1)";
+    Draw(GraphOfAGradient("1", black, white));
+    EXPECT_EQ(Pixel(6, 12), "255 255 255") << "the next key's";
+    // Oklab's lightness of a grey is the cube root of its light: 5/16 is 0.0305, or 49 of 255.
+    Draw(GraphOfAGradient("2", black, white));
+    EXPECT_EQ(Pixel(6, 12), "49 49 49");
+}
+
+TEST_F(DrawnGraph, HasChecks)
+{
     GraphText checks;
     const std::string board = checks.Node(
         "Checkerboard", R"(0 UV UV, 1 ColorA ColorRGB = {"x": 1}, 2 ColorB ColorRGB = {"z": 1},
