@@ -51,6 +51,17 @@ std::string NameOfNode(const GraphNode& node)
     return name;
 }
 
+/// Returns whether a node computes in half precision, by itself or by its graph.
+bool IsHalf(const GraphNode& node, const GraphFile& file)
+{
+    const int own = IntIn(*node.fields, "m_Precision"); // inherited, single, half
+    const Json& graph = file.graph();
+    const bool isGraphHalf = graph.contains("m_GraphPrecision")
+                                 ? IntIn(graph, "m_GraphPrecision") == 2
+                                 : IntIn(graph, "m_ConcretePrecision") == 1; // until 2021
+    return own == 2 || (own == 0 && isGraphHalf);
+}
+
 } // namespace
 
 GraphCode::GraphCode(const GraphFile& file, GraphStage stage, GraphSurroundings& around)
@@ -537,12 +548,8 @@ GraphValue GraphCode::CustomFunction(GraphScope& scope, const GraphNode& node,
                                      const GraphSlot& asked)
 {
     const bool isFile = NumberIn(*node.fields, "m_SourceType") == 0.0;
-    const double precision = NumberIn(*node.fields, "m_Precision");
-    const bool isHalf =
-        precision == 2.0 ||
-        (precision == 0.0 && NumberIn(scope.file.graph(), "m_GraphPrecision") == 2.0);
     std::string name = TextIn(*node.fields, "m_FunctionName");
-    name += isFile ? (isHalf ? "_half" : "_float") : "_" + NameOfNode(node);
+    name += isFile ? (IsHalf(node, scope.file) ? "_half" : "_float") : "_" + NameOfNode(node);
     AddFunction(node, name);
     std::string arguments;
     std::string results;
@@ -560,7 +567,9 @@ GraphValue GraphCode::CustomFunction(GraphScope& scope, const GraphNode& node,
         {
             argument = ConvertGraphValue(Input(scope, node, slot), type);
             const bool isBare = NumberIn(*slot.fields, "m_BareResource") != 0.0;
-            argument += !isBare ? "" : type == "UnitySamplerState" ? ".samplerstate" : ".tex";
+            argument += !isBare || !type.starts_with("Unity") ? ""
+                        : type == "UnitySamplerState"         ? ".samplerstate"
+                                                              : ".tex";
         }
         arguments += (arguments.empty() ? "" : ", ") + argument;
     }
@@ -597,7 +606,7 @@ GraphValue GraphCode::Keyword(GraphScope& scope, const GraphNode& node)
             choices.emplace_back(condition, ConvertGraphValue(Input(scope, node, slot), type));
         }
     }
-    // Where no keyword is set, the last choice counts: Off, or the last entry.
+    // The last choice, Off or the last entry, counts if no keyword is set.
     const std::string result = Declared(type, choices.empty() ? "0" : choices.back().second).text;
     for (const auto& [condition, value] : choices)
     {

@@ -22,7 +22,7 @@ struct GraphTexture
     std::int64_t fileID = 0;
 };
 
-/// What the code of all stages of a graph needs around it.
+/// The declarations that the code of all stages of a graph needs around it.
 struct GraphSurroundings
 {
     const GraphFiles& files;
@@ -55,7 +55,7 @@ public:
     const std::vector<std::string>& inputs() const { return m_Inputs; }
 
 private:
-    // What a node's inputs and outputs are, with the code that computes them.
+    // Each returns a value and adds the code that computes it.
     GraphValue Input(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);
     GraphValue Output(GraphScope& scope, const GraphNode& node, int slot);
     GraphValue Evaluate(GraphScope& scope, const GraphNode& node, const GraphSlot& slot);

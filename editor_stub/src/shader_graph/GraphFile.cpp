@@ -131,12 +131,9 @@ GraphNode GraphFile::ReadNode(const Json& fields) const
     for (const Json* slot : FindAll(PartOf(fields, "m_Slots")))
     {
         std::string kind = GraphTypeOf(*slot);
-        for (const std::string_view ending : {"Input"})
+        if (kind.ends_with("Input")) // as in Texture2DInput
         {
-            if (kind.ends_with(ending))
-            {
-                kind.resize(kind.size() - ending.size());
-            }
+            kind.resize(kind.size() - std::string_view("Input").size());
         }
         node.slots.push_back({IntIn(*slot, "m_Id"),
                               Replaced(TextIn(*slot, "m_ShaderOutputName"), " ", ""), kind,

@@ -27,7 +27,7 @@ std::optional<NodeExpression> FindNodeExpression(std::string_view node, const Js
 /// or for `rgb` behind a colour its three numbers.
 std::string GraphFieldText(const Json& fields, const std::string& path);
 
-/// Where the code of a graph runs.
+/// The stage that the code of a graph runs in.
 enum class GraphStage
 {
     Vertex,

@@ -5,7 +5,7 @@
 namespace limn
 {
 
-/// What a shader graph sets for URP: the kind of its surface, and its render state.
+/// The target of a shader graph for URP: the kind of its surface, and its render state.
 class GraphTarget
 {
 public:

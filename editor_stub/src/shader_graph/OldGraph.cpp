@@ -85,6 +85,11 @@ void Upgrade::AddNode(Json node)
     {
         Json slot = ReadInner(element);
         slot["m_ObjectId"] = id + " " + std::to_string(IntIn(slot, "m_Id"));
+        slot["m_BareResource"] = true; // functions took textures themselves then
+        if (TextIn(slot, "m_ShaderOutputName") == "Input")
+        {
+            slot["m_ShaderOutputName"] = "In"; // the name that the node Split has later
+        }
         references.push_back(Reference(TextIn(slot, "m_ObjectId")));
         slots.push_back(slot);
         m_Objects.push_back(std::move(slot));
@@ -167,6 +172,7 @@ void Upgrade::AddEdge(const Json& edge)
 std::vector<Json> Upgrade::Objects(const Json& old)
 {
     m_Graph["m_Path"] = TextIn(old, "m_Path");
+    m_Graph["m_ConcretePrecision"] = IntIn(old, "m_ConcretePrecision");
     m_Graph["m_Properties"] = AddAll(PartOf(old, "m_SerializedProperties"));
     m_Graph["m_Keywords"] = AddAll(PartOf(old, "m_SerializedKeywords"));
     for (const Json& edge : PartOf(old, "m_SerializableEdges"))

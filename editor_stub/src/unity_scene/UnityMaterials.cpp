@@ -341,9 +341,12 @@ std::string UnityMaterials::StrangeGraphOf(const std::filesystem::path& material
 {
     try
     {
-        const UnityNode fields = m_Database.FieldsOf(material, UnityClass::Material);
-        const std::filesystem::path* path =
-            m_Database.Find(ReadUnityReference(fields["m_Shader"]).guid);
+        const std::filesystem::path* path = &material; // Unity imports a material with a graph
+        if (!IsShaderGraph(material))
+        {
+            const UnityNode fields = m_Database.FieldsOf(material, UnityClass::Material);
+            path = m_Database.Find(ReadUnityReference(fields["m_Shader"]).guid);
+        }
         return path != nullptr && IsShaderGraph(*path) && !ReadGraph(*path).shader
                    ? path->filename().string()
                    : "";

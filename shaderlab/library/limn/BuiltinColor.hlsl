@@ -1,14 +1,6 @@
 // Colours and textures of the built-in pipeline.
 #pragma once
-
-bool IsGammaSpace()
-{
-#ifdef UNITY_COLORSPACE_GAMMA
-    return true;
-#else
-    return false;
-#endif
-}
+#include "limn/GammaSpace.hlsl"
 
 // In linear space the weights of unity_ColorSpaceLuminance give 0.504 for white, as Unity's do.
 // LinearRgbToLuminance has the weights of Rec. 709.

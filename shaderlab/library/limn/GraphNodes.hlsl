@@ -1,4 +1,4 @@
-// What the nodes of shader graphs compute that takes more than one expression. The names and results
+// Functions for the nodes of shader graphs that take more than one expression. The names and results
 // are those of Shader Graph's manual, "Node Library".
 #pragma once
 #include "Packages/com.unity.render-pipelines.core/ShaderLibrary/Color.hlsl"
@@ -13,7 +13,7 @@ float4 limn_Wide(float v) { return float4(v, 0, 0, 0); }
 float4 limn_Wide(float2 v) { return float4(v, 0, 0); }
 float4 limn_Wide(float3 v) { return float4(v, 0); }
 float4 limn_Wide(float4 v) { return v; }
-// As many of four numbers as another vector has.
+// The first of four numbers, as many as another vector has.
 float limn_Narrow(float4 v, float as) { return v.x; }
 float2 limn_Narrow(float4 v, float2 as) { return v.xy; }
 float3 limn_Narrow(float4 v, float3 as) { return v.xyz; }
@@ -60,7 +60,7 @@ float3 limn_WorldToScreen(float3 positionWS)
     return float3(ComputeNormalizedDeviceCoordinates(positionWS, UNITY_MATRIX_VP),
                   positionCS.z / positionCS.w);
 }
-// What a full-screen pass is given.
+// The picture that a full-screen pass is given.
 TEXTURE2D_X(_BlitTexture);
 float4 limn_SampleBlitSource(float2 uv)
 {

@@ -1,4 +1,4 @@
-// What nodes of shader graphs compute, against their formulas in double (Shader Graph's manual,
+// Nodes of shader graphs are compared with their formulas in double (Shader Graph's manual,
 // "Node Library").
 
 #include "GraphText.h"

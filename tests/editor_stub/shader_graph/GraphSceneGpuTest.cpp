@@ -340,7 +340,7 @@ Light:
     }
 }
 
-// What the camera has drawn, turned round; and the depth of the scene.
+// The graph turns round what the camera has drawn where the scene is near.
 TEST_F(DrawnGraph, DrawsOverTheWholeScreen)
 {
     const auto asset = [](const std::string& guid)

@@ -7,6 +7,7 @@ namespace limn::test
 namespace
 {
 
+using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
@@ -163,6 +164,32 @@ TEST_F(ShaderOfAGraph, CallsTheFunctionsOfItsAuthor)
     EXPECT_THAT(shader, HasSubstr("void Foam_node1(float h, UnityTexture2D map, out float3 c)"));
 }
 
+TEST_F(ShaderOfAGraph, CallsTheFunctionOfItsPrecision)
+{
+    m_Folder.Write("Waves.hlsl", "");
+    m_Files["waves"] = m_Folder / "Waves.hlsl";
+    for (const auto& [precision, graphs, called] :
+         {std::tuple("0", R"("m_GraphPrecision": 1)", "Waves_float("),
+          std::tuple("0", R"("m_GraphPrecision": 2)", "Waves_half("),
+          std::tuple("0", R"("m_ConcretePrecision": 1)", "Waves_half("),
+          std::tuple("1", R"("m_GraphPrecision": 2)", "Waves_float("),
+          std::tuple("2", R"("m_GraphPrecision": 0)", "Waves_half(")})
+    {
+        GraphText graph;
+        const std::string node =
+            graph.Node("CustomFunction", ">1 h Vector1",
+                       std::string(R"("m_FunctionName": "Waves", "m_FunctionSource": "waves", )") +
+                           R"("m_Precision": )" + precision);
+        graph.Connect(node, 1, graph.Block("SurfaceDescription.BaseColor", "0 C ColorRGB"), 0);
+        EXPECT_THAT(Problems(graph.text(graphs)), ElementsAre());
+        EXPECT_THAT(TranslateGraph(m_Folder / "a.shadergraph",
+                                   [this](const std::string& guid) { return m_Files[guid]; })
+                        .shaderLab,
+                    HasSubstr(called))
+            << precision << graphs;
+    }
+}
+
 TEST_F(ShaderOfAGraph, NamesTheTexturesThatStandInIt)
 {
     GraphText graph;
@@ -237,10 +264,11 @@ std::string OldSlot(const std::string& kind, const std::string& id, const std::s
 
 TEST_F(ShaderOfAGraph, MayBeOneThatUnity2019HasSaved)
 {
-    const std::string slots = OldSlot("Position", "9", "Vertex Position") + ", " +
-                              OldSlot("ColorRGB", "0", "Albedo") + ", " +
-                              OldSlot("Vector1", "2", "Metallic", R"(, "m_Value": 0.25)") + ", " +
-                              OldSlot("Vector1", "8", "AlphaClipThreshold", R"(, "m_Value": 0.5)");
+    const std::string slots =
+        OldSlot("Position", "9", "Vertex Position") + ", " + OldSlot("ColorRGB", "0", "Albedo") +
+        ", " + OldSlot("Vector1", "2", "Metallic", R"(, "m_Value": 0.25)") + ", " +
+        OldSlot("Vector1", "5", "Smoothness") + ", " + OldSlot("Vector1", "6", "Occlusion") + ", " +
+        OldSlot("Vector1", "8", "AlphaClipThreshold", R"(, "m_Value": 0.5)");
     const std::string properties =
         OldObject("ColorShaderProperty", R"({"m_Name": "Tint", "m_DefaultReferenceName": "Color_1",
                   "m_GeneratePropertyBlock": true, "m_Guid": {"m_GuidSerialized": "p"},
@@ -251,12 +279,29 @@ TEST_F(ShaderOfAGraph, MayBeOneThatUnity2019HasSaved)
                                       OldSlot("Vector4", "0", "Out", R"(, "m_SlotType": 1)") +
                                       "]}") +
         ", " +
+        OldObject("CustomFunctionNode", R"({"m_GuidSerialized": "f", "m_SourceType": 1,
+                  "m_FunctionName": "Foam", "m_SerializableSlots": [)" +
+                                            OldSlot("Vector1", "2", "size", R"(, "m_Value": 3)") +
+                                            ", " + OldSlot("Texture2DInput", "0", "map") + ", " +
+                                            OldSlot("Vector1", "1", "c", R"(, "m_SlotType": 1)") +
+                                            "]}") +
+        ", " +
+        OldObject("SplitNode", R"({"m_GuidSerialized": "s", "m_SerializableSlots": [)" +
+                                   OldSlot("DynamicVector", "0", "Input") + ", " +
+                                   OldSlot("Vector1", "1", "R", R"(, "m_SlotType": 1)") + "]}") +
+        ", " +
         OldObject("PBRMasterNode", R"({"m_GuidSerialized": "m", "m_Model": 1, "m_TwoSided": true,
                   "m_SerializableSlots": [)" +
                                        slots + "]}");
     const std::string edges =
         OldObject("Edge", R"({"m_OutputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "a"},
-                  "m_InputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "m"}})");
+                  "m_InputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "m"}})") +
+        ", " + OldObject("Edge", R"({"m_OutputSlot": {"m_SlotId": 1, "m_NodeGUIDSerialized": "f"},
+                  "m_InputSlot": {"m_SlotId": 5, "m_NodeGUIDSerialized": "m"}})") +
+        ", " + OldObject("Edge", R"({"m_OutputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "a"},
+                  "m_InputSlot": {"m_SlotId": 0, "m_NodeGUIDSerialized": "s"}})") +
+        ", " + OldObject("Edge", R"({"m_OutputSlot": {"m_SlotId": 1, "m_NodeGUIDSerialized": "s"},
+                  "m_InputSlot": {"m_SlotId": 6, "m_NodeGUIDSerialized": "m"}})");
     EXPECT_THAT(Problems(R"({"m_Path": "Old", "m_SerializedProperties": [)" + properties +
                          R"(], "m_SerializableNodes": [)" + nodes +
                          R"(], "m_SerializableEdges": [)" + edges + "]}"),
@@ -268,6 +313,9 @@ TEST_F(ShaderOfAGraph, MayBeOneThatUnity2019HasSaved)
     EXPECT_THAT(text, HasSubstr("Color_1(\"Tint\", Color) = (1, 0, 0, 0)"));
     EXPECT_THAT(text, HasSubstr("surface.BaseColor = Color_1.xyz;"));
     EXPECT_THAT(text, HasSubstr("surface.Metallic = float(0.25);"));
+    EXPECT_THAT(text, HasSubstr("void Foam_f(float size, Texture2D map, out float c)"));
+    EXPECT_THAT(text, AllOf(HasSubstr("Foam_f(float(3), "), HasSubstr(".tex, ")));
+    EXPECT_THAT(text, HasSubstr("limn_Wide(Color_1).x;"));
     EXPECT_THAT(text, HasSubstr("\"Queue\" = \"AlphaTest\"")) << "its threshold is not 0";
     EXPECT_EQ(FirstState(text), "Cull Off Blend Off ZTest LEqual ZWrite On");
 }

@@ -90,10 +90,13 @@ public:
                      Behind(fields) + "}\n\n";
     }
 
-    std::string text() const
+    /// @param more  JSON of the graph itself
+    std::string text(const std::string& more = "") const
     {
         return "{\"m_SGVersion\": 3, \"m_Type\": \"UnityEditor.ShaderGraph.GraphData\", "
-               "\"m_ObjectId\": \"graph\", \"m_Path\": \"Tests\", \"m_ActiveTargets\": "
+               "\"m_ObjectId\": \"graph\", \"m_Path\": \"Tests\"" +
+               Behind(more) +
+               ", \"m_ActiveTargets\": "
                "[{\"m_Id\": \"target\"}], \"m_Properties\": " +
                List(m_Properties) + ", \"m_Keywords\": " + List(m_Keywords) +
                ", \"m_Nodes\": " + List(m_Nodes) + ", \"m_Edges\": [" + m_Edges +

@@ -594,6 +594,10 @@ TEST_F(MaterialOfAFeature, IsNoneWhereItCannotBeDrawn)
     EXPECT_EQ(LoadFeature(m_Material, Asset(-6, k_GraphGuid)).passMaterial, nullptr);
     EXPECT_THAT(Notes("R.asset"),
                 ElementsAre(Mentions("Whole.passMaterial:", "left out", "Glow.shadergraph")));
+    EXPECT_EQ(LoadFeature(Asset(2100000, k_GraphGuid), k_Lit).passMaterial, nullptr)
+        << "the material that Unity imports with the graph";
+    EXPECT_THAT(Notes("R.asset"),
+                ElementsAre(Mentions("Whole.passMaterial:", "left out", "Glow.shadergraph")));
     EXPECT_EQ(
         LoadFeature(m_Material, Asset(4800000, "44444444444444444444444444444444")).passMaterial,
         nullptr);

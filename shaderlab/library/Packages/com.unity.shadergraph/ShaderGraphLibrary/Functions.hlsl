@@ -2,6 +2,7 @@
 #pragma once
 #ifndef UNITY_GRAPHFUNCTIONS_INCLUDED
 #define UNITY_GRAPHFUNCTIONS_INCLUDED
+#include "limn/GammaSpace.hlsl"
 
 struct Gradient
 {
@@ -27,15 +28,6 @@ Gradient NewGradient(int type, int colorsLength, int alphasLength, float4 colors
     result.colors = colors;
     result.alphas = alphas;
     return result;
-}
-
-bool IsGammaSpace()
-{
-#ifdef UNITY_COLORSPACE_GAMMA
-    return true;
-#else
-    return false;
-#endif
 }
 
 float4 ComputeScreenPos(float4 pos, float projectionSign)
