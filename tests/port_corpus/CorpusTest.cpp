@@ -1,4 +1,5 @@
 #include "Paths.h"
+#include "PortedUnit.h"
 
 #include <filesystem>
 #include <gmock/gmock.h>
@@ -9,8 +10,6 @@
 #include <limn/features/Features.h>
 #include <limn/volume/VolumeManager.h>
 #include <set>
-
-void RegisterCorpus(limn::FeatureRegistry& features, limn::VolumeComponentRegistry& components);
 
 namespace limn::test
 {
@@ -24,7 +23,18 @@ struct Corpus
     FeatureRegistry features;
     VolumeComponentRegistry components;
 
-    Corpus() { RegisterCorpus(features, components); }
+    Corpus()
+    {
+        for (const auto& entry :
+             std::filesystem::directory_iterator(SourcePath("tests/port_corpus")))
+        {
+            if (entry.path().extension() == ".cs")
+            {
+                const std::string name = entry.path().stem().string();
+                RegisterPorted(name, features, components, name.c_str());
+            }
+        }
+    }
 };
 
 /// The paths of settings that a feature describes.

@@ -19,8 +19,8 @@ TEST_P(PortedSamples, CompileToNoMoreInTheNewStyleThanInTheOld)
 {
     RecordingDevice oldDevice;
     RecordingDevice newDevice;
-    PortedScene oldStyle(GetParam(), oldDevice, false);
-    PortedScene newStyle(GetParam(), newDevice, true);
+    PortedScene oldStyle(GetParam(), oldDevice, PortedBy::HandOld);
+    PortedScene newStyle(GetParam(), newDevice, PortedBy::HandNew);
     for (int frame = 0; frame < 3; ++frame)
     {
         const RenderResult expected = oldStyle.Render();
@@ -37,7 +37,7 @@ TEST_P(PortedSamples, CompileToNoMoreInTheNewStyleThanInTheOld)
 TEST_P(PortedSamples, CostNothingWhereTheyAreNotActive)
 {
     RecordingDevice device;
-    PortedScene scene(GetParam(), device, false);
+    PortedScene scene(GetParam(), device, PortedBy::HandOld);
     const std::vector<std::string> with = PassesOf(scene.Render());
     scene.SetActive(false);
     scene.Render();

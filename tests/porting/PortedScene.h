@@ -2,6 +2,7 @@
 
 #include "CachedCompiler.h"
 #include "Paths.h"
+#include "PortedUnit.h"
 
 #include <limn/core/UniversalRenderPipeline.h>
 #include <limn/editor_stub/SceneFile.h>
@@ -31,9 +32,19 @@ namespace limn::test
 struct PortedSample
 {
     const char* name;    ///< of its folder and scene
-    const char* feature; ///< the type that its scene names
+    const char* feature; ///< the type that its scene names, and its file in the style of its time
+    const char* newer;   ///< its file in the newer style
     void (*registerOld)(FeatureRegistry&, const char* as);
     void (*registerNew)(FeatureRegistry&, const char* as);
+};
+
+/// The C++ that draws a sample: written by hand in one style or the other, or by `limn port`.
+enum class PortedBy
+{
+    HandOld,
+    HandNew,
+    LimnOld,
+    LimnNew
 };
 
 template <typename Feature>
@@ -43,17 +54,18 @@ void RegisterAs(FeatureRegistry& features, const char* as)
 }
 
 inline constexpr PortedSample k_PortedSamples[] = {
-    {"blurred_glass", "BlurredGlassFeature", &RegisterAs<porting::BlurredGlassFeature>,
-     &RegisterAs<porting::BlurredGlassUnity6Feature>},
-    {"distance_outline", "DistanceOutlineFeature", &RegisterAs<porting::DistanceOutlineFeature>,
+    {"blurred_glass", "BlurredGlassFeature", "BlurredGlassUnity6Feature",
+     &RegisterAs<porting::BlurredGlassFeature>, &RegisterAs<porting::BlurredGlassUnity6Feature>},
+    {"distance_outline", "DistanceOutlineFeature", "DistanceOutlineUnity6Feature",
+     &RegisterAs<porting::DistanceOutlineFeature>,
      &RegisterAs<porting::DistanceOutlineUnity6Feature>},
-    {"height_fog", "HeightFogFeature", &RegisterAs<porting::HeightFogFeature>,
-     &RegisterAs<porting::HeightFogUnity6Feature>},
-    {"ink_lines", "InkLinesFeature", &RegisterAs<porting::InkLinesFeature>,
+    {"height_fog", "HeightFogFeature", "HeightFogUnity6Feature",
+     &RegisterAs<porting::HeightFogFeature>, &RegisterAs<porting::HeightFogUnity6Feature>},
+    {"ink_lines", "InkLinesFeature", "InkLinesUnity6Feature", &RegisterAs<porting::InkLinesFeature>,
      &RegisterAs<porting::InkLinesUnity6Feature>},
-    {"selection_glow", "SelectionGlowFeature", &RegisterAs<porting::SelectionGlowFeature>,
-     &RegisterAs<porting::SelectionGlowUrp14Feature>},
-    {"xray", "XRayFeature", &RegisterAs<porting::XRayFeature>,
+    {"selection_glow", "SelectionGlowFeature", "SelectionGlowUrp14Feature",
+     &RegisterAs<porting::SelectionGlowFeature>, &RegisterAs<porting::SelectionGlowUrp14Feature>},
+    {"xray", "XRayFeature", "XRayUnity6Feature", &RegisterAs<porting::XRayFeature>,
      &RegisterAs<porting::XRayUnity6Feature>},
 };
 
@@ -62,15 +74,27 @@ inline std::ostream& operator<<(std::ostream& stream, const PortedSample& sample
     return stream << sample.name;
 }
 
-/// A sample's scene, drawn by the feature in one style or the other.
+/// A sample's scene, drawn by one of its features.
 class PortedScene
 {
 public:
-    PortedScene(const PortedSample& sample, GraphicsDevice& device, bool isNew) : m_Pipeline(device)
+    PortedScene(const PortedSample& sample, GraphicsDevice& device, PortedBy by)
+        : m_Pipeline(device)
     {
-        FeatureRegistry others; // a scene names one type, whichever style that is
-        AddPlugin(limn_plugin, others, m_Assets.volumeComponents());
-        (isNew ? sample.registerNew : sample.registerOld)(m_Assets.features(), sample.feature);
+        FeatureRegistry others; // a scene names one type, whichever C++ that is
+        VolumeComponentRegistry otherComponents;
+        const bool isByLimn = by == PortedBy::LimnOld || by == PortedBy::LimnNew;
+        AddPlugin(limn_plugin, others, isByLimn ? otherComponents : m_Assets.volumeComponents());
+        if (isByLimn)
+        {
+            RegisterPorted(by == PortedBy::LimnNew ? sample.newer : sample.feature,
+                           m_Assets.features(), m_Assets.volumeComponents(), sample.feature);
+        }
+        else
+        {
+            (by == PortedBy::HandNew ? sample.registerNew : sample.registerOld)(m_Assets.features(),
+                                                                                sample.feature);
+        }
         const std::string folder = std::string("samples/porting/") + sample.name + "/";
         m_Scene = LoadScene(SourcePath(folder + sample.name + ".scene.yaml"), m_Assets);
         m_Renderer = std::make_unique<UniversalRenderer>(m_Assets.compiler());

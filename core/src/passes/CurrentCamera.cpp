@@ -1,5 +1,7 @@
 #include <limn/core/CurrentCamera.h>
 
+#include <limn/base/Diagnostic.h>
+#include <limn/core/RenderingData.h>
 #include <utility>
 
 namespace limn
@@ -24,6 +26,26 @@ CurrentCamera::~CurrentCamera()
 const RenderingData* CurrentCamera::renderingData()
 {
     return t_Current;
+}
+
+const RenderingData& CurrentCamera::Rendered()
+{
+    if (t_Current == nullptr)
+    {
+        throw ContractError("no camera is rendered here, so there is no size of a picture and no "
+                            "projection; ask for them in a method that limn calls in each frame");
+    }
+    return *t_Current;
+}
+
+int Screen::width()
+{
+    return CurrentCamera::Rendered().cameraData.cameraTargetDescriptor.width;
+}
+
+int Screen::height()
+{
+    return CurrentCamera::Rendered().cameraData.cameraTargetDescriptor.height;
 }
 
 } // namespace limn

@@ -1,6 +1,9 @@
 #include "port/PortExpression.h"
 
+#include "port/PortMember.h"
+
 #include <array>
+#include <limn/base/WordList.h>
 
 namespace limn
 {
@@ -19,8 +22,8 @@ bool IsNumber(const std::string& type)
 int Strength(std::string_view word)
 {
     static const std::map<std::string_view, int> strengths = {
-        {"||", 1}, {"&&", 2}, {"|", 3}, {"==", 4}, {"!=", 4}, {"<", 5}, {">", 5},
-        {"<=", 5}, {">=", 5}, {"+", 6}, {"-", 6},  {"*", 7},  {"/", 7}};
+        {"||", 1}, {"&&", 2}, {"|", 3}, {"&", 4}, {"==", 5}, {"!=", 5}, {"<", 6}, {">", 6},
+        {"<=", 6}, {">=", 6}, {"<<", 7}, {">>", 7}, {"+", 8}, {"-", 8}, {"*", 9},  {"/", 9}, {"%", 9}};
     const auto found = strengths.find(word);
     return found == strengths.end() ? 0 : found->second;
 }
@@ -38,18 +41,53 @@ std::string WithoutTrigraphs(std::string text)
 class Translator
 {
 public:
-    Translator(const PortModel& model, const PortScope& scope, CSharpWords words)
-        : m_Model(model), m_Scope(scope), m_At(words.data()), m_End(m_At + words.size())
+    Translator(const PortPlace& place, CSharpWords words, std::string& problem)
+        : m_Place(place),
+          m_At(words.data()),
+          m_End(m_At + words.size()),
+          m_Problem(problem),
+          m_Members(m_Place, problem)
     {
     }
 
     Result Run(const std::string& wanted)
     {
-        Result value = ReadAny(wanted);
-        return value && m_At == m_End ? Convert(*value, wanted) : std::nullopt;
+        const Result value = ReadAny(wanted);
+        if (value && m_At < m_End)
+        {
+            return Fail("'" + std::string(m_At->text) + "' is not understood");
+        }
+        const Result converted = value ? Converted(m_Place.model, *value, wanted) : std::nullopt;
+        return !value || converted
+                   ? converted
+                   : Fail("a value of type '" + value->type + "' where '" + wanted + "' is needed");
+    }
+
+    /// The words are what is assigned to.
+    std::optional<std::string> Assign(std::string_view word, CSharpWords assigned)
+    {
+        m_Assigned = assigned;
+        const Result target = ReadPrimary("");
+        if (!m_Setter.empty() && word == "=")
+        {
+            return m_Setter == "-" ? "" : m_Setter;
+        }
+        if (!target || m_At < m_End || !m_Setter.empty() ||
+            !(target->isVariable || target->type.empty()))
+        {
+            Fail("what is assigned to is no variable");
+            return std::nullopt;
+        }
+        return AssignmentTo(m_Place, *target, word, assigned, m_Problem);
     }
 
 private:
+    Result Fail(const std::string& problem)
+    {
+        m_Problem = m_Problem.empty() ? problem : m_Problem;
+        return std::nullopt;
+    }
+
     bool Next(std::string_view word)
     {
         if (m_At == m_End || !m_At->Is(word))
@@ -62,54 +100,43 @@ private:
 
     Result ReadAny(const std::string& wanted)
     {
-        return m_At < m_End && m_At->Is("{") ? ReadElements(wanted) : ReadBinary(1, wanted);
+        return m_At < m_End && m_At->Is("{") ? ReadElements(wanted) : ReadTernary(wanted);
     }
 
-    Result Convert(PortValue value, const std::string& wanted) const
+    Result ReadTernary(const std::string& wanted)
     {
-        const CSharpClass* own = wanted.empty() ? nullptr : m_Model.Find(wanted);
-        if (wanted.empty())
+        const Result condition = ReadBinary(1, wanted);
+        if (!condition || m_At == m_End || !m_At->Is("?"))
         {
-            return value;
+            return condition;
         }
-        if (value.type == wanted || (own && own == m_Model.Find(value.type)))
+        ++m_At;
+        Result left = isTruth(*condition) ? ReadTernary(wanted) : std::nullopt;
+        Result right = left && Next(":") ? ReadTernary(wanted) : std::nullopt;
+        if (left && right && left->type != right->type)
         {
-            value.cpp = value.isPointer ? "*" + value.cpp : value.cpp;
-            value.isPointer = false;
-            return value;
-        }
-        const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
-        if (wanted == "float" && value.type == "int")
-        {
-            return value.isLiteral && !isHex
-                       ? PortValue{value.cpp + ".0f", "float", true}
-                       : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
-        }
-        if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
-        {
-            return PortValue{value.cpp + "u", "uint", true};
-        }
-        const bool isRendering = wanted.ends_with("RenderingLayerMask");
-        const bool isMask = (wanted == "LayerMask" || isRendering) && !own;
-        if (isMask && (value.type == "int" || value.type == "uint") && value.isLiteral)
-        {
-            const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
-            const bool isNone = value.cpp == "0" || value.cpp == "0u";
-            if (isAll || isNone)
+            std::string common = left->type == "null" ? right->type
+                                       : right->type == "null" || right->type == "int"
+                                           ? left->type
+                                           : right->type;
+            for (Result* side : {&left, &right})
             {
-                return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
+                *side = Converted(m_Place.model, **side, common);
+                const bool isBare = *side && (*side)->cpp == "{}";
+                (isBare ? (*side)->cpp : common) = isBare
+                                                       ? m_Place.model.CppType(common).value_or("") + "{}"
+                                                       : common;
             }
-            if (value.cpp[0] == '-' || value.cpp[0] == '~')
-            {
-                return std::nullopt;
-            }
-            return PortValue{wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted};
         }
-        if (value.type == "null")
+        if (!left || !right || left->isPointer != right->isPointer)
         {
-            return PortValue{PortModel::CppDefault(m_Model.CppType(wanted).value_or("")), wanted};
+            return Fail("the values of '? :' are of two types");
         }
-        return std::nullopt;
+        PortValue value = *left;
+        value.cpp = condition->Text(1) + " ? " + left->Text(1) + " : " + right->Text(0);
+        value.isVariable = value.isLiteral = false;
+        value.strength = 0;
+        return value;
     }
 
     Result ReadBinary(int least, const std::string& wanted)
@@ -117,92 +144,257 @@ private:
         Result left = ReadUnary(wanted);
         while (left && m_At < m_End)
         {
-            const std::string word(m_At->text);
-            const int strength = Strength(word);
+            std::string word(m_At->text);
+            const bool isShift = (word == "<" || word == ">") && m_At + 1 < m_End &&
+                                 m_At[1].Is(word) && m_At[1].offset == m_At->offset + 1;
+            word = isShift ? word + word : word;
+            const bool isNull = word == "is" && m_At + 1 < m_End;
+            const int strength = isNull ? Strength("==") : Strength(word);
             if (strength < least || strength == 0)
             {
                 break;
             }
-            ++m_At;
+            m_At += isShift ? 2 : 1;
+            if (isNull)
+            {
+                word = Next("not") ? "!=" : "==";
+                if (!m_At->Is("null"))
+                {
+                    return Fail("'is' with a type");
+                }
+            }
             const Result right = ReadBinary(strength + 1, "");
             left = right ? Combine(*left, word, *right) : std::nullopt;
         }
         return left;
     }
 
-    Result Combine(PortValue left, const std::string& word, PortValue right) const
+    /// Returns whether C++ takes the value as a condition.
+    bool isTruth(const PortValue& value) const
     {
-        if (left.type == "float" || right.type == "float")
+        return value.type == "bool" || value.type.empty() || value.isPointer ||
+               value.type == "RTHandle" || IsSharedType(m_Place.model, value.type);
+    }
+
+    Result CompareToNull(const PortValue& value, bool isEqual)
+    {
+        const CSharpClass* own = m_Place.model.Find(value.type);
+        PortValue result{"", "bool"};
+        result.strength = Strength("==");
+        if (value.isPointer || value.type == "RTHandle" || IsSharedType(m_Place.model, value.type))
         {
-            const bool areNumbers = IsNumber(left.type) && IsNumber(right.type);
-            const Result a = areNumbers ? Convert(left, "float") : std::nullopt;
-            const Result b = areNumbers ? Convert(right, "float") : std::nullopt;
-            if (!a || !b)
-            {
-                return std::nullopt;
-            }
-            left = *a;
-            right = *b;
+            result.cpp = value.Text(result.strength) + (isEqual ? " == nullptr" : " != nullptr");
         }
+        else if (value.type == "string")
+        {
+            result = {(isEqual ? "" : "!") + value.Text(90) + ".empty()", "bool"};
+        }
+        else if (own || !ElementTypeOf(value.type).empty() ||
+                 IsReferenceType(m_Place.model, value.type))
+        {
+            result = {isEqual ? "false" : "true", "bool"}; // C++ has no null for it
+        }
+        else
+        {
+            return Fail("'" + value.type + "' is compared to null");
+        }
+        return result;
+    }
+
+    Result Combine(PortValue left, const std::string& word, PortValue right)
+    {
+        const int strength = Strength(word);
+        const bool isComparison = strength == 5 || strength == 6;
+        if (strength == 5 && (left.type == "null") != (right.type == "null"))
+        {
+            return CompareToNull(left.type == "null" ? right : left, word == "==");
+        }
+        if (left.type == "string" || right.type == "string")
+        {
+            return CombineText(left, word, right);
+        }
+        if (IsNumber(left.type) && IsNumber(right.type) &&
+            (left.type == "float") != (right.type == "float"))
+        {
+            left = *Converted(m_Place.model, left, "float");
+            right = *Converted(m_Place.model, right, "float");
+        }
+        const auto isVector = [](const PortValue& value)
+        {
+            return IsIn(value.type, {"Vector2", "Vector3", "Vector4", "Matrix4x4"});
+        };
+        const bool isScaled = strength >= 8 && isVector(left) != isVector(right) &&
+                              IsNumber(isVector(left) ? right.type : left.type);
+        if (isScaled)
+        {
+            PortValue& scale = isVector(left) ? right : left;
+            scale = *Converted(m_Place.model, scale, "float");
+        }
+        const bool isUnknown = left.type.empty() || right.type.empty();
         const bool isEvent =
             left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
-        const bool isFlags = word == "|" && left.type == right.type &&
-                             (left.type == "SortingCriteria" || left.type == "int" ||
-                              left.type == "ScriptableRenderPassInput");
-        const bool isLogic =
-            (word == "&&" || word == "||") && left.type == "bool" && right.type == "bool";
-        const bool isSame = left.type == right.type;
-        const bool isComparison = Strength(word) == 4 || Strength(word) == 5;
-        const bool isSum = Strength(word) >= 6 && IsNumber(left.type) && isSame;
-        if (!isEvent && !isFlags && !isLogic && !isSum &&
+        const bool isFlags =
+            (word == "|" || word == "&") && left.type == right.type &&
+            IsIn(left.type, {"SortingCriteria", "int", "uint", "ScriptableRenderPassInput",
+                             "ClearFlag", "CameraType", "RenderStateMask",
+                             "ColorWriteMask", "RenderingLayerMask", "LayerMask"});
+        const bool isLogic = (word == "&&" || word == "||") && isTruth(left) && isTruth(right);
+        const CSharpClass* own = m_Place.model.Find(left.type);
+        const bool isSame =
+            left.type == right.type || (own && own == m_Place.model.Find(right.type));
+        const bool isSum = strength >= 7 && isSame && (IsNumber(left.type) || isVector(left)) &&
+                           !(strength == 7 && left.type == "float");
+        if (word == "%" && left.type == "float")
+        {
+            return PortValue{"std::fmod(" + left.cpp + ", " + right.cpp + ")", "float"};
+        }
+        if (!isEvent && !isFlags && !isLogic && !isSum && !isScaled && !isUnknown &&
             !(isComparison && isSame && left.type != "null"))
         {
-            return std::nullopt;
+            return Fail("'" + left.type + " " + word + " " + right.type + "'");
         }
-        return PortValue{"(" + left.cpp + " " + word + " " + right.cpp + ")",
-                         isComparison ? "bool" : left.type};
+        const bool isMixed = isLogic && word == "||"; // compilers warn of a && b || c
+        const auto side = [&](const PortValue& value, int least)
+        {
+            return value.isPointer && !isLogic ? "*" + value.Text(90)
+                                               : value.Text(isMixed && value.strength == 2 ? 3 : least);
+        };
+        PortValue result{side(left, strength) + " " + word + " " + side(right, strength + 1),
+                         isComparison || isLogic ? "bool"
+                         : isScaled && isVector(right) ? right.type
+                                                       : left.type};
+        result.type = isUnknown && !isComparison && !isLogic ? "" : result.type;
+        result.strength = strength;
+        return result;
+    }
+
+    /// "a" + b
+    Result CombineText(const PortValue& left, const std::string& word, const PortValue& right)
+    {
+        const auto text = [](const PortValue& value)
+        {
+            return value.type == "int" || value.type == "uint"
+                       ? "std::to_string(" + value.cpp + ")"
+                       : value.Text(Strength("+"));
+        };
+        const auto isText = [](const PortValue& value)
+        {
+            return IsIn(value.type, {"string", "int", "uint"});
+        };
+        const bool isJoined = word == "+" && isText(left) && isText(right);
+        const bool isCompared = (word == "==" || word == "!=") && left.type == right.type;
+        if (!isJoined && !isCompared)
+        {
+            return Fail("'" + left.type + " " + word + " " + right.type + "'");
+        }
+        PortValue result{(isJoined ? "std::string(" : "std::string_view(") + text(left) + ") " + word +
+                             " " + text(right),
+                         isJoined ? "string" : "bool"};
+        result.strength = Strength(word);
+        return result;
     }
 
     Result ReadUnary(const std::string& wanted)
     {
         if (m_At == m_End || ++m_Depth > 200)
         {
-            return std::nullopt;
+            return Fail("an expression without an end");
+        }
+        const bool isStep = m_End - m_At > 2 && (m_At->Is("+") || m_At->Is("-")) &&
+                            m_At[1].text == m_At->text && m_At[1].offset == m_At->offset + 1;
+        if (isStep)
+        {
+            const std::string sign(m_At->text);
+            m_At += 2;
+            Result value = ReadUnary("");
+            if (!value || !value->isVariable || !m_Place.isBody)
+            {
+                return Fail("'" + sign + sign + "' of this");
+            }
+            value->cpp = sign + sign + value->Text(90);
+            value->strength = 90;
+            return value;
         }
         if (Next("-") || Next("~") || Next("!"))
         {
             const std::string word(m_At[-1].text);
             Result value = ReadUnary("");
+            const bool isVector =
+                value && word == "-" && IsIn(value->type, {"Vector2", "Vector3", "Vector4"});
             const bool isGood =
-                value && (word == "!" ? value->type == "bool"
-                                      : IsNumber(value->type) && value->type != "uint");
-            if (!isGood || (word == "~" && value->type != "int"))
+                value && (isVector || (word == "!" ? isTruth(*value)
+                                                   : IsNumber(value->type) && value->type != "uint"));
+            const bool isMask = value && word == "~" &&
+                                IsIn(value->type, {"LayerMask", "RenderingLayerMask"});
+            if ((!isGood && !isMask) || (word == "~" && value->type != "int" && !isMask))
             {
-                return std::nullopt;
+                return Fail("'" + word + "' of this");
             }
-            value->cpp = word + value->cpp;
+            value->cpp = word + value->Text(90);
+            value->type = word == "!" ? "bool" : value->type;
+            value->isVariable = value->isPointer = false;
+            value->strength = 90;
+            value->isLiteral = value->isLiteral && word != "!";
             return value;
         }
-        if (m_At->Is("(") && (m_At[1].Is("int") || m_At[1].Is("float")) && m_At + 2 < m_End &&
-            m_At[2].Is(")"))
+        if (m_At->Is("(") && m_At->Behind() < m_End && isCast())
         {
-            const std::string type(m_At[1].text);
-            m_At += 3;
-            const Result value = ReadUnary("");
-            return value && IsNumber(value->type)
-                       ? Result(PortValue{"static_cast<" + type + ">(" + value->cpp + ")", type})
-                       : std::nullopt;
-        }
-        if (Next("("))
-        {
-            const Result value = ReadBinary(1, wanted);
-            return Next(")") ? value : std::nullopt;
+            return ReadCast();
         }
         return ReadPrimary(wanted);
     }
 
+    /// (T) in front of a name, a number or a bracket.
+    bool isCast() const
+    {
+        const CSharpToken* at = m_At + 1;
+        const std::string type = ReadCSharpType(at);
+        const CSharpToken& behind = *m_At->Behind();
+        const bool isType = !type.empty() && at == m_At->Behind() - 1 &&
+                            (IsIn(type, {"int", "float", "uint", "double", "bool"}) ||
+                             m_Place.model.Find(type) || m_Place.model.CppType(type));
+        return isType && !m_Place.scope.contains(type) &&
+               (behind.isName() || behind.Is("(") || behind.Is("-") ||
+                behind.kind == CSharpTokenKind::Number);
+    }
+
+    Result ReadCast()
+    {
+        const CSharpToken* at = m_At + 1;
+        const std::string type = ReadCSharpType(at);
+        m_At = m_At->Behind();
+        const Result value = ReadUnary("");
+        if (!value)
+        {
+            return value;
+        }
+        const CSharpClass* own = m_Place.model.Find(type);
+        const bool isEnum = own && m_Place.model.RoleOf(*own) == PortRole::Enum;
+        const CSharpClass* from = m_Place.model.Find(value->type);
+        const bool isFromEnum = (from && m_Place.model.RoleOf(*from) == PortRole::Enum) ||
+                                (!value->type.empty() && (value->type == m_Place.model.CppType(value->type) ||
+                                                          value->cpp.starts_with(value->type + "::")));
+        const auto cpp = m_Place.model.CppType(type);
+        static const WordList enums("CameraType ClearFlag CompareFunction CullMode FilterMode "
+                                    "RenderPassEvent RenderStateMask ScriptableRenderPassInput "
+                                    "SortingCriteria StencilOp TextureWrapMode");
+        if (cpp && ((enums.Has(type) && value->type == "int") || (IsNumber(type) && (IsNumber(value->type) || isFromEnum || value->type == "double")) ||
+                    (isEnum && IsNumber(value->type))))
+        {
+            return PortValue{"static_cast<" + *cpp + ">(" + value->cpp + ")", type};
+        }
+        const Result converted = Converted(m_Place.model, *value, type);
+        return converted ? converted : Fail("'(" + type + ")' of a '" + value->type + "'");
+    }
+
     Result ReadPrimary(const std::string& wanted)
     {
+        if (m_At->Is("(") )
+        {
+            const Result inner = Translate(m_Place, m_At->Inside(), wanted, &m_Problem);
+            m_At = m_At->Behind();
+            return inner ? ReadBehind(*inner) : inner;
+        }
         const CSharpToken& word = *m_At;
         if (word.kind == CSharpTokenKind::Number)
         {
@@ -212,7 +404,8 @@ private:
         {
             const auto text = PlainText({m_At, 1});
             ++m_At;
-            return text ? Result(PortValue{"\"" + *text + "\"", "string"}) : std::nullopt;
+            return text ? Result(PortValue{"\"" + *text + "\"", "string"})
+                        : Fail("a text with values in it");
         }
         if (Next("true") || Next("false"))
         {
@@ -220,18 +413,21 @@ private:
         }
         if (Next("null") || Next("default"))
         {
+            const bool isTyped = m_At < m_End && m_At->Is("(");
+            m_At = isTyped ? m_At->Behind() : m_At;
             return PortValue{"{}", "null"};
         }
         if (Next("new"))
         {
-            return ReadNew(wanted);
+            const Result made = ReadNew(wanted);
+            return made && m_Place.isBody ? ReadBehind(*made) : made;
         }
         if (word.Is("nameof") && m_At + 3 < m_End && m_At[2].isName() && m_At[3].Is(")"))
         {
             m_At += 4;
             return PortValue{"\"" + std::string(m_At[-2].text) + "\"", "string"};
         }
-        return word.isName() ? ReadChain() : std::nullopt;
+        return word.isName() ? ReadHead() : Fail("'" + std::string(word.text) + "'");
     }
 
     Result ReadNumber()
@@ -284,7 +480,7 @@ private:
         }
         if (m_At < m_End && m_At->Is("{"))
         {
-            return arguments.empty() ? ReadElements(type) : std::nullopt;
+            return arguments.empty() ? ReadElements(type) : Fail("'new' with members");
         }
         return Construct(type, arguments);
     }
@@ -292,16 +488,16 @@ private:
     /// Behind `new T`: [3] or [2] {a, b}.
     Result ReadArray(const std::string& type)
     {
-        const auto cpp = m_Model.CppType(type);
-        const Result size = Translate(m_Model, m_Scope, m_At->Inside(), "int");
+        const auto cpp = m_Place.model.CppType(type);
+        const Result size = Translate(m_Place, m_At->Inside(), "int", &m_Problem);
         m_At = m_At->Behind();
         if (m_At < m_End && m_At->Is("{"))
         {
             return ReadElements(type);
         }
         // C# fills an array of a class with null, and C++ can make no nested class here yet.
-        const CSharpClass* own = m_Model.Find(type.substr(0, type.size() - 2));
-        const bool isOfClass = own && m_Model.RoleOf(*own) != PortRole::Enum;
+        const CSharpClass* own = m_Place.model.Find(type.substr(0, type.size() - 2));
+        const bool isOfClass = own && m_Place.model.RoleOf(*own) != PortRole::Enum;
         const bool isOfArrays = m_At < m_End && m_At->Is("[");
         if (!cpp || !size || isOfClass || isOfArrays)
         {
@@ -316,29 +512,25 @@ private:
     {
         static const std::map<std::string, std::pair<std::size_t, std::size_t>> counts = {
             {"Color", {3, 4}},   {"Vector2", {2, 2}},     {"Vector3", {3, 3}},
-            {"Vector4", {4, 4}}, {"ShaderTagId", {1, 1}}, {"ProfilingSampler", {1, 1}}};
-        const auto cpp = m_Model.CppType(type);
-        if (!cpp)
-        {
-            return std::nullopt;
-        }
-        if (arguments.empty())
-        {
-            return type == "ProfilingSampler"
-                       ? std::nullopt
-                       : Result(PortValue{*cpp + PortModel::CppDefault(*cpp), type});
-        }
+            {"Vector4", {2, 4}}, {"ShaderTagId", {1, 1}}, {"ProfilingSampler", {1, 1}}};
         const auto count = counts.find(type);
-        if (count == counts.end() || arguments.size() < count->second.first ||
-            arguments.size() > count->second.second)
+        if (m_Place.model.Find(type) || count == counts.end() || arguments.empty())
         {
-            return std::nullopt;
+            return m_Members.Construct(type, arguments);
+        }
+        if (arguments.size() < count->second.first || arguments.size() > count->second.second)
+        {
+            return Fail("'new " + type + "' with these arguments");
         }
         const bool isNamed = type == "ShaderTagId" || type == "ProfilingSampler";
-        const auto values = List(arguments, isNamed ? "string" : "float");
+        auto values = List(arguments, isNamed ? "string" : "float");
         const bool isColor = type == "Color";
+        for (std::size_t i = arguments.size(); values && type == "Vector4" && i < 4; ++i)
+        {
+            *values += ", 0.0f";
+        }
         return values ? Result(PortValue{
-                            *cpp + (isColor ? "{" : "(") + *values + (isColor ? "}" : ")"), type})
+                            type + (isColor ? "{" : "(") + *values + (isColor ? "}" : ")"), type})
                       : std::nullopt;
     }
 
@@ -352,12 +544,12 @@ private:
 
     /// Returns "a, b", or nothing if one of the values is not known.
     std::optional<std::string> List(const std::vector<CSharpWords>& items,
-                                    const std::string& type) const
+                                    const std::string& type)
     {
         std::string text;
         for (const CSharpWords& words : items)
         {
-            const Result value = Translate(m_Model, m_Scope, words, type);
+            const Result value = Translate(m_Place, words, type, &m_Problem);
             if (!value)
             {
                 return std::nullopt;
@@ -382,88 +574,152 @@ private:
         return values ? Result(PortValue{"{" + *values + "}", type}) : std::nullopt;
     }
 
-    /// a.b.c
-    Result ReadChain()
+    /// a, this.a, base.a(), UnityEngine.a
+    Result ReadHead()
     {
-        std::vector<std::string> names;
-        do
+        while (IsIn(m_At->text, {"UnityEngine", "Unity", "System", "global"}) && m_End - m_At > 2 &&
+               (m_At[1].Is(".") || m_At[1].Is("::")))
         {
-            if (m_At == m_End || !m_At->isName())
+            do
             {
-                return std::nullopt;
+                m_At += 2;
+            } while (m_End - m_At > 2 && m_At[1].Is(".") &&
+                     IsIn(m_At->text, {"Experimental", "Rendering", "Universal",
+                                       "RenderGraphModule", "Collections", "Generic", "Util"}));
+        }
+        const bool isThis = m_At->Is("this");
+        const bool isBase = m_At->Is("base");
+        if ((isThis || isBase) && m_End - m_At > 2 && m_At[1].Is("."))
+        {
+            m_At += 2;
+            PortName name = ReadName();
+            name.isOfThis = true;
+            const auto own = m_Place.scope.find("this." + name.name);
+            return Behind(own != m_Place.scope.end() && !name.isCall ? own->second
+                          : isBase ? m_Members.BaseMember(name, true)
+                                   : m_Members.Find(name));
+        }
+        if (isThis && m_Place.isBody && m_Place.model.context())
+        {
+            ++m_At;
+            PortValue self{"*this", m_Place.model.context()->name};
+            self.isVariable = true;
+            self.strength = 90;
+            return self;
+        }
+        const PortName name = ReadName();
+        const auto variable = m_Place.scope.find(name.name);
+        const CSharpClass* self = m_Place.model.context();
+        const CSharpMethod* property = self ? self->FindMethod(name.name) : nullptr;
+        const bool isNamedSo =
+            (variable != m_Place.scope.end() && variable->second.type == name.name) ||
+            (property && property->isProperty && property->type == name.name);
+        const bool isAlsoType = isNamedSo && m_End - m_At > 1 && m_At->Is(".") &&
+                                isStatic(name.name, std::string(m_At[1].text));
+        if (isAlsoType) // RenderPassEvent RenderPassEvent = RenderPassEvent.AfterRendering
+        {
+            PortValue type{m_Place.model.CppType(name.name).value_or(name.name), name.name};
+            type.isType = true;
+            return ReadBehind(type);
+        }
+        if (name.isTarget)
+        {
+            const auto setter = SetterOf(PortValue{"", SelfType()}, name);
+            if (setter)
+            {
+                return setter;
             }
-            names.emplace_back((m_At++)->text);
-        } while (Next("."));
-        const bool isQualified = names.front() == "UnityEngine";
-        while (isQualified && names.size() > 1 &&
-               IsIn(names.front(),
-                    {"UnityEngine", "Experimental", "Rendering", "Universal", "RenderGraphModule"}))
-        {
-            names.erase(names.begin()); // a namespace
         }
-        if (m_At < m_End && m_At->Is("(") &&
-            names == std::vector<std::string>{"Shader", "PropertyToID"})
-        {
-            const Result name = Translate(m_Model, m_Scope, m_At->Inside(), "string");
-            m_At = m_At->Behind();
-            return name ? Result(PortValue{"Shader::PropertyToID(" + name->cpp + ")",
-                                           k_PropertyIdType})
-                        : std::nullopt;
-        }
-        if (names.front() == "this" && names.size() > 1)
-        {
-            names.erase(names.begin());
-            names.front().insert(0, "this."); // not the parameter of this name
-        }
-        const auto found = m_Scope.find(names.front());
-        return found == m_Scope.end() ? StaticValue(names) : MemberValue(found->second, names);
+        return Behind(m_Members.Find(name));
     }
 
-    Result MemberValue(PortValue value, const std::vector<std::string>& names) const
+    /// Returns whether the member is the type's and no object's.
+    bool isStatic(const std::string& type, const std::string& member) const
     {
-        for (std::size_t i = 1; i < names.size(); ++i)
+        const CSharpClass* own = m_Place.model.Find(type);
+        const PortEntry* entry = m_Place.model.table().Find(type + "." + member);
+        return own ? own->enumeratorNames.contains(member)
+                   : entry && (entry->result.empty() || entry->result == type);
+    }
+
+    std::string SelfType() const
+    {
+        const CSharpClass* one = m_Place.model.context();
+        return one ? BaseTypeOf(m_Place.model.RoleOf(*one)) : "";
+    }
+
+    Result Behind(const Result& value) { return value ? ReadBehind(*value) : value; }
+
+    /// The name that stands here, with what belongs to it.
+    PortName ReadName()
+    {
+        PortName name;
+        name.name = (m_At++)->text;
+        const CSharpToken* behind = m_At;
+        if (m_At < m_End && m_At->Is("<"))
         {
-            const CSharpClass* own = m_Model.Find(value.type);
-            const CSharpField* field = own ? own->FindField(names[i]) : nullptr;
-            const std::string dot = value.isPointer ? "->" : ".";
-            const bool isParameter = PlainTypeName(value.type).ends_with("Parameter");
-            if (names[i] == "value" && isParameter)
+            const std::string generics = ReadCSharpGenerics(behind);
+            if (!generics.empty() && behind < m_End && behind->Is("("))
             {
-                value = {value.cpp + ".value()", ParameterValue(value.type)};
+                name.generics = generics;
+                m_At = behind;
             }
-            else if (names[i] == "overrideState" && isParameter)
+        }
+        name.isCall = m_At < m_End && m_At->Is("(");
+        if (name.isCall)
+        {
+            name.arguments = TakeArguments();
+        }
+        name.isTarget = m_Assigned.data() != nullptr && m_At == m_End;
+        return name;
+    }
+
+    /// Keeps the code of an assignment to a member that is no variable in C++.
+    Result SetterOf(const PortValue& value, const PortName& name)
+    {
+        const auto setter = m_Members.Setter(value, name, m_Assigned);
+        m_Setter = setter.value_or("");
+        return setter ? Result(value) : std::nullopt;
+    }
+
+    /// .b[c]
+    Result ReadBehind(PortValue value)
+    {
+        while (m_At < m_End)
+        {
+            if (m_At->Is("[") && !value.isType)
             {
-                value = {value.cpp + ".overrideState()", "bool"};
+                const Result element = m_Members.Element(value, m_At->Inside());
+                m_At = m_At->Behind();
+                if (!element)
+                {
+                    return element;
+                }
+                value = *element;
             }
-            else if (field && m_Model.RoleOf(*own) == PortRole::Data && !field->isStatic &&
-                     m_Model.isDeclared(*field))
+            else if (m_At->Is(".") && m_At + 1 < m_End && m_At[1].isName())
             {
-                const bool isVariable = value.isVariable;
-                value = {value.cpp + dot + m_Model.CppName(field->name), field->type};
-                value.isVariable = isVariable;
-                value.isPointer = m_Model.isShared(*own, *field);
+                ++m_At;
+                const PortName name = ReadName();
+                if (name.isTarget && SetterOf(value, name))
+                {
+                    return value;
+                }
+                const Result vector =
+                    value.isType ? VectorValue(value.type, name.name) : std::nullopt;
+                const Result member = vector ? vector : m_Members.MemberOf(value, name);
+                if (!member)
+                {
+                    return member;
+                }
+                value = *member;
             }
             else
             {
-                return std::nullopt;
+                break;
             }
         }
-        return value;
-    }
-
-    /// Returns the value type of a volume parameter of this type.
-    std::string ParameterValue(const std::string& type) const
-    {
-        const std::string plain(PlainTypeName(type));
-        for (const auto& [part, value] : {std::pair("Float", "float"), std::pair("Int", "int"),
-                                          std::pair("Bool", "bool"), std::pair("Color", "Color")})
-        {
-            if (plain.ends_with(std::string(part) + "Parameter"))
-            {
-                return value;
-            }
-        }
-        return m_Model.HeldType(type);
+        return value.isType ? Fail("a type where a value is needed") : Result(value);
     }
 
     /// Vector2.one; nothing for others.
@@ -490,53 +746,181 @@ private:
         return PortValue{text + ")", type};
     }
 
-    /// Color.white, RenderPassEvent.AfterRendering, Settings.Mode.On
-    Result StaticValue(const std::vector<std::string>& names) const
-    {
-        if (names.size() < 2)
-        {
-            return std::nullopt;
-        }
-        const std::string& type = names[names.size() - 2];
-        const std::string& member = names.back();
-        if (const CSharpClass* own = m_Model.Find(type))
-        {
-            const CSharpField* field = own->FindField(member);
-            if (field && field->isStatic && m_Model.RoleOf(*own) == PortRole::Data &&
-                m_Model.isDeclared(*field))
-            {
-                return PortValue{m_Model.QualifiedName(*own) + "::" + m_Model.CppName(member),
-                                 field->type};
-            }
-            const bool isMember = own->enumeratorNames.contains(member);
-            const auto cpp = isMember ? m_Model.CppType(type) : std::nullopt;
-            return cpp ? Result(PortValue{*cpp + "::" + m_Model.CppName(member), own->name})
-                       : std::nullopt;
-        }
-        if (const Result vector = VectorValue(type, member))
-        {
-            return vector;
-        }
-        const PortEntry* entry = m_Model.table().Find(type, member);
-        const bool isSame = entry && entry->verdict == PortVerdict::Same &&
-                            m_Model.CppType(type) == type &&
-                            (entry->result.empty() || entry->result == type);
-        return isSame ? Result(PortValue{type + "::" + member, type}) : std::nullopt;
-    }
-
-    const PortModel& m_Model;
-    const PortScope& m_Scope;
+    PortPlace m_Place;
     const CSharpToken* m_At;
     const CSharpToken* m_End;
+    std::string& m_Problem;
+    PortMembers m_Members;
+    CSharpWords m_Assigned;
+    std::string m_Setter; ///< the assignment, where it is a call in C++
     int m_Depth = 0;
 };
 
+/// Makes the value one that a pointer can be set to, or returns false.
+bool PointTo(const PortModel& model, const PortValue& target, PortValue& value)
+{
+    const CSharpClass* own = model.Find(value.type);
+    const bool isSame = value.type == target.type || (own && own == model.Find(target.type));
+    if (value.type == "null")
+    {
+        value.cpp = "nullptr";
+    }
+    else if (isSame && !value.isPointer && value.isVariable)
+    {
+        value.cpp = "&" + value.Text(90);
+    }
+    return value.type == "null" || (isSame && (value.isPointer || value.isVariable));
+}
+
+/// Returns the mask of rendering layers or of layers that a number is, or nothing.
+Result AsMask(const PortValue& value, const std::string& wanted)
+{
+    if ((value.type != "int" && value.type != "uint") || !value.isLiteral)
+    {
+        return std::nullopt;
+    }
+    const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
+    const bool isNone = value.cpp == "0" || value.cpp == "0u";
+    if (isAll || isNone)
+    {
+        return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
+    }
+    if (value.cpp[0] == '-' || value.cpp[0] == '~')
+    {
+        return std::nullopt;
+    }
+    return PortValue{wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted};
+}
+
+/// Returns the value with another type that it turns into in C#, or nothing.
+Result AsOther(const PortValue& value, const std::string& wanted)
+{
+    const auto is = [&](std::string_view from, std::string_view to)
+    {
+        return value.type == from && wanted == to;
+    };
+    std::string cpp;
+    if (is("RenderTextureFormat", "GraphicsFormat"))
+    {
+        cpp = "ToGraphicsFormat(" + value.cpp + ", true)";
+    }
+    else if (is("Color", "Vector4"))
+    {
+        cpp = value.Text(90) + ".vector()";
+    }
+    else if (is("Vector3", "Vector4"))
+    {
+        cpp = "Vector4(" + value.cpp + ", 0.0f)";
+    }
+    else if (is("Vector2", "Vector4"))
+    {
+        cpp = "Vector4(" + value.cpp + ", 0.0f, 0.0f)";
+    }
+    else if (is("Vector4", "Vector3") || is("Vector3", "Vector2") || is("Vector4", "Vector2"))
+    {
+        cpp = wanted + "(" + value.cpp + ")";
+    }
+    else if (value.type == "RTHandle" && wanted == "RenderTexture")
+    {
+        cpp = value.Text(90) + ".rt()";
+    }
+    else if (wanted == "RenderTargetIdentifier" &&
+             IsIn(value.type, {"Texture", "Texture2D", "RenderTexture"}))
+    {
+        cpp = wanted + "(" + value.cpp + ")";
+    }
+    else if ((wanted == "RenderTargetIdentifier" &&
+              IsIn(value.type, {"RTHandle", "ShaderPropertyId", "BuiltinRenderTextureType", "string"})) ||
+             (wanted == "Texture" && IsIn(value.type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"})) ||
+             is("TextureHandle", "RTHandle") || is("RendererListHandle", "RendererList") ||
+             is("float", "double") || is("int", "double"))
+    {
+        cpp = value.cpp;
+    }
+    return cpp.empty() ? std::nullopt : Result(PortValue{cpp, wanted});
+}
+
 } // namespace
 
-std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
-                                   CSharpWords words, const std::string& wanted)
+std::optional<PortValue> Converted(const PortModel& model, PortValue value,
+                                   const std::string& wanted)
 {
-    return words.empty() ? std::nullopt : Translator(model, scope, words).Run(wanted);
+    const CSharpClass* own = wanted.empty() ? nullptr : model.Find(wanted);
+    if (wanted.empty())
+    {
+        return value;
+    }
+    if (value.type == wanted || value.type.empty() || (own && own == model.Find(value.type)))
+    {
+        value.cpp = value.isPointer ? "*" + value.Text(90) : value.cpp;
+        value.strength = value.isPointer ? 90 : value.strength;
+        value.isPointer = false;
+        return value;
+    }
+    const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
+    if (wanted == "float" && (value.type == "int" || value.type == "uint"))
+    {
+        return value.isLiteral && !isHex && value.type == "int"
+                   ? PortValue{value.cpp + ".0f", "float", true}
+                   : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
+    }
+    if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
+    {
+        return PortValue{value.cpp + "u", "uint", true};
+    }
+    if (!own && (wanted == "LayerMask" || wanted.ends_with("RenderingLayerMask")))
+    {
+        return AsMask(value, wanted);
+    }
+    if (wanted == "bool" && (value.isPointer || IsSharedType(model, value.type)))
+    {
+        return PortValue{value.cpp + " != nullptr", "bool", false, false, false, false, 5};
+    }
+    if (value.type == "null" && wanted != "ProfilingSampler")
+    {
+        return PortValue{PortModel::CppDefault(model.CppType(wanted).value_or("")), wanted};
+    }
+    return AsOther(value, wanted);
+}
+
+std::optional<PortValue> Translate(const PortPlace& place, CSharpWords words,
+                                   const std::string& wanted, std::string* problem)
+{
+    std::string own;
+    return words.empty() ? std::nullopt
+                         : Translator(place, words, problem ? *problem : own).Run(wanted);
+}
+
+std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue& target,
+                                        std::string_view word, CSharpWords assigned,
+                                        std::string& problem)
+{
+    const std::string type = word == "=" && !target.isPointer ? target.type : "";
+    const bool isBare = target.isPointer && assigned.size() > 1 && assigned[0].Is("new") &&
+                        assigned[1].Is("(") && assigned[1].Inside().data() + assigned[1].match == &assigned.back() + 1;
+    auto value = isBare ? PortMembers(place, problem)
+                              .Construct(target.type, SplitArguments(assigned[1].Inside()))
+                        : Translate(place, assigned, type, &problem);
+    if (value && word != "=" && target.type == "float")
+    {
+        value = Converted(place.model, *value, "float");
+    }
+    const bool isGood = value && value->type != "void";
+    if (isGood && target.isPointer && !PointTo(place.model, target, *value))
+    {
+        problem = "an object of its own where another's is kept";
+        return std::nullopt;
+    }
+    return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)
+                  : std::nullopt;
+}
+
+std::optional<std::string> TranslateAssignment(const PortPlace& place, CSharpWords target,
+                                               std::string_view word, CSharpWords value,
+                                               std::string& problem)
+{
+    return target.empty() || value.empty() ? std::nullopt
+                                           : Translator(place, target, problem).Assign(word, value);
 }
 
 std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)

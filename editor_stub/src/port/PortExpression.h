@@ -11,23 +11,58 @@
 namespace limn
 {
 
-/// A value in C++.
+/// A value in C++, or a type.
 struct PortValue
 {
     std::string cpp;
-    std::string type;        ///< the C# type
+    std::string type;        ///< the C# type; "" = not known
     bool isLiteral = false;  ///< true for a number
     bool isVariable = false; ///< true if it has an address
     bool isPointer = false;  ///< true if it points to an object of the type
+    bool isType = false;     ///< true for a type by its name
+    int strength = 100;      ///< how tightly its operator binds; an expression without one has 100
+
+    /// Returns it in brackets, if an operator of this strength would otherwise tear it apart.
+    std::string Text(int least) const { return strength < least ? "(" + cpp + ")" : cpp; }
 };
 
 /// The names that an expression can use, and their values.
 using PortScope = std::map<std::string, PortValue>;
 
+/// Where an expression stands.
+struct PortPlace
+{
+    const PortModel& model;
+    const PortScope& scope;
+    bool isBody = false; ///< true in the body of a method, which may call what it likes
+};
+
 /// Returns an expression in C++, of the wanted type ("" = any), or nothing if a part of it is not
-/// known to mean the same. It translates defaults, arguments and conditions of a few words.
-std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
-                                   CSharpWords words, const std::string& wanted);
+/// known to mean the same. Outside of bodies it translates defaults, arguments and conditions of a
+/// few words.
+/// @param problem  why there is nothing, if it is not null and that can be said
+std::optional<PortValue> Translate(const PortPlace& place, CSharpWords words,
+                                   const std::string& wanted, std::string* problem = nullptr);
+inline std::optional<PortValue> Translate(const PortModel& model, const PortScope& scope,
+                                          CSharpWords words, const std::string& wanted)
+{
+    return Translate(PortPlace{model, scope}, words, wanted);
+}
+
+/// Returns the assignment in C++ without its semicolon, or nothing like Translate.
+/// @param word  the operator: "=" or "+="
+std::optional<std::string> TranslateAssignment(const PortPlace& place, CSharpWords target,
+                                               std::string_view word, CSharpWords value,
+                                               std::string& problem);
+
+/// Returns the same for a variable that is already C++.
+std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue& target,
+                                        std::string_view word, CSharpWords assigned,
+                                        std::string& problem);
+
+/// Returns the value as one of the wanted type ("" = any), or nothing if it cannot be one.
+std::optional<PortValue> Converted(const PortModel& model, PortValue value,
+                                   const std::string& wanted);
 
 /// Returns the number that an attribute's argument is, or nothing if it is none.
 std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words);

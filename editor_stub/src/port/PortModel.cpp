@@ -220,7 +220,10 @@ std::optional<std::string> PortModel::CppType(const std::string& type) const
 std::optional<std::string> PortModel::CppPointed(const std::string& type) const
 {
     const CSharpClass* own = Find(type);
-    return own && RoleOf(*own) == PortRole::Component ? "const " + ClassName(*own) : CppType(type);
+    return own && RoleOf(*own) == PortRole::Component ? "const " + ClassName(*own)
+           : own                                      ? CppType(type)
+           : type == "Camera"                         ? "const Camera"
+                                                      : std::optional(type);
 }
 
 std::string PortModel::CppDefault(const std::string& cppType)
@@ -282,6 +285,12 @@ std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parame
 bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
 {
     const CSharpClass* own = FindPlain(field.type);
+    static const WordList shared("Camera ScriptableRenderer UniversalCameraData UniversalLightData "
+                                 "UniversalRenderingData UniversalResourceData");
+    if (!own && shared.Has(field.type))
+    {
+        return !field.isStatic;
+    }
     if (own && RoleOf(*own) == PortRole::Component)
     {
         const bool isNull = field.value.empty() || field.value.front().Is("null");

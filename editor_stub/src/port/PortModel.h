@@ -81,6 +81,9 @@ public:
     /// another owner's object in it, or if any class keeps a component of the volume stack in it.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
+    /// Returns the class of the PortContext, or null if there is none.
+    const CSharpClass* context() const { return m_Context; }
+
     /// Marks a class as declared in the C++, so that it may be used as a type from here on. Fields,
     /// which the C++ may lack, and the methods in a class's definition are marked likewise.
     template <typename Member>

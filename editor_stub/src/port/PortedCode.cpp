@@ -46,7 +46,67 @@ std::string Harmless(std::string_view line)
     return isContinued ? text + " //" : text;
 }
 
+constexpr std::string_view k_Unused = "[[maybe_unused]] ";
+
+/// Returns whether code of several lines reads a name: an assignment to it or its members does not.
+bool Reads(std::string_view code, std::string_view name)
+{
+    for (const std::string& line : SplitText(std::string(code), '\n'))
+    {
+        const std::string_view text = std::string_view(line).substr(0, line.find("// "));
+        for (std::size_t at = text.find(name); at != std::string_view::npos;
+             at = text.find(name, at + 1))
+        {
+            const std::size_t end = at + name.size();
+            const char before = at == 0 ? ' ' : text[at - 1];
+            const bool isMember = before == '.' || (before == '>' && text[at - 2] == '-');
+            const bool isWhole = !isMember && !IsNamePart(before) &&
+                                 (end == text.size() || !IsNamePart(text[end]));
+            const bool isFirst = text.find_first_not_of(' ') == at;
+            const std::size_t equals = text.find(" = ");
+            const bool isSet = isFirst && equals != std::string_view::npos &&
+                               text.substr(end, equals - end).find_first_of("([") ==
+                                   std::string_view::npos;
+            if (isWhole && !isSet)
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
+
+void PortedCode::TrimUnused(std::size_t begin)
+{
+    for (std::size_t at = text.find(k_Unused, begin); at != std::string::npos;
+         at = text.find(k_Unused, at))
+    {
+        std::size_t end = at + k_Unused.size();
+        for (int depth = 0; end < text.size(); ++end)
+        {
+            depth += text[end] == '<' ? 1 : text[end] == '>' ? -1 : 0;
+            if (depth == 0 && IsIn(text.substr(end, 1), {",", ")", "=", ";", "{", ":"}) &&
+                text[end + 1] != ':' && text[end - 1] != ':')
+            {
+                break;
+            }
+        }
+        const std::size_t last = text.find_last_not_of(' ', end - 1);
+        std::size_t first = last;
+        while (IsNamePart(text[first - 1]))
+        {
+            --first;
+        }
+        const std::string name = text.substr(first, last + 1 - first);
+        if (Reads(std::string_view(text).substr(end), name))
+        {
+            text.erase(at, k_Unused.size());
+        }
+        ++at;
+    }
+}
 
 void PortedCode::Line(std::string_view line)
 {
@@ -130,35 +190,11 @@ std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method)
     return std::string_view(file.text).substr(begin, end - begin);
 }
 
-std::vector<PortedAssignment> AssignmentsOf(CSharpWords body)
-{
-    std::vector<PortedAssignment> assignments;
-    const CSharpToken* const end = body.data() + body.size();
-    const CSharpToken* begin = body.data();
-    const CSharpToken* equals = nullptr;
-    for (const CSharpToken* at = begin; at < end; at = at->Behind())
-    {
-        if (at->Is("=") && !equals)
-        {
-            equals = at;
-        }
-        if (at->Is(";") || (at->Is("{") && !equals))
-        {
-            if (equals && equals > begin)
-            {
-                assignments.push_back({{begin, equals}, {equals + 1, at}});
-            }
-            begin = at->Behind();
-            equals = nullptr;
-        }
-    }
-    return assignments;
-}
-
 std::string PortedHeader(PortedCode& code)
 {
     PortModel& model = code.model();
     code.text = "#pragma once\n\n#include <limn/core/ComputeShader.h>\n#include "
+                "<limn/core/CurrentCamera.h>\n#include <limn/core/Debug.h>\n#include "
                 "<limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
     code.text += "// Begun by `limn port` from " +

@@ -43,6 +43,12 @@ public:
     /// Writes C# as comments, moved to the left as far as possible.
     void Comment(std::string_view csharp);
 
+    /// Takes the [[maybe_unused]] away from what is used in the text from there on.
+    void TrimUnused(std::size_t begin);
+    /// Notes that the C++ makes the pass of this member.
+    void Make(const std::string& pass) { m_Made.insert(pass); }
+    bool isMade(const std::string& pass) const { return m_Made.contains(pass); }
+
     void Done(PortedThing thing) { m_Things.push_back(std::move(thing)); }
     const std::vector<PortedThing>& things() const { return m_Things; }
 
@@ -51,6 +57,7 @@ private:
     std::size_t m_Indent = 0;
     std::vector<std::string> m_Behind;
     std::vector<PortedThing> m_Things;
+    std::set<std::string> m_Made;
 };
 
 // These write the contents of files and classes, in C++ that compiles. A part that they cannot
@@ -98,16 +105,19 @@ struct PortedSignature
 /// calls it.
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
                                            const CSharpMethod& method);
+/// Returns whether a method of data or of a component is const in C++: it changes no field.
+bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
+/// Returns whether a body assigns to the name or to a member of it.
+bool IsChanged(CSharpWords body, std::string_view name);
+/// Returns whether the body of a method of Unity's changes its copy of a parameter that C++ does not
+/// copy.
+bool IsCopied(const std::string& cppType, const CSharpMethod& method, const std::string& parameter);
 /// Writes the return statement of a method whose body is a comment.
 void WriteResult(PortedCode& code, const PortedSignature& signature);
 /// Returns the C++ values of the method's parameters and the class's fields.
 PortScope ScopeOf(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 /// Returns the C++ name of a method's parameter or variable, which hides no member.
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name);
-/// Writes the C# of a method that adds passes to a render graph, as comments, and the passes in
-/// C++.
-/// @return false, and writes nothing, if the method adds no passes
-bool WriteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// Notes the passes that a method adds to a render graph as ones that stay comments.
 void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMethod& method);
 /// Returns the C++ value of a field in the methods of its class.
@@ -127,16 +137,9 @@ struct PassMember
 /// Returns the member of this name, or null if there is none.
 const PassMember* FindPassMember(std::string_view name);
 
-/// A statement `a = b;` outside of brackets in a body.
-struct PortedAssignment
-{
-    CSharpWords target;
-    CSharpWords value;
-};
-std::vector<PortedAssignment> AssignmentsOf(CSharpWords body);
-/// Returns the assignment in C++, or "" if it is not known to mean the same.
-std::string AssignmentText(const PortModel& model, const PortScope& scope,
-                           const PortedAssignment& assignment);
+/// Returns whether C++ has the method of a class, and the class that is being written comes behind
+/// it.
+bool IsCallable(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 
 /// Returns the header of a plug-in with the features; PortedSource returns its source.
 std::string PortedHeader(PortedCode& code);

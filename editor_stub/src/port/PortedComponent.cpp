@@ -214,6 +214,10 @@ void WriteQuestion(PortedCode& code, const CSharpClass& one, const std::string& 
     }
     code.Line("return " + (value ? value->cpp : "false") + ";");
     code.Close();
+    if (method)
+    {
+        code.model().Declare(*method);
+    }
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-#include "port/PortedCode.h"
+#include "port/PortedBody.h"
 
 #include <algorithm>
 
@@ -44,33 +44,6 @@ bool IsCompatibilityMethod(const CSharpClass& one, const CSharpMethod& method)
            one.FindMethod("RecordRenderGraph");
 }
 
-/// Notes events and names of the pass that an assignment sets.
-void Note(PortedCode& code, const CSharpClass& one, const PortedAssignment& assignment, bool isDone)
-{
-    if (const PassMember* member = FindPassMember(assignment.target.back().text))
-    {
-        code.Done({member->what, one.name + "." + member->name,
-                   code.model().Text(one, assignment.value),
-                   code.model().Place(one, assignment.target.front().location), isDone});
-    }
-}
-
-/// Takes the pointers out of a scope in which they are null; their names.
-std::set<std::string> TakePointers(PortScope& scope)
-{
-    std::set<std::string> names;
-    std::erase_if(scope,
-                  [&](const auto& entry)
-                  {
-                      if (entry.second.isPointer && entry.first.starts_with("this."))
-                      {
-                          names.insert(entry.first.substr(5));
-                      }
-                      return entry.second.isPointer;
-                  });
-    return names;
-}
-
 void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
     const PortModel& model = code.model();
@@ -81,41 +54,15 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
         return;
     }
     const bool isConversion = method.parameters.size() == 1;
+    const std::size_t begin = code.text.size();
     code.Open((isConversion ? "explicit " : "") + signature->Text());
-    code.TodoBody("port", one, method);
-    PortScope scope = ScopeOf(model, one, method);
-    std::set<std::string> unset = TakePointers(scope);
-    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
-    {
-        const std::string name(assignment.target.back().text);
-        if (const CSharpField* field = unset.contains(name) ? one.FindField(name) : nullptr)
-        {
-            scope["this." + name] = VariableOf(model, one, *field);
-        }
-        const std::string line = AssignmentText(model, scope, assignment);
-        Note(code, one, assignment, !line.empty());
-        if (!line.empty() && unset.erase(name) > 0)
-        {
-            scope.try_emplace(name, scope["this." + name]);
-        }
-        else if (unset.contains(name))
-        {
-            scope.erase("this." + name);
-        }
-        if (!line.empty())
-        {
-            code.Line(line);
-        }
-    }
+    PortedBody(code, one, method).Write();
     code.Close();
+    code.TrimUnused(begin);
 }
 
 void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
-    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
-    {
-        Note(code, one, assignment, false);
-    }
     const auto signature = SignatureOf(code.model(), one, method);
     const bool isOld = IsCompatibilityMethod(one, method);
     if (!signature || isOld)
@@ -128,13 +75,11 @@ void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
         NoteGraphPasses(code, one, method);
         return;
     }
+    const std::size_t begin = code.text.size();
     code.Open((method.isStatic ? "static " : "") + signature->Text());
-    if (!WriteGraphPasses(code, one, method))
-    {
-        code.TodoBody("port", one, method);
-    }
-    WriteResult(code, *signature);
+    PortedBody(code, one, method).Write();
     code.Close();
+    code.TrimUnused(begin);
 }
 
 /// Returns whether C++ has one of the methods that limn runs.
@@ -148,18 +93,20 @@ bool HasWork(const PortModel& model, const CSharpClass& one)
     return std::ranges::any_of(one.methods, isWork);
 }
 
-/// Returns whether a body assigns to a parameter or to a member of it.
+} // namespace
+
 bool IsChanged(CSharpWords body, std::string_view name)
 {
     for (std::size_t i = 0; i + 1 < body.size(); ++i)
     {
         const bool isIt = body[i].Is(name) && (i == 0 || !body[i - 1].Is("."));
         std::size_t behind = i + 1;
-        while (isIt && behind + 2 < body.size() && body[behind].Is(".") &&
-               body[behind + 1].isName())
+        while (isIt && behind + 2 < body.size() &&
+               ((body[behind].Is(".") && body[behind + 1].isName()) || body[behind].Is("[")))
         {
-            behind += 2;
+            behind += body[behind].Is(".") ? 2 : static_cast<std::size_t>(body[behind].match) + 1;
         }
+        behind = std::min(behind, body.size() - 1);
         if (isIt && IsIn(body[behind].text, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"}))
         {
             return true;
@@ -167,8 +114,6 @@ bool IsChanged(CSharpWords body, std::string_view name)
     }
     return false;
 }
-
-} // namespace
 
 const PassMember* FindPassMember(std::string_view name)
 {
@@ -179,31 +124,12 @@ const PassMember* FindPassMember(std::string_view name)
     return found == std::end(members) ? nullptr : found;
 }
 
-std::string AssignmentText(const PortModel& model, const PortScope& scope,
-                           const PortedAssignment& assignment)
+bool IsCallable(const PortModel& model, const CSharpClass& one, const CSharpMethod& method)
 {
-    CSharpWords target = assignment.target;
-    std::string name(target.back().text);
-    const bool isThis = target.size() == 3 && (target[0].Is("this") || target[0].Is("base"));
-    if (!(target.size() == 1 || isThis) || !target.back().isName())
-    {
-        return "";
-    }
-    const PassMember* member = FindPassMember(name);
-    const auto found = scope.find("this." + name);
-    const PortValue field = member                 ? PortValue{name, member->type}
-                            : found != scope.end() ? found->second
-                                                   : PortValue{};
-    if (field.cpp.empty())
-    {
-        return "";
-    }
-    const auto value = Translate(model, scope, assignment.value, field.isPointer ? "" : field.type);
-    const bool isSame =
-        value && (!field.isPointer || (value->isVariable && model.Find(value->type) &&
-                                       model.Find(value->type) == model.Find(field.type)));
-    const bool isAddress = field.isPointer && isSame && !value->isPointer;
-    return isSame ? field.cpp + " = " + (isAddress ? "&" : "") + value->cpp + ";" : "";
+    const bool isBehind = model.context() == &one || model.isDeclared(method) ||
+                          (model.isDeclared(one) && model.RoleOf(one) == PortRole::Pass);
+    return isBehind && !method.isConstructor() && SignatureOf(model, one, method) &&
+           !(model.RoleOf(one) == PortRole::Pass && IsCompatibilityMethod(one, method));
 }
 
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
@@ -222,6 +148,12 @@ std::string PortedSignature::Text(const std::string& owner) const
     std::string text = result.empty() ? "" : result + " ";
     text += owner + name + parameters;
     return isOverride && owner.empty() ? text + " override" : text;
+}
+
+bool IsCopied(const std::string& cppType, const CSharpMethod& method, const std::string& parameter)
+{
+    return method.isOverride && cppType == "const RenderTextureDescriptor&" &&
+           IsChanged(method.body, parameter);
 }
 
 std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpClass& one,
@@ -253,7 +185,8 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         const auto result = method.isConstructor() || method.type == "void"
                                 ? std::optional(method.type)
                                 : model.CppType(method.type);
-        if (method.isProperty || !result || isKnown) // which it would hide
+        const bool isBlock = method.isProperty && !method.isExpression; // with get and set
+        if (isBlock || !result || isKnown) // which it would hide
         {
             return std::nullopt;
         }
@@ -269,13 +202,16 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
             const auto value = model.CppType(parameter.type);
             const bool isCopy =
                 value && *type == "const " + *value + "&" && IsChanged(method.body, parameter.name);
-            types.push_back(isCopy ? *value : *type);
+            const bool isList = isCopy && value->starts_with("std::vector<");
+            types.push_back(isCopy ? *value + (isList ? "&" : "") : *type);
         }
     }
     for (std::size_t i = 0; i < types.size(); ++i)
     {
+        const std::string name = method.parameters[i].name;
         signature.parameters += (i == 0 ? "[[maybe_unused]] " : ", [[maybe_unused]] ") + types[i] +
-                                " " + LocalName(model, one, method.parameters[i].name);
+                                " " + LocalName(model, one, name) +
+                                (IsCopied(types[i], method, name) ? "Given" : "");
     }
     signature.parameters += ")";
     return signature;
@@ -370,6 +306,7 @@ void WritePass(PortedCode& code, const CSharpClass& one)
         code.Close();
     }
     code.Close("};");
+    code.model().Declare(one);
     code.Line();
 }
 

@@ -1,5 +1,5 @@
 #include "console/Texts.h"
-#include "port/PortedCode.h"
+#include "port/PortedBody.h"
 
 #include <algorithm>
 #include <iterator>
@@ -247,18 +247,9 @@ std::string BaseText(const PortModel& model, const CSharpClass& one)
 /// A ContextItem's, which is pure in C++.
 void WriteReset(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
-    const PortModel& model = code.model();
     code.Line();
     code.Open("void Reset() override");
-    code.TodoBody("port", one, method);
-    const PortScope scope = ScopeOf(model, one, method);
-    for (const PortedAssignment& assignment : AssignmentsOf(method.body))
-    {
-        if (const std::string line = AssignmentText(model, scope, assignment); !line.empty())
-        {
-            code.Line(line);
-        }
-    }
+    PortedBody(code, one, method).Write();
     code.Close();
 }
 
@@ -275,7 +266,8 @@ PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CShar
 {
     PortValue value{model.CppName(field.name), field.type};
     value.isVariable = true;
-    value.isPointer = model.isShared(one, field);
+    const CSharpClass* own = model.FindPlain(field.type);
+    value.isPointer = model.isShared(one, field) || (own && model.RoleOf(*own) == PortRole::Pass);
     return value;
 }
 
@@ -375,7 +367,9 @@ void WriteDescription(PortedCode& code, const CSharpClass& one)
               std::string(model.RoleOf(one) == PortRole::Feature ? " override" : ""));
     for (const CSharpField& field : one.fields)
     {
-        if (!model.isSerialized(field))
+        const CSharpClass* own = model.FindPlain(field.type);
+        const bool isPass = own && model.RoleOf(*own) == PortRole::Pass;
+        if (!model.isSerialized(field) || isPass)
         {
             continue;
         }
@@ -411,6 +405,20 @@ void WriteTypes(PortedCode& code, const std::vector<const CSharpClass*>& classes
     }
 }
 
+bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod& method)
+{
+    const auto isOwnCall = [&](const CSharpToken& word)
+    {
+        const CSharpMethod* called = word.isName() ? one.FindMethod(word.text) : nullptr;
+        return called && called != &method && !called->isStatic;
+    };
+    const bool isComponent = model.RoleOf(one) == PortRole::Component;
+    const bool isQuestion = method.isExpression && method.type != "void";
+    return (isComponent || isQuestion) && std::ranges::none_of(method.body, isOwnCall) &&
+           std::ranges::none_of(one.fields, [&](const CSharpField& field)
+                                { return IsChanged(method.body, field.name); });
+}
+
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,
                  std::set<std::string>& signatures)
 {
@@ -423,10 +431,13 @@ void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& m
         code.TodoBody(method.name, one, method);
         return;
     }
-    code.Open((method.isStatic ? "static " : "") + signature->Text());
-    code.TodoBody("port", one, method);
-    WriteResult(code, *signature);
+    const bool isConst = !method.isStatic && IsConst(code.model(), one, method);
+    const std::size_t begin = code.text.size();
+    code.Open((method.isStatic ? "static " : "") + signature->Text() + (isConst ? " const" : ""));
+    PortedBody(code, one, method).Write();
     code.Close();
+    code.TrimUnused(begin);
+    code.model().Declare(method);
 }
 
 void WriteData(PortedCode& code, const CSharpClass& one)

@@ -54,6 +54,35 @@ std::string RowWords(std::string_view row)
            std::string(row.substr(middle + 3, row.size() - middle - 5));
 }
 
+std::string_view BaseOf(std::string_view type)
+{
+    if (IsIn(type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"}))
+    {
+        return "Texture";
+    }
+    if (IsIn(type, {"Material", "Shader", "Texture", "Mesh", "GameObject",
+                    "ScriptableRendererFeature", "VolumeComponent"}))
+    {
+        return "Object";
+    }
+    if (type == "UniversalRenderer")
+    {
+        return "ScriptableRenderer";
+    }
+    return type.ends_with("Parameter") && type != "VolumeParameter" ? "VolumeParameter" : "";
+}
+
+/// Takes the result over from a key with ">T".
+void SetResult(const std::string& key, PortEntry& entry)
+{
+    const std::size_t arrow = key.find('>');
+    if (arrow != std::string::npos)
+    {
+        entry.isPointer = key.ends_with('*');
+        entry.result = key.substr(arrow + 1, key.size() - arrow - (entry.isPointer ? 2 : 1));
+    }
+}
+
 } // namespace
 
 const char* ToString(PortVerdict verdict)
@@ -80,6 +109,10 @@ PortingTable::PortingTable(std::string_view text)
             }
             m_Rows.push_back(line);
             rowWords = RowWords(line);
+        }
+        else if (SplitWords(line).front() == "cpp")
+        {
+            ReadCode(line, number);
         }
         else if (line.front() != '#')
         {
@@ -116,6 +149,37 @@ void PortingTable::ReadVerdict(std::string_view line, const std::string& rowWord
     }
 }
 
+void PortingTable::ReadCode(std::string_view line, int number)
+{
+    const std::size_t equals = std::min(line.find(" = "), line.find(" := "));
+    if (equals == std::string_view::npos)
+    {
+        Fail(number, "' = ' and the member in C++ are expected, or ' := ' and an assignment to it");
+    }
+    const bool isSet = line[equals + 1] == ':';
+    const std::vector<std::string_view> words = SplitWords(line.substr(0, equals));
+    for (std::size_t i = 1; i < words.size(); ++i)
+    {
+        for (const std::string& key : Expand(std::string(words[i])))
+        {
+            const std::string code(line.substr(equals + (isSet ? 4 : 3)));
+            if (key.starts_with("new:") || key.find('/') != std::string::npos)
+            {
+                m_Codes[key] = code;
+                continue;
+            }
+            const std::size_t arrow = key.find('>');
+            const auto entry = m_Entries.find(key.substr(0, arrow));
+            if (entry == m_Entries.end())
+            {
+                Fail(number, "'" + key + "' has no verdict above");
+            }
+            (isSet ? entry->second.cppSet : entry->second.cpp) = code;
+            SetResult(key, entry->second);
+        }
+    }
+}
+
 void PortingTable::Add(const std::string& key, const PortEntry& entry, int number)
 {
     const std::size_t arrow = key.find('>');
@@ -125,7 +189,7 @@ void PortingTable::Add(const std::string& key, const PortEntry& entry, int numbe
         Fail(number, "'" + key + "' stands in two rows; keep one of them");
     }
     added = entry;
-    added.result = arrow == std::string::npos ? "" : key.substr(arrow + 1);
+    SetResult(key, added);
 }
 
 const PortEntry* PortingTable::Find(std::string_view key) const
@@ -138,6 +202,30 @@ const PortEntry* PortingTable::Find(std::string_view type, std::string_view memb
 {
     const PortEntry* entry = Find(std::string(type) + "." + std::string(member));
     return entry ? entry : Find(std::string(type) + ".*");
+}
+
+std::string PortingTable::CodeFor(const std::string& key, std::size_t arguments) const
+{
+    const auto special = m_Codes.find(key + "/" + std::to_string(arguments));
+    const auto any = m_Codes.find(key);
+    return special != m_Codes.end() ? special->second
+           : any != m_Codes.end()   ? any->second
+                                    : "";
+}
+
+std::string PortingTable::OwnerOf(std::string_view type, std::string_view member,
+                                  bool isExact) const
+{
+    for (std::string_view at = type; !at.empty(); at = BaseOf(at))
+    {
+        const bool isThere = isExact ? Find(std::string(at) + "." + std::string(member)) != nullptr
+                                     : Find(at, member) != nullptr;
+        if (isThere)
+        {
+            return std::string(at);
+        }
+    }
+    return "";
 }
 
 bool PortingTable::HasType(std::string_view type) const

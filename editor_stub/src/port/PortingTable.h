@@ -26,6 +26,10 @@ struct PortEntry
     /// say.
     std::string words;
     std::string result; ///< the type of the member's value; "T" = its type argument; "" = not given
+    bool isPointer = false; ///< true if its value in C++ points to an object of that type
+    /// The member in C++, as PortMember.h describes it; "" if it is not the same line of code.
+    std::string cpp;
+    std::string cppSet; ///< an assignment to the member, likewise; "" if it is assigned to
 };
 
 /// The table editor_stub/src/port/porting.txt: the rows of samples/porting/DIFFERENCES.md, and the
@@ -45,13 +49,21 @@ public:
     /// Returns the entry of "Type.Member", else that of "Type.*".
     const PortEntry* Find(std::string_view type, std::string_view member) const;
     bool HasType(std::string_view type) const;
+    /// Returns the type that has a member: this one or the nearest of its bases; "" if none has it.
+    /// @param isExact  true if an entry for all members of a type does not count
+    std::string OwnerOf(std::string_view type, std::string_view member, bool isExact = false) const;
+
+    /// Returns the C++ of "new:T" or of a member with this number of arguments; "" if there is none.
+    std::string CodeFor(const std::string& key, std::size_t arguments) const;
 
 private:
     void ReadVerdict(std::string_view line, const std::string& rowWords, int number);
+    void ReadCode(std::string_view line, int number);
     void Add(const std::string& key, const PortEntry& entry, int number);
 
     std::vector<std::string> m_Rows;
     std::map<std::string, PortEntry, std::less<>> m_Entries;
+    std::map<std::string, std::string, std::less<>> m_Codes; ///< of constructors, of calls "KEY/2"
 };
 
 /// Returns the table that is built into this program.

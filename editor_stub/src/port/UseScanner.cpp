@@ -65,24 +65,6 @@ bool IsGenericName(std::string_view word)
                            word.size() < 12 && word.find("Handle") == std::string_view::npos);
 }
 
-std::string_view BaseOf(std::string_view type)
-{
-    if (IsIn(type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"}))
-    {
-        return "Texture";
-    }
-    if (IsIn(type, {"Material", "Shader", "Texture", "Mesh", "GameObject",
-                    "ScriptableRendererFeature", "VolumeComponent"}))
-    {
-        return "Object";
-    }
-    if (type == "UniversalRenderer")
-    {
-        return "ScriptableRenderer";
-    }
-    return type.ends_with("Parameter") && type != "VolumeParameter" ? "VolumeParameter" : "";
-}
-
 /// Types and attributes that C# and its tools have, for whoever reads.
 bool IsOfTools(std::string_view name)
 {
@@ -570,20 +552,13 @@ private:
     const PortEntry* UseInherited(std::string_view type, const std::string& member,
                                   const SourceLocation& location, bool isExact = false)
     {
-        for (std::string_view at = type; !at.empty(); at = BaseOf(at))
+        const std::string owner = m_Table.OwnerOf(type, member, isExact);
+        const PortEntry* entry = owner.empty() ? nullptr : m_Table.Find(owner, member);
+        if (entry)
         {
-            if (const PortEntry* entry = m_Table.Find(at, member))
-            {
-                const std::string key = std::string(at) + "." + member;
-                if (isExact && !m_Table.Find(key))
-                {
-                    return nullptr;
-                }
-                Use(key, entry, location);
-                return entry;
-            }
+            Use(owner + "." + member, entry, location);
         }
-        return nullptr;
+        return entry;
     }
 
     /// Returns the type of a member of a class of the files, or nothing if it has no such member.
