@@ -5,6 +5,7 @@
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/Debug.h>
 #include <limn/core/Mathf.h>
+#include <limn/core/NullCheck.h>
 #include <limn/core/RenderGraph.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/Plugin.h>

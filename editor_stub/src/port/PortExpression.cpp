@@ -1,8 +1,10 @@
 #include "port/PortExpression.h"
 
+#include "port/PortLiteral.h"
 #include "port/PortMember.h"
+#include "port/PortOperator.h"
 
-#include <array>
+#include <algorithm>
 #include <limn/base/WordList.h>
 
 namespace limn
@@ -12,31 +14,6 @@ namespace
 {
 
 using Result = std::optional<PortValue>;
-
-bool IsNumber(const std::string& type)
-{
-    return type == "int" || type == "float" || type == "uint";
-}
-
-/// Returns how tightly an operator binds; 0 if it is not known.
-int Strength(std::string_view word)
-{
-    static const std::map<std::string_view, int> strengths = {
-        {"||", 1}, {"&&", 2}, {"|", 3}, {"&", 4}, {"==", 5}, {"!=", 5}, {"<", 6}, {">", 6},
-        {"<=", 6}, {">=", 6}, {"<<", 7}, {">>", 7}, {"+", 8}, {"-", 8}, {"*", 9},  {"/", 9}, {"%", 9}};
-    const auto found = strengths.find(word);
-    return found == strengths.end() ? 0 : found->second;
-}
-
-/// C++ once had characters that begin with ??.
-std::string WithoutTrigraphs(std::string text)
-{
-    for (std::size_t at = text.find("??"); at != std::string::npos; at = text.find("??", at))
-    {
-        text.insert(++at, "\\");
-    }
-    return text;
-}
 
 class Translator
 {
@@ -111,21 +88,19 @@ private:
             return condition;
         }
         ++m_At;
-        Result left = isTruth(*condition) ? ReadTernary(wanted) : std::nullopt;
+        Result left = IsTruth(m_Place.model, *condition) ? ReadTernary(wanted) : std::nullopt;
         Result right = left && Next(":") ? ReadTernary(wanted) : std::nullopt;
         if (left && right && left->type != right->type)
         {
-            std::string common = left->type == "null" ? right->type
-                                       : right->type == "null" || right->type == "int"
-                                           ? left->type
-                                           : right->type;
+            std::string common = left->type == "null"                            ? right->type
+                                 : right->type == "null" || right->type == "int" ? left->type
+                                                                                 : right->type;
             for (Result* side : {&left, &right})
             {
                 *side = Converted(m_Place.model, **side, common);
                 const bool isBare = *side && (*side)->cpp == "{}";
-                (isBare ? (*side)->cpp : common) = isBare
-                                                       ? m_Place.model.CppType(common).value_or("") + "{}"
-                                                       : common;
+                (isBare ? (*side)->cpp : common) =
+                    isBare ? m_Place.model.CppType(common).value_or("") + "{}" : common;
             }
         }
         if (!left || !right || left->isPointer != right->isPointer)
@@ -148,150 +123,48 @@ private:
             const bool isShift = (word == "<" || word == ">") && m_At + 1 < m_End &&
                                  m_At[1].Is(word) && m_At[1].offset == m_At->offset + 1;
             word = isShift ? word + word : word;
-            const bool isNull = word == "is" && m_At + 1 < m_End;
-            const int strength = isNull ? Strength("==") : Strength(word);
+            const bool isPattern = word == "is" && m_At + 1 < m_End;
+            const int strength = isPattern ? Strength("==") : Strength(word);
             if (strength < least || strength == 0)
             {
                 break;
             }
             m_At += isShift ? 2 : 1;
-            if (isNull)
+            if (isPattern)
             {
-                word = Next("not") ? "!=" : "==";
-                if (!m_At->Is("null"))
-                {
-                    return Fail("'is' with a type");
-                }
+                left = ReadPatterns(*left);
+                continue;
             }
             const Result right = ReadBinary(strength + 1, "");
-            left = right ? Combine(*left, word, *right) : std::nullopt;
+            std::string problem;
+            left = right ? Combined(m_Place.model, *left, word, *right, problem) : std::nullopt;
+            if (!problem.empty())
+            {
+                return Fail(problem);
+            }
         }
         return left;
     }
 
-    /// Returns whether C++ takes the value as a condition.
-    bool isTruth(const PortValue& value) const
+    /// Behind `is`: null, not null, a value, values with `or` between them.
+    Result ReadPatterns(const PortValue& left)
     {
-        return value.type == "bool" || value.type.empty() || value.isPointer ||
-               value.type == "RTHandle" || IsSharedType(m_Place.model, value.type);
-    }
-
-    Result CompareToNull(const PortValue& value, bool isEqual)
-    {
-        const CSharpClass* own = m_Place.model.Find(value.type);
-        PortValue result{"", "bool"};
-        result.strength = Strength("==");
-        if (value.isPointer || value.type == "RTHandle" || IsSharedType(m_Place.model, value.type))
+        const bool isNot = Next("not");
+        Result all;
+        do
         {
-            result.cpp = value.Text(result.strength) + (isEqual ? " == nullptr" : " != nullptr");
-        }
-        else if (value.type == "string")
-        {
-            result = {(isEqual ? "" : "!") + value.Text(90) + ".empty()", "bool"};
-        }
-        else if (own || !ElementTypeOf(value.type).empty() ||
-                 IsReferenceType(m_Place.model, value.type))
-        {
-            result = {isEqual ? "false" : "true", "bool"}; // C++ has no null for it
-        }
-        else
-        {
-            return Fail("'" + value.type + "' is compared to null");
-        }
-        return result;
-    }
-
-    Result Combine(PortValue left, const std::string& word, PortValue right)
-    {
-        const int strength = Strength(word);
-        const bool isComparison = strength == 5 || strength == 6;
-        if (strength == 5 && (left.type == "null") != (right.type == "null"))
-        {
-            return CompareToNull(left.type == "null" ? right : left, word == "==");
-        }
-        if (left.type == "string" || right.type == "string")
-        {
-            return CombineText(left, word, right);
-        }
-        if (IsNumber(left.type) && IsNumber(right.type) &&
-            (left.type == "float") != (right.type == "float"))
-        {
-            left = *Converted(m_Place.model, left, "float");
-            right = *Converted(m_Place.model, right, "float");
-        }
-        const auto isVector = [](const PortValue& value)
-        {
-            return IsIn(value.type, {"Vector2", "Vector3", "Vector4", "Matrix4x4"});
-        };
-        const bool isScaled = strength >= 8 && isVector(left) != isVector(right) &&
-                              IsNumber(isVector(left) ? right.type : left.type);
-        if (isScaled)
-        {
-            PortValue& scale = isVector(left) ? right : left;
-            scale = *Converted(m_Place.model, scale, "float");
-        }
-        const bool isUnknown = left.type.empty() || right.type.empty();
-        const bool isEvent =
-            left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
-        const bool isFlags =
-            (word == "|" || word == "&") && left.type == right.type &&
-            IsIn(left.type, {"SortingCriteria", "int", "uint", "ScriptableRenderPassInput",
-                             "ClearFlag", "CameraType", "RenderStateMask",
-                             "ColorWriteMask", "RenderingLayerMask", "LayerMask"});
-        const bool isLogic = (word == "&&" || word == "||") && isTruth(left) && isTruth(right);
-        const CSharpClass* own = m_Place.model.Find(left.type);
-        const bool isSame =
-            left.type == right.type || (own && own == m_Place.model.Find(right.type));
-        const bool isSum = strength >= 7 && isSame && (IsNumber(left.type) || isVector(left)) &&
-                           !(strength == 7 && left.type == "float");
-        if (word == "%" && left.type == "float")
-        {
-            return PortValue{"std::fmod(" + left.cpp + ", " + right.cpp + ")", "float"};
-        }
-        if (!isEvent && !isFlags && !isLogic && !isSum && !isScaled && !isUnknown &&
-            !(isComparison && isSame && left.type != "null"))
-        {
-            return Fail("'" + left.type + " " + word + " " + right.type + "'");
-        }
-        const bool isMixed = isLogic && word == "||"; // compilers warn of a && b || c
-        const auto side = [&](const PortValue& value, int least)
-        {
-            return value.isPointer && !isLogic ? "*" + value.Text(90)
-                                               : value.Text(isMixed && value.strength == 2 ? 3 : least);
-        };
-        PortValue result{side(left, strength) + " " + word + " " + side(right, strength + 1),
-                         isComparison || isLogic ? "bool"
-                         : isScaled && isVector(right) ? right.type
-                                                       : left.type};
-        result.type = isUnknown && !isComparison && !isLogic ? "" : result.type;
-        result.strength = strength;
-        return result;
-    }
-
-    /// "a" + b
-    Result CombineText(const PortValue& left, const std::string& word, const PortValue& right)
-    {
-        const auto text = [](const PortValue& value)
-        {
-            return value.type == "int" || value.type == "uint"
-                       ? "std::to_string(" + value.cpp + ")"
-                       : value.Text(Strength("+"));
-        };
-        const auto isText = [](const PortValue& value)
-        {
-            return IsIn(value.type, {"string", "int", "uint"});
-        };
-        const bool isJoined = word == "+" && isText(left) && isText(right);
-        const bool isCompared = (word == "==" || word == "!=") && left.type == right.type;
-        if (!isJoined && !isCompared)
-        {
-            return Fail("'" + left.type + " " + word + " " + right.type + "'");
-        }
-        PortValue result{(isJoined ? "std::string(" : "std::string_view(") + text(left) + ") " + word +
-                             " " + text(right),
-                         isJoined ? "string" : "bool"};
-        result.strength = Strength(word);
-        return result;
+            const Result value = ReadBinary(Strength("<") + 1, "");
+            std::string problem;
+            const Result same =
+                value ? Combined(m_Place.model, left, isNot ? "!=" : "==", *value, problem)
+                      : std::nullopt;
+            if (!same)
+            {
+                return Fail(problem.empty() ? "'is' with a type" : problem);
+            }
+            all = all ? Combined(m_Place.model, *all, "||", *same, problem) : same;
+        } while (!isNot && Next("or"));
+        return all;
     }
 
     Result ReadUnary(const std::string& wanted)
@@ -322,10 +195,11 @@ private:
             const bool isVector =
                 value && word == "-" && IsIn(value->type, {"Vector2", "Vector3", "Vector4"});
             const bool isGood =
-                value && (isVector || (word == "!" ? isTruth(*value)
-                                                   : IsNumber(value->type) && value->type != "uint"));
-            const bool isMask = value && word == "~" &&
-                                IsIn(value->type, {"LayerMask", "RenderingLayerMask"});
+                value &&
+                (isVector || (word == "!" ? IsTruth(m_Place.model, *value)
+                                          : IsNumber(value->type) && value->type != "uint"));
+            const bool isMask =
+                value && word == "~" && IsIn(value->type, {"LayerMask", "RenderingLayerMask"});
             if ((!isGood && !isMask) || (word == "~" && value->type != "int" && !isMask))
             {
                 return Fail("'" + word + "' of this");
@@ -371,15 +245,18 @@ private:
         const CSharpClass* own = m_Place.model.Find(type);
         const bool isEnum = own && m_Place.model.RoleOf(*own) == PortRole::Enum;
         const CSharpClass* from = m_Place.model.Find(value->type);
-        const bool isFromEnum = (from && m_Place.model.RoleOf(*from) == PortRole::Enum) ||
-                                (!value->type.empty() && (value->type == m_Place.model.CppType(value->type) ||
-                                                          value->cpp.starts_with(value->type + "::")));
+        const bool isFromEnum =
+            (from && m_Place.model.RoleOf(*from) == PortRole::Enum) ||
+            (!value->type.empty() && (value->type == m_Place.model.CppType(value->type) ||
+                                      value->cpp.starts_with(value->type + "::")));
         const auto cpp = m_Place.model.CppType(type);
         static const WordList enums("CameraType ClearFlag CompareFunction CullMode FilterMode "
                                     "RenderPassEvent RenderStateMask ScriptableRenderPassInput "
                                     "SortingCriteria StencilOp TextureWrapMode");
-        if (cpp && ((enums.Has(type) && value->type == "int") || (IsNumber(type) && (IsNumber(value->type) || isFromEnum || value->type == "double")) ||
-                    (isEnum && IsNumber(value->type))))
+        if (cpp &&
+            ((enums.Has(type) && value->type == "int") ||
+             (IsNumber(type) && (IsNumber(value->type) || isFromEnum || value->type == "double")) ||
+             (isEnum && IsNumber(value->type))))
         {
             return PortValue{"static_cast<" + *cpp + ">(" + value->cpp + ")", type};
         }
@@ -389,23 +266,24 @@ private:
 
     Result ReadPrimary(const std::string& wanted)
     {
-        if (m_At->Is("(") )
+        if (m_At->Is("("))
         {
-            const Result inner = Translate(m_Place, m_At->Inside(), wanted, &m_Problem);
+            const bool isWhole = m_At->Behind() == m_End;
+            const Result inner =
+                Translate(m_Place, m_At->Inside(), isWhole ? wanted : "", &m_Problem);
             m_At = m_At->Behind();
             return inner ? ReadBehind(*inner) : inner;
         }
         const CSharpToken& word = *m_At;
         if (word.kind == CSharpTokenKind::Number)
         {
-            return ReadNumber();
+            return NumberValue(std::string((m_At++)->text));
         }
         if (word.kind == CSharpTokenKind::String)
         {
             const auto text = PlainText({m_At, 1});
             ++m_At;
-            return text ? Result(PortValue{"\"" + *text + "\"", "string"})
-                        : Fail("a text with values in it");
+            return text ? Result(PortValue{"\"" + *text + "\"", "string"}) : ReadHoles(word);
         }
         if (Next("true") || Next("false"))
         {
@@ -430,38 +308,44 @@ private:
         return word.isName() ? ReadHead() : Fail("'" + std::string(word.text) + "'");
     }
 
-    Result ReadNumber()
+    /// $"a {b} c"
+    Result ReadHoles(const CSharpToken& word)
     {
-        std::string text((m_At++)->text);
-        std::erase(text, '_');
-        const bool isHex = text.starts_with("0x") || text.starts_with("0X");
-        const char last = text.back();
-        if (text.starts_with("0b") || text.starts_with("0B"))
+        const std::string_view text = word.text;
+        std::string cpp;
+        const auto add = [&](const std::string& part)
         {
-            return std::nullopt;
-        }
-        if (!isHex && (last == 'f' || last == 'F'))
+            cpp += (cpp.empty() ? "" : " + ") + part;
+        };
+        bool isGood = text.starts_with("$\"") && text.find('\\') == std::string_view::npos &&
+                      text.find("{{") == std::string_view::npos;
+        for (std::size_t at = 2; isGood && at + 1 < text.size();)
         {
-            text.pop_back();
-            const bool isWhole = text.find_first_of(".eE") == std::string::npos;
-            return PortValue{text + (isWhole ? ".0f" : "f"), "float", true};
+            const bool isHole = text[at] == '{';
+            const std::size_t end =
+                isHole ? text.find('}', at) : std::min(text.find('{', at), text.size() - 1);
+            if (!isHole)
+            {
+                add("std::string(\"" + std::string(text.substr(at, end - at)) + "\")");
+                at = end;
+                continue;
+            }
+            const auto isInside = [&](const CSharpToken& part)
+            {
+                return part.offset > word.offset + at && part.offset < word.offset + end;
+            };
+            const auto first = std::ranges::find_if(word.hole, isInside);
+            const auto behind = std::find_if_not(first, word.hole.end(), isInside);
+            const auto value = Translate(m_Place, {first, behind}, "", &m_Problem);
+            isGood = value && IsIn(value->type, {"string", "int", "uint"});
+            add(!isGood                   ? ""
+                : value->type == "string" ? "std::string(" + value->cpp + ")"
+                                          : "std::to_string(" + value->cpp + ")");
+            at = end + 1;
         }
-        const bool isUnsigned = last == 'u' || last == 'U';
-        if (isUnsigned)
-        {
-            text.pop_back();
-        }
-        const bool isInt = text.find_first_not_of("0123456789") == std::string::npos || isHex;
-        const bool isOctal = text.size() > 1 && text[0] == '0' && !isHex; // in C++ only
-        const bool hasSuffix = text.find_first_of("uUlL") != std::string::npos;
-        const bool isSmall = text.size() < 10;
-        if (!isInt || isOctal || hasSuffix || !(isSmall || (isHex && text.size() == 10)))
-        {
-            return std::nullopt;
-        }
-        // 0xFFFFFFFF is a uint without saying so.
-        return isSmall && !isUnsigned ? PortValue{text, "int", true}
-                                      : PortValue{text + "u", "uint", true};
+        PortValue value{cpp.empty() ? "std::string()" : cpp, "string"};
+        value.strength = Strength("+");
+        return isGood ? Result(value) : Fail("a text with values in it");
     }
 
     /// Behind `new`.
@@ -543,8 +427,7 @@ private:
     }
 
     /// Returns "a, b", or nothing if one of the values is not known.
-    std::optional<std::string> List(const std::vector<CSharpWords>& items,
-                                    const std::string& type)
+    std::optional<std::string> List(const std::vector<CSharpWords>& items, const std::string& type)
     {
         std::string text;
         for (const CSharpWords& words : items)
@@ -607,6 +490,10 @@ private:
             self.strength = 90;
             return self;
         }
+        if (const Result named = ReadTypeName())
+        {
+            return named;
+        }
         const PortName name = ReadName();
         const auto variable = m_Place.scope.find(name.name);
         const CSharpClass* self = m_Place.model.context();
@@ -631,6 +518,30 @@ private:
             }
         }
         return Behind(m_Members.Find(name));
+    }
+
+    /// GetType().Name, typeof(T).Name
+    Result ReadTypeName()
+    {
+        const CSharpToken* behind = m_End - m_At > 3 && m_At[1].Is("(") ? m_At[1].Behind() : m_End;
+        const bool isName = m_End - behind > 1 && behind->Is(".") && behind[1].Is("Name");
+        const CSharpClass* self = m_Place.model.context();
+        const CSharpWords inside = isName ? m_At[1].Inside() : CSharpWords();
+        std::string type;
+        if (isName && m_At->Is("GetType") && inside.empty() && self)
+        {
+            type = self->name;
+        }
+        else if (isName && m_At->Is("typeof") && inside.size() == 1)
+        {
+            type = inside[0].text;
+        }
+        if (type.empty())
+        {
+            return std::nullopt;
+        }
+        m_At = behind + 2;
+        return PortValue{"\"" + type + "\"", "string"};
     }
 
     /// Returns whether the member is the type's and no object's.
@@ -722,30 +633,6 @@ private:
         return value.isType ? Fail("a type where a value is needed") : Result(value);
     }
 
-    /// Vector2.one; nothing for others.
-    static Result VectorValue(const std::string& type, const std::string& member)
-    {
-        static const std::map<std::string_view, std::array<int, 4>> values = {
-            {"zero", {0, 0, 0, 0}},  {"one", {1, 1, 1, 1}},    {"up", {0, 1, 0, 0}},
-            {"down", {0, -1, 0, 0}}, {"right", {1, 0, 0, 0}},  {"left", {-1, 0, 0, 0}},
-            {"back", {0, 0, -1, 0}}, {"forward", {0, 0, 1, 0}}};
-        const auto value = values.find(member);
-        const bool isVector = IsIn(type, {"Vector2", "Vector3", "Vector4"});
-        const auto size = isVector ? static_cast<std::size_t>(type.back() - '0') : 0;
-        const bool isAlong = member == "back" || member == "forward";
-        const bool isAny = member == "zero" || member == "one";
-        if (value == values.end() || size == 0 || (size == 4 && !isAny) || (size == 2 && isAlong))
-        {
-            return std::nullopt;
-        }
-        std::string text = type + "(";
-        for (std::size_t i = 0; i < size; ++i)
-        {
-            text += (i == 0 ? "" : ", ") + std::to_string(value->second[i]) + ".0f";
-        }
-        return PortValue{text + ")", type};
-    }
-
     PortPlace m_Place;
     const CSharpToken* m_At;
     const CSharpToken* m_End;
@@ -772,116 +659,7 @@ bool PointTo(const PortModel& model, const PortValue& target, PortValue& value)
     return value.type == "null" || (isSame && (value.isPointer || value.isVariable));
 }
 
-/// Returns the mask of rendering layers or of layers that a number is, or nothing.
-Result AsMask(const PortValue& value, const std::string& wanted)
-{
-    if ((value.type != "int" && value.type != "uint") || !value.isLiteral)
-    {
-        return std::nullopt;
-    }
-    const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
-    const bool isNone = value.cpp == "0" || value.cpp == "0u";
-    if (isAll || isNone)
-    {
-        return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
-    }
-    if (value.cpp[0] == '-' || value.cpp[0] == '~')
-    {
-        return std::nullopt;
-    }
-    return PortValue{wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted};
-}
-
-/// Returns the value with another type that it turns into in C#, or nothing.
-Result AsOther(const PortValue& value, const std::string& wanted)
-{
-    const auto is = [&](std::string_view from, std::string_view to)
-    {
-        return value.type == from && wanted == to;
-    };
-    std::string cpp;
-    if (is("RenderTextureFormat", "GraphicsFormat"))
-    {
-        cpp = "ToGraphicsFormat(" + value.cpp + ", true)";
-    }
-    else if (is("Color", "Vector4"))
-    {
-        cpp = value.Text(90) + ".vector()";
-    }
-    else if (is("Vector3", "Vector4"))
-    {
-        cpp = "Vector4(" + value.cpp + ", 0.0f)";
-    }
-    else if (is("Vector2", "Vector4"))
-    {
-        cpp = "Vector4(" + value.cpp + ", 0.0f, 0.0f)";
-    }
-    else if (is("Vector4", "Vector3") || is("Vector3", "Vector2") || is("Vector4", "Vector2"))
-    {
-        cpp = wanted + "(" + value.cpp + ")";
-    }
-    else if (value.type == "RTHandle" && wanted == "RenderTexture")
-    {
-        cpp = value.Text(90) + ".rt()";
-    }
-    else if (wanted == "RenderTargetIdentifier" &&
-             IsIn(value.type, {"Texture", "Texture2D", "RenderTexture"}))
-    {
-        cpp = wanted + "(" + value.cpp + ")";
-    }
-    else if ((wanted == "RenderTargetIdentifier" &&
-              IsIn(value.type, {"RTHandle", "ShaderPropertyId", "BuiltinRenderTextureType", "string"})) ||
-             (wanted == "Texture" && IsIn(value.type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"})) ||
-             is("TextureHandle", "RTHandle") || is("RendererListHandle", "RendererList") ||
-             is("float", "double") || is("int", "double"))
-    {
-        cpp = value.cpp;
-    }
-    return cpp.empty() ? std::nullopt : Result(PortValue{cpp, wanted});
-}
-
 } // namespace
-
-std::optional<PortValue> Converted(const PortModel& model, PortValue value,
-                                   const std::string& wanted)
-{
-    const CSharpClass* own = wanted.empty() ? nullptr : model.Find(wanted);
-    if (wanted.empty())
-    {
-        return value;
-    }
-    if (value.type == wanted || value.type.empty() || (own && own == model.Find(value.type)))
-    {
-        value.cpp = value.isPointer ? "*" + value.Text(90) : value.cpp;
-        value.strength = value.isPointer ? 90 : value.strength;
-        value.isPointer = false;
-        return value;
-    }
-    const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
-    if (wanted == "float" && (value.type == "int" || value.type == "uint"))
-    {
-        return value.isLiteral && !isHex && value.type == "int"
-                   ? PortValue{value.cpp + ".0f", "float", true}
-                   : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
-    }
-    if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
-    {
-        return PortValue{value.cpp + "u", "uint", true};
-    }
-    if (!own && (wanted == "LayerMask" || wanted.ends_with("RenderingLayerMask")))
-    {
-        return AsMask(value, wanted);
-    }
-    if (wanted == "bool" && (value.isPointer || IsSharedType(model, value.type)))
-    {
-        return PortValue{value.cpp + " != nullptr", "bool", false, false, false, false, 5};
-    }
-    if (value.type == "null" && wanted != "ProfilingSampler")
-    {
-        return PortValue{PortModel::CppDefault(model.CppType(wanted).value_or("")), wanted};
-    }
-    return AsOther(value, wanted);
-}
 
 std::optional<PortValue> Translate(const PortPlace& place, CSharpWords words,
                                    const std::string& wanted, std::string* problem)
@@ -897,7 +675,8 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
 {
     const std::string type = word == "=" && !target.isPointer ? target.type : "";
     const bool isBare = target.isPointer && assigned.size() > 1 && assigned[0].Is("new") &&
-                        assigned[1].Is("(") && assigned[1].Inside().data() + assigned[1].match == &assigned.back() + 1;
+                        assigned[1].Is("(") &&
+                        assigned[1].Inside().data() + assigned[1].match == &assigned.back() + 1;
     auto value = isBare ? PortMembers(place, problem)
                               .Construct(target.type, SplitArguments(assigned[1].Inside()))
                         : Translate(place, assigned, type, &problem);
@@ -921,59 +700,6 @@ std::optional<std::string> TranslateAssignment(const PortPlace& place, CSharpWor
 {
     return target.empty() || value.empty() ? std::nullopt
                                            : Translator(place, target, problem).Assign(word, value);
-}
-
-std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words)
-{
-    for (std::size_t i = 0; i < words.size() && words.front().Is("new"); ++i)
-    {
-        if (words[i].Is("("))
-        {
-            return SplitArguments(words[i].Inside());
-        }
-    }
-    return std::nullopt;
-}
-
-std::optional<std::string> PlainText(CSharpWords words)
-{
-    if (words.size() > 2 && words.size() % 2 == 1 && words[1].Is("+"))
-    {
-        const auto first = PlainText(words.first(1));
-        const auto rest = PlainText(words.subspan(2));
-        return first && rest ? std::optional(WithoutTrigraphs(*first + *rest)) : std::nullopt;
-    }
-    if (words.size() != 1 || words[0].kind != CSharpTokenKind::String)
-    {
-        return std::nullopt;
-    }
-    const std::string_view text = words[0].text;
-    const bool isPlain = text.size() >= 2 && text[0] == '"' && !text.starts_with("\"\"\"");
-    const std::string_view inner = isPlain ? text.substr(1, text.size() - 2) : "\\";
-    for (std::size_t at = inner.find('\\'); at < inner.size(); at = inner.find('\\', at + 2))
-    {
-        if (at + 1 >= inner.size() ||
-            std::string_view("\\\"nt").find(inner[at + 1]) == std::string_view::npos)
-        {
-            return std::nullopt;
-        }
-    }
-    return WithoutTrigraphs(std::string(inner));
-}
-
-std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words)
-{
-    const auto value = Translate(model, {}, words, "");
-    if (!value || (value->type != "int" && value->type != "float"))
-    {
-        return std::nullopt;
-    }
-    std::string text = value->cpp;
-    if (value->type == "float" && text.ends_with("f"))
-    {
-        text.pop_back();
-    }
-    return text;
 }
 
 } // namespace limn

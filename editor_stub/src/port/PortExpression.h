@@ -64,19 +64,8 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
 std::optional<PortValue> Converted(const PortModel& model, PortValue value,
                                    const std::string& wanted);
 
-/// Returns the number that an attribute's argument is, or nothing if it is none.
-std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words);
-
 /// Returns the number of each member of an enum, in their order. From the first member on whose
 /// value is not made of numbers and members of the enum, there is no number.
 std::vector<std::optional<std::int64_t>> EnumValues(const CSharpClass& one);
-
-/// Returns the text of a plain string, or of several with + between them, or nothing for other
-/// words.
-std::optional<std::string> PlainText(CSharpWords words);
-
-/// Returns the arguments of `new T(...)` or `new(...)`, whatever follows, or nothing for other
-/// words.
-std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);
 
 } // namespace limn

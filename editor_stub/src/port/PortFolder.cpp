@@ -167,8 +167,8 @@ std::string PortingReport(const PortModel& model, const std::vector<PortedThing>
 {
     std::string text =
         "# Porting " + model.name() +
-        "\n\nBodies stand as comments in the C++, each "
-        "below a TODO. A row that says TODO is a comment there, too.\n\n"
+        "\n\nA row that says TODO is a comment in the C++; the TODO there says why. Other lines "
+        "that limn could not write stand below TODOs, too.\n\n"
         "## What the C# says of itself\n\n| | C# | | at | |\n| --- | --- | --- | --- "
         "| --- |\n";
     for (const PortedThing& thing : things)

@@ -1,6 +1,6 @@
 #include "port/PortMember.h"
 
-#include "port/PortedBody.h"
+#include "port/PortedCode.h"
 
 #include <algorithm>
 #include <limn/base/WordList.h>
@@ -33,9 +33,9 @@ std::size_t PropertyPlace(const std::string& owner, const std::string& member)
     static const WordList kernels("SetTexture SetBuffer SetComputeFloatParam SetComputeIntParam "
                                   "SetComputeVectorParam SetComputeMatrixParam");
     static const WordList kernelsOfShader("SetComputeTextureParam SetComputeBufferParam");
-    return member == "PropertyToID"                                 ? 9
-           : kernelsOfShader.Has(member)                            ? 2
-           : kernels.Has(member) && !byName.Has(owner)              ? 1
+    return member == "PropertyToID"                    ? 9
+           : kernelsOfShader.Has(member)               ? 2
+           : kernels.Has(member) && !byName.Has(owner) ? 1
            : byName.Has(owner) || member.starts_with("SetGlobal") || owner == "ComputeShader" ||
                    member.ends_with("TemporaryRT")
                ? 0
@@ -59,15 +59,15 @@ std::string BaseTypeOf(PortRole role)
 
 std::string ElementTypeOf(const std::string& type)
 {
-    return type.ends_with("[]")                                  ? type.substr(0, type.size() - 2)
+    return type.ends_with("[]")                               ? type.substr(0, type.size() - 2)
            : type.starts_with("List<") && type.ends_with(">") ? type.substr(5, type.size() - 6)
-                                                                 : "";
+                                                              : "";
 }
 
 bool IsSharedType(const PortModel& model, const std::string& type)
 {
     const auto cpp = model.Find(type) ? std::nullopt : model.CppType(type);
-    return cpp && cpp->starts_with("std::shared_ptr<");
+    return cpp && cpp->starts_with("Shared<");
 }
 
 bool IsReferenceType(const PortModel& model, const std::string& type)
@@ -110,12 +110,11 @@ std::optional<PortValue> PortMembers::Find(const PortName& name) const
         if (const CSharpMethod* method = one->FindMethod(name.name);
             method && (name.isCall || method->isProperty))
         {
-            return isInner             ? OwnCall("", *one, name)
+            return isInner            ? OwnCall("", *one, name)
                    : method->isStatic ? OwnCall(model().QualifiedName(*one) + "::", *one, name)
                                       : Fail("'" + name.name + "' is of another object");
         }
-        const Result inherited =
-            isInner && m_Place.isBody ? BaseMember(name, false) : std::nullopt;
+        const Result inherited = isInner && m_Place.isBody ? BaseMember(name, false) : std::nullopt;
         if (inherited)
         {
             return inherited;
@@ -164,7 +163,8 @@ std::optional<PortValue> PortMembers::MemberOf(const PortValue& value, const Por
     {
         return ListMember(value, name);
     }
-    if (PlainTypeName(value.type).ends_with("Parameter") && IsIn(name.name, {"value", "overrideState"}))
+    if (PlainTypeName(value.type).ends_with("Parameter") &&
+        IsIn(name.name, {"value", "overrideState"}))
     {
         return ParameterMember(value, name);
     }
@@ -265,8 +265,8 @@ std::optional<PortValue> PortMembers::OwnCall(const std::string& access, const C
         bool isGood = signature.has_value();
         for (std::size_t i = 0; i < name.arguments.size() && isGood; ++i)
         {
-            const auto argument = PortArgument(m_Place, own, method.parameters[i],
-                                               name.arguments[i], m_Problem);
+            const auto argument =
+                PortArgument(m_Place, own, method.parameters[i], name.arguments[i], m_Problem);
             isGood = argument.has_value();
             text += isGood ? (i == 0 ? "" : ", ") + *argument : "";
         }
@@ -320,10 +320,10 @@ std::optional<PortValue> PortMembers::ParameterMember(const PortValue& value,
     {
         if (plain.ends_with(std::string(part) + "Parameter"))
         {
-            type = part == "Float" || part == "Int" || part == "Bool"
-                       ? std::string(1, static_cast<char>(part[0] + 32)) +
-                             std::string(part.substr(1))
-                       : std::string(part);
+            type =
+                part == "Float" || part == "Int" || part == "Bool"
+                    ? std::string(1, static_cast<char>(part[0] + 32)) + std::string(part.substr(1))
+                    : std::string(part);
         }
     }
     type = plain.ends_with("FloatRangeParameter") ? "Vector2" : type;
@@ -359,8 +359,8 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
     for (Argument& argument : *arguments)
     {
         // No properties and no material are no pointers in C++.
-        argument.text = argument.text == "nullptr" && name.name.starts_with("Draw") ? "{}"
-                                                                                    : argument.text;
+        argument.text =
+            argument.text == "nullptr" && name.name.starts_with("Draw") ? "{}" : argument.text;
     }
     const std::string special = model().table().CodeFor(owner + "." + name.name, arguments->size());
     const std::string& code = special.empty() ? entry->cpp : special;
@@ -370,8 +370,10 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
         return Fail("a call outside of a method");
     }
     const bool isDefault = code.empty() || code == "=";
-    const auto cpp = FillIn(!isDefault ? code : name.isCall ? "@%($*)" : "@%", value, access,
-                            name.name + *generics, *arguments);
+    const auto cpp = FillIn(!isDefault    ? code
+                            : name.isCall ? "@%($*)"
+                                          : "@%",
+                            value, access, name.name + *generics, *arguments);
     if (!cpp)
     {
         return std::nullopt;
@@ -413,7 +415,8 @@ std::optional<PortMembers::Argument> PortMembers::OneArgument(CSharpWords words)
     }
     const bool isList = value->cpp.starts_with("{") && !ElementTypeOf(value->type).empty();
     const auto list = isList ? model().CppType(value->type) : std::nullopt;
-    return Argument{*value, value->type == "null" ? "nullptr" : list.value_or("") + ObjectText(*value)};
+    return Argument{*value,
+                    value->type == "null" ? "nullptr" : list.value_or("") + ObjectText(*value)};
 }
 
 std::optional<std::vector<PortMembers::Argument>>
@@ -499,8 +502,8 @@ PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
     };
     const bool hasNamed = std::ranges::any_of(name.arguments, isNamed);
     const bool isAgain = owner == "RenderingUtils" && name.name.starts_with("ReAllocate");
-    const auto handle = isAgain && !name.arguments.empty() ? OneArgument(name.arguments[0])
-                                                           : std::nullopt;
+    const auto handle =
+        isAgain && !name.arguments.empty() ? OneArgument(name.arguments[0]) : std::nullopt;
     if (isAgain && (!handle || handle->value.type != "RTHandle"))
     {
         Fail("a target that is no RTHandle");
@@ -523,16 +526,26 @@ PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
     {
         const auto called = OneArgument(title);
         return called ? std::optional(std::vector<Argument>{
-                           (*arguments)[0],
-                           {{"FilterMode::Point", ""}, "FilterMode::Point"},
-                           {{"TextureWrapMode::Repeat", ""}, "TextureWrapMode::Repeat"},
-                           *called})
-                     : std::nullopt;
+                            (*arguments)[0],
+                            {{"FilterMode::Point", ""}, "FilterMode::Point"},
+                            {{"TextureWrapMode::Repeat", ""}, "TextureWrapMode::Repeat"},
+                            *called})
+                      : std::nullopt;
     }
     const std::size_t property = PropertyPlace(owner, name.name);
     if (arguments && property < arguments->size() && (*arguments)[property].value.type == "int")
     {
         Fail("a property's number that is an 'int'");
+        return std::nullopt;
+    }
+    const auto isObject = [&](const Argument& argument)
+    {
+        return IsSharedType(model(), argument.value.type) || argument.value.isPointer;
+    };
+    if (arguments && owner == "Debug" && name.name.ends_with("Format") &&
+        std::ranges::any_of(*arguments, isObject))
+    {
+        Fail("an object in a text");
         return std::nullopt;
     }
     const bool isKeyword = arguments && owner == "CoreUtils" && name.name == "SetKeyword";
@@ -557,10 +570,9 @@ std::string PortMembers::ListText(const std::vector<Argument>& arguments, char k
         const std::string& type = argument.value.type;
         const bool isShort = kind == 'v' && (type == "Vector2" || type == "Vector3");
         const bool isTexture = kind == 'i' && IsIn(type, {"Texture", "Texture2D", "RenderTexture"});
-        const std::string one =
-            isShort     ? Converted(model(), argument.value, "Vector4")->cpp
-            : isTexture ? "RenderTargetIdentifier(" + argument.text + ")"
-                        : argument.text;
+        const std::string one = isShort     ? Converted(model(), argument.value, "Vector4")->cpp
+                                : isTexture ? "RenderTargetIdentifier(" + argument.text + ")"
+                                            : argument.text;
         text += (text.empty() ? "" : ", ") + one;
     }
     return text;
@@ -607,14 +619,15 @@ std::optional<std::string> PortMembers::FillIn(std::string_view code, const Port
         }
         const Argument& argument = arguments[number];
         std::string type;
-        if (at + 1 < code.size() && code[at + 1] == ':' && at + 2 < code.size() && code[at + 2] != ':')
+        if (at + 1 < code.size() && code[at + 1] == ':' && at + 2 < code.size() &&
+            code[at + 2] != ':')
         {
             const std::size_t end = std::min(code.find_first_of(",)", at), code.size());
             type = code.substr(at + 2, end - at - 2);
             i = end - 1;
         }
-        const auto converted = type.empty() ? Result(argument.value)
-                                            : Converted(model(), argument.value, type);
+        const auto converted =
+            type.empty() ? Result(argument.value) : Converted(model(), argument.value, type);
         if (!converted)
         {
             Fail("argument " + std::to_string(number + 1) + " of '" + name + "' is no " + type);
@@ -629,13 +642,14 @@ std::optional<PortValue> PortMembers::Element(const PortValue& value, CSharpWord
 {
     const std::string element = ElementTypeOf(value.type);
     const auto at = Translate(m_Place, index, "int", &m_Problem);
-    if (element.empty() || !at)
+    if (element.empty() || !at || value.isPointer)
     {
         return Fail("'" + value.type + "' with []");
     }
-    PortValue result{value.Text(90) + "[" +
+    // C# looks whether there is such an element.
+    PortValue result{value.Text(90) + ".at(" +
                          (at->isLiteral ? at->cpp : "static_cast<std::size_t>(" + at->cpp + ")") +
-                         "]",
+                         ")",
                      element};
     result.isVariable = true;
     return result;
@@ -661,9 +675,8 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
         {
             return Fail("a property's number that is an 'int'");
         }
-        const auto text =
-            arguments ? FillIn(code == "=" ? "%($*)" : code, {}, "", type, *arguments)
-                      : std::nullopt;
+        const auto text = arguments ? FillIn(code == "=" ? "%($*)" : code, {}, "", type, *arguments)
+                                    : std::nullopt;
         return text ? Result(PortValue{*text, type}) : std::nullopt;
     }
     if (code == "!" || (type == "RenderTargetIdentifier" && !words.empty()))

@@ -68,14 +68,17 @@ private:
     Result OwnField(const std::string& access, const CSharpClass& own, const CSharpField& field,
                     bool isVariable) const;
     Result OwnCall(const std::string& access, const CSharpClass& own, const PortName& name) const;
-    Result UnityMember(const PortValue& value, const std::string& access, const PortName& name) const;
-    std::optional<std::vector<Argument>> ArgumentsOf(const std::string& owner, const PortName& name) const;
+    Result UnityMember(const PortValue& value, const std::string& access,
+                       const PortName& name) const;
+    std::optional<std::vector<Argument>> ArgumentsOf(const std::string& owner,
+                                                     const PortName& name) const;
     Result ListMember(const PortValue& value, const PortName& name) const;
     Result ParameterMember(const PortValue& value, const PortName& name) const;
     std::optional<std::string> TypeArguments(const std::string& generics) const;
     std::optional<Argument> OneArgument(CSharpWords words) const;
     std::optional<std::vector<Argument>> Arguments(const std::vector<CSharpWords>& words) const;
-    std::optional<std::vector<Argument>> NamedArguments(const std::vector<CSharpWords>& words) const;
+    std::optional<std::vector<Argument>>
+    NamedArguments(const std::vector<CSharpWords>& words) const;
     std::string ListText(const std::vector<Argument>& arguments, char kind) const;
     std::optional<std::string> FillIn(std::string_view code, const PortValue& value,
                                       const std::string& access, const std::string& name,
@@ -84,6 +87,15 @@ private:
     PortPlace m_Place;
     std::string& m_Problem;
 };
+
+/// Returns an argument of one of the files' own methods in C++, or nothing if it is not known.
+std::optional<std::string> PortArgument(const PortPlace& place, const CSharpClass& owner,
+                                        const CSharpParameter& parameter, CSharpWords words,
+                                        std::string& problem);
+/// Returns "std::make_unique<P>(a, b)" of `new P(a, b)`, or nothing if it is not known.
+std::optional<std::string> MakePass(const PortPlace& place, const CSharpClass& pass,
+                                    const std::vector<CSharpWords>& arguments,
+                                    std::string& problem);
 
 /// Returns the class of Unity from which a class of this role derives in the end; "" for none.
 std::string BaseTypeOf(PortRole role);

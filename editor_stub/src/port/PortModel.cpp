@@ -26,13 +26,13 @@ std::string KnownType(const std::string& type)
         "int float double bool Color LayerMask ProfilingSampler");
     static const WordList made("Material ComputeShader GraphicsBuffer ComputeBuffer");
     static const WordList loaded("Shader Texture RenderTexture Mesh");
-    return same.Has(type)        ? type
-           : type == "uint"      ? "std::uint32_t"
-           : type == "string"    ? "std::string"
-           : type == "Matrix4x4" ? "glm::mat4"
-           : made.Has(type)      ? "std::shared_ptr<" + type + ">"
-           : loaded.Has(type)    ? "std::shared_ptr<const " + type + ">"
-           : IsIn(type, {"Texture2D", "Texture3D", "Cubemap"}) ? "std::shared_ptr<const Texture>"
+    return same.Has(type)                                      ? type
+           : type == "uint"                                    ? "std::uint32_t"
+           : type == "string"                                  ? "std::string"
+           : type == "Matrix4x4"                               ? "glm::mat4"
+           : made.Has(type)                                    ? "Shared<" + type + ">"
+           : loaded.Has(type)                                  ? "Shared<const " + type + ">"
+           : IsIn(type, {"Texture2D", "Texture3D", "Cubemap"}) ? "Shared<const Texture>"
                                                                : "";
 }
 

@@ -91,6 +91,8 @@ public:
     {
         m_Declared.insert(&one);
     }
+    /// Takes that back: the C++ has the member, but nothing that it could be used with.
+    void Withdraw(const CSharpField& field) { m_Declared.erase(&field); }
     template <typename Member>
     bool isDeclared(const Member& one) const
     {

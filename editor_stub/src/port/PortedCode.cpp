@@ -60,13 +60,13 @@ bool Reads(std::string_view code, std::string_view name)
             const std::size_t end = at + name.size();
             const char before = at == 0 ? ' ' : text[at - 1];
             const bool isMember = before == '.' || (before == '>' && text[at - 2] == '-');
-            const bool isWhole = !isMember && !IsNamePart(before) &&
-                                 (end == text.size() || !IsNamePart(text[end]));
+            const bool isWhole =
+                !isMember && !IsNamePart(before) && (end == text.size() || !IsNamePart(text[end]));
             const bool isFirst = text.find_first_not_of(' ') == at;
             const std::size_t equals = text.find(" = ");
-            const bool isSet = isFirst && equals != std::string_view::npos &&
-                               text.substr(end, equals - end).find_first_of("([") ==
-                                   std::string_view::npos;
+            const bool isSet =
+                isFirst && equals != std::string_view::npos &&
+                text.substr(end, equals - end).find_first_of("([") == std::string_view::npos;
             if (isWhole && !isSet)
             {
                 return true;
@@ -74,6 +74,22 @@ bool Reads(std::string_view code, std::string_view name)
         }
     }
     return false;
+}
+
+/// Returns where the block ends in which something is known that is declared before `begin`.
+/// @param isBefore  true if the block opens behind the declaration, as that of a parameter
+std::size_t EndOfBlock(std::string_view code, std::size_t begin, bool isBefore)
+{
+    int depth = 0;
+    for (std::size_t i = begin; i < code.size(); ++i)
+    {
+        depth += code[i] == '{' ? 1 : code[i] == '}' ? -1 : 0;
+        if (depth < 0 || (isBefore && depth == 0 && code[i] == '}'))
+        {
+            return i;
+        }
+    }
+    return code.size();
 }
 
 } // namespace
@@ -100,7 +116,9 @@ void PortedCode::TrimUnused(std::size_t begin)
             --first;
         }
         const std::string name = text.substr(first, last + 1 - first);
-        if (Reads(std::string_view(text).substr(end), name))
+        const bool isBefore = text[end] == ',' || text[end] == ')' || text[end] == ':';
+        const std::size_t blockEnd = EndOfBlock(text, end, isBefore);
+        if (Reads(std::string_view(text).substr(end, blockEnd - end), name))
         {
             text.erase(at, k_Unused.size());
         }
@@ -195,7 +213,8 @@ std::string PortedHeader(PortedCode& code)
     PortModel& model = code.model();
     code.text = "#pragma once\n\n#include <limn/core/ComputeShader.h>\n#include "
                 "<limn/core/CurrentCamera.h>\n#include <limn/core/Debug.h>\n#include "
-                "<limn/core/Mathf.h>\n#include <limn/core/RenderGraph.h>\n"
+                "<limn/core/Mathf.h>\n#include <limn/core/NullCheck.h>\n#include "
+                "<limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
     code.text += "// Begun by `limn port` from " +
                  Joined(model.files(), ", ", [](const auto& file) { return file->name(); }) +

@@ -109,8 +109,8 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
 bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 /// Returns whether a body assigns to the name or to a member of it.
 bool IsChanged(CSharpWords body, std::string_view name);
-/// Returns whether the body of a method of Unity's changes its copy of a parameter that C++ does not
-/// copy.
+/// Returns whether the body of a method of Unity's changes its copy of a parameter that C++ does
+/// not copy.
 bool IsCopied(const std::string& cppType, const CSharpMethod& method, const std::string& parameter);
 /// Writes the return statement of a method whose body is a comment.
 void WriteResult(PortedCode& code, const PortedSignature& signature);

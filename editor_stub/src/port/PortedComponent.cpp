@@ -1,3 +1,4 @@
+#include "port/PortLiteral.h"
 #include "port/PortedCode.h"
 
 namespace limn

@@ -1,4 +1,6 @@
 #include "console/Texts.h"
+#include "port/PortLiteral.h"
+#include "port/PortMember.h"
 #include "port/PortedBody.h"
 
 #include <algorithm>
@@ -15,6 +17,57 @@ const CSharpClass* PassOf(const PortModel& model, const CSharpField& field)
     const CSharpClass* own = model.FindPlain(field.type);
     const bool isOne = own && model.RoleOf(*own) == PortRole::Pass && !model.isLeftOut(*own);
     return isOne ? own : nullptr;
+}
+
+/// Writes the constructor of a feature, which makes the passes that are there from the beginning.
+void WriteFeatureConstructor(PortedCode& code, const CSharpClass& one)
+{
+    const PortModel& model = code.model();
+    const std::string className = model.ClassName(one);
+    const PortScope none;
+    std::vector<std::string> lines;
+    for (const CSharpField& field : one.fields)
+    {
+        const CSharpClass* pass = field.value.empty() ? nullptr : PassOf(model, field);
+        const auto arguments = pass ? NewArguments(field.value) : std::nullopt;
+        std::string problem;
+        const auto making =
+            arguments ? MakePass({model, none, true}, *pass, *arguments, problem) : std::nullopt;
+        if (making)
+        {
+            lines.push_back(model.CppName(field.name) + " = " + *making + ";");
+            code.Make(model.CppName(field.name));
+        }
+    }
+    if (lines.empty())
+    {
+        code.Line(className + "::" + className + "() = default;");
+        return;
+    }
+    code.Open(className + "::" + className + "()");
+    std::ranges::for_each(lines, [&](const std::string& line) { code.Line(line); });
+    code.Close();
+}
+
+/// Writes the bodies of the methods that C++ has.
+void WriteBodies(PortedCode& code, const CSharpClass& one)
+{
+    const PortModel& model = code.model();
+    for (const CSharpMethod& method : one.methods)
+    {
+        const auto signature = SignatureOf(model, one, method);
+        code.Line();
+        if (!signature || !model.isDeclared(method))
+        {
+            code.TodoBody(method.name, one, method);
+            continue;
+        }
+        const std::size_t begin = code.text.size();
+        code.Open(signature->Text(model.ClassName(one) + "::"));
+        PortedBody(code, one, method).Write();
+        code.Close();
+        code.TrimUnused(begin);
+    }
 }
 
 } // namespace
@@ -49,8 +102,8 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
     {
         if (const CSharpClass* pass = PassOf(model, field))
         {
-            code.Line("std::unique_ptr<" + model.QualifiedName(*pass) + "> " +
-                      model.CppName(field.name) + ";");
+            code.Line("Owned<" + model.QualifiedName(*pass) + "> " + model.CppName(field.name) +
+                      ";");
             model.Declare(field);
         }
         else
@@ -95,25 +148,22 @@ void WriteFeature(PortedCode& code, const CSharpClass& one)
 void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
 {
     const PortContext context(code.model(), one);
-    const PortModel& model = code.model();
+    PortModel& model = code.model();
     const std::string className = model.ClassName(one);
-    code.Line(className + "::" + className + "() = default;");
+    WriteFeatureConstructor(code, one);
     code.Line(className + "::~" + className + "() = default;");
-    for (const CSharpMethod& method : one.methods)
+    // What a method does with a pass that no method makes would be done with nothing.
+    PortedCode trial(model);
+    WriteBodies(trial, one);
+    for (const CSharpField& field : one.fields)
     {
-        const auto signature = SignatureOf(model, one, method);
-        code.Line();
-        if (!signature || !model.isDeclared(method))
+        const std::string name = model.CppName(field.name);
+        if (PassOf(model, field) && !trial.isMade(name) && !code.isMade(name))
         {
-            code.TodoBody(method.name, one, method);
-            continue;
+            model.Withdraw(field);
         }
-        const std::size_t begin = code.text.size();
-        code.Open(signature->Text(className + "::"));
-        PortedBody(code, one, method).Write();
-        code.Close();
-        code.TrimUnused(begin);
     }
+    WriteBodies(code, one);
     code.Line();
 }
 

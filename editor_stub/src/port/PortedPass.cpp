@@ -186,7 +186,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
                                 ? std::optional(method.type)
                                 : model.CppType(method.type);
         const bool isBlock = method.isProperty && !method.isExpression; // with get and set
-        if (isBlock || !result || isKnown) // which it would hide
+        if (isBlock || !result || isKnown)                              // which it would hide
         {
             return std::nullopt;
         }

@@ -1,4 +1,5 @@
 #include "console/Texts.h"
+#include "port/PortLiteral.h"
 #include "port/PortedBody.h"
 
 #include <algorithm>
@@ -310,7 +311,7 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     const auto pointed = model.isShared(one, field) ? model.CppPointed(field.type) : std::nullopt;
     if (pointed)
     {
-        code.Line(*pointed + "* " + name + " = nullptr;");
+        code.Line("Borrowed<" + *pointed + "> " + name + ";");
         Declare(code.model(), one, field, scope);
         return;
     }

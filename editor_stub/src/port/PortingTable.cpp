@@ -208,9 +208,7 @@ std::string PortingTable::CodeFor(const std::string& key, std::size_t arguments)
 {
     const auto special = m_Codes.find(key + "/" + std::to_string(arguments));
     const auto any = m_Codes.find(key);
-    return special != m_Codes.end() ? special->second
-           : any != m_Codes.end()   ? any->second
-                                    : "";
+    return special != m_Codes.end() ? special->second : any != m_Codes.end() ? any->second : "";
 }
 
 std::string PortingTable::OwnerOf(std::string_view type, std::string_view member,

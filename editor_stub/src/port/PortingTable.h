@@ -53,7 +53,8 @@ public:
     /// @param isExact  true if an entry for all members of a type does not count
     std::string OwnerOf(std::string_view type, std::string_view member, bool isExact = false) const;
 
-    /// Returns the C++ of "new:T" or of a member with this number of arguments; "" if there is none.
+    /// Returns the C++ of "new:T" or of a member with this number of arguments; "" if there is
+    /// none.
     std::string CodeFor(const std::string& key, std::size_t arguments) const;
 
 private:

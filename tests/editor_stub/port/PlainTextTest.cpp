@@ -1,4 +1,4 @@
-#include "port/PortExpression.h"
+#include "port/PortLiteral.h"
 
 #include "port/csharp/CSharpTokens.h"
 

@@ -36,30 +36,33 @@ TEST(PortCommand, CarriesOverABlurOfIdentifiers)
     ExpectAll(ported.header,
               {"Low = 1,", "High = 1 << 2,", "Both = Low | High,", "int passes = 2;",
                "float radius = 1.5f;", "quality = BlurOld::Quality::High;",
-               "when = (RenderPassEvent::AfterRenderingTransparents - 1);",
+               "when = RenderPassEvent::AfterRenderingTransparents - 1;",
                "Color tint = Color{1.0f, 0.5f, 0.0f, 1.0f};", "layers = LayerMask::Everything();",
-               "std::shared_ptr<const Shader> shader = {};", "targetName = \"_Blurred\";",
+               "Shared<const Shader> shader = {};", "targetName = \"_Blurred\";",
                "inspector.Header(\"Blur\");",
                "Field(\"passes\", passes, {1, 8}, \"How often it is blurred.\");",
                "Field(\"radius\", radius, {.min = 0.5}, \"\");", "Field(\"quality\", quality, k_",
                "// AnimationCurve curve;", "settings.Describe(inspector);",
-               "std::unique_ptr<BlurOld::BlurPass> m_Pass;"});
+               "Owned<BlurOld::BlurPass> m_Pass;"});
     EXPECT_THAT(ported.header, Not(HasSubstr("Field(\"frame\""))); // [NonSerialized]
     EXPECT_THAT(ported.header, Not(HasSubstr("Field(\"m_Hidden\"")));
-    ExpectAll(ported.source,
-              {"class BlurOld::BlurPass final : public ScriptableRenderPass",
-               "k_Tag = \"Blur \\\"old\\\"\";", "s_Tint = Shader::PropertyToID(\"_Tint\");",
-               "tags = {ShaderTagId(\"UniversalForward\"), ShaderTagId(\"SRPDefaultUnlit\")};",
-               "const std::shared_ptr<Material>& material_, [[maybe_unused]] int passes_)",
-               "material = material_;", "profilingSampler = ProfilingSampler(k_Tag);",
-               "RenderTargetIdentifier source{};",
-               "void Setup([[maybe_unused]] const RenderTargetIdentifier& source_)",
-               "//     cmd.Blit(temporary.Identifier(), source);",
-               "void FrameCleanup([[maybe_unused]] CommandBuffer& cmd) override",
-               "// TODO: make 'm_Pass', which is nothing so far",
-               "renderer.EnqueuePass(*m_Pass);"});
+    ExpectAll(
+        ported.source,
+        {"class BlurOld::BlurPass final : public ScriptableRenderPass",
+         "k_Tag = \"Blur \\\"old\\\"\";", "s_Tint = Shader::PropertyToID(\"_Tint\");",
+         "tags = {ShaderTagId(\"UniversalForward\"), ShaderTagId(\"SRPDefaultUnlit\")};",
+         "const Shared<Material>& material_, int passes_)", "material = material_;",
+         "profilingSampler = ProfilingSampler(k_Tag);", "RenderTargetIdentifier source{};",
+         "void Setup(const RenderTargetIdentifier& source_)",
+         "cmd.GetTemporaryRT(temporary.id, cameraTextureDescriptor.width / downsample, -1, 0, "
+         "FilterMode::Bilinear, RenderTextureFormat::ARGB32);",
+         "// TODO BlurOld.cs:60: a text with values in it\n        // CommandBuffer cmd",
+         "for (int i = 0; i < passes; ++i)", "// cmd.Blit(temporary.Identifier(), source);",
+         "void FrameCleanup(CommandBuffer& cmd) override", "cmd.ReleaseTemporaryRT(temporary.id);",
+         "auto material = CoreUtils::CreateEngineMaterial(settings.shader);",
+         "m_Pass->Setup(renderer.cameraColorTarget());", "renderer.EnqueuePass(*m_Pass);"});
     ExpectAll(ported.report,
-              {"| event | `BlurPass.renderPassEvent` | `settings.when` | BlurOld.cs:87 | TODO |",
+              {"| event | `BlurPass.renderPassEvent` | `settings.when` | BlurOld.cs:87 | done |",
                "| setting | `BlurSettings.curve` | `AnimationCurve curve` | BlurOld.cs:25 | TODO |",
                "| `CommandBuffer.GetTemporaryRT` | BlurOld.cs:52:21 | same |",
                "| `CommandBuffer.Blit` | BlurOld.cs:64:25, 65:25 | same |",
@@ -94,13 +97,13 @@ TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
          "FogMode::Linear}, {\"Exponential\", FogMode::Exponential}}};",
          "MinIntParameter steps{this, \"steps\", 4, 1, true};",
          "// TextureParameter noise = new TextureParameter(null);",
-         "return ((density.value() > 0.0f) && ((height.value() != 0.0f) || !active));",
+         "return density.value() > 0.0f && (height.value() != 0.0f || !active);",
          "m_Event = RenderPassEvent::BeforeRenderingPostProcessing;", "m_Strength = .5f;",
          "Field(\"m_Strength\", m_Strength, {0.0, 1.0}, \"\");",
          "std::vector<std::string> m_Tags = {\"UniversalForward\"};",
-         "std::shared_ptr<Material> m_Material{};"});
+         "Shared<Material> m_Material{};"});
     ExpectAll(ported.source,
-              {"renderPassEvent = (renderPassEvent_ + 1);", "strength = (strength_ * 2.0f);",
+              {"renderPassEvent = renderPassEvent_ + 1;", "strength = strength_ * 2.0f;",
                "profilingSampler = ProfilingSampler(\"HeightFogPass\");",
                "m_FogPass = std::make_unique<HeightFogPass>(m_Event, m_Strength, \"Height Fog\");",
                "// TODO HeightFogFeature.cs:111: limn has nothing of this kind: class "
@@ -122,8 +125,8 @@ TEST(PortCommand, CarriesOverARenderGraph)
     ExpectAll(ported.header, {"float width{};", "RenderPassEvent injection{};"});
     ExpectAll(ported.source,
               {"struct PassData", "TextureHandle source{};", "RendererListHandle objects{};",
-               "void RecordRenderGraph([[maybe_unused]] RenderGraph& renderGraph, [[maybe_unused]] "
-               "ContextContainer& frameData) override",
+               "void RecordRenderGraph(RenderGraph& renderGraph, ContextContainer& frameData) "
+               "override",
                "m_Pass = std::make_unique<EdgeGlowFeature::EdgeGlowPass>(settings);",
                "m_Pass->renderPassEvent = RenderPassEvent::AfterRenderingOpaques;"});
     EXPECT_THAT(ported.source, Not(HasSubstr("void Execute("))); // limn would run it instead
@@ -173,7 +176,7 @@ TEST(PortCommand, CarriesOverTheArticle)
               {"mPass = std::make_unique<OutlineDrawingRenderPass>(name, m_Settings);",
                "renderPassEvent = settings.m_RenderPassEvent;",
                "mProfilingSampler = ProfilingSampler(featureName);",
-               "void Setup([[maybe_unused]] const ScreenSpaceOutline& volumeComponent)",
+               "void Setup(const ScreenSpaceOutline& volumeComponent)",
                "kEdgeDetectionPassIndex = 1;", "ShaderTagId(\"UniversalForwardOnly\")",
                // limn has the article's feature
                "(\"ScreenSpaceOutlineRenderFeaturePort\")"});

@@ -27,8 +27,8 @@ private:
     const RenderingData* m_Before;
 };
 
-/// The size of the picture that this thread renders, in pixels. Unity: UnityEngine.Screen, whose size
-/// is that of the window.
+/// The size of the picture that this thread renders, in pixels. Unity: UnityEngine.Screen, whose
+/// size is that of the window.
 namespace Screen
 {
 

@@ -107,13 +107,24 @@ public:
     template <typename T>
     void Field(std::string_view name, T& value, std::string_view tooltip)
     {
-        static_assert(std::is_constructible_v<FieldValue, T*>,
+        constexpr bool k_IsPointer = requires
+        {
+            typename T::element_type;
+        };
+        static_assert(std::is_constructible_v<FieldValue, T*> || k_IsPointer,
                       "a setting is a bool, int, float, Color, vec4, LayerMask, RenderPassEvent, "
                       "string or list of strings, a shared_ptr of const Shader or of Material, or "
                       "an enum with its entries behind it");
         if constexpr (std::is_constructible_v<FieldValue, T*>)
         {
             Field({name, tooltip}, &value);
+        }
+        else if constexpr (k_IsPointer) // Shared<Material>
+        {
+            using Asset = typename T::element_type;
+            std::shared_ptr<const std::remove_const_t<Asset>> asset = value;
+            Field({name, tooltip}, &asset);
+            value = std::const_pointer_cast<Asset>(asset);
         }
     }
     /// Receives a shader. Its default is the value of the member at the beginning; `Shader.Find` in

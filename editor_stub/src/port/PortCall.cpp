@@ -1,0 +1,78 @@
+#include "port/PortMember.h"
+#include "port/PortedCode.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+namespace
+{
+
+/// Returns the type of a class's parameter, as it is called outside of the class.
+std::string TypeIn(const PortModel& model, const CSharpClass& one, const CSharpParameter& parameter)
+{
+    const PortContext context(model, one);
+    const CSharpClass* own = model.FindPlain(parameter.type);
+    return Replaced(own ? model.QualifiedName(*own) : parameter.type, "::", ".");
+}
+
+/// Returns whether the argument must be a variable.
+bool isMutableReference(const PortModel& model, const CSharpClass& one,
+                        const CSharpParameter& parameter)
+{
+    const PortContext context(model, one);
+    const auto type = model.CppParameter(parameter);
+    return type && type->ends_with("&") && !type->starts_with("const ");
+}
+
+bool IsReferenceWord(const CSharpToken& word)
+{
+    return word.Is("ref") || word.Is("in") || word.Is("out");
+}
+
+} // namespace
+
+std::optional<std::string> PortArgument(const PortPlace& place, const CSharpClass& owner,
+                                        const CSharpParameter& parameter, CSharpWords words,
+                                        std::string& problem)
+{
+    words = !words.empty() && IsReferenceWord(words[0]) ? words.subspan(1) : words;
+    const auto value = Translate(place, words, TypeIn(place.model, owner, parameter), &problem);
+    const bool isFit =
+        value && (value->isVariable || !isMutableReference(place.model, owner, parameter) ||
+                  value->cpp.starts_with("*"));
+    return isFit ? std::optional(value->cpp) : std::nullopt;
+}
+
+std::optional<std::string> MakePass(const PortPlace& place, const CSharpClass& pass,
+                                    const std::vector<CSharpWords>& arguments, std::string& problem)
+{
+    const PortModel& model = place.model;
+    const auto fits = [&](const CSharpMethod& method)
+    {
+        return method.isConstructor() && !method.isStatic &&
+               method.parameters.size() == arguments.size() && SignatureOf(model, pass, method);
+    };
+    const auto constructor = std::ranges::find_if(pass.methods, fits);
+    const bool hasNone = std::ranges::none_of(pass.methods, &CSharpMethod::isConstructor);
+    if (model.isLeftOut(pass) ||
+        (constructor == pass.methods.end() && !(hasNone && arguments.empty())))
+    {
+        return std::nullopt;
+    }
+    std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
+    for (std::size_t i = 0; i < arguments.size(); ++i)
+    {
+        const auto argument =
+            PortArgument(place, pass, constructor->parameters[i], arguments[i], problem);
+        if (!argument)
+        {
+            return std::nullopt;
+        }
+        text += (i == 0 ? "" : ", ") + *argument;
+    }
+    return text + ")";
+}
+
+} // namespace limn

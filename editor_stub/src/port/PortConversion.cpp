@@ -1,0 +1,135 @@
+#include "port/PortMember.h"
+
+namespace limn
+{
+
+namespace
+{
+
+using Result = std::optional<PortValue>;
+
+/// Returns the mask of rendering layers or of layers that a number is, or nothing.
+Result AsMask(const PortValue& value, const std::string& wanted)
+{
+    if (value.type != "int" && value.type != "uint")
+    {
+        return std::nullopt;
+    }
+    if (!value.isLiteral)
+    {
+        const std::string bits =
+            value.type == "uint" ? value.cpp : "static_cast<std::uint32_t>(" + value.cpp + ")";
+        return PortValue{wanted + "(" + bits + ")", wanted};
+    }
+    const bool isAll = IsIn(value.cpp, {"-1", "~0", "0xFFFFFFFFu", "4294967295u"});
+    const bool isNone = value.cpp == "0" || value.cpp == "0u";
+    if (isAll || isNone)
+    {
+        return PortValue{wanted + (isAll ? "::Everything()" : "::Nothing()"), wanted};
+    }
+    if (value.cpp[0] == '-' || value.cpp[0] == '~')
+    {
+        return std::nullopt;
+    }
+    return PortValue{wanted + "(" + value.cpp + (value.type == "int" ? "u)" : ")"), wanted};
+}
+
+/// Returns the value with another type that it turns into in C#, or nothing.
+Result AsOther(const PortValue& value, const std::string& wanted)
+{
+    const auto is = [&](std::string_view from, std::string_view to)
+    {
+        return value.type == from && wanted == to;
+    };
+    std::string cpp;
+    if (is("RenderTextureFormat", "GraphicsFormat"))
+    {
+        cpp = "ToGraphicsFormat(" + value.cpp + ", true)";
+    }
+    else if (is("LayerMask", "int") || is("RenderingLayerMask", "uint"))
+    {
+        cpp = wanted == "int" ? "static_cast<int>(" + value.Text(90) + ".bits)"
+                              : value.Text(90) + ".bits";
+    }
+    else if (is("Color", "Vector4"))
+    {
+        cpp = value.Text(90) + ".vector()";
+    }
+    else if (is("Vector3", "Vector4"))
+    {
+        cpp = "Vector4(" + value.cpp + ", 0.0f)";
+    }
+    else if (is("Vector2", "Vector4"))
+    {
+        cpp = "Vector4(" + value.cpp + ", 0.0f, 0.0f)";
+    }
+    else if (is("Vector4", "Vector3") || is("Vector3", "Vector2") || is("Vector4", "Vector2"))
+    {
+        cpp = wanted + "(" + value.cpp + ")";
+    }
+    else if (value.type == "RTHandle" && wanted == "RenderTexture")
+    {
+        cpp = value.Text(90) + ".rt()";
+    }
+    else if (wanted == "RenderTargetIdentifier" &&
+             IsIn(value.type, {"Texture", "Texture2D", "RenderTexture"}))
+    {
+        cpp = wanted + "(" + value.cpp + ")";
+    }
+    else if ((wanted == "RenderTargetIdentifier" &&
+              IsIn(value.type,
+                   {"RTHandle", "ShaderPropertyId", "BuiltinRenderTextureType", "string"})) ||
+             (wanted == "Texture" &&
+              IsIn(value.type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"})) ||
+             is("TextureHandle", "RTHandle") || is("RendererListHandle", "RendererList") ||
+             is("float", "double") || is("int", "double"))
+    {
+        cpp = value.cpp;
+    }
+    return cpp.empty() ? std::nullopt : Result(PortValue{cpp, wanted});
+}
+
+} // namespace
+
+std::optional<PortValue> Converted(const PortModel& model, PortValue value,
+                                   const std::string& wanted)
+{
+    const CSharpClass* own = wanted.empty() ? nullptr : model.Find(wanted);
+    if (wanted.empty())
+    {
+        return value;
+    }
+    if (value.type == wanted || value.type.empty() || (own && own == model.Find(value.type)))
+    {
+        value.cpp = value.isPointer ? "*" + value.Text(90) : value.cpp;
+        value.strength = value.isPointer ? 90 : value.strength;
+        value.isPointer = false;
+        return value;
+    }
+    const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
+    if (wanted == "float" && (value.type == "int" || value.type == "uint"))
+    {
+        return value.isLiteral && !isHex && value.type == "int"
+                   ? PortValue{value.cpp + ".0f", "float", true}
+                   : PortValue{"static_cast<float>(" + value.cpp + ")", "float"};
+    }
+    if (wanted == "uint" && value.type == "int" && value.isLiteral && value.cpp[0] != '-')
+    {
+        return PortValue{value.cpp + "u", "uint", true};
+    }
+    if (!own && (wanted == "LayerMask" || wanted.ends_with("RenderingLayerMask")))
+    {
+        return AsMask(value, wanted);
+    }
+    if (wanted == "bool" && (value.isPointer || IsSharedType(model, value.type)))
+    {
+        return PortValue{value.cpp + " != nullptr", "bool", false, false, false, false, 5};
+    }
+    if (value.type == "null" && wanted != "ProfilingSampler")
+    {
+        return PortValue{PortModel::CppDefault(model.CppType(wanted).value_or("")), wanted};
+    }
+    return AsOther(value, wanted);
+}
+
+} // namespace limn

@@ -1,0 +1,160 @@
+#include "port/PortOperator.h"
+
+#include "port/PortMember.h"
+
+#include <map>
+
+namespace limn
+{
+
+namespace
+{
+
+using Result = std::optional<PortValue>;
+
+Result CompareToNull(const PortModel& model, const PortValue& value, bool isEqual,
+                     std::string& problem)
+{
+    const CSharpClass* own = model.Find(value.type);
+    PortValue result{"", "bool"};
+    result.strength = Strength("==");
+    if (value.isPointer || value.type == "RTHandle" || IsSharedType(model, value.type))
+    {
+        result.cpp = value.Text(result.strength) + (isEqual ? " == nullptr" : " != nullptr");
+    }
+    else if (value.type == "string")
+    {
+        result = {(isEqual ? "" : "!") + value.Text(90) + ".empty()", "bool"};
+    }
+    else if (own || !ElementTypeOf(value.type).empty() || IsReferenceType(model, value.type))
+    {
+        result = {isEqual ? "false" : "true", "bool"}; // C++ has no null for it
+    }
+    else
+    {
+        problem = "'" + value.type + "' is compared to null";
+        return std::nullopt;
+    }
+    return result;
+}
+
+/// "a" + b
+Result CombineText(const PortValue& left, const std::string& word, const PortValue& right,
+                   std::string& problem)
+{
+    const auto text = [](const PortValue& value)
+    {
+        return value.type == "int" || value.type == "uint" ? "std::to_string(" + value.cpp + ")"
+                                                           : value.Text(Strength("+"));
+    };
+    const auto isText = [](const PortValue& value)
+    {
+        return IsIn(value.type, {"string", "int", "uint"});
+    };
+    const bool isJoined = word == "+" && isText(left) && isText(right);
+    const bool isCompared = (word == "==" || word == "!=") && left.type == right.type;
+    if (!isJoined && !isCompared)
+    {
+        problem = "'" + left.type + " " + word + " " + right.type + "'";
+        return std::nullopt;
+    }
+    PortValue result{(isJoined ? "std::string(" : "std::string_view(") + text(left) + ") " + word +
+                         " " + text(right),
+                     isJoined ? "string" : "bool"};
+    result.strength = Strength(word);
+    return result;
+}
+
+} // namespace
+
+bool IsNumber(const std::string& type)
+{
+    return type == "int" || type == "float" || type == "uint";
+}
+
+int Strength(std::string_view word)
+{
+    static const std::map<std::string_view, int> strengths = {
+        {"||", 1}, {"&&", 2}, {"|", 3},  {"&", 4},  {"==", 5}, {"!=", 5},
+        {"<", 6},  {">", 6},  {"<=", 6}, {">=", 6}, {"<<", 7}, {">>", 7},
+        {"+", 8},  {"-", 8},  {"*", 9},  {"/", 9},  {"%", 9}};
+    const auto found = strengths.find(word);
+    return found == strengths.end() ? 0 : found->second;
+}
+
+bool IsTruth(const PortModel& model, const PortValue& value)
+{
+    return value.type == "bool" || value.type.empty() || value.isPointer ||
+           value.type == "RTHandle" || IsSharedType(model, value.type);
+}
+
+std::optional<PortValue> Combined(const PortModel& model, PortValue left, const std::string& word,
+                                  PortValue right, std::string& problem)
+{
+    const int strength = Strength(word);
+    const bool isComparison = strength == 5 || strength == 6;
+    if (strength == 5 && (left.type == "null") != (right.type == "null"))
+    {
+        return CompareToNull(model, left.type == "null" ? right : left, word == "==", problem);
+    }
+    if (left.type == "string" || right.type == "string")
+    {
+        return CombineText(left, word, right, problem);
+    }
+    if (IsNumber(left.type) && IsNumber(right.type) &&
+        (left.type == "float") != (right.type == "float"))
+    {
+        left = *Converted(model, left, "float");
+        right = *Converted(model, right, "float");
+    }
+    const auto isVector = [](const PortValue& value)
+    {
+        return IsIn(value.type, {"Vector2", "Vector3", "Vector4", "Matrix4x4"});
+    };
+    const bool isScaled = strength >= 8 && isVector(left) != isVector(right) &&
+                          IsNumber(isVector(left) ? right.type : left.type);
+    if (isScaled)
+    {
+        PortValue& scale = isVector(left) ? right : left;
+        scale = *Converted(model, scale, "float");
+    }
+    const bool isUnknown = left.type.empty() || right.type.empty();
+    const bool isEvent =
+        left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
+    const bool isFlags =
+        (word == "|" || word == "&") && left.type == right.type &&
+        IsIn(left.type, {"SortingCriteria", "int", "uint", "ScriptableRenderPassInput", "ClearFlag",
+                         "CameraType", "RenderStateMask", "ColorWriteMask", "RenderingLayerMask",
+                         "LayerMask"});
+    const bool isLogic =
+        (word == "&&" || word == "||") && IsTruth(model, left) && IsTruth(model, right);
+    const CSharpClass* own = model.Find(left.type);
+    const bool isSame = left.type == right.type || (own && own == model.Find(right.type));
+    const bool isSum = strength >= 7 && isSame && (IsNumber(left.type) || isVector(left)) &&
+                       !(strength == 7 && left.type == "float");
+    if (word == "%" && left.type == "float")
+    {
+        return PortValue{"std::fmod(" + left.cpp + ", " + right.cpp + ")", "float"};
+    }
+    if (!isEvent && !isFlags && !isLogic && !isSum && !isScaled && !isUnknown &&
+        !(isComparison && isSame && left.type != "null"))
+    {
+        problem = "'" + left.type + " " + word + " " + right.type + "'";
+        return std::nullopt;
+    }
+    const bool isMixed = isLogic && word == "||"; // compilers warn of a && b || c
+    const auto side = [&](const PortValue& value, int least)
+    {
+        return value.isPointer && !isLogic ? "*" + value.Text(90)
+                                           : value.Text(isMixed && value.strength == 2 ? 3 : least);
+    };
+    PortValue result{side(left, strength) + " " + word + " " + side(right, strength + 1),
+                     isComparison || isLogic       ? "bool"
+                     : isScaled && isVector(right) ? right.type
+                                                   : left.type};
+    result.type = isUnknown && !isComparison && !isLogic ? "" : result.type;
+    result.strength = strength;
+    return result;
+}
+
+} // namespace limn

@@ -1,0 +1,322 @@
+#include "port/PortedStatement.h"
+
+#include "port/PortMember.h"
+#include "port/csharp/CSharpStatements.h"
+
+#include <algorithm>
+
+namespace limn
+{
+
+bool PortedStatement::Fail(const std::string& problem)
+{
+    m_Problem = m_Problem.empty() ? problem : m_Problem;
+    return false;
+}
+
+std::optional<PortValue> PortedStatement::Value(CSharpWords words, const std::string& wanted)
+{
+    return Translate(Place(), words, wanted, &m_Problem);
+}
+
+void PortedStatement::Todo(CSharpWords words, const std::string& otherwise)
+{
+    const std::string why = m_Problem.empty() ? otherwise : InComment(m_Problem);
+    m_Code.Todo(why, m_Model.Place(m_One, words.front().location), TextOf(*m_One.file, words));
+    m_Problem.clear();
+}
+
+/// Writes a statement without its semicolon: a declaration, an assignment, a call.
+bool PortedStatement::WriteSimple(CSharpWords words)
+{
+    Word at = words.data();
+    const Word end = at + words.size();
+    if (at < end && at->Is("const"))
+    {
+        words = words.subspan(1);
+        ++at;
+    }
+    const bool isReference = at < end && at->Is("ref");
+    Word name = at + (isReference ? 1 : 0);
+    const std::string type = ReadCSharpType(name);
+    const bool isDeclaration = !type.empty() && name < end && name->isName() &&
+                               !IsIn(name->text, {"is", "as", "in"}) &&
+                               (name + 1 == end || name[1].Is("=") || name[1].Is(","));
+    if (isDeclaration)
+    {
+        return WriteDeclaration(words);
+    }
+    const Word equals =
+        FindOutsideOfBrackets(at, end, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "%="});
+    const Word shift = FindOutsideOfBrackets(at, end, {">="});
+    if (shift < end && shift > at && shift[-1].Is(">") && equals == end) // a >>= b
+    {
+        const auto target = Value({at, shift - 1}, "int");
+        const auto bits =
+            target && target->isVariable ? Value({shift + 1, end}, "int") : std::nullopt;
+        if (bits)
+        {
+            m_Code.Line(target->cpp + " >>= " + bits->cpp + ";");
+        }
+        return bits.has_value();
+    }
+    if (equals < end)
+    {
+        return WriteAssignment({at, equals}, equals->text, {equals + 1, end});
+    }
+    if (std::ranges::count(words, std::string_view("?."), &CSharpToken::text) > 0)
+    {
+        return WriteMaybe(words);
+    }
+    const bool isStep = words.size() > 2 && (words.back().Is("+") || words.back().Is("-"));
+    if (isStep)
+    {
+        const auto value = Value(words.first(words.size() - 2));
+        if (value)
+        {
+            m_Code.Line((words.back().text[0] == '+' ? "++" : "--") + value->cpp + ";");
+        }
+        return value.has_value();
+    }
+    const auto value = Value(words);
+    if (!value)
+    {
+        return false;
+    }
+    m_Code.Line(value->cpp + ";");
+    return true;
+}
+
+bool PortedStatement::WriteDeclaration(CSharpWords words)
+{
+    Word at = words.data();
+    const Word end = at + words.size();
+    const bool isReference = at->Is("ref");
+    at += isReference ? 1 : 0;
+    const std::string type = ReadCSharpType(at);
+    while (at < end)
+    {
+        const std::string name(at->text);
+        const Word comma = FindOutsideOfBrackets(at, end, {","});
+        Word value = at + (at + 1 < comma && at[1].Is("=") ? 2 : 1);
+        value += value < comma && value->Is("ref") ? 1 : 0;
+        if (!DeclareLocal(type, name, {value, comma}, isReference))
+        {
+            return false;
+        }
+        at = std::min(comma + 1, end);
+    }
+    return true;
+}
+
+PortValue& PortedStatement::AddLocal(const std::string& name, const std::string& type)
+{
+    PortValue value{LocalName(m_Model, m_One, name), type};
+    value.isVariable = true;
+    return m_Scope[name] = value;
+}
+
+bool PortedStatement::DeclareLocal(const std::string& type, const std::string& name,
+                                   CSharpWords words, bool isReference)
+{
+    const std::string wanted = type == "var" ? "" : type;
+    if (words.empty())
+    {
+        const auto cpp = m_Model.CppType(wanted);
+        if (!cpp || IsReferenceType(m_Model, wanted))
+        {
+            return Fail("'" + type + "' without a value");
+        }
+        m_Code.Line("[[maybe_unused]] " + *cpp + " " + AddLocal(name, wanted).cpp +
+                    PortModel::CppDefault(*cpp) + ";");
+        return true;
+    }
+    // new T(...) { a = 1 }
+    const auto braces = words.front().Is("new") && words.back().Is("}")
+                            ? std::ranges::find(words, std::string_view("{"), &CSharpToken::text)
+                            : words.end();
+    const bool hasMembers =
+        braces != words.end() && braces->Inside().size() > 2 && braces->Inside()[1].Is("=");
+    const CSharpWords object(words.begin(), hasMembers ? braces : words.end());
+    const bool isBare = hasMembers && !object.back().Is(")");
+    Word bare = object.data() + 1;
+    const std::string bareType = isBare ? ReadCSharpType(bare) : "";
+    auto value = isBare ? PortMembers(Place(), m_Problem).Construct(bareType, {})
+                        : Value(object, IsReferenceType(m_Model, wanted) ? "" : wanted);
+    const bool isProperty = !value && wanted == "int" && !isBare;
+    if (isProperty) // int id = Shader.PropertyToID("_X")
+    {
+        std::string problem;
+        value = Translate(Place(), object, "", &problem);
+        value = value && value->type == k_PropertyIdType ? value : std::nullopt;
+        m_Problem = value ? "" : m_Problem;
+    }
+    if (!value || value->type == "void" || (value->type == "null" && wanted.empty()))
+    {
+        return false;
+    }
+    const bool isOther =
+        isReference || (value->isVariable && IsReferenceType(m_Model, value->type));
+    PortValue& local = AddLocal(name, value->type.empty() ? wanted : value->type);
+    const auto cpp = wanted.empty() || isProperty || isOther || value->isPointer
+                         ? std::nullopt
+                         : m_Model.CppType(wanted);
+    local.isPointer = value->isPointer;
+    local.type = cpp && value->type == "null" ? wanted : local.type;
+    if (!cpp && value->cpp.starts_with("{") && !m_Model.CppType(value->type))
+    {
+        return Fail("a list of '" + ElementTypeOf(value->type) + "'");
+    }
+    // A list of values has no type of its own in C++, and a pointer of limn's no check for null.
+    const bool isTyped =
+        !value->isPointer && (value->cpp.starts_with("{") || IsSharedType(m_Model, value->type));
+    const auto typed = cpp || !isTyped ? cpp : m_Model.CppType(value->type);
+    const std::string keyword = typed && *typed != "ShaderPropertyId" ? *typed + " "
+                                : isOther && !value->isPointer        ? "auto& "
+                                                                      : "auto ";
+    const bool isText = value->type == "string" && value->cpp.starts_with("\"");
+    const std::string made = isText ? "std::string(" + value->cpp + ")" : value->cpp;
+    m_Code.Line("[[maybe_unused]] " + std::string(isText && wanted.empty() ? "auto " : keyword) +
+                local.cpp + " = " + (cpp && value->cpp == "{}" ? *cpp + "{}" : made) + ";");
+    return !hasMembers || WriteMembers(local, braces->Inside());
+}
+
+/// a = 1, b = 2 of an object that was just made.
+bool PortedStatement::WriteMembers(const PortValue& object, CSharpWords members)
+{
+    const PortValue value = object;
+    PortScope scope = m_Scope;
+    for (const CSharpWords& member : SplitArguments(members))
+    {
+        if (member.size() < 3 || !member[1].Is("="))
+        {
+            return Fail("'new' with this in its braces");
+        }
+        std::string problem;
+        const auto found = PortMembers(Place(), problem)
+                               .MemberOf(value, {std::string(member[0].text), "", false, {}, true});
+        const auto setter = PortMembers(Place(), problem)
+                                .Setter(value, {std::string(member[0].text), "", false, {}, true},
+                                        member.subspan(2));
+        const auto assigned =
+            setter || !found || !found->isVariable
+                ? std::nullopt
+                : AssignmentTo(Place(), *found, "=", member.subspan(2), m_Problem);
+        if (const PassMember* known = FindPassMember(member[0].text))
+        {
+            m_Code.Done({known->what, std::string(PlainTypeName(object.type)) + "." + known->name,
+                         m_Model.Text(m_One, member.subspan(2)),
+                         m_Model.Place(m_One, member[0].location), setter || assigned});
+        }
+        if (setter || assigned)
+        {
+            const std::string text = setter ? *setter : *assigned;
+            if (text != "-")
+            {
+                m_Code.Line(text + ";");
+            }
+        }
+        else
+        {
+            m_Problem = m_Problem.empty() ? problem : m_Problem;
+            Todo(member);
+        }
+    }
+    return true;
+}
+
+bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word, CSharpWords value)
+{
+    if (target.empty() || value.empty() || target.back().Is("?\?"))
+    {
+        return Fail("an assignment of this kind");
+    }
+    const auto name = target.back().text;
+    const PassMember* member = FindPassMember(name);
+    const bool isOfThis = target.size() == 3 && target[0].Is("this");
+    const CSharpField* field = target.size() == 1 || isOfThis ? m_One.FindField(name) : nullptr;
+    const CSharpClass* own = field ? m_Model.FindPlain(field->type) : nullptr;
+    const bool isPass = own && m_Model.RoleOf(*own) == PortRole::Pass && word == "=";
+    // new P() { renderPassEvent = X }
+    const bool hasMembers = value.front().Is("new") && value.back().Is("}") && value.size() > 3;
+    const Word braces = hasMembers ? &value.back() + value.back().match : nullptr;
+    const CSharpWords members = braces && braces->Is("{") ? braces->Inside() : CSharpWords();
+    const bool isMade = braces && (members.empty() || (members.size() > 2 && members[1].Is("=")));
+    const CSharpWords object = isMade ? CSharpWords(value.data(), braces) : value;
+    if (isPass && !m_Model.isDeclared(*field))
+    {
+        Value(object); // says why the pass cannot be made
+    }
+    auto text = TranslateAssignment(Place(), target, word, object, m_Problem);
+    if (member)
+    {
+        const bool isOwn = target.size() < 3 || target[0].Is("this") || target[0].Is("base");
+        const CSharpField* other = isOwn ? nullptr : m_One.FindField(target[0].text);
+        m_Code.Done({member->what,
+                     (isOwn   ? m_One.name
+                      : other ? other->type
+                              : "") +
+                         "." + member->name,
+                     m_Model.Text(m_One, value), m_Model.Place(m_One, target.front().location),
+                     text.has_value()});
+    }
+    if (isPass)
+    {
+        m_Code.Done({"made", m_One.name + "." + field->name, m_Model.Text(m_One, value),
+                     m_Model.Place(m_One, value.front().location), text.has_value()});
+    }
+    if (!text)
+    {
+        return false;
+    }
+    if (!text->empty())
+    {
+        m_Code.Line(*text + ";");
+    }
+    if (isPass)
+    {
+        m_Code.Make(m_Model.CppName(field->name));
+    }
+    if (isMade && !members.empty())
+    {
+        const auto whole = Value(target);
+        return whole && WriteMembers(*whole, members);
+    }
+    return true;
+}
+
+/// a?.b(c) as a statement.
+bool PortedStatement::WriteMaybe(CSharpWords words)
+{
+    const Word end = words.data() + words.size();
+    const Word mark = FindOutsideOfBrackets(words.data(), end, {"?."});
+    const auto object = mark < end ? Value({words.data(), mark}) : std::nullopt;
+    if (!object || mark + 1 == end || !mark[1].isName())
+    {
+        return Fail("'?.' within an expression");
+    }
+    PortName name;
+    name.name = mark[1].text;
+    name.isCall = mark + 2 < end && mark[2].Is("(");
+    name.arguments = name.isCall ? SplitArguments(mark[2].Inside()) : name.arguments;
+    const bool isWhole = name.isCall && mark[2].Behind() == end;
+    const auto call =
+        isWhole ? PortMembers(Place(), m_Problem).MemberOf(*object, name) : std::nullopt;
+    if (!call)
+    {
+        return Fail("'?.' of this");
+    }
+    const bool isPointer = object->isPointer || IsSharedType(m_Model, object->type);
+    if (isPointer)
+    {
+        m_Code.Open("if (" + object->cpp + ")");
+    }
+    m_Code.Line(call->cpp + ";");
+    if (isPointer)
+    {
+        m_Code.Close();
+    }
+    return true;
+}
+
+} // namespace limn

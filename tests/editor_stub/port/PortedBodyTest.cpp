@@ -1,0 +1,240 @@
+#include "port/Ported.h"
+
+#include <gmock/gmock.h>
+
+// What `limn port` makes of the statements in a method's body. That the C++ compiles and draws what
+// a port by hand draws is shown elsewhere, by tests/port_corpus and tests/porting.
+
+namespace limn::test
+{
+
+namespace
+{
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// A pass with these members and statements of its Execute, which has `cmd` and `data`.
+Ported PortBody(const std::string& statements, const std::string& members = "",
+                const std::string& ofFeature = "")
+{
+    const WorkingFolder working;
+    working.folder.Write(
+        "F.cs", "public class F : ScriptableRendererFeature {\n"
+                "  public enum Mode { Off, On }\n"
+                "  public class Settings { public Mode mode; public Material material;\n"
+                "    public int count = 2; public float width = 1f; public Color color; }\n"
+                "  public Settings settings = new Settings(); P pass;\n" +
+                    ofFeature +
+                    "  public override void Create() { pass = new P(settings); }\n"
+                    "  public override void AddRenderPasses(ScriptableRenderer renderer, ref "
+                    "RenderingData data) { renderer.EnqueuePass(pass); }\n"
+                    "  class P : ScriptableRenderPass {\n"
+                    "    Settings settings; Material material; RTHandle handle; int count; float "
+                    "width; int[] sizes;\n" +
+                    members +
+                    "    public P(Settings settings) { this.settings = settings; }\n"
+                    "    public override void Execute(ScriptableRenderContext context, ref "
+                    "RenderingData data) {\n"
+                    "      CommandBuffer cmd = CommandBufferPool.Get();\n" +
+                    statements + "\n    }\n  }\n}\n");
+    return Port({"F.cs"}, "F");
+}
+
+/// A statement of C# and the C++ that it becomes.
+struct Line
+{
+    const char* csharp;
+    const char* cpp;
+};
+
+void ExpectLines(const std::vector<Line>& lines, const std::string& members = "")
+{
+    std::string statements;
+    for (const Line& line : lines)
+    {
+        statements += std::string("      ") + line.csharp + "\n";
+    }
+    const Ported ported = PortBody(statements, members);
+    for (const Line& line : lines)
+    {
+        EXPECT_THAT(ported.source, HasSubstr(line.cpp)) << line.csharp;
+    }
+    EXPECT_THAT(ported.source, Not(HasSubstr("TODO")));
+}
+
+} // namespace
+
+TEST(PortedBody, HasTheValuesOfCSharp)
+{
+    ExpectLines({{"float a = count;", "float a = static_cast<float>(count);"},
+                 {"float b = 1;", "float b = 1.0f;"},
+                 {"int c = (int)width;", "int c = static_cast<int>(width);"},
+                 {"var d = count / 2 * (count + 1);", "auto d = count / 2 * (count + 1);"},
+                 {"var e = (count - 1) - (count - 2);", "auto e = count - 1 - (count - 2);"},
+                 {"var f = count > 1 && width < 2f || material;",
+                  "auto f = (count > 1 && width < 2.0f) || material;"},
+                 {"var g = !(count == 1);", "auto g = !(count == 1);"},
+                 {"var h = count > 0 ? width : 1;", "auto h = count > 0 ? width : 1.0f;"},
+                 {"var i = 1 << count;", "auto i = 1 << count;"},
+                 {"var j = \"_Level\" + count;",
+                  "auto j = std::string(\"_Level\") + std::to_string(count);"},
+                 {"var k = $\"Blur {count} of {sizes.Length}\";",
+                  "std::string(\"Blur \") + std::to_string(count) + std::string(\" of \") + "
+                  "std::to_string(static_cast<int>(sizes.size()))"},
+                 {"var l = width % 2f;", "auto l = std::fmod(width, 2.0f);"},
+                 {"Vector4 m = new Vector3(1, width, 0) * count;",
+                  "Vector4 m = Vector4(Vector3(1.0f, width, 0.0f) * "
+                  "static_cast<float>(count), 0.0f);"},
+                 {"var n = sizes[count];", "auto n = sizes.at(static_cast<std::size_t>(count));"},
+                 {"var o = GetType().Name;", "auto o = std::string(\"P\");"},
+                 {"var p = (SortingCriteria)6;", "static_cast<SortingCriteria>(6);"},
+                 {"LayerMask q = count;", "LayerMask(static_cast<std::uint32_t>(count));"}});
+}
+
+TEST(PortedBody, TellsWhatIsNull)
+{
+    ExpectLines(
+        {{"if (material == null) return;", "if (material == nullptr)"},
+         {"if (handle != null) return;", "if (handle != nullptr)"},
+         {"if (settings is null) return;", "if (settings == nullptr)"},
+         {"if (settings.material is not null) return;", "if (settings->material != nullptr)"},
+         {"material = null;", "material = {};"},
+         {"handle?.Release();", "        handle.Release();"},
+         {"other?.Hide();", "if (other)\n        {\n            other->Hide();"},
+         {"settings = null;", "settings = nullptr;"}},
+        "    class Shown { public bool on; public void Hide() { on = false; } }\n"
+        "    Shown other;\n");
+}
+
+TEST(PortedBody, HasTheStatementsOfCSharp)
+{
+    ExpectLines({{"for (int i = 0; i < count; i++) width += i;",
+                  "for (int i = 0; i < count; ++i)\n        {\n            width += "
+                  "static_cast<float>(i);"},
+                 {"foreach (var size in sizes) { count += size; if (count > 9) break; }",
+                  "for (auto& size : sizes)"},
+                 {"while (count > 3) { count >>= 1; count--; }",
+                  "            count >>= 1;\n            --count;"},
+                 {"switch (settings.mode) { case Mode.On: count = 1; break; default: return; }",
+                  "switch (settings->mode)\n        {\n            case F::Mode::On:"},
+                 {"// A comment stays.\n count *= 2;", "// A comment stays.\n        count *= 2;"},
+                 {"using (new ProfilingScope(cmd, profilingSampler)) { cmd.Clear(); }",
+                  "const ProfilingScope profilingScope{*cmd, profilingSampler};\n"
+                  "            cmd->Clear();"},
+                 {"int x = 1, y = 2; count = x + y;", "        int y = 2;"},
+                 {"if (count == 1) count = 2; else if (count == 2) count = 3; else count = 4;",
+                  "        else\n        {\n            if (count == 2)"}});
+}
+
+TEST(PortedBody, CallsWhatUnityCalls)
+{
+    ExpectLines(
+        {{"var camera = data.cameraData.camera;", "auto camera = data.cameraData.camera;"},
+         {"float far = camera.farClipPlane;", "float far = camera->farClipPlane;"},
+         {"RenderTextureDescriptor desc = data.cameraData.cameraTargetDescriptor;",
+          "RenderTextureDescriptor desc = data.cameraData.cameraTargetDescriptor;"},
+         {"desc.colorFormat = RenderTextureFormat.R8;",
+          "desc.SetColorFormat(RenderTextureFormat::R8);"},
+         {"RenderingUtils.ReAllocateIfNeeded(ref handle, desc, name: \"_A\", wrapMode: "
+          "TextureWrapMode.Clamp);",
+          "ReAllocateIfNeeded(handle, desc, {.wrapMode = TextureWrapMode::Clamp, .name = "
+          "\"_A\"});"},
+         {"Blitter.BlitCameraTexture(cmd, handle, handle, material, 0);",
+          "Blitter::BlitCameraTexture(*cmd, handle, handle, material, 0);"},
+         {"material.SetMatrix(\"_V\", camera.worldToCameraMatrix.inverse);",
+          "material->SetMatrix(\"_V\", glm::mat4(glm::inverse(camera->worldToCameraMatrix())));"},
+         {"cmd.SetGlobalVector(s_Size, new Vector4(desc.width, desc.height));",
+          "cmd->SetGlobalVector(s_Size, Vector4(static_cast<float>(desc.width), "
+          "static_cast<float>(desc.height), 0.0f, 0.0f));"},
+         {"int made = Shader.PropertyToID(\"_Made\"); cmd.GetTemporaryRT(made, desc);",
+          "auto made = Shader::PropertyToID(\"_Made\");"},
+         {"var state = new RenderStateBlock(RenderStateMask.Stencil) { stencilReference = 2 };",
+          "        state.stencilReference = 2;"},
+         {"context.ExecuteCommandBuffer(cmd);", "context.ExecuteCommandBuffer(*cmd);"},
+         {"CommandBufferPool.Release(cmd);", "CommandBufferPool::Release(cmd);"}},
+        "    static readonly int s_Size = Shader.PropertyToID(\"_Size\");\n");
+}
+
+TEST(PortedBody, LeavesALineThatIsNotKnownWithTheReason)
+{
+    const Ported ported = PortBody("      var screen = Camera.main;\n"
+                                   "      cmd.Shout(screen);\n"
+                                   "      count = 4;\n"
+                                   "      if (Application.isPlaying) { count = 5; }\n");
+    ExpectAll(ported.source,
+              {"// TODO F.cs:13: limn has no 'Camera.main'", "// var screen = Camera.main;",
+               "// TODO F.cs:14: 'screen' is not known", "        count = 4;\n",
+               "// if (Application.isPlaying) { count = 5; }"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
+}
+
+TEST(PortedBody, UsesNoPassThatItCannotMake)
+{
+    const WorkingFolder working;
+    working.folder.Write(
+        "F.cs", "public class F : ScriptableRendererFeature {\n"
+                "  P pass; P second;\n"
+                "  public override void Create() { pass = new P(new Unknown()); second = new P(); "
+                "}\n"
+                "  public override void AddRenderPasses(ScriptableRenderer renderer, ref "
+                "RenderingData data) { pass.Setup(2); renderer.EnqueuePass(pass); "
+                "renderer.EnqueuePass(second); }\n"
+                "  class P : ScriptableRenderPass { public P() { } public P(Unknown what) { }\n"
+                "    public void Setup(int count) { }\n"
+                "    public override void Execute(ScriptableRenderContext context, ref "
+                "RenderingData data) { } }\n"
+                "}\n");
+    const Ported ported = Port({"F.cs"}, "F");
+    ExpectAll(ported.source,
+              {"// pass = new P(new Unknown());", "// pass.Setup(2);",
+               "Debug::LogWarning(\"F: 'pass' is not drawn; the C++ does not make it\");",
+               "second = std::make_unique<F::P>();", "renderer.EnqueuePass(*second);"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("EnqueuePass(*pass)")));
+}
+
+TEST(PortedBody, MakesAPassThatIsThereFromTheBeginning)
+{
+    const Ported ported =
+        PortBody("", "",
+                 "  Q early = new Q();\n  class Q : ScriptableRenderPass {\n"
+                 "    public override void Execute(ScriptableRenderContext context, ref "
+                 "RenderingData data) { } }\n");
+    ExpectAll(ported.source, {"F::F()\n{\n    early = std::make_unique<F::Q>();\n}"});
+}
+
+TEST(PortedBody, CopiesADescriptorThatItChanges)
+{
+    const Ported ported =
+        PortBody("", "    public override void Configure(CommandBuffer cmd, "
+                     "RenderTextureDescriptor desc) { desc.width = 2; Use(sizes); }\n"
+                     "    void Use(int[] list) { list[0] = 1; }\n");
+    ExpectAll(ported.source, {"const RenderTextureDescriptor& descGiven) override",
+                              "RenderTextureDescriptor desc = descGiven;\n        desc.width = 2;",
+                              "void Use(std::vector<int>& list)"});
+}
+
+TEST(PortedBody, TakesAlongWhatARenderFunctionUses)
+{
+    const Ported ported = PortBody(
+        "", "    class Data { public float width; }\n"
+            "    public void Record(RenderGraph graph) {\n"
+            "      float wide = 2f;\n"
+            "      using (var one = graph.AddRasterRenderPass<Data>(\"One\", out var data)) {\n"
+            "        data.width = width;\n"
+            "        one.SetRenderFunc((Data d, RasterGraphContext c) => { "
+            "c.cmd.SetGlobalFloat(\"_W\", d.width); });\n"
+            "      }\n"
+            "      using (var two = graph.AddRasterRenderPass<Data>(\"Two\", out var data)) {\n"
+            "        two.SetRenderFunc((Data d, RasterGraphContext c) => "
+            "c.cmd.SetGlobalFloat(\"_W\", wide * width));\n"
+            "      }\n"
+            "    }\n");
+    ExpectAll(ported.source,
+              {"one.SetRenderFunc([](Data& d, RasterGraphContext& c)",
+               "c.cmd.SetGlobalFloat(\"_W\", d.width);", "data->width = width;",
+               "two.SetRenderFunc([=, this]([[maybe_unused]] Data& d, RasterGraphContext& c)",
+               "c.cmd.SetGlobalFloat(\"_W\", wide * width);"});
+}
+
+} // namespace limn::test
