@@ -106,6 +106,10 @@ std::optional<PortValue> Converted(const PortModel& model, PortValue value,
         value.isPointer = false;
         return value;
     }
+    if (wanted == k_PropertyIdType && value.type == "int" && IsIn(value.cpp, {"0", "-1"}))
+    {
+        return PortValue{"{}", wanted}; // no property yet
+    }
     const bool isHex = value.cpp.find_first_of("xX~") != std::string::npos;
     if (wanted == "float" && (value.type == "int" || value.type == "uint"))
     {
@@ -123,7 +127,7 @@ std::optional<PortValue> Converted(const PortModel& model, PortValue value,
     }
     if (wanted == "bool" && (value.isPointer || IsSharedType(model, value.type)))
     {
-        return PortValue{value.cpp + " != nullptr", "bool", false, false, false, false, 5};
+        return PortValue{value.cpp + " != nullptr", "bool", false, false, false, false, false, 5};
     }
     if (value.type == "null" && wanted != "ProfilingSampler")
     {

@@ -652,11 +652,12 @@ bool PointTo(const PortModel& model, const PortValue& target, PortValue& value)
     {
         value.cpp = "nullptr";
     }
-    else if (isSame && !value.isPointer && value.isVariable)
+    const bool isKept = isSame && (value.isPointer || (value.isVariable && !value.isLocal));
+    if (isKept && !value.isPointer)
     {
         value.cpp = "&" + value.Text(90);
     }
-    return value.type == "null" || (isSame && (value.isPointer || value.isVariable));
+    return value.type == "null" || isKept;
 }
 
 } // namespace
@@ -688,6 +689,14 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
     if (isGood && target.isPointer && !PointTo(place.model, target, *value))
     {
         problem = "an object of its own where another's is kept";
+        return std::nullopt;
+    }
+    const CSharpClass* own = place.model.Find(target.type);
+    const bool isShared = own && own->keyword == "class" && !target.isPointer && !target.isLocal &&
+                          isGood && value->isVariable;
+    if (isShared)
+    {
+        problem = "C# keeps the same object here, and C++ would keep a copy";
         return std::nullopt;
     }
     return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)

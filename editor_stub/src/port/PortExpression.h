@@ -20,6 +20,7 @@ struct PortValue
     bool isVariable = false; ///< true if it has an address
     bool isPointer = false;  ///< true if it points to an object of the type
     bool isType = false;     ///< true for a type by its name
+    bool isLocal = false;    ///< true for an object that ends with the method
     int strength = 100;      ///< how tightly its operator binds; an expression without one has 100
 
     /// Returns it in brackets, if an operator of this strength would otherwise tear it apart.

@@ -153,7 +153,12 @@ std::optional<PortValue> PortMembers::MemberOf(const PortValue& value, const Por
     const CSharpClass* own = model().Find(value.type);
     if (own)
     {
-        return OwnMember(value, *own, name);
+        Result member = OwnMember(value, *own, name);
+        if (member)
+        {
+            member->isLocal = value.isLocal && !value.isPointer && !member->isPointer;
+        }
+        return member;
     }
     if (value.type.empty())
     {

@@ -282,7 +282,7 @@ const CSharpToken* PortedBody::WriteForEach(Word at, Word end)
     }
     const PortScope outer = m_Scope;
     PortValue& local = AddLocal(std::string(name->text), element);
-    local.isPointer = false;
+    local.isLocal = false;
     m_Code.Open("for ([[maybe_unused]] auto& " + local.cpp + " : " + list->cpp + ")");
     WriteBlock(at[1].Behind(), behind);
     m_Code.Close();
@@ -412,6 +412,7 @@ const CSharpToken* PortedBody::WriteGraphPass(Word at, Word end)
     m_Code.Open();
     PortValue& local = AddLocal(call.dataName, call.data);
     local.isPointer = true;
+    local.isLocal = false;
     m_Code.Line(short_ + "* " + local.cpp + " = nullptr;");
     const std::string localName = local.cpp;
     const PortValue& builder = AddLocal(call.builder, BuilderTypeOf(call.name));

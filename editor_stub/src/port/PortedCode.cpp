@@ -216,7 +216,7 @@ std::string PortedHeader(PortedCode& code)
                 "<limn/core/Mathf.h>\n#include <limn/core/NullCheck.h>\n#include "
                 "<limn/core/RenderGraph.h>\n"
                 "#include <limn/core/ScriptableRenderer.h>\n#include <limn/limn.h>\n\n";
-    code.text += "// Begun by `limn port` from " +
+    code.text += "// Written by `limn port` from " +
                  Joined(model.files(), ", ", [](const auto& file) { return file->name(); }) +
                  "; PORTING.md says what is left.\n\nnamespace " + model.name() +
                  "Plugin\n{\n\nusing namespace limn;\n\n";

@@ -113,6 +113,7 @@ PortValue& PortedStatement::AddLocal(const std::string& name, const std::string&
 {
     PortValue value{LocalName(m_Model, m_One, name), type};
     value.isVariable = true;
+    value.isLocal = true;
     return m_Scope[name] = value;
 }
 
@@ -162,6 +163,7 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
                          ? std::nullopt
                          : m_Model.CppType(wanted);
     local.isPointer = value->isPointer;
+    local.isLocal = !isOther && !value->isPointer;
     local.type = cpp && value->type == "null" ? wanted : local.type;
     if (!cpp && value->cpp.starts_with("{") && !m_Model.CppType(value->type))
     {
@@ -218,6 +220,9 @@ bool PortedStatement::WriteMembers(const PortValue& object, CSharpWords members)
         }
         else
         {
+            problem = problem.empty() && found && !found->isVariable
+                          ? "'" + std::string(member[0].text) + "' is no variable in C++"
+                          : problem;
             m_Problem = m_Problem.empty() ? problem : m_Problem;
             Todo(member);
         }

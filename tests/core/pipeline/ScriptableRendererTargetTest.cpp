@@ -2,6 +2,7 @@
 #include <functional>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limn/core/CurrentCamera.h>
 
 #include "Mentions.h"
 #include "ThrownMessage.h"
@@ -229,6 +230,22 @@ TEST(ScriptableRenderPass, BeginsWithUnitysDefaults)
     EXPECT_FALSE(pass.overrideCameraTarget());
     EXPECT_EQ(pass.clearFlag(), ClearFlag::None);
     EXPECT_EQ(pass.clearColor(), (Color{0, 0, 0, 1}));
+}
+
+TEST(CurrentCamera, GivesTheSizeOfThePictureThatIsRendered)
+{
+    RenderingData data;
+    data.cameraData.cameraTargetDescriptor.width = 30;
+    data.cameraData.cameraTargetDescriptor.height = 20;
+    {
+        const CurrentCamera camera(data);
+        EXPECT_EQ(30, Screen::width());
+        EXPECT_EQ(20, Screen::height());
+        EXPECT_EQ(&data, &CurrentCamera::Rendered());
+    }
+    EXPECT_THROW(Screen::width(), ContractError);
+    EXPECT_THROW(Screen::height(), ContractError);
+    EXPECT_THROW(CurrentCamera::Rendered(), ContractError);
 }
 
 TEST(ScriptableRenderPass, SortsByTheCurrentCamera)

@@ -59,7 +59,7 @@ TEST(PortCommand, CarriesOverABlurOfIdentifiers)
          "// TODO BlurOld.cs:60: a text with values in it\n        // CommandBuffer cmd",
          "for (int i = 0; i < passes; ++i)", "// cmd.Blit(temporary.Identifier(), source);",
          "void FrameCleanup(CommandBuffer& cmd) override", "cmd.ReleaseTemporaryRT(temporary.id);",
-         "auto material = CoreUtils::CreateEngineMaterial(settings.shader);",
+         "Shared<Material> material = CoreUtils::CreateEngineMaterial(settings.shader);",
          "m_Pass->Setup(renderer.cameraColorTarget());", "renderer.EnqueuePass(*m_Pass);"});
     ExpectAll(ported.report,
               {"| event | `BlurPass.renderPassEvent` | `settings.when` | BlurOld.cs:87 | done |",
@@ -218,7 +218,7 @@ TEST(PortCommand, ReadsTheFilesOfTheProjectThatDeclareWhatTheFeatureUses)
                                "Assets/Passes/GlowPass.cs for GlowPass, "
                                "Packages/mine/DrawingPass.cs for DrawingPass\n",
                                "unknown: 'Lamp': a type"});
-    ExpectAll(ported.header, {"Soft,", "GlowMode mode", "std::unique_ptr<GlowPass> m_Pass;"});
+    ExpectAll(ported.header, {"Soft,", "GlowMode mode", "Owned<GlowPass> m_Pass;"});
     ExpectAll(ported.source,
               {"class GlowPass final : public ScriptableRenderPass",
                "// TODO GlowPass.cs:1: what 'DrawingPass<GlowMode>' has goes in here, too",

@@ -164,7 +164,7 @@ TEST(PortedBody, LeavesALineThatIsNotKnownWithTheReason)
                                    "      if (Application.isPlaying) { count = 5; }\n");
     ExpectAll(ported.source,
               {"// TODO F.cs:13: limn has no 'Camera.main'", "// var screen = Camera.main;",
-               "// TODO F.cs:14: 'screen' is not known", "        count = 4;\n",
+               "// TODO F.cs:14: 'CommandBuffer.Shout' is not known", "        count = 4;\n",
                "// if (Application.isPlaying) { count = 5; }"});
     EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
 }

@@ -116,12 +116,36 @@ TEST(PortingTable, ReadsKeysWordsAndResults)
     EXPECT_FALSE(table.HasType("H"));
 }
 
+TEST(PortingTable, ReadsTheCppOfMembersThatDiffer)
+{
+    const PortingTable table("differs A.{b,c} A.* : a function\n"
+                             "same Texture.width\n"
+                             "cpp A.b>D* A.c>int = @%()\n"
+                             "cpp A.c := @SetC($1)\n"
+                             "cpp new:A = make($*)\n"
+                             "cpp new:A/2 A.b/1 = two($1)\n");
+    EXPECT_EQ("@%()", table.Find("A", "b")->cpp);
+    EXPECT_EQ("D", table.Find("A", "b")->result);
+    EXPECT_TRUE(table.Find("A", "b")->isPointer);
+    EXPECT_FALSE(table.Find("A", "c")->isPointer);
+    EXPECT_EQ("@SetC($1)", table.Find("A", "c")->cppSet);
+    EXPECT_EQ("make($*)", table.CodeFor("new:A", 3));
+    EXPECT_EQ("two($1)", table.CodeFor("new:A", 2));
+    EXPECT_EQ("two($1)", table.CodeFor("A.b", 1));
+    EXPECT_EQ("", table.CodeFor("A.b", 2));
+    EXPECT_EQ("Texture", table.OwnerOf("RenderTexture", "width"));
+    EXPECT_EQ("A", table.OwnerOf("A", "other"));
+    EXPECT_EQ("", table.OwnerOf("A", "other", true));
+}
+
 TEST(PortingTable, RefusesWhatItCannotRead)
 {
     const std::pair<const char*, std::vector<std::string>> cases[] = {
         {"same A\nsmae B\n", {"porting.txt:2:", "same, differs, refused", "name"}},
         {"differs A\n", {"porting.txt:1:", "how it differs", "' : '"}},
         {"missing A\n\nsame {A,B}\n", {"porting.txt:3:", "'A'", "two rows"}},
+        {"same A.b\ncpp A.b\n", {"porting.txt:2:", "' = '", "' := '"}},
+        {"same A.b\ncpp A.c = =\n", {"porting.txt:2:", "'A.c'", "no verdict"}},
         {"| A |\n", {"porting.txt:1:", "'| Unity | limn |'"}}};
     for (const auto& [text, parts] : cases)
     {
