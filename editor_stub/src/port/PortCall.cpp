@@ -38,6 +38,10 @@ std::optional<std::string> PortArgument(const PortPlace& place, const CSharpClas
                                         std::string& problem)
 {
     words = !words.empty() && IsReferenceWord(words[0]) ? words.subspan(1) : words;
+    const bool isDeclared = words.size() > 1 && words.back().isName() &&
+                            (words[words.size() - 2].isName() || words[words.size() - 2].Is(">") ||
+                             words[words.size() - 2].Is("]"));
+    words = isDeclared ? words.last(1) : words; // out T name
     const auto value = Translate(place, words, TypeIn(place.model, owner, parameter), &problem);
     const bool isFit =
         value && (value->isVariable || !isMutableReference(place.model, owner, parameter) ||

@@ -322,8 +322,7 @@ private:
         for (std::size_t at = 2; isGood && at + 1 < text.size();)
         {
             const bool isHole = text[at] == '{';
-            const std::size_t end =
-                isHole ? text.find('}', at) : std::min(text.find('{', at), text.size() - 1);
+            const std::size_t end = std::min(text.find(isHole ? '}' : '{', at), text.size() - 1);
             if (!isHole)
             {
                 add("std::string(\"" + std::string(text.substr(at, end - at)) + "\")");

@@ -83,6 +83,11 @@ const CSharpToken* PortedBody::WriteStatement(Word at, Word end)
     {
         return at + 1;
     }
+    if (m_Depth > k_MostStatements)
+    {
+        Todo({at, EndOfStatement(at, end)}, "statements in statements, too many of them");
+        return EndOfStatement(at, end);
+    }
     if (at->Is("{"))
     {
         m_Code.Open();
@@ -93,9 +98,10 @@ const CSharpToken* PortedBody::WriteStatement(Word at, Word end)
     static const auto isKeyword = [](const CSharpToken& word)
     {
         return word.isName() &&
-               IsIn(word.text, {"if", "for", "foreach", "while", "do", "switch", "using", "return",
-                                "break", "continue", "throw", "try", "lock", "goto", "yield",
-                                "fixed", "unsafe", "checked", "unchecked"});
+               IsIn(word.text,
+                    {"if",     "for",   "foreach",  "while",   "do",        "switch", "using",
+                     "return", "break", "continue", "throw",   "try",       "lock",   "goto",
+                     "yield",  "fixed", "unsafe",   "checked", "unchecked", "catch",  "finally"});
     };
     if (isKeyword(*at) && !at[1].Is("="))
     {
@@ -130,23 +136,26 @@ void PortedBody::WarnOfPass(CSharpWords words)
 const CSharpToken* PortedBody::WriteKeyword(Word at, Word end)
 {
     const Word behind = EndOfStatement(at, end);
-    if (at->Is("if"))
+    const bool hasHead = at + 1 < end && at[1].Is("(") && at[1].Behind() < end;
+    if (at->Is("if") && hasHead)
     {
         return WriteIf(at, end);
     }
-    if (at->Is("for") || at->Is("while"))
+    if ((at->Is("for") || at->Is("while")) && hasHead)
     {
         return WriteLoop(at, end);
     }
-    if (at->Is("foreach"))
+    if (at->Is("foreach") && hasHead)
     {
         return WriteForEach(at, end);
     }
-    if (at->Is("switch") && at[1].Is("("))
+    if (at->Is("switch") && hasHead && at[1].Behind()->Is("{"))
     {
         return WriteSwitch(at, end);
     }
-    if (at->Is("using"))
+    const bool hasStatement =
+        hasHead || FindOutsideOfBrackets(at, end, {";"}) < end; // using var a = b;
+    if (at->Is("using") && hasStatement)
     {
         return WriteUsing(at, end);
     }
@@ -155,8 +164,8 @@ const CSharpToken* PortedBody::WriteKeyword(Word at, Word end)
         m_Code.Line(std::string(at->text) + ";");
         return behind;
     }
-    if (at->Is("return") ? !WriteReturn({at + 1, behind - 1})
-                         : !Fail("'" + std::string(at->text) + "'"))
+    const bool isReturn = at->Is("return") && behind[-1].Is(";");
+    if (isReturn ? !WriteReturn({at + 1, behind - 1}) : !Fail("'" + std::string(at->text) + "'"))
     {
         Todo({at, behind});
     }
@@ -167,7 +176,9 @@ const CSharpToken* PortedBody::WriteKeyword(Word at, Word end)
 void PortedBody::WriteBlock(Word at, Word end)
 {
     const PortScope outer = m_Scope;
+    ++m_Depth;
     WriteStatements(at->Is("{") ? at->Inside() : CSharpWords(at, end));
+    --m_Depth;
     m_Scope = outer;
 }
 

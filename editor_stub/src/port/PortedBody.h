@@ -39,6 +39,7 @@ private:
 
     const CSharpMethod& m_Method;
     std::string m_Result;      ///< the C# type that the method returns
+    int m_Depth = 0;           ///< of the statements that are being written
     bool m_IsReturned = false; ///< true if the last statement was a return
     /// The data's type of each builder of a graph pass, and its context.
     std::map<std::string, std::pair<std::string, std::string>> m_Builders;

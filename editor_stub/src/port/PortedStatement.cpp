@@ -29,6 +29,7 @@ void PortedStatement::Todo(CSharpWords words, const std::string& otherwise)
 /// Writes a statement without its semicolon: a declaration, an assignment, a call.
 bool PortedStatement::WriteSimple(CSharpWords words)
 {
+    DeclareOutputs(words);
     Word at = words.data();
     const Word end = at + words.size();
     if (at < end && at->Is("const"))
@@ -85,6 +86,25 @@ bool PortedStatement::WriteSimple(CSharpWords words)
     }
     m_Code.Line(value->cpp + ";");
     return true;
+}
+
+/// Declares the variables that stand behind `out` in a call: out TextureHandle mask.
+void PortedStatement::DeclareOutputs(CSharpWords words)
+{
+    const Word end = words.data() + words.size();
+    for (Word at = words.data(); at + 2 < end; ++at)
+    {
+        Word name = at + 1;
+        const std::string type = at->Is("out") ? ReadCSharpType(name) : "";
+        const auto cpp = type.empty() || type == "var" ? std::nullopt : m_Model.CppType(type);
+        const bool isOutput =
+            cpp && name + 1 < end && name->isName() && (name[1].Is(",") || name[1].Is(")"));
+        if (isOutput)
+        {
+            m_Code.Line(*cpp + " " + AddLocal(std::string(name->text), type).cpp +
+                        PortModel::CppDefault(*cpp) + ";");
+        }
+    }
 }
 
 bool PortedStatement::WriteDeclaration(CSharpWords words)

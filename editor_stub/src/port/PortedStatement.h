@@ -38,6 +38,7 @@ protected:
     std::string m_Problem;
 
 private:
+    void DeclareOutputs(CSharpWords words);
     bool WriteDeclaration(CSharpWords words);
     bool DeclareLocal(const std::string& type, const std::string& name, CSharpWords value,
                       bool isReference);

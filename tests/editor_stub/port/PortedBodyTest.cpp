@@ -169,6 +169,41 @@ TEST(PortedBody, LeavesALineThatIsNotKnownWithTheReason)
     EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
 }
 
+TEST(PortedBody, LeavesStatementsThatItDoesNotKnowAsAWhole)
+{
+    const Ported ported = PortBody("      do { count = 1; } while (count > 2);\n"
+                                   "      try { count = 3; } catch (Exception e) { count = 4; } "
+                                   "finally { count = 5; }\n"
+                                   "      count = 6;\n"
+                                   "      throw new Exception();\n");
+    ExpectAll(ported.source, {"// do { count = 1; } while (count > 2);", "finally { count = 5; }",
+                              "        count = 6;\n", "// throw new Exception();"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("        while (")));
+    EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
+}
+
+TEST(PortedBody, EndsWhereStatementsAreBrokenOrNested)
+{
+    std::string nested;
+    for (int i = 0; i < 5000; ++i)
+    {
+        nested += "if (count == 1) ";
+    }
+    const Ported ported = PortBody("      " + nested + "count = 2;\n      return");
+    EXPECT_THAT(ported.source, HasSubstr("statements in statements, too many of them"));
+    for (const char* broken : {"if", "for", "switch (count)", "using", "using var a", "foreach (",
+                               "return count", "var b = new {", "int c =", "a ? b :", "$\"{\"",
+                               "x.SetRenderFunc(", "do", "else", "try", "case 1:", "while ()"})
+    {
+        const WorkingFolder working;
+        working.folder.Write("F.cs", std::string("class F : ScriptableRendererFeature { public "
+                                                 "override void Create() { ") +
+                                         broken + " } }");
+        const CommandRun run = RunCommand({"port", "F.cs", "-o", "out"});
+        EXPECT_TRUE(run.exitCode == 0 || !run.err.empty()) << broken;
+    }
+}
+
 TEST(PortedBody, UsesNoPassThatItCannotMake)
 {
     const WorkingFolder working;
@@ -212,6 +247,18 @@ TEST(PortedBody, CopiesADescriptorThatItChanges)
     ExpectAll(ported.source, {"const RenderTextureDescriptor& descGiven) override",
                               "RenderTextureDescriptor desc = descGiven;\n        desc.width = 2;",
                               "void Use(std::vector<int>& list)"});
+}
+
+TEST(PortedBody, DeclaresWhatACallGivesBack)
+{
+    const Ported ported =
+        PortBody("      Split(out Vector2 low, out float rest);\n      width = low.x + rest;\n",
+                 "    void Split(out Vector2 low, out float rest) { low = Vector2.one; rest = 2f; "
+                 "}\n");
+    ExpectAll(ported.source,
+              {"        Vector2 low{};\n        float rest{};\n        Split(low, rest);\n"
+               "        width = low.x + rest;\n",
+               "void Split([[maybe_unused]] Vector2& low, [[maybe_unused]] float& rest)"});
 }
 
 TEST(PortedBody, TakesAlongWhatARenderFunctionUses)

@@ -8,6 +8,9 @@
 namespace limn
 {
 
+/// How many statements may stand in each other; no person writes more.
+inline constexpr int k_MostStatements = 100;
+
 /// Returns the first word from `at` on, outside of brackets, that is one of these signs, or `end`.
 const CSharpToken* FindOutsideOfBrackets(const CSharpToken* at, const CSharpToken* end,
                                          std::initializer_list<std::string_view> words);
