@@ -103,14 +103,17 @@ done
 cmp "$folder/urp14.png" "$folder/unity6.png"
 "$(dirname "$0")/plugin.sh" "$limn" "$folder/urp14"
 
-# What `limn port` writes of C# builds without a warning and draws a frame.
+# What `limn port` writes of C# builds without a warning. Two of the features draw a frame; the others
+# ask for shaders and materials of their own, which are not here.
 ported=$folder/ported
 mkdir "$ported"
+sed -n '/^```cs$/,/^```$/p' "$tests/../../samples/guide/porting.md" | sed '/^```/d' \
+    > "$ported/TintFeature.cs"
 echo 'cmake_minimum_required(VERSION 3.24)
 project(ported LANGUAGES C CXX)
 enable_testing()' > "$ported/CMakeLists.txt"
-for csharp in "$(dirname "$0")"/../editor_stub/data/port/*.cs \
-    "$(dirname "$0")"/../port_corpus/MaskGlowFeature.cs; do # with lines of a filter
+for csharp in "$tests"/../editor_stub/data/port/*.cs "$ported/TintFeature.cs" \
+    "$tests"/../port_corpus/MaskGlowFeature.cs; do # with lines of a filter
     name=$(basename "$csharp" .cs)
     "$limn" port "$csharp" -o "$ported/$name" -q >/dev/null 2>&1
     echo "add_subdirectory($name)" >> "$ported/CMakeLists.txt"
@@ -118,5 +121,5 @@ done
 cmake -S "$ported" -B "$ported/build" -G Ninja -DCMAKE_PREFIX_PATH="$folder/prefix" \
     -DCMAKE_CXX_COMPILER="$3" "${needless[@]}" \
     -DCMAKE_CXX_FLAGS="-Wall -Wextra -Wpedantic -Wconversion -Wshadow -Werror" >/dev/null
-cmake --build "$ported/build" >/dev/null
-ctest --test-dir "$ported/build" --output-on-failure
+cmake --build "$ported/build" >"$folder/out" || { cat "$folder/out" >&2; exit 1; }
+ctest --test-dir "$ported/build" --output-on-failure -R '^(HeightFog|Tint)_' --no-tests=error
