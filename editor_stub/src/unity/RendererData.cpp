@@ -6,9 +6,11 @@
 #include "settings/SettingsReader.h"
 #include "unity/RenderPipelineAsset.h"
 
+#include <algorithm>
 #include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
+#include <set>
 #include <utility>
 
 namespace limn
@@ -122,8 +124,39 @@ std::string WhyNoFeature(const std::string& name, const std::string& type, const
     std::error_code ignored;
     const bool isThere = script != nullptr && std::filesystem::exists(*script, ignored);
     return "limn has no feature " + (type == name ? "of this name" : type) +
-           (isThere ? "; `limn port \"" + script->generic_string() + "\" -o DIR` begins one in C++"
+           (isThere ? "; `limn port \"" + script->generic_string() + "\" -o DIR` writes one in C++"
                     : "");
+}
+
+bool IsShipped(const std::string& type)
+{
+    static const auto names = []
+    {
+        FeatureRegistry features;
+        VolumeComponentRegistry components;
+        RegisterFeatures(features, components);
+        std::set<std::string> all;
+        std::ranges::for_each(features.names(), [&](std::string_view name) { all.emplace(name); });
+        return all;
+    }();
+    return names.contains(type);
+}
+
+/// Lets Shader.Find see the project's shaders. One that cannot be read is none that a feature
+/// finds.
+void AddShadersOfProject(Loading& loading)
+{
+    for (const std::filesystem::path& path : loading.project.FilesOf(".shader"))
+    {
+        try
+        {
+            loading.assets.LoadShader(path);
+        }
+        catch (const AssetError&)
+        {
+            continue;
+        }
+    }
 }
 
 void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)
@@ -148,6 +181,10 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
     }
     feature->name = object.name;
     feature->SetActive(isActive);
+    if (!IsShipped(type) && isActive)
+    {
+        AddShadersOfProject(loading);
+    }
     ReadSettings(object, type, *feature, loading);
     TryCreate(*feature, loading.assets.shaderSource(), object.location, "", loading.diagnostics);
     renderer.features.push_back(std::move(feature));

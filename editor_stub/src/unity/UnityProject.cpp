@@ -254,6 +254,19 @@ UnityProject::FindByName(std::string_view filename) const
     return found;
 }
 
+std::vector<std::filesystem::path> UnityProject::FilesOf(std::string_view extension) const
+{
+    std::vector<std::filesystem::path> files;
+    for (const auto& [guid, path] : m_Files)
+    {
+        if (ToLower(path.extension().string()) == extension)
+        {
+            files.push_back(path);
+        }
+    }
+    return files;
+}
+
 std::string UnityScriptClass(const std::string& guid, const UnityProject& project)
 {
     for (const auto& [packageGuid, type] : k_PackageScripts)

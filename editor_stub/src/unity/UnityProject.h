@@ -4,6 +4,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace limn
 {
@@ -34,6 +35,9 @@ public:
 
     /// Returns the files of this name, of those that have a guid, by their paths.
     std::map<std::filesystem::path, std::string> FindByName(std::string_view filename) const;
+
+    /// Returns the project's files that end in this, ".shader", in whatever case.
+    std::vector<std::filesystem::path> FilesOf(std::string_view extension) const;
 
     /// Returns the project's folder, or "" if there is none. See UnityProjectAround.
     const std::filesystem::path& root() const { return m_Root; }

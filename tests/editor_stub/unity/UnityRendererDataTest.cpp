@@ -39,7 +39,42 @@ std::string AssetWithFeature(const std::string& lines)
            "  m_TransparentLayerMask: {serializedVersion: 2, m_Bits: 4}\n";
 }
 
+/// A feature of a plug-in, which looks for a shader of the project by its name.
+class FindingFeature : public ScriptableRendererFeature
+{
+public:
+    void Create() override { shader = Shader::Find("Project/Haze"); }
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+
+    std::shared_ptr<const Shader> shader;
+};
+
 } // namespace
+
+TEST(UnityRendererData, LetsAFeatureFindTheShadersOfTheProject)
+{
+    SceneFolder folder;
+    folder.Write("ProjectSettings/ProjectSettings.asset", "");
+    folder.Write("Assets/Haze.shader", "Shader \"Project/Haze\" { SubShader { Pass { } } }");
+    folder.Write("Assets/Haze.shader.meta", "guid: 000000000000000000000000000000a1\n");
+    folder.Write("Assets/Broken.shader", "Shader \"Project/Broken\" {");
+    folder.Write("Assets/Broken.shader.meta", "guid: 000000000000000000000000000000a2\n");
+    folder.Write("Assets/FindingFeature.cs.meta", "guid: 000000000000000000000000000000a3\n");
+    folder.Write("Assets/FindingFeature.cs", "class FindingFeature { }");
+    folder.Write("Assets/r.asset",
+                 AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                  "000000000000000000000000000000a3, type: 3}\n"
+                                  "  m_Name: Finder\n  m_EditorClassIdentifier: \n"
+                                  "  m_Active: 1\n"));
+    AssetContext assets;
+    assets.features().Register<FindingFeature>("FindingFeature");
+    const UnityRendererDataLoadResult result =
+        LoadUnityRendererData(folder / "Assets/r.asset", assets);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    const auto& feature = dynamic_cast<const FindingFeature&>(*result.renderer.features[0]);
+    ASSERT_NE(nullptr, feature.shader);
+    EXPECT_EQ("Project/Haze", feature.shader->name());
+}
 
 TEST(UnityRendererData, GivesTheFeatureOfTheArticlesProject)
 {
