@@ -673,7 +673,8 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
         return making ? Result(value) : Fail("no constructor of '" + type + "' takes these");
     }
     const std::string code = own ? "" : model().table().CodeFor("new:" + type, words.size());
-    if (!code.empty() && !words.empty() && m_Place.isBody)
+    if (!code.empty() && !words.empty() &&
+        (m_Place.isBody || type == "RenderTargetIdentifier" || type == "FilteringSettings"))
     {
         const auto arguments = Arguments(words);
         if (arguments && type == "RenderTargetIdentifier" && (*arguments)[0].value.type == "int")

@@ -385,11 +385,16 @@ TEST(PortInput, ArraysAndMasksBeginWithWhatTheyBeginWithInCSharp)
                                       "    Row[] own = new Row[3];\n"
                                       "    float[] table = new float[2, 2];\n"
                                       "    LayerMask mine = 5;\n"
-                                      "    LayerMask odd = -2;\n");
+                                      "    LayerMask odd = -2;\n"
+                                      "    static readonly int s_Copy = Shader.PropertyToID("
+                                      "\"_Copy\");\n"
+                                      "    RenderTargetIdentifier copy = new "
+                                      "RenderTargetIdentifier(s_Copy);\n");
     ExpectAll(ported.header,
               {"std::vector<Vector4> centers = std::vector<Vector4>(16);",
                "handles = std::vector<RTHandle>(static_cast<std::size_t>(Most + 1));",
                "std::vector<int> two = {3, 4};", "LayerMask mine = LayerMask(5u);",
+               "RenderTargetIdentifier copy = RenderTargetIdentifier(s_Copy);",
                "// int[][] rows = new int[2][];", "// Row[] own = new Row[3];",
                "// float[] table = new float[2, 2];", "// LayerMask odd = -2;"});
 }
