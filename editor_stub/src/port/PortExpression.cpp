@@ -40,7 +40,7 @@ public:
                    : Fail("a value of type '" + value->type + "' where '" + wanted + "' is needed");
     }
 
-    /// The words are what is assigned to.
+    /// Returns the assignment to what the words are.
     std::optional<std::string> Assign(std::string_view word, CSharpWords assigned)
     {
         m_Assigned = assigned;
@@ -146,7 +146,7 @@ private:
         return left;
     }
 
-    /// Behind `is`: null, not null, a value, values with `or` between them.
+    /// Reads what stands behind `is`: null, not null, a value, values with `or` between them.
     Result ReadPatterns(const PortValue& left)
     {
         const bool isNot = Next("not");
@@ -218,7 +218,7 @@ private:
         return ReadPrimary(wanted);
     }
 
-    /// (T) in front of a name, a number or a bracket.
+    /// Returns whether a cast stands here: (T) in front of a name, a number or a bracket.
     bool isCast() const
     {
         const CSharpToken* at = m_At + 1;
@@ -308,7 +308,7 @@ private:
         return word.isName() ? ReadHead() : Fail("'" + std::string(word.text) + "'");
     }
 
-    /// $"a {b} c"
+    /// Reads a text with values in it: $"a {b} c".
     Result ReadHoles(const CSharpToken& word)
     {
         const std::string_view text = word.text;
@@ -456,7 +456,7 @@ private:
         return values ? Result(PortValue{"{" + *values + "}", type}) : std::nullopt;
     }
 
-    /// a, this.a, base.a(), UnityEngine.a
+    /// Reads a name with what stands behind it: a, this.a, base.a(), UnityEngine.a.
     Result ReadHead()
     {
         while (IsIn(m_At->text, {"UnityEngine", "Unity", "System", "global"}) && m_End - m_At > 2 &&
@@ -519,7 +519,7 @@ private:
         return Behind(m_Members.Find(name));
     }
 
-    /// GetType().Name, typeof(T).Name
+    /// Reads GetType().Name or typeof(T).Name, or returns nothing and reads nothing.
     Result ReadTypeName()
     {
         const CSharpToken* behind = m_End - m_At > 3 && m_At[1].Is("(") ? m_At[1].Behind() : m_End;
@@ -560,7 +560,7 @@ private:
 
     Result Behind(const Result& value) { return value ? ReadBehind(*value) : value; }
 
-    /// The name that stands here, with what belongs to it.
+    /// Reads the name that stands here, with what belongs to it.
     PortName ReadName()
     {
         PortName name;
@@ -592,7 +592,7 @@ private:
         return setter ? Result(value) : std::nullopt;
     }
 
-    /// .b[c]
+    /// Reads what stands behind a value: .b[c].
     Result ReadBehind(PortValue value)
     {
         while (m_At < m_End)

@@ -30,7 +30,7 @@ struct PortValue
 /// The names that an expression can use, and their values.
 using PortScope = std::map<std::string, PortValue>;
 
-/// Where an expression stands.
+/// The place of an expression, from which its names are looked up.
 struct PortPlace
 {
     const PortModel& model;

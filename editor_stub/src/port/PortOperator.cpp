@@ -38,7 +38,7 @@ Result CompareToNull(const PortModel& model, const PortValue& value, bool isEqua
     return result;
 }
 
-/// "a" + b
+/// Returns "a" + b or "a" == b in C++.
 Result CombineText(const PortValue& left, const std::string& word, const PortValue& right,
                    std::string& problem)
 {

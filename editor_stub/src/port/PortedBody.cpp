@@ -390,7 +390,7 @@ const CSharpToken* PortedBody::WriteUsing(Word at, Word end)
     return behind;
 }
 
-/// using (var builder = graph.AddRasterRenderPass<PassData>("Name", out var data)) { ... }
+/// Writes using (var builder = graph.AddRasterRenderPass<PassData>("Name", out var data)) { ... }
 const CSharpToken* PortedBody::WriteGraphPass(Word at, Word end)
 {
     const bool hasBlock = at[1].Is("(");
@@ -454,7 +454,7 @@ bool PortedBody::WriteReturn(CSharpWords words)
     return value.has_value();
 }
 
-/// builder.SetRenderFunc((PassData data, RasterGraphContext context) => ...)
+/// Writes builder.SetRenderFunc((PassData data, RasterGraphContext context) => ...)
 bool PortedBody::WriteRenderFunction(CSharpWords words)
 {
     const auto& [data, context] = m_Builders.at(std::string(words[0].text));

@@ -152,7 +152,7 @@ void WriteFeatureMethods(PortedCode& code, const CSharpClass& one)
     const std::string className = model.ClassName(one);
     WriteFeatureConstructor(code, one);
     code.Line(className + "::~" + className + "() = default;");
-    // What a method does with a pass that no method makes would be done with nothing.
+    // A pass that no method makes is nothing, so that no line may use it.
     PortedCode trial(model);
     WriteBodies(trial, one);
     for (const CSharpField& field : one.fields)

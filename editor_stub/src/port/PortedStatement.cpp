@@ -203,7 +203,7 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
     return !hasMembers || WriteMembers(local, braces->Inside());
 }
 
-/// a = 1, b = 2 of an object that was just made.
+/// Writes a = 1, b = 2 of an object that was just made.
 bool PortedStatement::WriteMembers(const PortValue& object, CSharpWords members)
 {
     const PortValue value = object;
@@ -310,7 +310,7 @@ bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word,
     return true;
 }
 
-/// a?.b(c) as a statement.
+/// Writes a?.b(c), which is a statement.
 bool PortedStatement::WriteMaybe(CSharpWords words)
 {
     const Word end = words.data() + words.size();

@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-// What `limn port` makes of the statements in a method's body. That the C++ compiles and draws what
-// a port by hand draws is shown elsewhere, by tests/port_corpus and tests/porting.
+// These tests show the C++ that `limn port` makes of statements. The tests of port_corpus and
+// porting show that it compiles, and that it draws what a port by hand draws.
 
 namespace limn::test
 {

@@ -8,7 +8,7 @@
 namespace limn
 {
 
-/// How many statements may stand in each other; no person writes more.
+/// Statements may stand in each other this often; no person writes more.
 inline constexpr int k_MostStatements = 100;
 
 /// Returns the first word from `at` on, outside of brackets, that is one of these signs, or `end`.
