@@ -93,9 +93,9 @@ std::vector<std::string> SettingsOf(const Corpus& corpus, std::string_view featu
     return inspector.names;
 }
 
-/// Features that cannot be drawn here, each as in Unity: the test has no shader of the name that
-/// they look for, or its one shader has one pass only, or the lines are TODOs that would set what
-/// is null or empty.
+/// Features that cannot be drawn here, with a part of the reason. Each would fail in Unity, too:
+/// the test's one shader has one pass, and lines that limn could not write would set what is null
+/// or empty.
 const std::map<std::string_view, const char*> k_Problems{
     {"DualBlurFeature", "range_check"},
     {"HighlightFeature", "a 'Material' is used that is null"},

@@ -31,7 +31,57 @@ bool IsReferenceWord(const CSharpToken& word)
     return word.Is("ref") || word.Is("in") || word.Is("out");
 }
 
+/// Makes the value one that a pointer can be set to, or returns false.
+bool PointTo(const PortModel& model, const PortValue& target, PortValue& value)
+{
+    const CSharpClass* own = model.Find(value.type);
+    const bool isSame = value.type == target.type || (own && own == model.Find(target.type));
+    if (value.type == "null")
+    {
+        value.cpp = "nullptr";
+    }
+    const bool isKept = isSame && (value.isPointer || (value.isVariable && !value.isLocal));
+    if (isKept && !value.isPointer)
+    {
+        value.cpp = "&" + value.Text(90);
+    }
+    return value.type == "null" || isKept;
+}
+
 } // namespace
+
+std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue& target,
+                                        std::string_view word, CSharpWords assigned,
+                                        std::string& problem)
+{
+    const std::string type = word == "=" && !target.isPointer ? target.type : "";
+    const bool isBare = target.isPointer && assigned.size() > 1 && assigned[0].Is("new") &&
+                        assigned[1].Is("(") &&
+                        assigned[1].Inside().data() + assigned[1].match == &assigned.back() + 1;
+    auto value = isBare ? PortMembers(place, problem)
+                              .Construct(target.type, SplitArguments(assigned[1].Inside()))
+                        : Translate(place, assigned, type, &problem);
+    if (value && word != "=" && target.type == "float")
+    {
+        value = Converted(place.model, *value, "float");
+    }
+    const bool isGood = value && value->type != "void";
+    if (isGood && target.isPointer && !PointTo(place.model, target, *value))
+    {
+        problem = "an object of its own where another's is kept";
+        return std::nullopt;
+    }
+    const CSharpClass* own = place.model.Find(target.type);
+    const bool isShared = own && own->keyword == "class" && !target.isPointer && !target.isLocal &&
+                          isGood && value->isVariable;
+    if (isShared)
+    {
+        problem = "C# keeps the same object here, and C++ would keep a copy";
+        return std::nullopt;
+    }
+    return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)
+                  : std::nullopt;
+}
 
 std::optional<std::string> PortArgument(const PortPlace& place, const CSharpClass& owner,
                                         const CSharpParameter& parameter, CSharpWords words,

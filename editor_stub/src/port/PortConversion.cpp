@@ -1,5 +1,7 @@
 #include "port/PortMember.h"
 
+#include <limn/base/WordList.h>
+
 namespace limn
 {
 
@@ -90,6 +92,61 @@ Result AsOther(const PortValue& value, const std::string& wanted)
 }
 
 } // namespace
+
+std::string BaseTypeOf(PortRole role)
+{
+    return role == PortRole::Pass        ? "ScriptableRenderPass"
+           : role == PortRole::Feature   ? "ScriptableRendererFeature"
+           : role == PortRole::Component ? "VolumeComponent"
+                                         : "";
+}
+
+std::string ElementTypeOf(const std::string& type)
+{
+    return type.ends_with("[]")                               ? type.substr(0, type.size() - 2)
+           : type.starts_with("List<") && type.ends_with(">") ? type.substr(5, type.size() - 6)
+                                                              : "";
+}
+
+bool IsSharedType(const PortModel& model, const std::string& type)
+{
+    const auto cpp = model.Find(type) ? std::nullopt : model.CppType(type);
+    return cpp && cpp->starts_with("Shared<");
+}
+
+bool IsReferenceType(const PortModel& model, const std::string& type)
+{
+    static const WordList types(
+        "Camera CameraData CommandBuffer ComputeCommandBuffer ComputeGraphContext ContextContainer "
+        "CullingResults IComputeRenderGraphBuilder IRasterRenderGraphBuilder "
+        "IUnsafeRenderGraphBuilder LightData RasterCommandBuffer RasterGraphContext RenderGraph "
+        "RenderingData ScriptableRenderContext ScriptableRenderer ShadowData UniversalCameraData "
+        "UniversalLightData UniversalRenderingData UniversalResourceData UnsafeCommandBuffer "
+        "UniversalShadowData UnsafeGraphContext VolumeManager VolumeStack Transform Light");
+    const CSharpClass* own = model.Find(type);
+    return own ? own->keyword == "class" : types.Has(type);
+}
+
+std::string ParameterValueType(const std::string& parameter)
+{
+    if (parameter.find("Texture") != std::string::npos)
+    {
+        return "Texture";
+    }
+    for (const auto& [part, value] :
+         {std::pair("Int", "int"), std::pair("Bool", "bool"), std::pair("Float", "float"),
+          std::pair("Color", "Color"), std::pair("Vector2", "Vector2"),
+          std::pair("Vector3", "Vector3"), std::pair("Vector4", "Vector4"),
+          std::pair("RenderingLayerMask", "RenderingLayerMask"),
+          std::pair("LayerMask", "LayerMask"), std::pair("FloatRange", "Vector2")})
+    {
+        if (parameter.ends_with(std::string(part) + "Parameter"))
+        {
+            return value;
+        }
+    }
+    return "";
+}
 
 std::optional<PortValue> Converted(const PortModel& model, PortValue value,
                                    const std::string& wanted)

@@ -500,8 +500,9 @@ private:
         const bool isNamedSo =
             (variable != m_Place.scope.end() && variable->second.type == name.name) ||
             (property && property->isProperty && property->type == name.name);
-        const bool isAlsoType = isNamedSo && m_End - m_At > 1 && m_At->Is(".") &&
-                                isStatic(name.name, std::string(m_At[1].text));
+        const bool isAlsoType =
+            isNamedSo && m_End - m_At > 1 && m_At->Is(".") &&
+            isStatic(name.name, std::string(m_At[1].text), m_End - m_At > 2 && m_At[2].Is("("));
         if (isAlsoType) // RenderPassEvent RenderPassEvent = RenderPassEvent.AfterRendering
         {
             PortValue type{m_Place.model.CppType(name.name).value_or(name.name), name.name};
@@ -544,12 +545,14 @@ private:
     }
 
     /// Returns whether the member is the type's and no object's.
-    bool isStatic(const std::string& type, const std::string& member) const
+    bool isStatic(const std::string& type, const std::string& member, bool isCall) const
     {
         const CSharpClass* own = m_Place.model.Find(type);
-        const PortEntry* entry = m_Place.model.table().Find(type + "." + member);
+        const PortEntry* entry = m_Place.model.table().Find(type, member);
         return own ? own->enumeratorNames.contains(member)
-                   : entry && (entry->result.empty() || entry->result == type);
+                   : entry && (entry->result == type || (entry->result.empty() && !isCall &&
+                                                         entry->verdict == PortVerdict::Same &&
+                                                         !IsSharedType(m_Place.model, type)));
     }
 
     std::string SelfType() const
@@ -642,23 +645,6 @@ private:
     int m_Depth = 0;
 };
 
-/// Makes the value one that a pointer can be set to, or returns false.
-bool PointTo(const PortModel& model, const PortValue& target, PortValue& value)
-{
-    const CSharpClass* own = model.Find(value.type);
-    const bool isSame = value.type == target.type || (own && own == model.Find(target.type));
-    if (value.type == "null")
-    {
-        value.cpp = "nullptr";
-    }
-    const bool isKept = isSame && (value.isPointer || (value.isVariable && !value.isLocal));
-    if (isKept && !value.isPointer)
-    {
-        value.cpp = "&" + value.Text(90);
-    }
-    return value.type == "null" || isKept;
-}
-
 } // namespace
 
 std::optional<PortValue> Translate(const PortPlace& place, CSharpWords words,
@@ -667,39 +653,6 @@ std::optional<PortValue> Translate(const PortPlace& place, CSharpWords words,
     std::string own;
     return words.empty() ? std::nullopt
                          : Translator(place, words, problem ? *problem : own).Run(wanted);
-}
-
-std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue& target,
-                                        std::string_view word, CSharpWords assigned,
-                                        std::string& problem)
-{
-    const std::string type = word == "=" && !target.isPointer ? target.type : "";
-    const bool isBare = target.isPointer && assigned.size() > 1 && assigned[0].Is("new") &&
-                        assigned[1].Is("(") &&
-                        assigned[1].Inside().data() + assigned[1].match == &assigned.back() + 1;
-    auto value = isBare ? PortMembers(place, problem)
-                              .Construct(target.type, SplitArguments(assigned[1].Inside()))
-                        : Translate(place, assigned, type, &problem);
-    if (value && word != "=" && target.type == "float")
-    {
-        value = Converted(place.model, *value, "float");
-    }
-    const bool isGood = value && value->type != "void";
-    if (isGood && target.isPointer && !PointTo(place.model, target, *value))
-    {
-        problem = "an object of its own where another's is kept";
-        return std::nullopt;
-    }
-    const CSharpClass* own = place.model.Find(target.type);
-    const bool isShared = own && own->keyword == "class" && !target.isPointer && !target.isLocal &&
-                          isGood && value->isVariable;
-    if (isShared)
-    {
-        problem = "C# keeps the same object here, and C++ would keep a copy";
-        return std::nullopt;
-    }
-    return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)
-                  : std::nullopt;
 }
 
 std::optional<std::string> TranslateAssignment(const PortPlace& place, CSharpWords target,

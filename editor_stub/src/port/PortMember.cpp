@@ -49,40 +49,6 @@ std::string InBrackets(const std::string& generics)
 
 } // namespace
 
-std::string BaseTypeOf(PortRole role)
-{
-    return role == PortRole::Pass        ? "ScriptableRenderPass"
-           : role == PortRole::Feature   ? "ScriptableRendererFeature"
-           : role == PortRole::Component ? "VolumeComponent"
-                                         : "";
-}
-
-std::string ElementTypeOf(const std::string& type)
-{
-    return type.ends_with("[]")                               ? type.substr(0, type.size() - 2)
-           : type.starts_with("List<") && type.ends_with(">") ? type.substr(5, type.size() - 6)
-                                                              : "";
-}
-
-bool IsSharedType(const PortModel& model, const std::string& type)
-{
-    const auto cpp = model.Find(type) ? std::nullopt : model.CppType(type);
-    return cpp && cpp->starts_with("Shared<");
-}
-
-bool IsReferenceType(const PortModel& model, const std::string& type)
-{
-    static const WordList types(
-        "Camera CameraData CommandBuffer ComputeCommandBuffer ComputeGraphContext ContextContainer "
-        "CullingResults IComputeRenderGraphBuilder IRasterRenderGraphBuilder "
-        "IUnsafeRenderGraphBuilder LightData RasterCommandBuffer RasterGraphContext RenderGraph "
-        "RenderingData ScriptableRenderContext ScriptableRenderer ShadowData UniversalCameraData "
-        "UniversalLightData UniversalRenderingData UniversalResourceData UnsafeCommandBuffer "
-        "UniversalShadowData UnsafeGraphContext VolumeManager VolumeStack Transform Light");
-    const CSharpClass* own = model.Find(type);
-    return own ? own->keyword == "class" : types.Has(type);
-}
-
 std::optional<PortValue> PortMembers::Fail(const std::string& problem) const
 {
     if (m_Problem.empty())
@@ -318,21 +284,8 @@ std::optional<PortValue> PortMembers::ParameterMember(const PortValue& value,
     {
         return Fail("limn has no '" + value.type + "." + name.name + "'");
     }
-    const std::string plain(PlainTypeName(value.type));
-    std::string type = model().HeldType(value.type);
-    for (const std::string_view part :
-         {"Float", "Int", "Bool", "Color", "Vector2", "Vector3", "Vector4", "LayerMask"})
-    {
-        if (plain.ends_with(std::string(part) + "Parameter"))
-        {
-            type =
-                part == "Float" || part == "Int" || part == "Bool"
-                    ? std::string(1, static_cast<char>(part[0] + 32)) + std::string(part.substr(1))
-                    : std::string(part);
-        }
-    }
-    type = plain.ends_with("FloatRangeParameter") ? "Vector2" : type;
-    type = plain.find("Texture") != std::string::npos ? "Texture" : type;
+    const std::string named = ParameterValueType(std::string(PlainTypeName(value.type)));
+    const std::string type = named.empty() ? model().HeldType(value.type) : named;
     return PortValue{AccessOf(model(), value) + "value()", type};
 }
 
@@ -543,6 +496,15 @@ PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
         Fail("a property's number that is an 'int'");
         return std::nullopt;
     }
+    const std::size_t textures = name.name == "Blit" ? 3 : name.name == "SetRenderTarget" ? 2 : 0;
+    for (std::size_t i = 0; arguments && i < std::min(textures, arguments->size()); ++i)
+    {
+        if ((*arguments)[i].value.type == "int")
+        {
+            Fail("a texture's number that is an 'int'");
+            return std::nullopt;
+        }
+    }
     const auto isObject = [&](const Argument& argument)
     {
         return IsSharedType(model(), argument.value.type) || argument.value.isPointer;
@@ -566,16 +528,20 @@ PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
     return arguments;
 }
 
-/// @param kind  of the list: 'v', 'i' or '*'
+/// @param kind  of the list: 'v', 'i', 'f' or '*'
 std::string PortMembers::ListText(const std::vector<Argument>& arguments, char kind) const
 {
+    const bool hasFloat = std::ranges::any_of(arguments, [](const Argument& one)
+                                              { return one.value.type == "float"; });
     std::string text;
     for (const Argument& argument : arguments)
     {
         const std::string& type = argument.value.type;
+        const bool isWhole = kind == 'f' && hasFloat && type == "int";
         const bool isShort = kind == 'v' && (type == "Vector2" || type == "Vector3");
         const bool isTexture = kind == 'i' && IsIn(type, {"Texture", "Texture2D", "RenderTexture"});
-        const std::string one = isShort     ? Converted(model(), argument.value, "Vector4")->cpp
+        const std::string one = isWhole     ? Converted(model(), argument.value, "float")->cpp
+                                : isShort   ? Converted(model(), argument.value, "Vector4")->cpp
                                 : isTexture ? "RenderTargetIdentifier(" + argument.text + ")"
                                             : argument.text;
         text += (text.empty() ? "" : ", ") + one;
@@ -611,7 +577,7 @@ std::optional<std::string> PortMembers::FillIn(std::string_view code, const Port
             text += next == '&' ? ObjectText(value) : ListText(arguments, next);
             continue;
         }
-        if (next == 'v' || next == 'i')
+        if (next == 'v' || next == 'i' || next == 'f')
         {
             text += ListText(arguments, next);
             ++i;

@@ -27,8 +27,9 @@ struct PortName
 ///
 /// In it, @ is the object with its dot or arrow, $& the object, % the name with its type arguments,
 /// $1 the first argument, $p1 the same as a pointer, $1:Type the same as a value of that type, $*
-/// all, $v* all with vectors of four, $i* all with textures as identifiers. "cpp KEY/2 = CODE" is
-/// for two arguments, " = =" the same line of code, " := -" no code at all.
+/// all, $v* all with vectors of four, $i* all with textures as identifiers, $f* all as floats if
+/// one is a float. "cpp KEY/2 = CODE" is for two arguments, " = =" the same line of code, " := -"
+/// no code at all.
 class PortMembers
 {
 public:
@@ -99,6 +100,10 @@ std::optional<std::string> MakePass(const PortPlace& place, const CSharpClass& p
 
 /// Returns the class of Unity from which a class of this role derives in the end; "" for none.
 std::string BaseTypeOf(PortRole role);
+
+/// Returns the type of the value of a volume parameter that Unity has, by the parameter's name:
+/// "float" for ClampedFloatParameter; "" for others.
+std::string ParameterValueType(const std::string& parameter);
 
 /// Returns the type of the elements of a list or an array; "" for others.
 std::string ElementTypeOf(const std::string& type);

@@ -1,4 +1,5 @@
 #include "port/PortLiteral.h"
+#include "port/PortMember.h"
 #include "port/PortedCode.h"
 
 namespace limn
@@ -27,19 +28,8 @@ struct ParameterArgument
 /// Returns the arguments of a parameter's constructor, in their order.
 std::vector<ParameterArgument> ArgumentsOf(const std::string& type)
 {
-    std::string value = "float";
-    for (const auto& [part, name] :
-         {std::pair("Int", "int"), std::pair("Bool", "bool"), std::pair("Color", "Color"),
-          std::pair("Vector2", "Vector2"), std::pair("Vector3", "Vector3"),
-          std::pair("Vector4", "Vector4"), std::pair("LayerMask", "LayerMask"),
-          std::pair("RenderingLayerMask", "RenderingLayerMask"),
-          std::pair("FloatRange", "Vector2")})
-    {
-        if (type.ends_with(std::string(part) + "Parameter"))
-        {
-            value = name;
-        }
-    }
+    const std::string named = ParameterValueType(type);
+    const std::string value = named.empty() ? "float" : named;
     const auto has = [&](const char* part)
     {
         return type.find(part) != std::string::npos;

@@ -89,6 +89,7 @@ TEST(PortedBody, HasTheValuesOfCSharp)
                  {"var n = sizes[count];", "auto n = sizes.at(static_cast<std::size_t>(count));"},
                  {"var o = GetType().Name;", "auto o = std::string(\"P\");"},
                  {"var p = (SortingCriteria)6;", "static_cast<SortingCriteria>(6);"},
+                 {"float r = Mathf.Max(0, width);", "float r = Mathf::Max(0.0f, width);"},
                  {"LayerMask q = count;", "LayerMask(static_cast<std::uint32_t>(count));"}});
 }
 
@@ -200,7 +201,14 @@ TEST(PortedBody, EndsWhereStatementsAreBrokenOrNested)
                                                  "override void Create() { ") +
                                          broken + " } }");
         const CommandRun run = RunCommand({"port", "F.cs", "-o", "out"});
-        EXPECT_TRUE(run.exitCode == 0 || !run.err.empty()) << broken;
+        if (run.exitCode == 0)
+        {
+            EXPECT_THAT(ReadText("out/F.cpp"), HasSubstr("void F::Create()\n{\n")) << broken;
+        }
+        else
+        {
+            EXPECT_THAT(run.err, HasSubstr("F.cs:1:")) << broken;
+        }
     }
 }
 
@@ -247,6 +255,13 @@ TEST(PortedBody, CopiesADescriptorThatItChanges)
     ExpectAll(ported.source, {"const RenderTextureDescriptor& descGiven) override",
                               "RenderTextureDescriptor desc = descGiven;\n        desc.width = 2;",
                               "void Use(std::vector<int>& list)"});
+}
+
+TEST(PortedBody, TellsAMemberFromTheTypeOfItsName)
+{
+    ExpectLines({{"Material.SetFloat(\"_A\", 1f);", "Material_->SetFloat(\"_A\", 1.0f);"},
+                 {"FilterMode = FilterMode.Point;", "FilterMode_ = FilterMode::Point;"}},
+                "    Material Material; FilterMode FilterMode;\n");
 }
 
 TEST(PortedBody, DeclaresWhatACallGivesBack)
