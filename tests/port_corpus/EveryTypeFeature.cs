@@ -22,6 +22,12 @@ public class EveryTypeFeature : ScriptableRendererFeature
     public int number = Numbers.A + 1;
     public RenderQueueType queueType = RenderQueueType.Transparent;
     public StencilStateData stencilData = new StencilStateData();
+    public Vector2 tiling = new Vector2(1, 2);
+    public Vector3 wind = Vector3.up;
+    public Texture2D noise;
+    public Cubemap sky;
+    public RenderTexture target;
+    public ComputeShader kernels;
     EveryPass m_Pass;
 
     public override void Create() { m_Pass = new EveryPass(new Own(), own, default, 3); }

@@ -21,7 +21,7 @@ public sealed class Rain : VolumeComponent, IPostProcessComponent
     public Vector2Parameter tiling = new Vector2Parameter(Vector2.one);
     public Vector4Parameter ripples = new Vector4Parameter(new Vector4(1, 1, 0, 0), true);
     [Tooltip("Rounds.")] public ClampedIntParameter layers = new ClampedIntParameter(value: 2, min: 1, max: 4);
-    public IntParameter seed = new IntParameter(7);
+    public IntParameter seed = new ClampedIntParameter(7, 0, 9);
     public MaxIntParameter most = new MaxIntParameter(3, 8, true);
     public NoInterpClampedFloatParameter speed = new(1f, 0f, 5f);
     public FloatRangeParameter range = new FloatRangeParameter(new Vector2(0f, 50f), 0f, 100f);
@@ -70,6 +70,7 @@ public class RainFeature : ScriptableRendererFeature
             if (!m_Rain.IsActive()) return;
             var cmd = CommandBufferPool.Get(nameof(RainFeature));
             Apply(m_Rain);
+            if (m_Rain.indoors == false && m_Rain.seed != 0) m_Material.SetTexture("_Noise", m_Rain.noise.value);
             var desc = renderingData.cameraData.cameraTargetDescriptor;
             cmd.GetTemporaryRT(m_Temp.id, desc);
             Blit(cmd, renderingData.cameraData.renderer.cameraColorTarget, m_Temp.Identifier(), m_Material, 0);

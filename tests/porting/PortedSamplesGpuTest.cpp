@@ -60,10 +60,6 @@ TEST_P(PortedSamplesGpu, DrawTheSamePictureBitForBitInBothStyles)
 
 TEST_P(PortedSamplesGpu, DrawTheSamePictureByHandAndByLimnPort)
 {
-    if (GetParam().name == std::string("distance_outline"))
-    {
-        GTEST_SKIP() << "its compute shader is a setting, which limn's scenes have no type for";
-    }
     PortedScene byHand(GetParam(), SharedDevice(), PortedBy::HandOld);
     const std::vector<std::byte> expected = Picture(byHand);
     for (const PortedBy by : {PortedBy::LimnOld, PortedBy::LimnNew})

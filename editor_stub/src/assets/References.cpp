@@ -3,10 +3,29 @@
 #include "assets/FileKind.h"
 
 #include <algorithm>
+#include <array>
+#include <fstream>
+#include <limn/core/BuiltinShaders.h>
+#include <limn/core/ComputeShader.h>
 #include <limn/features/Features.h>
 
 namespace limn
 {
+
+namespace
+{
+
+bool BeginsAsPng(const std::filesystem::path& path)
+{
+    constexpr std::string_view k_Signature = "\x89PNG\r\n\x1A\n";
+    std::array<char, k_Signature.size()> begin{};
+    std::error_code error; // of a pipe the opening would wait
+    return std::filesystem::is_regular_file(path, error) &&
+           std::ifstream(path, std::ios::binary).read(begin.data(), begin.size()) &&
+           std::string_view(begin.data(), begin.size()) == k_Signature;
+}
+
+} // namespace
 
 References::References(AssetContext& assets, std::vector<std::filesystem::path> folders,
                        AssetDiagnostics& diagnostics, ReferenceScope scope)
@@ -63,6 +82,31 @@ std::shared_ptr<const Shader> References::ReadShader(const YamlNode& node,
                                                  " (a file's path ends in '.shader')");
     }
     return shader;
+}
+
+std::shared_ptr<const Texture2D> References::ReadPicture(const YamlNode& node,
+                                                         const std::string& subject)
+{
+    return Read(node, subject,
+                [this](const std::filesystem::path& path)
+                {
+                    return decodesPictures || !BeginsAsPng(path)
+                               ? m_Assets.LoadTexture(path)
+                               : std::dynamic_pointer_cast<const Texture2D>(
+                                     DefaultTexture("white"));
+                });
+}
+
+std::shared_ptr<const ComputeShader> References::ReadComputeShader(const YamlNode& node,
+                                                                   const std::string& subject)
+{
+    return Read(node, subject,
+                [this](const std::filesystem::path& path)
+                {
+                    m_Assets.Reach(path);
+                    return std::shared_ptr<const ComputeShader>(
+                        ComputeShader::Load(path, m_Assets.compiler()));
+                });
 }
 
 void References::Report(const YamlNode& node, std::string_view subject, const AssetError& error)

@@ -57,6 +57,14 @@ public:
     /// adds an error if there is none.
     std::shared_ptr<const Shader> ReadShader(const YamlNode& node, const std::string& subject);
 
+    /// Returns the picture of a file. Returns null and adds an error if there is none.
+    std::shared_ptr<const Texture2D> ReadPicture(const YamlNode& node, const std::string& subject);
+
+    /// Returns a new compute shader of a .compute file. Returns null and adds an error if there is
+    /// none.
+    std::shared_ptr<const ComputeShader> ReadComputeShader(const YamlNode& node,
+                                                           const std::string& subject);
+
     std::filesystem::path Resolve(const std::string& text) const;
 
     /// Returns whether a reference may lead to this file, and adds an error at the node if not.

@@ -351,6 +351,10 @@ private:
     Result ReadNew(const std::string& wanted)
     {
         std::string type = m_At < m_End && !m_At->Is("(") ? ReadCSharpType(m_At) : "";
+        if (wanted.find(k_PropertyIdType) != std::string::npos) // new int[3], new List<int>()
+        {
+            type = Replaced(type, "int", k_PropertyIdType);
+        }
         if (m_At < m_End && m_At->Is("["))
         {
             return ReadArray(type + "[]");
@@ -476,6 +480,10 @@ private:
             m_At += 2;
             PortName name = ReadName();
             name.isOfThis = true;
+            if (const Result setter = OwnSetter(name))
+            {
+                return setter;
+            }
             const auto own = m_Place.scope.find("this." + name.name);
             return Behind(own != m_Place.scope.end() && !name.isCall ? own->second
                           : isBase ? m_Members.BaseMember(name, true)
@@ -497,8 +505,10 @@ private:
         const auto variable = m_Place.scope.find(name.name);
         const CSharpClass* self = m_Place.model.context();
         const CSharpMethod* property = self ? self->FindMethod(name.name) : nullptr;
+        const CSharpField* field = self ? self->FindField(name.name) : nullptr;
         const bool isNamedSo =
             (variable != m_Place.scope.end() && variable->second.type == name.name) ||
+            (field && field->type == name.name) ||
             (property && property->isProperty && property->type == name.name);
         const bool isAlsoType =
             isNamedSo && m_End - m_At > 1 && m_At->Is(".") &&
@@ -509,15 +519,18 @@ private:
             type.isType = true;
             return ReadBehind(type);
         }
-        if (name.isTarget)
+        if (const Result setter = OwnSetter(name))
         {
-            const auto setter = SetterOf(PortValue{"", SelfType()}, name);
-            if (setter)
-            {
-                return setter;
-            }
+            return setter;
         }
         return Behind(m_Members.Find(name));
+    }
+
+    /// Keeps the code of an assignment to a member of the class that is no variable in C++. Returns
+    /// nothing if it is one.
+    Result OwnSetter(const PortName& name)
+    {
+        return name.isTarget ? SetterOf(PortValue{"", SelfType()}, name) : std::nullopt;
     }
 
     /// Reads GetType().Name or typeof(T).Name, or returns nothing and reads nothing.

@@ -286,7 +286,8 @@ std::optional<PortValue> PortMembers::ParameterMember(const PortValue& value,
     }
     const std::string named = ParameterValueType(std::string(PlainTypeName(value.type)));
     const std::string type = named.empty() ? model().HeldType(value.type) : named;
-    return PortValue{AccessOf(model(), value) + "value()", type};
+    return PortValue{AccessOf(model(), value) + (type == "Texture" ? "value().asset" : "value()"),
+                     type};
 }
 
 std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const std::string& access,
@@ -387,7 +388,7 @@ PortMembers::Arguments(const std::vector<CSharpWords>& words) const
         // These stand where the C++ has them, too, if they are the last ones.
         const bool isLast = arguments.size() + 1 == words.size();
         if (isNamed && isLast &&
-            (IsIn(one[0].text, {"pass", "passIndex", "flags"}) ||
+            (IsIn(one[0].text, {"pass", "passIndex", "flags", "index"}) ||
              (one[0].Is("passName") && words.size() == 2)))
         {
             one = one.subspan(2);
@@ -664,6 +665,14 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
 std::optional<std::string> PortMembers::Setter(const PortValue& value, const PortName& name,
                                                CSharpWords assigned) const
 {
+    const CSharpClass* own = value.cpp.empty() ? model().context() : model().Find(value.type);
+    const PortName call{"Set" + name.name, "", true, {assigned}};
+    const CSharpMethod* setter = own ? own->FindMethod(call.name) : nullptr;
+    if (setter && setter->isSetter)
+    {
+        const auto text = OwnCall(value.cpp.empty() ? "" : AccessOf(model(), value), *own, call);
+        return text ? std::optional(text->cpp) : std::nullopt;
+    }
     const bool isParameter = PlainTypeName(value.type).ends_with("Parameter") ||
                              (model().Find(value.type) &&
                               model().RoleOf(*model().Find(value.type)) == PortRole::Parameter);

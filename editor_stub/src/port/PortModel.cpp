@@ -319,9 +319,9 @@ std::string PortModel::HeldType(const std::string& type) const
 bool PortModel::isSetting(const std::string& type) const
 {
     static const WordList types(
-        "int uint float bool string string[] List<string> Color Vector4 LayerMask "
-        "RenderingLayerMask RenderPassEvent Shader Material CompareFunction StencilOp "
-        "RenderQueueType StencilStateData");
+        "int uint float bool string string[] List<string> Color Vector2 Vector3 Vector4 LayerMask "
+        "RenderingLayerMask RenderPassEvent Shader Material Texture Texture2D Texture3D Cubemap "
+        "RenderTexture ComputeShader CompareFunction StencilOp RenderQueueType StencilStateData");
     const CSharpClass* own = Find(type);
     return own ? CppType(type).has_value() && !type.ends_with("]") && !type.starts_with("List<")
                : types.Has(type);

@@ -65,6 +65,21 @@ Result CombineText(const PortValue& left, const std::string& word, const PortVal
     return result;
 }
 
+/// Makes a volume parameter its value, and a number beside a mask a mask.
+void MakeComparable(const PortModel& model, PortValue& side, const PortValue& other)
+{
+    const std::string plain(PlainTypeName(side.type));
+    const std::string held = plain.ends_with("Parameter") ? ParameterValueType(plain) : "";
+    if (!held.empty() && !PlainTypeName(other.type).ends_with("Parameter"))
+    {
+        side = {side.Text(90) + (side.isPointer ? "->value()" : ".value()"), held};
+    }
+    if (side.type == "int" && IsIn(other.type, {"LayerMask", "RenderingLayerMask"}))
+    {
+        side = Converted(model, side, other.type).value_or(side);
+    }
+}
+
 } // namespace
 
 bool IsNumber(const std::string& type)
@@ -96,6 +111,11 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
     if (strength == 5 && (left.type == "null") != (right.type == "null"))
     {
         return CompareToNull(model, left.type == "null" ? right : left, word == "==", problem);
+    }
+    if (strength == 5)
+    {
+        MakeComparable(model, left, right);
+        MakeComparable(model, right, left);
     }
     if (left.type == "string" || right.type == "string")
     {

@@ -10,15 +10,8 @@
 namespace limn
 {
 
-namespace
-{
-
-} // namespace
-
 PortedBody::PortedBody(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
-    : PortedStatement(code, one, method),
-      m_Method(method),
-      m_Result(method.isConstructor() ? "void" : method.type)
+    : PortedStatement(code, one, method), m_Result(method.isConstructor() ? "void" : method.type)
 {
 }
 
@@ -162,6 +155,10 @@ const CSharpToken* PortedBody::WriteKeyword(Word at, Word end)
     if (at->Is("break") || at->Is("continue"))
     {
         m_Code.Line(std::string(at->text) + ";");
+        return behind;
+    }
+    if (at->Is("throw") && behind[-1].Is(";") && WriteThrow({at + 1, behind - 1}))
+    {
         return behind;
     }
     const bool isReturn = at->Is("return") && behind[-1].Is(";");
@@ -363,10 +360,16 @@ const CSharpToken* PortedBody::WriteUsing(Word at, Word end)
         return WriteGraphPass(at, end);
     }
     const auto made = std::ranges::find(head, std::string_view("new"), &CSharpToken::text);
-    const bool isScope = head.end() - made > 2 && made[1].Is("ProfilingScope") && made[2].Is("(");
+    const bool isScope = head.end() - made > 2 && made[2].Is("(") &&
+                         IsIn(made[1].text, {"ProfilingScope", "ProfilingSample"});
     const auto arguments = isScope ? SplitArguments(made[2].Inside()) : std::vector<CSharpWords>();
     const auto cmd = arguments.size() == 2 ? Value(arguments[0]) : std::nullopt;
-    const auto sampler = cmd ? Value(arguments[1], "ProfilingSampler") : std::nullopt;
+    auto sampler = cmd ? Value(arguments[1]) : std::nullopt;
+    if (sampler && sampler->type == "string") // of URP 7
+    {
+        sampler = PortValue{"ProfilingSampler(" + sampler->cpp + ")", "ProfilingSampler"};
+    }
+    sampler = sampler ? Converted(m_Model, *sampler, "ProfilingSampler") : sampler;
     if (!sampler || cmd->type == "null")
     {
         const bool isSkipped = cmd && cmd->type == "null"; // a scope on the processor only
@@ -452,6 +455,24 @@ bool PortedBody::WriteReturn(CSharpWords words)
         m_IsReturned = true;
     }
     return value.has_value();
+}
+
+/// Writes new Exception("text"), of which the text remains.
+bool PortedBody::WriteThrow(CSharpWords words)
+{
+    if (words.size() < 3 || !words[0].Is("new") || !words.back().Is(")"))
+    {
+        return false;
+    }
+    const Word bracket = &words.back() + words.back().match;
+    const auto arguments = SplitArguments(bracket->Inside());
+    const auto text = arguments.empty() ? std::nullopt : Value(arguments[0], "string");
+    m_Problem.clear();
+    m_Code.Line("throw ContractError(" +
+                (text ? text->cpp : "\"" + m_One.name + ": " + std::string(words[1].text) + "\"") +
+                ");");
+    m_IsReturned = true;
+    return true;
 }
 
 /// Writes builder.SetRenderFunc((PassData data, RasterGraphContext context) => ...)

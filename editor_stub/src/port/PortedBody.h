@@ -33,11 +33,11 @@ private:
     Word WriteGraphPass(Word at, Word end);
     void WriteBlock(Word at, Word end);
     bool WriteReturn(CSharpWords words);
+    bool WriteThrow(CSharpWords words);
     void WarnOfPass(CSharpWords words);
     bool WriteRenderFunction(CSharpWords words);
     void WriteComments(std::size_t begin, std::size_t end);
 
-    const CSharpMethod& m_Method;
     std::string m_Result;      ///< the C# type that the method returns
     int m_Depth = 0;           ///< of the statements that are being written
     bool m_IsReturned = false; ///< true if the last statement was a return

@@ -14,7 +14,7 @@ bool IsShippedParameter(const PortModel& model, std::string_view type)
     const PortEntry* entry = model.table().Find(type);
     return entry && type.ends_with("Parameter") && type != "VolumeParameter" &&
            !type.starts_with("Animation") && !type.starts_with("Object") &&
-           type.find("Texture") == std::string_view::npos && !type.starts_with("Enum") &&
+           !type.starts_with("TextureCurve") && !type.starts_with("Enum") &&
            !type.starts_with("Material");
 }
 
@@ -56,9 +56,13 @@ std::vector<ParameterArgument> ArgumentsOf(const std::string& type)
 /// The arguments in C++; nothing if one of them is not known.
 /// @param known  those that the constructor has
 std::optional<std::string> Arguments(const PortModel& model, const PortScope& scope,
-                                     const std::vector<CSharpWords>& arguments,
+                                     std::vector<CSharpWords> arguments,
                                      std::vector<ParameterArgument> known, bool hasTooltip)
 {
+    if (known.size() == 2 && arguments.size() == 3) // a bool, how an editor shows it, overridden
+    {
+        arguments.erase(arguments.begin() + 1);
+    }
     if (known.size() == 5 && arguments.size() == 2) // a colour and whether it is overridden
     {
         known.erase(known.begin() + 1, known.end() - 1);
@@ -158,12 +162,15 @@ void WriteParameter(PortedCode& code, const CSharpClass& one, const CSharpField&
     const std::string csharp = field.type + " " + field.name + " = " + model.Text(one, field.value);
     const bool isWhole = !field.value.empty() && field.value.back().Is(")");
     const auto arguments = isWhole ? NewArguments(field.value) : std::nullopt;
+    // IntParameter blurs = new ClampedIntParameter(1, 0, 5);
+    const bool isNamed = arguments && field.value.size() > 3 && field.value[2].Is("(");
+    const std::string type = isNamed ? std::string(field.value[1].text) : field.type;
     std::string line;
-    if (arguments && IsShippedParameter(model, field.type) && !model.Find(field.type))
+    if (arguments && IsShippedParameter(model, type) && !model.Find(type))
     {
         const auto text =
-            Arguments(model, scope, *arguments, ArgumentsOf(field.type), !TooltipOf(field).empty());
-        line = text ? ParameterText(model, field, field.type, *text) : "";
+            Arguments(model, scope, *arguments, ArgumentsOf(type), !TooltipOf(field).empty());
+        line = text ? ParameterText(model, field, type, *text) : "";
     }
     else if (arguments)
     {

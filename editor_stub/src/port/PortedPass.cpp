@@ -160,9 +160,11 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
                                            const CSharpMethod& method)
 {
     const PortContext context(model, one);
-    if (one.FindField(method.name))
+    const bool isTaken =
+        method.isSetter && std::ranges::count(one.methods, method.name, &CSharpMethod::name) > 1;
+    if (one.FindField(method.name) || isTaken)
     {
-        return std::nullopt; // no C#
+        return std::nullopt; // no C#, or another SetX
     }
     const auto& known = MethodsOf(model.RoleOf(one));
     const auto found = std::ranges::find(known, method.name, &KnownMethod::name);
@@ -185,8 +187,8 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         const auto result = method.isConstructor() || method.type == "void"
                                 ? std::optional(method.type)
                                 : model.CppType(method.type);
-        const bool isBlock = method.isProperty && !method.isExpression; // with get and set
-        if (isBlock || !result || isKnown)                              // which it would hide
+        const bool isIndexer = method.isProperty && method.name == "this";
+        if (isIndexer || !result || isKnown) // which it would hide
         {
             return std::nullopt;
         }

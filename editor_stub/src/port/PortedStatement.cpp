@@ -61,6 +61,10 @@ bool PortedStatement::WriteSimple(CSharpWords words)
         }
         return bits.has_value();
     }
+    if (equals < end && at->Is("(") && at->Behind() == equals)
+    {
+        return WriteSwap(SplitArguments(at->Inside()), {equals + 1, end});
+    }
     if (equals < end)
     {
         return WriteAssignment({at, equals}, equals->text, {equals + 1, end});
@@ -117,10 +121,12 @@ bool PortedStatement::WriteDeclaration(CSharpWords words)
     while (at < end)
     {
         const std::string name(at->text);
+        const auto known = m_Method.intLocals.find(name);
+        const bool isInt = known != m_Method.intLocals.end() && IsIn(type, {"int", "int[]"});
         const Word comma = FindOutsideOfBrackets(at, end, {","});
         Word value = at + (at + 1 < comma && at[1].Is("=") ? 2 : 1);
         value += value < comma && value->Is("ref") ? 1 : 0;
-        if (!DeclareLocal(type, name, {value, comma}, isReference))
+        if (!DeclareLocal(isInt ? known->second : type, name, {value, comma}, isReference))
         {
             return false;
         }
@@ -164,14 +170,6 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
     const std::string bareType = isBare ? ReadCSharpType(bare) : "";
     auto value = isBare ? PortMembers(Place(), m_Problem).Construct(bareType, {})
                         : Value(object, IsReferenceType(m_Model, wanted) ? "" : wanted);
-    const bool isProperty = !value && wanted == "int" && !isBare;
-    if (isProperty) // int id = Shader.PropertyToID("_X")
-    {
-        std::string problem;
-        value = Translate(Place(), object, "", &problem);
-        value = value && value->type == k_PropertyIdType ? value : std::nullopt;
-        m_Problem = value ? "" : m_Problem;
-    }
     if (!value || value->type == "void" || (value->type == "null" && wanted.empty()))
     {
         return false;
@@ -179,9 +177,8 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
     const bool isOther =
         isReference || (value->isVariable && IsReferenceType(m_Model, value->type));
     PortValue& local = AddLocal(name, value->type.empty() ? wanted : value->type);
-    const auto cpp = wanted.empty() || isProperty || isOther || value->isPointer
-                         ? std::nullopt
-                         : m_Model.CppType(wanted);
+    const auto cpp =
+        wanted.empty() || isOther || value->isPointer ? std::nullopt : m_Model.CppType(wanted);
     local.isPointer = value->isPointer;
     local.isLocal = !isOther && !value->isPointer;
     local.type = cpp && value->type == "null" ? wanted : local.type;
@@ -307,6 +304,29 @@ bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word,
         const auto whole = Value(target);
         return whole && WriteMembers(*whole, members);
     }
+    return true;
+}
+
+/// Writes (a, b) = (b, a).
+bool PortedStatement::WriteSwap(const std::vector<CSharpWords>& targets, CSharpWords values)
+{
+    const auto sources = values.front().Is("(") ? SplitArguments(values.front().Inside())
+                                                : std::vector<CSharpWords>();
+    if (targets.size() != 2 || sources.size() != 2)
+    {
+        return Fail("several values at once");
+    }
+    const auto first = Value(targets[0]);
+    const auto second = Value(targets[1]);
+    const auto left = Value(sources[0]);
+    const auto right = Value(sources[1]);
+    const bool isSwap = first && second && left && right && first->isVariable &&
+                        first->cpp == right->cpp && second->cpp == left->cpp;
+    if (!isSwap)
+    {
+        return Fail("several values at once");
+    }
+    m_Code.Line("std::swap(" + first->cpp + ", " + second->cpp + ");");
     return true;
 }
 

@@ -15,7 +15,11 @@ protected:
     using Word = const CSharpToken*;
 
     PortedStatement(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
-        : m_Code(code), m_Model(code.model()), m_One(one), m_Scope(ScopeOf(m_Model, one, method))
+        : m_Code(code),
+          m_Model(code.model()),
+          m_One(one),
+          m_Method(method),
+          m_Scope(ScopeOf(m_Model, one, method))
     {
     }
     ~PortedStatement() = default;
@@ -34,6 +38,7 @@ protected:
     PortedCode& m_Code;
     const PortModel& m_Model;
     const CSharpClass& m_One;
+    const CSharpMethod& m_Method;
     PortScope m_Scope;
     std::string m_Problem;
 
@@ -44,6 +49,7 @@ private:
                       bool isReference);
     bool WriteMembers(const PortValue& object, CSharpWords members);
     bool WriteAssignment(CSharpWords target, std::string_view word, CSharpWords value);
+    bool WriteSwap(const std::vector<CSharpWords>& targets, CSharpWords values);
     bool WriteMaybe(CSharpWords words);
 };
 

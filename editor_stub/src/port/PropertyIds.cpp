@@ -8,15 +8,26 @@ namespace
 
 constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
 
-/// Returns whether Unity's method takes a property's number first.
-bool TakesProperty(std::string_view method)
+/// Returns which argument of Unity's method is a property's number, or nothing if none is.
+std::optional<std::size_t> PropertyArgument(std::string_view method, std::size_t arguments)
 {
-    return StartsWithAny(method,
-                         {"SetGlobal", "SetFloat", "SetInt", "SetVector", "SetColor", "SetTexture",
-                          "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat", "GetInt",
-                          "GetVector", "GetColor", "GetMatrix", "GetTexture"}) ||
-           IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT",
-                         "HasProperty", "RenderTargetIdentifier"});
+    if (method.starts_with("SetCompute"))
+    {
+        const bool isOfKernel = IsIn(method, {"SetComputeTextureParam", "SetComputeBufferParam"});
+        return isOfKernel ? 2 : 1;
+    }
+    if (arguments == 3 && IsIn(method, {"SetTexture", "SetBuffer"})) // of a compute shader's kernel
+    {
+        return 1;
+    }
+    const bool isFirst =
+        StartsWithAny(method,
+                      {"SetGlobal", "SetFloat", "SetInt", "SetVector", "SetColor", "SetTexture",
+                       "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat", "GetInt",
+                       "GetVector", "GetColor", "GetMatrix", "GetTexture"}) ||
+        IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT", "HasProperty",
+                      "RenderTargetIdentifier"});
+    return isFirst ? std::optional<std::size_t>(0) : std::nullopt;
 }
 
 /// The type with a property's number in place of int; "" where it holds no int.
@@ -26,6 +37,11 @@ std::string IdType(const std::string& type)
            : type == "int[]"     ? std::string(k_PropertyIdType) + "[]"
            : type == "List<int>" ? "List<" + std::string(k_PropertyIdType) + ">"
                                  : "";
+}
+
+bool IsIdType(std::string_view type)
+{
+    return type.find(k_PropertyIdType) != std::string_view::npos;
 }
 
 /// Finds the ints of all classes round by round.
@@ -58,11 +74,32 @@ private:
         for (CSharpClass& one : classes)
         {
             m_Classes.push_back(&one);
+            m_ClassesByName.emplace(one.name, &one);
+            for (CSharpField& field : one.fields)
+            {
+                m_Fields.emplace(field.name, &field);
+            }
             for (CSharpMethod& method : one.methods)
             {
                 m_Methods.emplace(method.name, &method);
+                CollectLocals(method);
             }
             Collect(one.classes);
+        }
+    }
+
+    /// Finds the variables of a method that are declared as int or int[].
+    static void CollectLocals(CSharpMethod& method)
+    {
+        const CSharpToken* end = method.body.data() + method.body.size();
+        for (const CSharpToken* at = method.body.data(); at + 2 < end; ++at)
+        {
+            const bool isArray = at[1].Is("[") && at[1].match == 1;
+            const CSharpToken* name = at + (isArray ? 3 : 1);
+            if (at->Is("int") && name + 1 < end && name->isName() && IsIn(name[1].text, {"=", ";"}))
+            {
+                method.intLocals[std::string(name->text)] = isArray ? "int[]" : "int";
+            }
         }
     }
 
@@ -84,6 +121,7 @@ private:
             {
                 LookAtAssignment(one, method, i);
                 LookAtCall(one, method, i);
+                LookAtReturn(one, method, i);
             }
         }
     }
@@ -98,7 +136,7 @@ private:
         }
     }
 
-    /// The type of a name in a method; null where it is none of a field or parameter.
+    /// Returns the type of a name in a method, or null if it is no variable.
     std::string* TypeOf(std::string_view name, CSharpClass& one, CSharpMethod* method)
     {
         for (std::size_t i = 0; method && i < method->parameters.size(); ++i)
@@ -108,47 +146,103 @@ private:
                 return &method->parameters[i].type;
             }
         }
+        const auto local = method ? method->intLocals.find(name) : CSharpLocals::iterator();
+        if (method && local != method->intLocals.end())
+        {
+            return &local->second;
+        }
         const auto found = one.fieldNames.find(name);
         return found == one.fieldNames.end() ? nullptr : &one.fields[found->second].type;
     }
 
-    /// Returns whether a property's number begins there: Shader.PropertyToID(...), or a name of
-    /// such.
+    /// Returns the type of a class's field. Where the class is not known, any field counts that
+    /// alone has this name.
+    std::string* TypeOfMember(std::string_view owner, std::string_view name)
+    {
+        const auto found = m_ClassesByName.find(owner);
+        if (found != m_ClassesByName.end())
+        {
+            return TypeOf(name, *found->second, nullptr);
+        }
+        const auto [begin, end] = m_Fields.equal_range(name);
+        return begin != end && std::next(begin) == end ? &begin->second->type : nullptr;
+    }
+
+    /// A variable that words begin with.
+    struct Variable
+    {
+        std::string* type = nullptr; ///< null = it is none
+        std::size_t length = 0;      ///< in words
+    };
+
+    /// Finds a, this.a, data.a, Ids.a, and a[i] of them.
+    Variable Find(CSharpWords words, CSharpClass& one, CSharpMethod* method)
+    {
+        const bool isThis = words.size() > 2 && words[0].Is("this") && words[1].Is(".");
+        std::size_t at = isThis ? 2 : 0;
+        if (words.empty() || !words[at].isName())
+        {
+            return {};
+        }
+        std::string* type = TypeOf(words[at].text, one, isThis ? nullptr : method);
+        for (; at + 2 < words.size() && words[at + 1].Is(".") && words[at + 2].isName(); at += 2)
+        {
+            type =
+                TypeOfMember(type ? std::string_view(*type) : words[at].text, words[at + 2].text);
+        }
+        const bool isElement = at + 1 < words.size() && words[at + 1].Is("[");
+        return {type, at + 1 + (isElement ? words[at + 1].Inside().size() + 2 : 0)};
+    }
+
+    /// Returns whether a property's number begins there: Shader.PropertyToID(...), a call that gives
+    /// one, or a variable.
     bool isProperty(CSharpWords words, CSharpClass& one, CSharpMethod* method)
     {
-        words = words.size() > 2 && words[0].Is("this") ? words.subspan(2) : words;
         if (words.size() > 3 && words[1].Is(".") && words[2].Is("PropertyToID"))
         {
             return words[0].Is("Shader");
         }
-        const bool isAlone =
-            words.size() == 1 || (words.size() > 1 && IsIn(words[1].text, {";", ",", ")"}));
-        const std::string* type =
-            isAlone && words[0].isName() ? TypeOf(words[0].text, one, method) : nullptr;
-        return type && *type == k_PropertyIdType;
+        if (words.size() > 2 && words[1].Is("(") && m_Methods.contains(words[0].text))
+        {
+            return IsIdType(m_Methods.find(words[0].text)->second->type);
+        }
+        const Variable variable = Find(words, one, method);
+        const bool isAlone = variable.length == words.size() ||
+                             (variable.type && IsIn(words[variable.length].text, {";", ",", ")"}));
+        return variable.type && isAlone && IsIdType(*variable.type);
     }
 
     /// name = ..., name[i] = ... at a word.
     void LookAtAssignment(CSharpClass& one, CSharpMethod& method, std::size_t at)
     {
         const CSharpWords words = method.body.subspan(at);
-        const bool isElement = words.size() > 1 && words[1].Is("[");
-        const std::size_t equals = isElement ? words[1].Inside().size() + 3 : 1;
-        if (!words[0].isName() || equals + 1 >= words.size() || !words[equals].Is("="))
+        const bool isMember = at > 0 && method.body[at - 1].Is(".");
+        const Variable target = isMember ? Variable() : Find(words, one, &method);
+        if (!target.type || target.length + 1 >= words.size() || !words[target.length].Is("="))
         {
             return;
         }
-        const bool isThis = at > 1 && method.body[at - 1].Is(".") && method.body[at - 2].Is("this");
-        std::string* type = TypeOf(words[0].text, one, isThis ? nullptr : &method);
-        if (type && isProperty(words.subspan(equals + 1), one, &method))
+        const CSharpWords value = words.subspan(target.length + 1);
+        if (isProperty(value, one, &method))
         {
-            Mark(*type);
+            Mark(*target.type);
         }
-        const bool isFromName = words.size() > equals + 2 && words[equals + 2].Is(";");
-        std::string* from = isFromName ? TypeOf(words[equals + 1].text, one, &method) : nullptr;
-        if (type && from && *type == k_PropertyIdType)
+        const Variable from = Find(value, one, &method);
+        if (from.type && from.length < value.size() && value[from.length].Is(";") &&
+            IsIdType(*target.type))
         {
-            Mark(*from);
+            Mark(*from.type);
+        }
+    }
+
+    /// return ... at a word.
+    void LookAtReturn(CSharpClass& one, CSharpMethod& method, std::size_t at)
+    {
+        const bool isReturn = method.isExpression ? at == 0 : method.body[at].Is("return");
+        if (isReturn &&
+            isProperty(method.body.subspan(at + (method.isExpression ? 0 : 1)), one, &method))
+        {
+            Mark(method.type);
         }
     }
 
@@ -161,11 +255,13 @@ private:
             return;
         }
         const auto arguments = SplitArguments(words[1].Inside());
-        if (TakesProperty(words[0].text) && arguments[0].size() == 1 && arguments[0][0].isName())
+        const auto index = PropertyArgument(words[0].text, arguments.size());
+        if (index && *index < arguments.size())
         {
-            if (std::string* type = TypeOf(arguments[0][0].text, one, &method))
+            const Variable variable = Find(arguments[*index], one, &method);
+            if (variable.type && variable.length == arguments[*index].size())
             {
-                Mark(*type);
+                Mark(*variable.type);
             }
         }
         for (std::size_t i = 0; i < arguments.size(); ++i)
@@ -193,6 +289,8 @@ private:
     }
 
     std::vector<CSharpClass*> m_Classes;
+    std::map<std::string_view, CSharpClass*> m_ClassesByName;
+    std::multimap<std::string_view, CSharpField*> m_Fields;
     std::multimap<std::string_view, CSharpMethod*> m_Methods;
     bool m_HasChanged = true;
 };

@@ -5,8 +5,6 @@
 #include "shaders/UsedShaders.h"
 
 #include <algorithm>
-#include <array>
-#include <fstream>
 #include <limn/base/NumberText.h>
 #include <limn/core/BuiltinShaders.h>
 #include <limn/core/Image.h>
@@ -35,29 +33,6 @@ std::string ExpectedFor(TextureDimension dimension)
            : dimension == TextureDimension::CubeArray
                ? "{faces: [six .png files a cube, +X -X +Y -Y +Z -Z]}"
                : "{slices: [.png files]}";
-}
-
-bool BeginsAsPng(const std::filesystem::path& path)
-{
-    constexpr std::string_view k_Signature = "\x89PNG\r\n\x1A\n";
-    std::array<char, k_Signature.size()> begin{};
-    std::error_code error; // of a pipe the opening would wait
-    return std::filesystem::is_regular_file(path, error) &&
-           std::ifstream(path, std::ios::binary).read(begin.data(), begin.size()) &&
-           std::string_view(begin.data(), begin.size()) == k_Signature;
-}
-
-std::shared_ptr<const Texture2D> ReadPicture(const YamlNode& node, const std::string& subject,
-                                             References& references)
-{
-    return references.Read(node, subject,
-                           [&references](const std::filesystem::path& path)
-                           {
-                               return references.decodesPictures || !BeginsAsPng(path)
-                                          ? references.assets().LoadTexture(path)
-                                          : std::dynamic_pointer_cast<const Texture2D>(
-                                                DefaultTexture("white"));
-                           });
 }
 
 /// Returns whether this number is possible. If not, an error is added.
@@ -151,7 +126,7 @@ Slices ReadSlices(const YamlNode& list, const std::string& subject, TextureDimen
     for (const YamlNode& item : list.items())
     {
         const std::string which = subject + "[" + std::to_string(slices.size()) + "]";
-        slices.push_back(ReadPicture(item, which, references));
+        slices.push_back(references.ReadPicture(item, which));
         fits = fits && slices.back();
     }
     fits = fits && CheckSlices(slices, list, subject, isCube(dimension), diagnostics);
@@ -244,7 +219,7 @@ void ReadTextureProperty(const ShaderProperty& property, const YamlNode& node,
     bool isExpected = true;
     if (isFlat && std::filesystem::path(node.scalar()).extension() == ".png")
     {
-        texture = ReadPicture(node, subject, references);
+        texture = references.ReadPicture(node, subject);
     }
     else if (dimension == TextureDimension::Cube && IsPictureFile(node.scalar()))
     {

@@ -272,13 +272,12 @@ void ReadFeature(const YamlNode& node, const std::string& subject, SceneLoader& 
     }
     feature->name = type;
     map.Read("name", feature->name);
-    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers,
-                                  [&loader](const YamlNode& value, const std::string& setting)
-                                  { return loader.references.ReadShader(value, setting); },
-                                  [&loader](const YamlNode& value, const std::string& setting)
-                                  {
-                                      return ReadMaterialName(value, setting, loader);
-                                  }};
+    AssetReaders assets = ReadersOfFiles(loader.references);
+    assets.material = [&loader](const YamlNode& value, const std::string& setting)
+    {
+        return ReadMaterialName(value, setting, loader);
+    };
+    const SettingsContext context{loader.asset.layers, loader.asset.renderingLayers, assets};
     ReadFeatureSettings(map, *feature, context, diagnostics);
     TryCreate(*feature, loader.references.assets().shaderSource(), node.location(), subject + ": ",
               diagnostics);

@@ -1,5 +1,8 @@
 #include "scene/SceneView.h"
 
+#include "console/Texts.h"
+#include "shaders/UsedShaders.h"
+
 #include <algorithm>
 #include <functional>
 #include <limn/base/Lists.h>
@@ -121,6 +124,30 @@ void SceneView::Render(UniversalRenderPipeline& pipeline, RenderRequest& request
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.pipelineVersion = m_Asset.pipelineVersion;
     pipeline.shadows = m_Asset.shadows;
+    try
+    {
+        Draw(pipeline, request, result);
+    }
+    catch (const AssetError&)
+    {
+        // Passes for shadows and depth are compiled by their first draw.
+        const std::vector<Diagnostic> notes =
+            m_Asset.isUnityScene ? ReplaceBrokenShaders(m_Asset) : std::vector<Diagnostic>();
+        if (notes.empty())
+        {
+            throw;
+        }
+        std::ranges::transform(notes, std::back_inserter(m_Notes),
+                               [](const Diagnostic& note)
+                               { return Replaced(ToString(note), ": note: ", ": "); });
+        Draw(pipeline, request, result);
+    }
+    std::ranges::copy(m_Notes, std::back_inserter(result.report.notes));
+}
+
+void SceneView::Draw(UniversalRenderPipeline& pipeline, const RenderRequest& request,
+                     RenderResult& result)
+{
     std::vector<RenderResult> textures;
     if (!m_Asset.textureCameras.empty())
     {

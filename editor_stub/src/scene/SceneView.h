@@ -41,6 +41,9 @@ public:
     bool leavesOut = true; ///< see FrameCompilerOptions
 
 private:
+    /// Draws, with the scene in the request.
+    void Draw(UniversalRenderPipeline& pipeline, const RenderRequest& request,
+              RenderResult& result);
     /// Draws the textures that the picture reads.
     std::vector<RenderResult> RenderTextures(UniversalRenderPipeline& pipeline,
                                              RenderRequest request);
@@ -49,7 +52,8 @@ private:
     UniversalRenderer m_Renderer;
     VolumeManager m_Volumes;
     VolumeStack m_Stack;
-    bool m_HasEnvironment = false; ///< true if the scene has the light of its sky
+    bool m_HasEnvironment = false;    ///< true if the scene has the light of its sky
+    std::vector<std::string> m_Notes; ///< about shaders that a frame could not be drawn with
 };
 
 } // namespace limn

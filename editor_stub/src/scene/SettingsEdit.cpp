@@ -172,7 +172,7 @@ public:
         }
     }
 
-    bool isReference = false; ///< to a shader or a material
+    bool isReference = false; ///< to a file
     bool isNumbers = false;   ///< a colour or a vector, which files write in several ways
     std::string unityText;
 
@@ -195,7 +195,11 @@ private:
         unityText = "[" + Joined(*value, ", ", Quoted) + "]";
     }
     void Tell(Color* value) { Numbers(&value->r, "rgba"); }
-    void Tell(glm::vec4* value) { Numbers(&value->x, "xyzw"); }
+    template <int Size>
+    void Tell(glm::vec<Size, float>* value)
+    {
+        Numbers(&value->x, std::string_view("xyzw").substr(0, Size));
+    }
     template <typename Tag>
     void Tell(detail::BitMask32<Tag>* value)
     {
@@ -313,11 +317,7 @@ private:
 
     SettingsContext Context(std::string unityType) const
     {
-        return {m_Blocks.layers, m_Blocks.renderingLayers,
-                [](const YamlNode&, const std::string&) { return std::shared_ptr<const Shader>(); },
-                [](const YamlNode&, const std::string&)
-                { return std::shared_ptr<const Material>(); },
-                std::move(unityType)};
+        return {m_Blocks.layers, m_Blocks.renderingLayers, {}, std::move(unityType)};
     }
 
     /// A feature with the typed value.

@@ -3,6 +3,7 @@
 #include "settings/Keys.h"
 
 #include <algorithm>
+#include <limn/core/ComputeShader.h>
 #include <limn/core/Material.h>
 
 namespace limn
@@ -46,9 +47,10 @@ struct SchemaOfSetting
         return {ColorSchema(),
                 {{"r", value->r}, {"g", value->g}, {"b", value->b}, {"a", value->a}}};
     }
-    SettingSchema operator()(const glm::vec4* value) const
+    template <int Size>
+    SettingSchema operator()(const glm::vec<Size, float>* value) const
     {
-        return {VectorSchema(4), Json{value->x, value->y, value->z, value->w}};
+        return {VectorSchema(Size), std::vector<float>(&value->x, &value->x + Size)};
     }
     template <typename Tag>
     SettingSchema operator()(const detail::BitMask32<Tag>* value) const

@@ -84,6 +84,20 @@ std::string WithNumber(const EnumEntry& entry)
     return std::string(entry.name) + " " + std::to_string(entry.value);
 }
 
+/// Returns m_Bits, or the one number that a project's own struct for a mask has. Null if the node
+/// is neither.
+const YamlEntry* FindBits(const YamlNode& node)
+{
+    const auto found = std::ranges::find(node.entries(), "m_Bits", &YamlEntry::key);
+    if (found != node.entries().end())
+    {
+        return &*found;
+    }
+    return node.entries().size() == 1 && LooksLikeNumber(node.entries()[0].value)
+               ? node.entries().data()
+               : nullptr;
+}
+
 } // namespace
 
 void ReadLayerNames(const YamlNode& node, std::string_view subject, LayerNames& names,
@@ -142,9 +156,9 @@ std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject
 std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
                                            const LayerKind& kind, AssetDiagnostics& diagnostics)
 {
-    if (const YamlNode* bits = node.Find("m_Bits"))
+    if (const YamlEntry* bits = FindBits(node))
     {
-        return ReadBits(*bits, std::string(subject) + ".m_Bits", diagnostics);
+        return ReadBits(bits->value, std::string(subject) + "." + bits->key, diagnostics);
     }
     if (node.isSequence())
     {

@@ -24,7 +24,7 @@ std::optional<int> ReadLayerIndex(const YamlNode& node, std::string_view subject
                                   const LayerKind& kind, AssetDiagnostics& diagnostics);
 
 /// Reads a set of layers: Everything, Nothing, a name, a list of names and numbers 0...31, the 32
-/// bits as one number, or Unity's {m_Bits: 64}.
+/// bits as one number, Unity's {m_Bits: 64}, or a map of one number under another name.
 std::optional<std::uint32_t> ReadLayerBits(const YamlNode& node, std::string_view subject,
                                            const LayerKind& kind, AssetDiagnostics& diagnostics);
 

@@ -3,6 +3,7 @@
 #include "console/Texts.h"
 #include "plugins/LoadPlugin.h"
 
+#include <limn/core/ComputeShader.h>
 #include <limn/core/Material.h>
 
 namespace limn
@@ -57,6 +58,8 @@ struct ValueText
     std::string operator()(const float* value) const { return NumberText(*value); }
     std::string operator()(const std::string* value) const { return *value; }
     std::string operator()(const Color* value) const { return MembersText(&value->r, "rgba"); }
+    std::string operator()(const glm::vec2* value) const { return MembersText(&value->x, "xy"); }
+    std::string operator()(const glm::vec3* value) const { return MembersText(&value->x, "xyz"); }
     std::string operator()(const glm::vec4* value) const { return MembersText(&value->x, "xyzw"); }
     std::string operator()(const LayerMask* value) const { return Text(*value, layers); }
     std::string operator()(const RenderingLayerMask* value) const

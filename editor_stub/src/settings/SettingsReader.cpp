@@ -81,12 +81,27 @@ private:
 
     void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Shader>* value)
     {
-        *value = m_Context.readShader(node, SubjectOf(field));
+        ReadAsset(field, node, m_Context.assets.shader, *value);
     }
-
     void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Material>* value)
     {
-        *value = m_Context.readMaterial(node, SubjectOf(field));
+        ReadAsset(field, node, m_Context.assets.material, *value);
+    }
+    void Read(const FieldInfo& field, const YamlNode& node, std::shared_ptr<const Texture>* value)
+    {
+        ReadAsset(field, node, m_Context.assets.texture, *value);
+    }
+    void Read(const FieldInfo& field, const YamlNode& node,
+              std::shared_ptr<const ComputeShader>* value)
+    {
+        ReadAsset(field, node, m_Context.assets.computeShader, *value);
+    }
+
+    template <typename Asset>
+    void ReadAsset(const FieldInfo& field, const YamlNode& node, const AssetReader<Asset>& read,
+                   std::shared_ptr<const Asset>& asset)
+    {
+        asset = read ? read(node, SubjectOf(field)) : nullptr;
     }
 
     void Read(const FieldInfo& field, const YamlNode& node, std::vector<std::string>* value)
@@ -204,6 +219,24 @@ void AddPaths(const SettingName& owner, const SettingName& group, const std::str
 }
 
 } // namespace
+
+AssetReaders ReadersOfFiles(References& references)
+{
+    AssetReaders readers;
+    readers.shader = [&references](const YamlNode& node, const std::string& subject)
+    {
+        return references.ReadShader(node, subject);
+    };
+    readers.texture = [&references](const YamlNode& node, const std::string& subject)
+    {
+        return references.ReadPicture(node, subject);
+    };
+    readers.computeShader = [&references](const YamlNode& node, const std::string& subject)
+    {
+        return references.ReadComputeShader(node, subject);
+    };
+    return readers;
+}
 
 void ReadFeatureSettings(YamlMapReader& map, ScriptableRendererFeature& feature,
                          const SettingsContext& context, AssetDiagnostics& diagnostics)

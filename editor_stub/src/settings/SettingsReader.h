@@ -1,5 +1,6 @@
 #pragma once
 
+#include "assets/References.h"
 #include "settings/ReadValues.h"
 
 #include <deque>
@@ -15,23 +16,30 @@
 namespace limn
 {
 
-/// Returns the shader that a node of a file stands for. Returns null and adds an error if there is
-/// none.
-using ShaderReader =
-    std::function<std::shared_ptr<const Shader>(const YamlNode& node, const std::string& subject)>;
+/// Returns the asset that a node of a file stands for. Returns null and adds an error or a note if
+/// there is none.
+template <typename Asset>
+using AssetReader =
+    std::function<std::shared_ptr<const Asset>(const YamlNode& node, const std::string& subject)>;
 
-/// Returns the material that a node of a file stands for. Returns null and adds an error if there
-/// is none.
-using MaterialReader = std::function<std::shared_ptr<const Material>(const YamlNode& node,
-                                                                     const std::string& subject)>;
+/// A reader for each type of asset that a setting may be. Without one, all assets are null.
+struct AssetReaders
+{
+    AssetReader<Shader> shader = {};
+    AssetReader<Material> material = {};
+    AssetReader<Texture> texture = {};
+    AssetReader<ComputeShader> computeShader = {};
+};
+
+/// Returns readers of all assets that a setting names by a path: all but materials.
+AssetReaders ReadersOfFiles(References& references);
 
 /// The things that the settings of a file may refer to.
 struct SettingsContext
 {
     const LayerNames& layers;
     const LayerNames& renderingLayers;
-    ShaderReader readShader;
-    MaterialReader readMaterial;
+    AssetReaders assets = {};
     /// The feature's class if the file is Unity's: keys that the class does not have are then left
     /// out with a note. "" in files of limn's own, where such keys are errors.
     std::string unityType = {};

@@ -96,19 +96,26 @@ void AddSceneShaders(const Scene& scene, ShaderPasses& passes)
     }
 }
 
+/// Adds the errors of a shader or a material whose pass does not compile.
+template <typename Passes>
+void AddErrorsOf(const Passes& compiled, int pass, std::vector<Diagnostic>& problems)
+{
+    try
+    {
+        compiled.Compile(pass);
+    }
+    catch (const AssetError& error)
+    {
+        problems.insert(problems.end(), error.diagnostics().begin(), error.diagnostics().end());
+    }
+}
+
 std::vector<Diagnostic> Compile(const Shader& shader, const std::set<int>& passes)
 {
     std::vector<Diagnostic> problems;
     for (const int pass : passes)
     {
-        try
-        {
-            shader.Compile(pass);
-        }
-        catch (const AssetError& error)
-        {
-            problems.insert(problems.end(), error.diagnostics().begin(), error.diagnostics().end());
-        }
+        AddErrorsOf(shader, pass, problems);
     }
     return problems;
 }
@@ -315,6 +322,31 @@ std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset)
         throw AssetError(AllOf(problems));
     }
     return LeaveBrokenOut(asset, problems);
+}
+
+std::vector<Diagnostic> ReplaceBrokenShaders(SceneAsset& asset)
+{
+    ShaderProblems problems;
+    for (const auto& object : asset.scene.objects())
+    {
+        if (!object->activeSelf || !object->renderer)
+        {
+            continue;
+        }
+        for (const auto& material : object->renderer->sharedMaterials)
+        {
+            std::vector<Diagnostic> found;
+            for (int pass = 0; pass < material->shader()->passCount(); ++pass)
+            {
+                AddErrorsOf(*material, pass, found);
+            }
+            if (!found.empty())
+            {
+                problems[material->shader()] = std::move(found);
+            }
+        }
+    }
+    return problems.empty() ? std::vector<Diagnostic>() : LeaveBrokenOut(asset, problems);
 }
 
 std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,

@@ -35,4 +35,10 @@ std::vector<Diagnostic> CompileUsedShaders(SceneAsset& asset);
 std::vector<Diagnostic> CompileOrReplaceShaders(SceneAsset& asset,
                                                 const std::shared_ptr<ShaderCompiler>& compiler);
 
+/// Does the rest of what CompileUsedShaders begins, for a scene of Unity's whose frame has ended
+/// with an AssetError: compiles every pass of the objects' shaders with the keywords of their
+/// materials. Objects whose shader does not compile become magenta.
+/// @return notes about what became magenta
+std::vector<Diagnostic> ReplaceBrokenShaders(SceneAsset& asset);
+
 } // namespace limn

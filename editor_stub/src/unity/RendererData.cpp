@@ -1,12 +1,14 @@
 #include "unity/RendererData.h"
 
 #include "assets/Importer.h"
+#include "assets/PictureFile.h"
 #include "assets/References.h"
 #include "settings/ReadValues.h"
 #include "settings/SettingsReader.h"
 #include "unity/RenderPipelineAsset.h"
 
 #include <algorithm>
+#include <limn/core/ComputeShader.h>
 #include <limn/features/Features.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/volume/UnityAsset.h>
@@ -25,7 +27,7 @@ struct Loading
     AssetDiagnostics& diagnostics;
     References references;
     const UnityProject& project;
-    const UnityMaterialLoader& loadMaterial;
+    const UnityAssetLoaders& load;
     LayerNames layers = {}; ///< an asset's masks are numbers, so no names are needed
 };
 
@@ -87,6 +89,53 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
     return loading.assets.FindShader(shipped->name);
 }
 
+std::shared_ptr<const ComputeShader>
+ReadComputeReference(const YamlNode& node, const std::string& subject, Loading& loading)
+{
+    if (ReadFileID(node) == 0)
+    {
+        return nullptr;
+    }
+    const std::string guid = ReadGuid(node);
+    const std::filesystem::path* path = FindFile(guid, loading);
+    if (!path || path->extension() != ".compute")
+    {
+        loading.diagnostics.Note(
+            node.location(),
+            subject + ": it is left out; " +
+                (path ? path->filename().string() + " is no .compute file"
+                      : "no .meta file of the project has the compute shader's guid '" + guid +
+                            "'"));
+        return nullptr;
+    }
+    try
+    {
+        loading.assets.Reach(*path);
+        return loading.references.isAllowed(*path, node, subject)
+                   ? ComputeShader::Load(*path, loading.assets.compiler())
+                   : nullptr;
+    }
+    catch (const AssetError& error)
+    {
+        loading.references.Report(node, subject, error);
+        return nullptr;
+    }
+}
+
+template <typename Asset>
+AssetReader<Asset> ReaderOf(const UnityAssetLoader<Asset>& load, Loading& loading)
+{
+    return [&load, &loading](const YamlNode& node, const std::string& subject)
+    {
+        const std::int64_t fileID = ReadFileID(node).value_or(0);
+        const auto note = [&](const std::string& reason)
+        {
+            loading.diagnostics.Note(node.location(), subject + ": it is left out; " + reason);
+        };
+        return fileID == 0 ? nullptr : load({fileID, ReadGuid(node)}, note);
+    };
+}
+
 void ReadSettings(const UnityObject& object, const std::string& type,
                   ScriptableRendererFeature& feature, Loading& loading)
 {
@@ -95,18 +144,13 @@ void ReadSettings(const UnityObject& object, const std::string& type,
     {
         return ReadShaderReference(node, name, loading);
     };
-    const auto readMaterial = [&loading](const YamlNode& node, const std::string& name)
+    const auto readCompute = [&loading](const YamlNode& node, const std::string& name)
     {
-        const std::int64_t fileID = ReadFileID(node).value_or(0);
-        return fileID == 0 ? nullptr
-                           : loading.loadMaterial({fileID, ReadGuid(node)},
-                                                  [&](const std::string& reason) {
-                                                      loading.diagnostics.Note(
-                                                          node.location(),
-                                                          name + ": it is left out; " + reason);
-                                                  });
+        return ReadComputeReference(node, name, loading);
     };
-    const SettingsContext context{loading.layers, loading.layers, readShader, readMaterial, type};
+    const AssetReaders assets{readShader, ReaderOf(loading.load.material, loading),
+                              ReaderOf(loading.load.texture, loading), readCompute};
+    const SettingsContext context{loading.layers, loading.layers, assets, type};
     ReadFeatureSettings(map, feature, context, loading.diagnostics);
 }
 
@@ -185,8 +229,27 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
     {
         AddShadersOfProject(loading);
     }
-    ReadSettings(object, type, *feature, loading);
-    TryCreate(*feature, loading.assets.shaderSource(), object.location, "", loading.diagnostics);
+    const auto hasErrors = [&diagnostics = loading.diagnostics](const auto& step)
+    {
+        const std::size_t before = diagnostics.errorCount();
+        step();
+        return diagnostics.errorCount() > before;
+    };
+    if (hasErrors([&] { ReadSettings(object, type, *feature, loading); }))
+    {
+        loading.diagnostics.Note(object.location,
+                                 object.name + ": a setting that cannot be read keeps its default");
+    }
+    if (hasErrors(
+            [&] {
+                TryCreate(*feature, loading.assets.shaderSource(), object.location, "",
+                          loading.diagnostics);
+            }))
+    {
+        loading.diagnostics.Note(object.location,
+                                 object.name + ": it is left out; it cannot be created");
+        return;
+    }
     renderer.features.push_back(std::move(feature));
     renderer.featureTypes.push_back(type);
 }
@@ -238,16 +301,13 @@ void ReadLayers(const UnityObject& root, const char* field, LayerMask& mask, Loa
     }
 }
 
-} // namespace
-
-UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
-                                                  AssetContext& assets, const UnityProject& project,
-                                                  const UnityMaterialLoader& loadMaterial)
+/// Reads the asset into a renderer.
+/// @throws AssetError if it is none
+void ReadRenderer(const std::filesystem::path& path, RendererAsset& renderer, Loading& loading)
 {
-    assets.Reach(path);
-    const AssetContext::RootsFor roots(assets, path);
+    loading.assets.Reach(path);
+    const AssetContext::RootsFor roots(loading.assets, path);
     const UnityAsset asset = LoadUnityAsset(path);
-    AssetDiagnostics diagnostics(path.generic_string());
     const std::optional<UnityObject> root = asset.FindWithField("m_RendererFeatures");
     if (!root)
     {
@@ -255,15 +315,41 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                          "no renderer in this Unity asset; one is a MonoBehaviour with a list "
                          "'m_RendererFeatures'");
     }
-    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, project, loadMaterial};
+    renderer.pipelineVersion = ProjectPipelineVersion(path, loading.assets);
+    ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), renderer, loading);
+    ReadPostProcessing(*root, renderer);
+    ReadLayers(*root, "m_OpaqueLayerMask", renderer.opaqueLayerMask, loading);
+    ReadLayers(*root, "m_TransparentLayerMask", renderer.transparentLayerMask, loading);
+}
+
+/// Returns all errors, as notes.
+std::vector<Diagnostic> ErrorsAsNotes(const References& references)
+{
+    std::vector<Diagnostic> notes;
+    try
+    {
+        references.ThrowIfErrors();
+    }
+    catch (const AssetError& error)
+    {
+        notes = error.diagnostics();
+        std::ranges::for_each(notes, [](Diagnostic& note) { note.severity = Severity::Note; });
+    }
+    return notes;
+}
+
+} // namespace
+
+UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& path,
+                                                  AssetContext& assets, const UnityProject& project,
+                                                  const UnityAssetLoaders& load)
+{
+    AssetDiagnostics diagnostics(path.generic_string());
+    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, project, load};
     UnityRendererDataLoadResult result;
-    result.renderer.pipelineVersion = ProjectPipelineVersion(path, assets);
-    ReadFeatures(asset, *root->fields.Find("m_RendererFeatures"), result.renderer, loading);
-    ReadPostProcessing(*root, result.renderer);
-    ReadLayers(*root, "m_OpaqueLayerMask", result.renderer.opaqueLayerMask, loading);
-    ReadLayers(*root, "m_TransparentLayerMask", result.renderer.transparentLayerMask, loading);
-    loading.references.ThrowIfErrors();
-    result.notes = diagnostics.notes();
+    ReadRenderer(path, result.renderer, loading);
+    result.notes = ErrorsAsNotes(loading.references);
+    std::ranges::copy(diagnostics.notes(), std::back_inserter(result.notes));
     return result;
 }
 
@@ -271,13 +357,33 @@ UnityRendererDataLoadResult LoadUnityRendererData(const std::filesystem::path& p
                                                   AssetContext& assets)
 {
     const UnityProject project(path, assets.importer().cacheFolder());
-    const auto refuse = [](const UnityReference&, const auto& note)
+    UnityAssetLoaders load;
+    load.material = [](const UnityReference&, const auto& note)
     {
         note("limn reads the .mat files of Unity's scenes only; name a material of the scene in a "
              "scene file instead");
-        return std::shared_ptr<const Material>();
+        return nullptr;
     };
-    return LoadUnityRendererData(path, assets, project, refuse);
+    load.texture = [&](const UnityReference& texture,
+                       const auto& note) -> std::shared_ptr<const Texture>
+    {
+        const std::filesystem::path* picture = project.Find(texture.guid);
+        if (picture && IsPictureFile(*picture))
+        {
+            return assets.LoadTexture(*picture);
+        }
+        note(picture
+                 ? picture->filename().string() + " is no picture"
+                 : "no .meta file of the project has the texture's guid '" + texture.guid + "'");
+        return nullptr;
+    };
+    AssetDiagnostics diagnostics(path.generic_string());
+    Loading loading{assets, diagnostics, {assets, {}, diagnostics}, project, load};
+    UnityRendererDataLoadResult result;
+    ReadRenderer(path, result.renderer, loading);
+    loading.references.ThrowIfErrors();
+    result.notes = diagnostics.notes();
+    return result;
 }
 
 } // namespace limn

@@ -36,12 +36,15 @@ void ReadRenderer(UnitySceneLoader& loader, const UnityNode& pipeline, int index
     const UnityNode renderer = pipeline["m_RendererDataList"].At(static_cast<std::size_t>(index));
     if (const auto* path = loader.database.Find(ReadUnityReference(renderer).guid))
     {
-        const auto loadMaterial = [&loader](const UnityReference& material, const auto& note)
-        {
-            return loader.materials.LoadForFeature(material, note);
-        };
+        const UnityAssetLoaders load{[&loader](const UnityReference& material, const auto& note)
+                                     { return loader.materials.LoadForFeature(material, note); },
+                                     [&loader](const UnityReference& texture, const auto& note)
+                                     {
+                                         return loader.materials.textures().LoadForFeature(texture,
+                                                                                           note);
+                                     }};
         UnityRendererDataLoadResult result =
-            LoadUnityRendererData(*path, loader.assets, loader.database.project(), loadMaterial);
+            LoadUnityRendererData(*path, loader.assets, loader.database.project(), load);
         loader.asset.renderer = std::move(result.renderer);
         loader.notes.Add(result.notes);
     }

@@ -32,6 +32,25 @@ std::shared_ptr<const Texture> UnityTextures::Load(const UnityReference& texture
     return LoadPicture(*path, dimension, otherwise, problem);
 }
 
+std::shared_ptr<const Texture>
+UnityTextures::LoadForFeature(const UnityReference& texture,
+                              const std::function<void(const std::string& reason)>& note)
+{
+    AddTarget(texture); // which the feature may draw into
+    std::string problem;
+    for (const TextureDimension dimension : {TextureDimension::Cube, TextureDimension::Tex3D,
+                                             TextureDimension::Tex2DArray, TextureDimension::Tex2D})
+    {
+        auto loaded = Load(texture, dimension, "the texture's guid", "no picture", problem);
+        if (loaded)
+        {
+            return loaded;
+        }
+    }
+    note(problem);
+    return nullptr;
+}
+
 std::shared_ptr<const RenderTexture> UnityTextures::FindTarget(const UnityReference& texture) const
 {
     const auto found = m_OfText.find(texture);

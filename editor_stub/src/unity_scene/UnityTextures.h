@@ -25,6 +25,12 @@ public:
                                         std::string_view guid, const char* otherwise,
                                         std::string& problem);
 
+    /// Loads a texture of any dimension that a feature has as a setting. Returns null and gives
+    /// `note` the reason if there is none; a broken file has its own notes, too.
+    std::shared_ptr<const Texture>
+    LoadForFeature(const UnityReference& texture,
+                   const std::function<void(const std::string& reason)>& note);
+
     /// Lets Load make the render texture of a file. Others are refused, since nothing fills them.
     void AddTarget(const UnityReference& texture) { m_Drawn.insert(texture); }
     /// Returns the render texture that Load has made, or null if nothing has asked for it.

@@ -126,15 +126,14 @@ private:
 
     SettingsContext ContextOf(References& references, AssetDiagnostics& diagnostics) const
     {
-        return {m_Asset.layers, m_Asset.renderingLayers,
-                [&references](const YamlNode& node, const std::string& subject)
-                { return references.ReadShader(node, subject); },
-                [&diagnostics](const YamlNode& node, const std::string& subject)
-                {
-                    diagnostics.Error(node.location(), subject + ": a material can be chosen in "
-                                                                 "the scene file only");
-                    return std::shared_ptr<const Material>();
-                }};
+        AssetReaders assets = ReadersOfFiles(references);
+        assets.material = [&diagnostics](const YamlNode& node, const std::string& subject)
+        {
+            diagnostics.Error(node.location(),
+                              subject + ": a material can be chosen in the scene file only");
+            return nullptr;
+        };
+        return {m_Asset.layers, m_Asset.renderingLayers, std::move(assets)};
     }
 
     /// Returns whether there is a feature of that name or, if there is none, of that type.

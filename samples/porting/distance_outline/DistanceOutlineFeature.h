@@ -3,21 +3,15 @@
 #include <limn/core/ComputeShader.h>
 #include <limn/core/CoreUtils.h>
 #include <limn/core/Inspector.h>
+#include <limn/core/NullCheck.h>
 #include <limn/core/ProfilingScope.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/core/ScriptableRendererFeature.h>
-#include <limn/features/ShippedComputeShaders.h>
 
 namespace porting
 {
 
 using namespace limn;
-
-/// Returns the plug-in's .compute file, which is an asset of its own in Unity.
-inline std::shared_ptr<ComputeShader> LoadDistanceOutline(const Shader& shader)
-{
-    return FindShippedComputeShader("DistanceOutline.compute", shader.compiler());
-}
 
 // DistanceOutlineFeature.cs, line by line.
 class DistanceOutlineFeature final : public ScriptableRendererFeature
@@ -28,7 +22,7 @@ public:
         RenderPassEvent renderPassEvent = RenderPassEvent::AfterRenderingTransparents;
         LayerMask layerMask = LayerMask::Nothing();
         std::shared_ptr<const Shader> shader;
-        std::shared_ptr<ComputeShader> computeShader;
+        Shared<ComputeShader> computeShader;
         Color color = Color::white;
         int width = 6;
     };
@@ -98,7 +92,7 @@ private:
                 context.DrawRenderers(renderingData.cullResults, drawingSettings,
                                       m_FilteringSettings);
 
-                const std::shared_ptr<ComputeShader>& compute = m_Settings->computeShader;
+                const Shared<ComputeShader>& compute = m_Settings->computeShader;
                 int groupsX = (m_Mask.rt()->width() + k_GroupSize - 1) / k_GroupSize;
                 int groupsY = (m_Mask.rt()->height() + k_GroupSize - 1) / k_GroupSize;
                 cmd->SetComputeVectorParam(
@@ -134,11 +128,7 @@ private:
     std::unique_ptr<OutlinePass> m_Pass;
 
 public:
-    void Create() override
-    {
-        settings.computeShader = LoadDistanceOutline(*settings.shader);
-        m_Pass = std::make_unique<OutlinePass>(settings);
-    }
+    void Create() override { m_Pass = std::make_unique<OutlinePass>(settings); }
 
     void AddRenderPasses(ScriptableRenderer& renderer,
                          [[maybe_unused]] RenderingData& renderingData) override
@@ -156,6 +146,8 @@ public:
         inspector.Field("layerMask", settings.layerMask,
                         "The layers of the objects that are outlined");
         inspector.Field("shader", settings.shader, "Draws the outline from the distances");
+        inspector.Field("computeShader", settings.computeShader,
+                        "Measures the distances to the objects");
         inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("width", settings.width, {1, 32}, "Texels");
         inspector.EndGroup();

@@ -17,7 +17,7 @@ public:
         RenderPassEvent renderPassEvent = RenderPassEvent::AfterRenderingTransparents;
         LayerMask layerMask;
         std::shared_ptr<const Shader> shader;
-        std::shared_ptr<ComputeShader> computeShader;
+        Shared<ComputeShader> computeShader;
         Color color = Color::white;
         int width = 6;
     };
@@ -39,7 +39,7 @@ private:
 
         struct DistanceData
         {
-            std::shared_ptr<ComputeShader> compute;
+            Shared<ComputeShader> compute;
             TextureHandle mask;
             TextureHandle rows;
             TextureHandle distance;
@@ -140,11 +140,7 @@ private:
     std::unique_ptr<OutlinePass> m_Pass;
 
 public:
-    void Create() override
-    {
-        settings.computeShader = LoadDistanceOutline(*settings.shader);
-        m_Pass = std::make_unique<OutlinePass>(settings);
-    }
+    void Create() override { m_Pass = std::make_unique<OutlinePass>(settings); }
 
     void AddRenderPasses(ScriptableRenderer& renderer,
                          [[maybe_unused]] RenderingData& renderingData) override
@@ -160,6 +156,8 @@ public:
         inspector.Field("layerMask", settings.layerMask,
                         "The layers of the objects that are outlined");
         inspector.Field("shader", settings.shader, "Draws the outline from the distances");
+        inspector.Field("computeShader", settings.computeShader,
+                        "Measures the distances to the objects");
         inspector.Field("color", settings.color, "The colour in sRGB; its alpha is the opacity");
         inspector.Field("width", settings.width, {1, 32}, "Texels");
         inspector.EndGroup();

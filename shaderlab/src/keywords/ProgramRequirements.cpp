@@ -129,16 +129,17 @@ std::optional<std::string> ReasonOf(const PassProgram& program, const ProgramPra
                    "; tessellation needs both";
         }
     }
-    const bool isOnly = pragma.name == "only_renderers";
-    if (isOnly || pragma.name == "exclude_renderers")
+    const std::vector<std::string> words = Words(pragma.arguments);
+    if (pragma.name == "exclude_renderers" && Contains(words, "vulkan"))
     {
-        const std::vector<std::string> words = Words(pragma.arguments);
-        const bool isNamed = Contains(words, "vulkan");
-        if (isOnly != isNamed)
-        {
-            return "#pragma " + pragma.name + ": Vulkan is not among the renderers that this " +
-                   "program is for; " + (isOnly ? "add" : "remove") + " 'vulkan'";
-        }
+        return "#pragma exclude_renderers: Vulkan is among the renderers that this program is not "
+               "for; remove 'vulkan'";
+    }
+    // The picture that people know is often that of Unity's editor on Windows.
+    if (pragma.name == "only_renderers" && !Contains(words, "vulkan") && !Contains(words, "d3d11"))
+    {
+        return "#pragma only_renderers: neither Vulkan nor Direct3D 11 is among the renderers that "
+               "this program is for; add 'vulkan'";
     }
     return std::nullopt;
 }

@@ -96,7 +96,7 @@ TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
          "EnumParameter<FogMode> mode{this, \"mode\", FogMode::Exponential, {{\"Linear\", "
          "FogMode::Linear}, {\"Exponential\", FogMode::Exponential}}};",
          "MinIntParameter steps{this, \"steps\", 4, 1, true};",
-         "// TextureParameter noise = new TextureParameter(null);",
+         "TextureParameter noise{this, \"noise\", {}};",
          "return density.value() > 0.0f && (height.value() != 0.0f || !active);",
          "m_Event = RenderPassEvent::BeforeRenderingPostProcessing;", "m_Strength = .5f;",
          "Field(\"m_Strength\", m_Strength, {0.0, 1.0}, \"\");",
@@ -114,7 +114,7 @@ TEST(PortCommand, CarriesOverAVolumeComponentAndRTHandles)
                "| condition | `#if WITH_FOG && UNITY_2021_2_OR_NEWER` | read |",
                "| `MeshTopology.Quads` | HeightFogFeature.cs:102:80 | same |  |",
                "| setting | `HeightFogFeature.m_Wind` | `Vector3 m_Wind = new Vector3(1, 0, 0)` | "
-               "HeightFogFeature.cs:37 | TODO |"});
+               "HeightFogFeature.cs:37 | done |"});
     EXPECT_EQ("HeightFog: {}\n", ReadText("out/HeightFog.profile.yaml"));
 }
 

@@ -134,7 +134,7 @@ TEST(PortInput, NumbersOfPropertiesHaveTheirOwnType)
     ExpectAll(ported.source,
               {"inline static const ShaderPropertyId s_Tint = Shader::PropertyToID(\"_Tint\");",
                "ShaderPropertyId m_Source{};", "int m_Count = 3;", "ShaderPropertyId m_Other{};",
-               "std::vector<ShaderPropertyId> m_Levels{};", "P(ShaderPropertyId source, int count)",
+               "m_Levels = std::vector<ShaderPropertyId>(4);", "P(ShaderPropertyId source, int count)",
                "Shader::PropertyToID(std::string(\"_Level\") + std::to_string(count));",
                "m_Source = source;", "m_Other = Shader::PropertyToID(\"_Other\");",
                "ShaderPropertyId name_, int width)", "cmd.GetTemporaryRT(name_, width, 1);",

@@ -81,18 +81,26 @@ TEST(PortToolbox, HasEachSettingPassEventAndName)
 {
     const WorkingFolder working;
     const Ported ported = Port({Sample("ToolboxFeature.cs")}, "ToolboxFeature");
-    ExpectAll(ported.header,
-              {"drawEvent = RenderPassEvent::AfterRenderingOpaques;",
-               "blitEvent = RenderPassEvent::BeforeRenderingPostProcessing + 1;",
-               "layers = LayerMask::Everything();", "strength = 0.5f;", "copies = 3;",
-               "half = true;", "tint = Color{0.25f, 0.5f, 1", "offset = Vector4(1.0f, 2.0f",
-               "detail = ToolboxFeature::Detail::Middle;", "passName = \"Toolbox Draw\";",
-               "Shared<const Shader> shader{};", "Shared<ComputeShader> compute{};",
-               "Shared<const Mesh> mesh{};", "compare = CompareFunction::LessEqual;",
-               "inspector.Header(\"When\");", "Field(\"strength\", strength, {0.0, 2.0}, \"\");",
-               "Field(\"copies\", copies, {.min = 1}, \"\");",
-               "// ComputeShader compute;", // no setting of limn
-               "void Dispose(bool disposing) override;"});
+    ExpectAll(ported.header, {"drawEvent = RenderPassEvent::AfterRenderingOpaques;",
+                              "blitEvent = RenderPassEvent::BeforeRenderingPostProcessing + 1;",
+                              "layers = LayerMask::Everything();",
+                              "strength = 0.5f;",
+                              "copies = 3;",
+                              "half = true;",
+                              "tint = Color{0.25f, 0.5f, 1",
+                              "offset = Vector4(1.0f, 2.0f",
+                              "detail = ToolboxFeature::Detail::Middle;",
+                              "passName = \"Toolbox Draw\";",
+                              "Shared<const Shader> shader{};",
+                              "Shared<ComputeShader> compute{};",
+                              "Shared<const Mesh> mesh{};",
+                              "compare = CompareFunction::LessEqual;",
+                              "inspector.Header(\"When\");",
+                              "Field(\"strength\", strength, {0.0, 2.0}, \"\");",
+                              "Field(\"copies\", copies, {.min = 1}, \"\");",
+                              "Field(\"compute\", compute, \"\");",
+                              "// Mesh mesh;", // no setting of limn
+                              "void Dispose(bool disposing) override;"});
     ExpectAll(ported.source,
               {"m_Targets = std::make_unique<ToolboxFeature::TargetsPass>(settings);",
                "m_Draw = std::make_unique<ToolboxFeature::DrawPass>(settings.passName, "

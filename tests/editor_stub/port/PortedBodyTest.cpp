@@ -162,11 +162,11 @@ TEST(PortedBody, LeavesALineThatIsNotKnownWithTheReason)
     const Ported ported = PortBody("      var screen = Camera.main;\n"
                                    "      cmd.Shout(screen);\n"
                                    "      count = 4;\n"
-                                   "      if (Application.isPlaying) { count = 5; }\n");
+                                   "      if (Application.isMobilePlatform) { count = 5; }\n");
     ExpectAll(ported.source,
               {"// TODO F.cs:13: limn has no 'Camera.main'", "// var screen = Camera.main;",
                "// TODO F.cs:14: 'CommandBuffer.Shout' is not known", "        count = 4;\n",
-               "// if (Application.isPlaying) { count = 5; }"});
+               "// if (Application.isMobilePlatform) { count = 5; }"});
     EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
 }
 
@@ -176,9 +176,9 @@ TEST(PortedBody, LeavesStatementsThatItDoesNotKnowAsAWhole)
                                    "      try { count = 3; } catch (Exception e) { count = 4; } "
                                    "finally { count = 5; }\n"
                                    "      count = 6;\n"
-                                   "      throw new Exception();\n");
+                                   "      throw;\n");
     ExpectAll(ported.source, {"// do { count = 1; } while (count > 2);", "finally { count = 5; }",
-                              "        count = 6;\n", "// throw new Exception();"});
+                              "        count = 6;\n", "// throw;"});
     EXPECT_THAT(ported.source, Not(HasSubstr("        while (")));
     EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
 }
@@ -255,6 +255,54 @@ TEST(PortedBody, CopiesADescriptorThatItChanges)
     ExpectAll(ported.source, {"const RenderTextureDescriptor& descGiven) override",
                               "RenderTextureDescriptor desc = descGiven;\n        desc.width = 2;",
                               "void Use(std::vector<int>& list)"});
+}
+
+TEST(PortedBody, WritesWhatOtherFeaturesBeginWith)
+{
+    ExpectLines(
+        {{"if (Application.isPlaying && mask != 0) { }",
+          "if (true && mask != LayerMask::Nothing())"},
+         {"(front, back) = (back, front);", "std::swap(front, back);"},
+         {"Wanted = count;", "SetWanted(count);"},
+         {"this.Wanted = 3;", "SetWanted(3);"},
+         {"other.Wanted = 4;", "other.SetWanted(4);"},
+         {"count = Wanted + Twice;", "count = Wanted() + Twice();"},
+         {"if (string.IsNullOrEmpty(title)) throw new System.ArgumentException(\"no title\");",
+          "throw ContractError(\"no title\");"},
+         {"using (new ProfilingSample(cmd, \"Old\")) { count = 5; }",
+          "const ProfilingScope profilingScope{*cmd, ProfilingSampler(\"Old\")};"}},
+        "    LayerMask mask; RTHandle front, back; string title;\n"
+        "    struct Other { int wanted; public int Wanted { get => wanted; set => wanted = value; "
+        "} "
+        "}\n    Other other;\n"
+        "    int wanted; int Wanted { get { return wanted; } set { wanted = value; } }\n"
+        "    int Twice { get { return 2 * wanted; } }\n");
+}
+
+TEST(PortedBody, TellsASettingFromTheTypeOfItsNameWhereItBegins)
+{
+    const Ported ported = PortBody(
+        "", "", "  public RenderPassEvent RenderPassEvent = RenderPassEvent.AfterRendering;\n");
+    ExpectAll(ported.header,
+              {"RenderPassEvent RenderPassEvent_ = RenderPassEvent::AfterRendering"});
+}
+
+TEST(PortedBody, FollowsThePropertyIdsThatCSharpKeepsInInts)
+{
+    ExpectLines({{"int[] levels = new int[4];", "std::vector<ShaderPropertyId>(4);"},
+                 {"levels[0] = Shader.PropertyToID(\"_Level\");",
+                  "levels.at(0) = Shader::PropertyToID(\"_Level\");"},
+                 {"cmd.ReleaseTemporaryRT(levels[0]);", "cmd->ReleaseTemporaryRT(levels.at(0));"},
+                 {"Ids.Levels[1] = NameOf(\"_L\");", "F::P::Ids::Levels.at(1) = NameOf(\"_L\");"},
+                 {"Data passed = new Data();", "F::P::Data passed"},
+                 {"passed.target = Ids.Main;", "passed.target = F::P::Ids::Main;"},
+                 {"cmd.SetGlobalTexture(passed.target, handle);",
+                  "cmd->SetGlobalTexture(passed.target, handle);"},
+                 {"int kernel = passed.kernel;", "int kernel = passed.kernel;"}},
+                "    static class Ids { public static int Main = Shader.PropertyToID(\"_Main\");\n"
+                "      public static int[] Levels = new int[2]; }\n"
+                "    class Data { public int target; public int kernel; }\n"
+                "    int NameOf(string name) { return Shader.PropertyToID(name); }\n");
 }
 
 TEST(PortedBody, TellsAMemberFromTheTypeOfItsName)

@@ -205,6 +205,7 @@ void SameLines::Enums()
     SAME("OpaqueSortMode.Default", OpaqueSortMode::Default);
     SAME("OpaqueSortMode.FrontToBack", OpaqueSortMode::FrontToBack);
     SAME("OpaqueSortMode.NoDistanceSort", OpaqueSortMode::NoDistanceSort);
+    SAME("PerObjectData", PerObjectData::None);
     SAME("RTClearFlags", RTClearFlags::ColorDepth);
     SAME("RenderPassEvent", RenderPassEvent());
     SAME("RenderPassEvent.AfterRendering", RenderPassEvent::AfterRendering);

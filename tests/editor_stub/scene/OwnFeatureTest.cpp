@@ -1,14 +1,21 @@
+#include "Mentions.h"
 #include "SceneFolder.h"
 
 #include <gmock/gmock.h>
+#include <limn/core/ComputeShader.h>
+#include <limn/core/Image.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/Material.h>
+#include <limn/core/RenderTexture.h>
+#include <limn/editor_stub/UnityRendererData.h>
 
 namespace limn::test
 {
 
 namespace
 {
+
+using testing::ElementsAre;
 
 class HaloFeature final : public ScriptableRendererFeature
 {
@@ -47,7 +54,121 @@ public:
     }
 };
 
+/// A feature with a setting of each type that is a file or a vector.
+class AssetsFeature final : public ScriptableRendererFeature
+{
+public:
+    glm::vec2 m_Tiling{1};
+    glm::vec3 m_Wind{0};
+    std::shared_ptr<const Texture> m_Noise;
+    std::shared_ptr<const RenderTexture> m_Target;
+    std::shared_ptr<ComputeShader> m_Compute;
+
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+    void Describe(Inspector& inspector) override
+    {
+        inspector.Field("m_Tiling", m_Tiling, "");
+        inspector.Field("m_Wind", m_Wind, "");
+        inspector.Field("m_Noise", m_Noise, "");
+        inspector.Field("m_Target", m_Target, "");
+        inspector.Field("m_Compute", m_Compute, "");
+    }
+};
+
+constexpr const char* k_Kernel = "#pragma kernel Fill\nRWTexture2D<float> _Result;\n"
+                                 "[numthreads(8, 8, 1)] void Fill(uint3 id : SV_DispatchThreadID) "
+                                 "{ _Result[id.xy] = 1; }\n";
+
+const AssetsFeature& AssetsOf(const RendererAsset& renderer)
+{
+    return dynamic_cast<const AssetsFeature&>(*renderer.features.at(0));
+}
+
+/// Expects the values of the two tests below.
+void ExpectAssets(const AssetsFeature& feature)
+{
+    EXPECT_EQ(glm::vec2(2, 3), feature.m_Tiling);
+    EXPECT_EQ(glm::vec3(0, 0.5f, -1), feature.m_Wind);
+    ASSERT_NE(nullptr, feature.m_Noise);
+    EXPECT_EQ(TextureDimension::Tex2D, feature.m_Noise->dimension());
+    EXPECT_EQ(3, feature.m_Noise->width());
+    ASSERT_NE(nullptr, feature.m_Compute);
+    EXPECT_TRUE(feature.m_Compute->HasKernel("Fill"));
+}
+
+void WriteAssets(const SceneFolder& folder, const std::string& below)
+{
+    folder.Write(below + "Fill.compute", k_Kernel);
+    WritePng(folder / (below + "noise.png"),
+             {3, 2, GraphicsFormat::R8G8B8A8_UNorm, std::vector<std::byte>(24)});
+}
+
 } // namespace
+
+TEST(OwnFeature, ReadsVectorsTexturesAndComputeShadersFromAScene)
+{
+    SceneFolder folder;
+    folder.assets.features().Register<AssetsFeature>("AssetsFeature");
+    WriteAssets(folder, "");
+    const std::string begin = "renderer: {features: [{type: AssetsFeature, ";
+    const SceneAsset scene =
+        folder.LoadWithCamera(begin + "tiling: [2, 3], wind: {x: 0, y: 0.5, z: -1}, "
+                                      "noise: noise.png, compute: Fill.compute}]}\n");
+    ExpectAssets(AssetsOf(scene.renderer));
+    EXPECT_THAT(folder.ProblemsOf("camera: {}\n" + begin +
+                                  "tiling: 2, noise: nois.png, compute: noise.png}]}\n"),
+                ElementsAre(Mentions("m_Tiling: found 2"),
+                            Mentions("m_Noise: there is no file 'nois.png'", "'noise.png'"),
+                            Mentions("m_Compute: 'noise.png' cannot be used"),
+                            Mentions("noise.png")));
+}
+
+// A file names no type, so that a texture of another kind is none.
+TEST(OwnFeature, HasNoRenderTextureWhereAPictureIsNamed)
+{
+    SceneFolder folder;
+    folder.assets.features().Register<AssetsFeature>("AssetsFeature");
+    WriteAssets(folder, "");
+    const SceneAsset scene = folder.LoadWithCamera(
+        "renderer: {features: [{type: AssetsFeature, m_Target: noise.png}]}\n");
+    EXPECT_EQ(nullptr, AssetsOf(scene.renderer).m_Target);
+}
+
+TEST(OwnFeature, ReadsVectorsTexturesAndComputeShadersFromAUnityRenderer)
+{
+    SceneFolder folder;
+    folder.assets.features().Register<AssetsFeature>("AssetsFeature");
+    std::filesystem::create_directories(folder / "Assets");
+    WriteAssets(folder, "Assets/");
+    folder.Write("Assets/noise.png.meta", "guid: a1\n");
+    folder.Write("Assets/Fill.compute.meta", "guid: a2\n");
+    folder.Write("Assets/AssetsFeature.cs.meta", "guid: a3\n");
+    const std::string begin = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n"
+                              "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: R\n"
+                              "  m_RendererFeatures:\n  - {fileID: 5}\n"
+                              "--- !u!114 &5\nMonoBehaviour:\n"
+                              "  m_Script: {fileID: 11500000, guid: a3, type: 3}\n"
+                              "  m_Name: A\n  m_Active: 1\n";
+    const auto path =
+        folder.Write("Assets/r.asset", begin + "  m_Tiling: {x: 2, y: 3}\n"
+                                               "  m_Wind: {x: 0, y: 0.5, z: -1}\n"
+                                               "  m_Noise: {fileID: 2800000, guid: a1, type: 3}\n"
+                                               "  m_Compute: {fileID: 7200000, guid: a2, type: 3}\n"
+                                               "  m_Target: {fileID: 0}\n");
+    const UnityRendererDataLoadResult result = LoadUnityRendererData(path, folder.assets);
+    ExpectAssets(AssetsOf(result.renderer));
+    EXPECT_THAT(result.notes, testing::IsEmpty());
+    folder.Write("Assets/r.asset", begin + "  m_Noise: {fileID: 2800000, guid: a2, type: 3}\n"
+                                           "  m_Target: {fileID: 8400000, guid: a9, type: 2}\n"
+                                           "  m_Compute: {fileID: 7200000, guid: a8, type: 3}\n");
+    const UnityRendererDataLoadResult other = LoadUnityRendererData(path, folder.assets);
+    EXPECT_EQ(nullptr, AssetsOf(other.renderer).m_Compute);
+    EXPECT_THAT(Texts(other.notes),
+                ElementsAre(Mentions("A.m_Noise: it is left out", "Fill.compute is no picture"),
+                            Mentions("A.m_Target: it is left out", "guid 'a9'"),
+                            Mentions("A.m_Compute: it is left out", "guid 'a8'")));
+}
 
 TEST(OwnFeature, FindsShadersByNameAndSetsTheMaterialOfItsSettings)
 {
@@ -79,14 +200,14 @@ TEST(OwnFeature, OfAProgramIsReadFromAScene)
     EXPECT_EQ(-70000, halo->m_Rings);
     EXPECT_THAT(folder.ProblemsOf("camera: {}\n"
                                   "renderer: {features: [{type: HaloFeature, m_Radius: 6}]}\n"),
-                testing::ElementsAre("2:53: renderer.features[0].m_Radius: 6 is outside [0, 5]"));
+                ElementsAre("2:53: renderer.features[0].m_Radius: 6 is outside [0, 5]"));
 }
 
 TEST(OwnFeature, IsUnknownToOtherPrograms)
 {
     SceneFolder folder;
     EXPECT_THAT(folder.ProblemsOf("camera: {}\nrenderer: {features: [{type: HaloFeature}]}\n"),
-                testing::ElementsAre(testing::HasSubstr("unknown feature 'HaloFeature'")));
+                ElementsAre(testing::HasSubstr("unknown feature 'HaloFeature'")));
 }
 
 } // namespace limn::test

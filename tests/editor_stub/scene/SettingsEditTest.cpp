@@ -70,6 +70,16 @@ TEST_F(SettingsEdit, ChangesTheValueAndNoOtherByte)
     EXPECT_EQ("[Default, 3]", changes[1].after);
 }
 
+TEST_F(SettingsEdit, ChangesOneNumberOfAVector)
+{
+    const auto path = folder.Write("a.scene.yaml", k_Scene);
+    const std::vector<ScalarChange> changes = Set(path, {"A.b.tiling.y=4"});
+    EXPECT_THAT(ReadText(path), testing::HasSubstr("m_Tiling: {x: 1, y: 4}\n"));
+    EXPECT_EQ("{x: 1, y: 4}", changes.at(0).after);
+    Set(path, {"A.b.tiling=[2, 3]"});
+    EXPECT_THAT(ReadText(path), testing::HasSubstr("m_Tiling: {x: 2, y: 3}\n"));
+}
+
 TEST_F(SettingsEdit, ByAFeaturesTypeChangesAllOfThem)
 {
     const auto path = folder.Write("a.scene.yaml", k_Scene);

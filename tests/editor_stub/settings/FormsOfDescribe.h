@@ -14,6 +14,7 @@ struct DescribedValues
     bool beside = false;
     float width = 1.0f;
     LayerMask layers;
+    glm::vec2 tiling{1};
 };
 
 class DescribedFeature : public ScriptableRendererFeature
@@ -50,6 +51,7 @@ public:
         inspector.Field("beside", values.beside, "");
         inspector.Field("m_Width", values.width, {0, 10}, "");
         inspector.Field("m_Layers", values.layers, "");
+        inspector.Field("m_Tiling", values.tiling, "");
     }
 };
 

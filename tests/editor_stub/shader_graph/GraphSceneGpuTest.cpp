@@ -2,11 +2,7 @@
 
 #include "GraphText.h"
 #include "Mentions.h"
-#include "commands/CommandRun.h"
-#include "vulkan/GpuTestDevice.h"
-
-#include <gmock/gmock.h>
-#include <limn/core/Image.h>
+#include "unity_scene/GpuTestOfAProject.h"
 
 namespace limn::test
 {
@@ -17,6 +13,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
+constexpr const char* k_MaterialId = "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa";
 constexpr const char* k_GraphId = "dddddddddddddddddddddddddddddddd";
 constexpr const char* k_PictureId = "bbbbbbbbbbbbbbbbbbbbbbbbbbbbbbbb";
 constexpr const char* k_RendererId = "cccccccccccccccccccccccccccccccc";
@@ -24,14 +21,9 @@ constexpr const char* k_Yaml = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
 
 /// A project with a quad before an orthographic camera, whose upper half it fills. Its material is
 /// of a graph; the sky is blue.
-class DrawnGraph : public GpuTest
+class DrawnGraph : public GpuTestOfAProject
 {
 protected:
-    void Write(const std::string& name, const std::string& text, const std::string& guid)
-    {
-        m_Folder.Write(name, text);
-        m_Folder.Write(name + ".meta", "guid: " + guid + "\n");
-    }
     /// @param saved  the properties of the material
     std::string Draw(const GraphText& graph, const std::string& saved = "")
     {
@@ -42,67 +34,16 @@ protected:
     /// @param shader  the reference to it
     std::string DrawWith(const std::string& shader, const std::string& saved)
     {
-        Write("Assets/A.mat",
-              std::string(k_Yaml) + "--- !u!21 &2100000\nMaterial:\n  m_Shader: " + shader +
-                  "\n  m_SavedProperties:\n" + saved,
-              "aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa");
-        m_Folder.Write("Assets/Main.unity", std::string(k_Yaml) + R"(--- !u!1 &1
-GameObject: {m_Name: Camera, m_IsActive: 1}
---- !u!4 &2
-Transform:
-  m_GameObject: {fileID: 1}
-  m_LocalPosition: {x: 0, y: 0, z: -5}
---- !u!20 &3
-Camera:
-  m_GameObject: {fileID: 1}
-  m_ClearFlags: 2
-  m_BackGroundColor: {r: 0, g: 0, b: 1, a: 1}
-  orthographic: 1
-  orthographic size: 1
---- !u!1 &4
-GameObject: {m_Name: Quad, m_IsActive: 1}
---- !u!4 &5
-Transform:
-  m_GameObject: {fileID: 4}
-  m_LocalPosition: {x: 0, y: 0.5, z: 0}
-  m_LocalScale: {x: 2, y: 1, z: 1}
---- !u!33 &6
-MeshFilter:
-  m_GameObject: {fileID: 4}
-  m_Mesh: {fileID: 10210, guid: 0000000000000000e000000000000000, type: 0}
---- !u!23 &7
-MeshRenderer:
-  m_GameObject: {fileID: 4}
-  m_Enabled: 1
-  m_Materials:
-)" + m_Materials + m_Light);
-        const CommandRun run =
-            RunCommand({"render", m_Folder / "Assets/Main.unity", "-o", m_Folder / "out.png",
-                        "--size", m_Size + "x" + m_Size, "--validate"});
-        EXPECT_EQ(0, run.exitCode) << run.err;
-        m_Picture = ReadPng(m_Folder / "out.png");
-        return run.err;
-    }
-    /// Returns the colour of a pixel: "0 255 0". 0, 0 is at the bottom left.
-    std::string Pixel(int x, int y) const
-    {
-        const auto texel =
-            static_cast<std::size_t>((m_Picture.height - 1 - y) * m_Picture.width + x);
-        std::string color;
-        for (std::size_t i = 0; i < 3; ++i)
-        {
-            color += (i ? " " : "") +
-                     std::to_string(std::to_integer<int>(m_Picture.texels[4 * texel + i]));
-        }
-        return color;
+        WriteAsset("Assets/A.mat",
+                   "--- !u!21 &2100000\nMaterial:\n  m_Shader: " + shader +
+                       "\n  m_SavedProperties:\n" + saved,
+                   k_MaterialId);
+        return GpuTestOfAProject::Draw(CameraAt("1", "Camera", 0, "r: 0, g: 0, b: 1, a: 1", "") +
+                                       QuadAt("2", 0, 0.5f, 2, 1, m_Materials) + m_Light);
     }
 
-    TemporaryFolder m_Folder;
-    Image m_Picture;
-    std::string m_Size = "16"; ///< of the picture, in pixels either way
-    std::string m_Materials =  ///< the quad's materials
-        "  - {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}\n";
-    std::string m_Light; ///< a light of the scene
+    std::string m_Materials = MaterialLine(k_MaterialId); ///< the quad's materials
+    std::string m_Light;                                  ///< a light of the scene
 };
 
 constexpr const char* k_ColorBlock = "SurfaceDescription.BaseColor";
@@ -351,21 +292,20 @@ TEST_F(DrawnGraph, DrawsOverTheWholeScreen)
                    std::string(k_Yaml) +
                        "--- !u!30 &1\nGraphicsSettings:\n  m_CustomRenderPipeline: " +
                        asset(k_PictureId) + "\n");
-    Write("Assets/P.asset",
-          std::string(k_Yaml) +
-              "--- !u!114 &11400000\nMonoBehaviour:\n  m_MSAA: 1\n"
-              "  m_RequireDepthTexture: 1\n  m_RendererDataList:\n  - " +
-              asset(k_RendererId) + "\n  m_DefaultRendererIndex: 0\n",
-          k_PictureId);
-    Write("Assets/R.asset",
-          std::string(k_Yaml) +
-              "--- !u!114 &5\nMonoBehaviour:\n  m_Script: {fileID: 11500000, guid: "
-              "b00045f12942b46c698459096c89274e, type: 3}\n  m_Name: Whole\n  m_Active: 1\n"
-              "  injectionPoint: 550\n  fetchColorBuffer: 1\n  requirements: 1\n"
-              "  passMaterial: {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}\n"
-              "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: R\n  m_RendererFeatures:\n"
-              "  - {fileID: 5}\n",
-          k_RendererId);
+    WriteAsset("Assets/P.asset",
+               "--- !u!114 &11400000\nMonoBehaviour:\n  m_MSAA: 1\n"
+               "  m_RequireDepthTexture: 1\n  m_RendererDataList:\n  - " +
+                   asset(k_RendererId) + "\n  m_DefaultRendererIndex: 0\n",
+               k_PictureId);
+    WriteAsset(
+        "Assets/R.asset",
+        "--- !u!114 &5\nMonoBehaviour:\n  m_Script: {fileID: 11500000, guid: "
+        "b00045f12942b46c698459096c89274e, type: 3}\n  m_Name: Whole\n  m_Active: 1\n"
+        "  injectionPoint: 550\n  fetchColorBuffer: 1\n  requirements: 1\n"
+        "  passMaterial: {fileID: 2100000, guid: aaaaaaaaaaaaaaaaaaaaaaaaaaaaaaaa, type: 2}\n"
+        "--- !u!114 &11400000\nMonoBehaviour:\n  m_Name: R\n  m_RendererFeatures:\n"
+        "  - {fileID: 5}\n",
+        k_RendererId);
     m_Materials = "  - {fileID: 0}\n"; // the quad has no material of its own: it is magenta
     GraphText graph("Fullscreen");
     const std::string source =

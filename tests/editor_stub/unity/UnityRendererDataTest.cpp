@@ -1,8 +1,9 @@
 #include "Mentions.h"
 #include "Paths.h"
 #include "SceneFolder.h"
+#include "assets/Importer.h"
+#include "unity/RendererData.h"
 
-#include <limn/editor_stub/UnityRendererData.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
@@ -17,6 +18,7 @@ namespace
 using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsSupersetOf;
 using testing::Not;
 
 const std::string k_Project = test::SourcePath("tests/editor_stub/data/unity_project");
@@ -317,6 +319,80 @@ TEST(UnityRendererData, ReportsSettingsThatCannotBeDrawnWith)
                                     names + "]}}\n"));
     EXPECT_THAT(Problems([&] { LoadUnityRendererData(path, folder.assets); }),
                 ElementsAre(Mentions("4:1: R:", "filterSettings.PassNames", "17", "16")));
+}
+
+/// A feature of a plug-in that does not find its shader.
+class UnmakeableFeature : public ScriptableRendererFeature
+{
+public:
+    void Create() override { throw ContractError("Create: there is no shader 'Haze'"); }
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+};
+
+/// A renderer with a feature and URP's post-processing.
+/// @param settings  of the feature
+std::string RendererOfAScene(const std::string& settings)
+{
+    std::string asset = AssetWithFeature("  m_Script: {fileID: 11500000, guid: aa, type: 3}\n"
+                                         "  m_Name: F\n  m_Active: 1\n" +
+                                         settings);
+    return asset + "  postProcessData: {fileID: 11400000, guid: bb, type: 2}\n";
+}
+
+/// Loads the renderer as a Unity scene does.
+UnityRendererDataLoadResult LoadForAScene(const SceneFolder& folder)
+{
+    const auto path = folder / "Assets/r.asset";
+    AssetContext assets;
+    assets.features().Register<UnmakeableFeature>("UnmakeableFeature");
+    const UnityProject project(path, assets.importer().cacheFolder());
+    return LoadUnityRendererData(path, assets, project, UnityAssetLoaders());
+}
+
+// A value that one feature cannot read is no reason to draw without the others.
+TEST(UnityRendererData, KeepsTheDefaultOfASettingThatAScenesRendererCannotGive)
+{
+    SceneFolder folder;
+    folder.Write("Assets/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
+    folder.Write("Assets/r.asset",
+                 RendererOfAScene("  m_Settings: {m_LayerMask: {a: 1, b: 2}, "
+                                  "m_RenderingLayerMask: 32, m_RenderPassEvent: 550}\n"));
+    const UnityRendererDataLoadResult result = LoadForAScene(folder);
+    ASSERT_EQ(2u, result.renderer.features.size()) << "with post-processing";
+    const ScreenSpaceOutlineSettings& settings =
+        dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features[0])
+            .settings();
+    const ScreenSpaceOutlineSettings unset;
+    EXPECT_EQ(unset.m_LayerMask, settings.m_LayerMask);
+    EXPECT_EQ(unset.m_RenderingLayerMask, settings.m_RenderingLayerMask);
+    EXPECT_EQ(RenderPassEvent::BeforeRenderingPostProcessing, settings.m_RenderPassEvent);
+    EXPECT_THAT(Texts(result.notes),
+                IsSupersetOf({Mentions("F.m_Settings.m_LayerMask:", "found a map"),
+                              Mentions("F.m_Settings.m_RenderingLayerMask:", "[0, 31]"),
+                              Mentions("F:", "keeps its default")}));
+}
+
+TEST(UnityRendererData, LeavesOutOfAScenesRendererWhatCannotBeCreated)
+{
+    SceneFolder folder;
+    folder.Write("Assets/UnmakeableFeature.cs.meta", "guid: aa\n");
+    folder.Write("Assets/r.asset", RendererOfAScene(""));
+    const UnityRendererDataLoadResult result = LoadForAScene(folder);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    EXPECT_EQ("Post-processing", result.renderer.features[0]->name);
+    EXPECT_THAT(Texts(result.notes),
+                IsSupersetOf({Mentions("there is no shader 'Haze'"), Mentions("F:", "left out")}));
+}
+
+TEST(UnityRendererData, ReadsAMaskOfAProjectsOwnType)
+{
+    SceneFolder folder;
+    folder.Write("Assets/ScreenSpaceOutlineRenderFeature.cs.meta", "guid: aa\n");
+    folder.Write("Assets/r.asset", RendererOfAScene("  m_Settings: {m_LayerMask: {_bits: 66}}\n"));
+    const UnityRendererDataLoadResult result = LoadForAScene(folder);
+    const auto& feature =
+        dynamic_cast<const ScreenSpaceOutlineRenderFeature&>(*result.renderer.features.at(0));
+    EXPECT_EQ(LayerMask(66), feature.settings().m_LayerMask);
 }
 
 TEST(UnityRendererData, RefusesAnotherKindOfAsset)

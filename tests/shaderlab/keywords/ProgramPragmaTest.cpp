@@ -181,8 +181,15 @@ TEST(ProgramPragma, LetsVulkanDecideOverRenderers)
     EXPECT_THAT(
         Reason("\n#pragma exclude_renderers gles vulkan\n"),
         Mentions("t.shader:2:1: error: #pragma exclude_renderers", "Vulkan", "remove 'vulkan'"));
-    EXPECT_THAT(Reason("\n#pragma only_renderers d3d11 ps4\n"),
+    EXPECT_THAT(Reason("\n#pragma only_renderers gles ps4\n"),
                 Mentions("t.shader:2:1: error: #pragma only_renderers", "Vulkan", "add 'vulkan'"));
+}
+
+// Direct3D 11 is what Unity's editor draws with on Windows.
+TEST(ProgramPragma, TakesWhatIsMadeForDirect3D11)
+{
+    EXPECT_EQ(Reason("\n#pragma only_renderers gles gles3 glcore d3d11\n"), "");
+    EXPECT_EQ(Reason("\n#pragma only_renderers d3d11 ps4\n"), "");
 }
 
 TEST(ProgramPragma, OfTessellationNamesFunctionsThatAreThere)

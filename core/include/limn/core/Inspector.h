@@ -3,6 +3,8 @@
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <limn/core/Color.h>
 #include <limn/core/LayerMask.h>
@@ -20,8 +22,10 @@
 namespace limn
 {
 
+class ComputeShader;
 class Material;
 class Shader;
+class Texture;
 
 /// One member of an enum setting. If one is named Everything, the members are bits of a set.
 struct EnumEntry
@@ -77,10 +81,12 @@ struct RenderingLayerValue
 };
 
 /// A pointer to a setting, to read or write it in place.
-using FieldValue = std::variant<bool*, int*, std::uint32_t*, float*, Color*, glm::vec4*, LayerMask*,
-                                RenderingLayerMask*, RenderPassEvent*, std::string*,
-                                std::vector<std::string>*, std::shared_ptr<const Shader>*,
-                                std::shared_ptr<const Material>*, EnumValue, RenderingLayerValue>;
+using FieldValue =
+    std::variant<bool*, int*, std::uint32_t*, float*, Color*, glm::vec2*, glm::vec3*, glm::vec4*,
+                 LayerMask*, RenderingLayerMask*, RenderPassEvent*, std::string*,
+                 std::vector<std::string>*, std::shared_ptr<const Shader>*,
+                 std::shared_ptr<const Material>*, std::shared_ptr<const Texture>*,
+                 std::shared_ptr<const ComputeShader>*, EnumValue, RenderingLayerValue>;
 
 /// Receives a feature's settings one by one, in the order in which a person should see them: a
 /// loader writes them, a printer reads them. It is the counterpart of Unity's [Header], [Range],
@@ -112,9 +118,10 @@ public:
             typename T::element_type;
         };
         static_assert(std::is_constructible_v<FieldValue, T*> || k_IsPointer,
-                      "a setting is a bool, int, float, Color, vec4, LayerMask, RenderPassEvent, "
-                      "string or list of strings, a shared_ptr of const Shader or of Material, or "
-                      "an enum with its entries behind it");
+                      "a setting is a bool, int, float, Color, vec2, vec3, vec4, LayerMask, "
+                      "RenderPassEvent, string or list of strings, a shared_ptr of const Shader, "
+                      "of Material, of const Texture or of ComputeShader, or an enum with its "
+                      "entries behind it");
         if constexpr (std::is_constructible_v<FieldValue, T*>)
         {
             Field({name, tooltip}, &value);
@@ -122,9 +129,19 @@ public:
         else if constexpr (k_IsPointer) // Shared<Material>
         {
             using Asset = typename T::element_type;
-            std::shared_ptr<const std::remove_const_t<Asset>> asset = value;
+            using Named = std::shared_ptr<const std::remove_const_t<Asset>>;
+            constexpr bool k_IsTexture = !std::is_constructible_v<FieldValue, Named*>;
+            std::conditional_t<k_IsTexture, std::shared_ptr<const Texture>, Named> asset = value;
             Field({name, tooltip}, &asset);
-            value = std::const_pointer_cast<Asset>(asset);
+            if constexpr (k_IsTexture) // of one dimension; a file may name another
+            {
+                value = std::const_pointer_cast<Asset>(
+                    std::dynamic_pointer_cast<const std::remove_const_t<Asset>>(asset));
+            }
+            else
+            {
+                value = std::const_pointer_cast<Asset>(asset);
+            }
         }
     }
     /// Receives a shader. Its default is the value of the member at the beginning; `Shader.Find` in

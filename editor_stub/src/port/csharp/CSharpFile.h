@@ -44,18 +44,23 @@ struct CSharpParameter
 };
 
 /// A method, a constructor or a property that computes something.
+/// The types of variables by their names.
+using CSharpLocals = std::map<std::string, std::string, std::less<>>;
+
 struct CSharpMethod
 {
     std::string name;
     std::string type; ///< the type that it returns; "" for a constructor
     bool isOverride = false;
     bool isStatic = false;
-    bool isProperty = false;
+    bool isProperty = false;   ///< true for `get` of a property
+    bool isSetter = false;     ///< true for `set` of a property X, which is called SetX
     bool isExpression = false; ///< => instead of { }
     std::vector<CSharpParameter> parameters;
     SourceLocation location; ///< of the name
     CSharpWords base;        ///< the arguments of `: base(...)`
     CSharpWords body;        ///< without the braces, or without => and ;
+    CSharpLocals intLocals;  ///< int, int[] and what MarkPropertyIds makes of them
 
     bool isConstructor() const { return type.empty(); }
 };

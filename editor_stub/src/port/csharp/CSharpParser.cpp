@@ -489,6 +489,48 @@ private:
         Expect(";", "behind a method");
     }
 
+    /// Adds a method for each of the get and set in a property's braces, or else the property.
+    static void AddAccessors(CSharpClass& owner, CSharpMethod property)
+    {
+        std::vector<CSharpMethod> accessors;
+        const CSharpToken* end = property.body.data() + property.body.size();
+        for (const CSharpToken* at = property.body.data(); at + 1 < end; ++at)
+        {
+            const bool isArrow = at[1].Is("=>");
+            const bool isSetter = IsIn(at->text, {"set", "init"});
+            if (property.isExpression || !(isSetter || at->Is("get")) ||
+                !(isArrow || at[1].Is("{")))
+            {
+                break;
+            }
+            const CSharpToken* behind =
+                isArrow
+                    ? std::find_if(at, end, [](const CSharpToken& word) { return word.Is(";"); })
+                    : at[1].Behind() - 1;
+            CSharpMethod& accessor = accessors.emplace_back(property);
+            accessor.isExpression = isArrow;
+            accessor.body = {at + 2, behind};
+            if (isSetter)
+            {
+                accessor.name = "Set" + property.name;
+                accessor.isProperty = false;
+                accessor.isSetter = true;
+                accessor.type = "void";
+                accessor.parameters.emplace_back();
+                accessor.parameters.back().type = property.type;
+                accessor.parameters.back().name = "value";
+            }
+            at = behind;
+        }
+        const bool isIndexer = property.name == "this";
+        if (accessors.empty() || isIndexer)
+        {
+            owner.methods.push_back(std::move(property));
+            return;
+        }
+        std::ranges::move(accessors, std::back_inserter(owner.methods));
+    }
+
     void ParseProperty(CSharpClass& owner, const Modifiers& modifiers, const std::string& type)
     {
         CSharpMethod property = BeginMethod(modifiers, type);
@@ -510,7 +552,7 @@ private:
         }
         if (!isOfClass || !IsAutomatic(property))
         {
-            owner.methods.push_back(std::move(property));
+            AddAccessors(owner, std::move(property));
             return;
         }
         CSharpField field = BeginField(modifiers, type);

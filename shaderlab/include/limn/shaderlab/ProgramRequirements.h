@@ -18,9 +18,9 @@ namespace limn
 std::vector<std::string> RequiredFeatures(const PassProgram& program);
 
 /// Returns why limn does not compile this program although it is well formed: it is GLSL, has a
-/// surface function or a stage other than vertex, geometry and fragment, its renderers exclude
-/// Vulkan, or it needs a missing feature. Returns nullopt if it can be compiled. The severity is
-/// Error, and the message is one sentence.
+/// surface function or a stage other than vertex, geometry and fragment, its renderers are neither
+/// Vulkan nor Direct3D 11, or a feature is missing. Returns nullopt if it can be compiled. The
+/// severity is Error, and the message is one sentence.
 ///
 /// @param missingFeatures  the RequiredFeatures that the device lacks; names such as "compute
 ///     wavebasic" are features that it lacks in kernels
