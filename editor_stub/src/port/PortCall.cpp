@@ -79,6 +79,10 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
         problem = "C# keeps the same object here, and C++ would keep a copy";
         return std::nullopt;
     }
+    if (isGood && word == "%=" && target.type == "float")
+    {
+        return target.cpp + " = std::fmod(" + target.cpp + ", " + value->cpp + ")";
+    }
     return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)
                   : std::nullopt;
 }

@@ -389,7 +389,7 @@ PortMembers::Arguments(const std::vector<CSharpWords>& words) const
         const bool isLast = arguments.size() + 1 == words.size();
         if (isNamed && isLast &&
             (IsIn(one[0].text, {"pass", "passIndex", "flags", "index"}) ||
-             (one[0].Is("passName") && words.size() == 2)))
+             (one[0].Is("passName") && words.size() < 4)))
         {
             one = one.subspan(2);
         }
@@ -641,7 +641,8 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
     }
     const std::string code = own ? "" : model().table().CodeFor("new:" + type, words.size());
     if (!code.empty() && !words.empty() &&
-        (m_Place.isBody || type == "RenderTargetIdentifier" || type == "FilteringSettings"))
+        (m_Place.isBody ||
+         IsIn(type, {"RenderTargetIdentifier", "FilteringSettings", "Vector2Int", "Vector3Int"})))
     {
         const auto arguments = Arguments(words);
         if (arguments && type == "RenderTargetIdentifier" && (*arguments)[0].value.type == "int")

@@ -91,14 +91,15 @@ private:
     /// Finds the variables of a method that are declared as int or int[].
     static void CollectLocals(CSharpMethod& method)
     {
-        const CSharpToken* end = method.body.data() + method.body.size();
-        for (const CSharpToken* at = method.body.data(); at + 2 < end; ++at)
+        const CSharpWords words = method.body;
+        for (std::size_t i = 0; i + 2 < words.size(); ++i)
         {
-            const bool isArray = at[1].Is("[") && at[1].match == 1;
-            const CSharpToken* name = at + (isArray ? 3 : 1);
-            if (at->Is("int") && name + 1 < end && name->isName() && IsIn(name[1].text, {"=", ";"}))
+            const bool isArray = words[i + 1].Is("[") && words[i + 1].match == 1;
+            const std::size_t name = i + (isArray ? 3 : 1);
+            if (words[i].Is("int") && name + 1 < words.size() && words[name].isName() &&
+                IsIn(words[name + 1].text, {"=", ";"}))
             {
-                method.intLocals[std::string(name->text)] = isArray ? "int[]" : "int";
+                method.intLocals[std::string(words[name].text)] = isArray ? "int[]" : "int";
             }
         }
     }
@@ -194,8 +195,8 @@ private:
         return {type, at + 1 + (isElement ? words[at + 1].Inside().size() + 2 : 0)};
     }
 
-    /// Returns whether a property's number begins there: Shader.PropertyToID(...), a call that gives
-    /// one, or a variable.
+    /// Returns whether a property's number begins there: Shader.PropertyToID(...), a call that
+    /// gives one, or a variable.
     bool isProperty(CSharpWords words, CSharpClass& one, CSharpMethod* method)
     {
         if (words.size() > 3 && words[1].Is(".") && words[2].Is("PropertyToID"))

@@ -83,6 +83,7 @@ TEST(PortedBody, HasTheValuesOfCSharp)
                   "std::string(\"Blur \") + std::to_string(count) + std::string(\" of \") + "
                   "std::to_string(static_cast<int>(sizes.size()))"},
                  {"var l = width % 2f;", "auto l = std::fmod(width, 2.0f);"},
+                 {"width %= 3;", "width = std::fmod(width, 3.0f);"},
                  {"Vector4 m = new Vector3(1, width, 0) * count;",
                   "Vector4 m = Vector4(Vector3(1.0f, width, 0.0f) * "
                   "static_cast<float>(count), 0.0f);"},
@@ -275,7 +276,7 @@ TEST(PortedBody, WritesWhatOtherFeaturesBeginWith)
         "    struct Other { int wanted; public int Wanted { get => wanted; set => wanted = value; "
         "} "
         "}\n    Other other;\n"
-        "    int wanted; int Wanted { get { return wanted; } set { wanted = value; } }\n"
+        "    int wanted; int Wanted { get { return wanted; } private set { wanted = value; } }\n"
         "    int Twice { get { return 2 * wanted; } }\n");
 }
 

@@ -118,10 +118,10 @@ TEST(OwnFeature, ReadsVectorsTexturesAndComputeShadersFromAScene)
     ExpectAssets(AssetsOf(scene.renderer));
     EXPECT_THAT(folder.ProblemsOf("camera: {}\n" + begin +
                                   "tiling: 2, noise: nois.png, compute: noise.png}]}\n"),
-                ElementsAre(Mentions("m_Tiling: found 2"),
+                ElementsAre(Mentions("m_Tiling: found '2'", "2 numbers"),
                             Mentions("m_Noise: there is no file 'nois.png'", "'noise.png'"),
                             Mentions("m_Compute: 'noise.png' cannot be used"),
-                            Mentions("noise.png")));
+                            Mentions("it has no kernel")));
 }
 
 // A file names no type, so that a texture of another kind is none.

@@ -493,14 +493,20 @@ private:
     static void AddAccessors(CSharpClass& owner, CSharpMethod property)
     {
         std::vector<CSharpMethod> accessors;
-        const CSharpToken* end = property.body.data() + property.body.size();
-        for (const CSharpToken* at = property.body.data(); at + 1 < end; ++at)
+        const CSharpWords words = property.body;
+        const CSharpToken* end = words.data() + words.size();
+        for (const CSharpToken* at = words.data(); end - at > 1; ++at)
         {
+            if (IsIn(at->text, {"private", "protected", "internal"}))
+            {
+                continue;
+            }
             const bool isArrow = at[1].Is("=>");
             const bool isSetter = IsIn(at->text, {"set", "init"});
             if (property.isExpression || !(isSetter || at->Is("get")) ||
                 !(isArrow || at[1].Is("{")))
             {
+                accessors.clear();
                 break;
             }
             const CSharpToken* behind =
