@@ -24,7 +24,7 @@ import sys
 
 WORDS_OF_A_DECLARATION = set(
     "public private protected internal static readonly const constexpr inline override virtual sealed "
-    "final explicit class struct ref in out new std shared_ptr unique_ptr".split())
+    "final explicit class struct ref in out new std shared_ptr unique_ptr Shared".split())
 CONDITIONS = ("if", "for", "foreach", "while")
 TOKEN = re.compile(r"""\s+|"(?:\\.|[^"\\])*"|\d+(?:\.\d*)?[fF]?|\w+|->|::|=>|==|!=|<=|>=|&&|\|\||\+\+|.""")
 
@@ -91,7 +91,7 @@ def spelled_alike(raw):
             out.extend(raw[i + 2:end])
             i = end + 1
             continue
-        if token in ("shared_ptr", "unique_ptr"):
+        if token in ("shared_ptr", "unique_ptr", "Shared"):
             end = next(j for j in range(i, len(raw)) if raw[j][0] == ">")
             out.extend((t, n) for t, n in raw[i + 2:end] if t not in WORDS_OF_A_DECLARATION)
             i = end + 1
