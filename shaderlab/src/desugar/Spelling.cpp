@@ -2,6 +2,7 @@
 
 #include "hlsl/Types.h"
 #include "lowering/GlslangGuards.h"
+#include <limn/base/Case.h>
 #include <limn/base/WordList.h>
 
 #include <algorithm>
@@ -21,6 +22,9 @@ const WordList k_StageModifiers("linear centroid point line triangle triangleadj
 // Types, and a word of GLSL, that name members and variables as well.
 const WordList k_TypeNames("sampler texture matrix vector string layout");
 
+// Of these types Microsoft's compiler takes any case.
+const WordList k_AnyCase("Vector VECTOR Matrix MATRIX");
+
 const WordList k_ObjectModifiers("static uniform extern in");
 
 // The words before brackets that hold no parameters.
@@ -33,6 +37,7 @@ public:
     {
         FindLookedUp();
         FindSampledBy();
+        FindOwnTypes();
     }
 
     void Spell()
@@ -109,6 +114,10 @@ private:
         else if ((word == "vector" || word == "matrix") && Text(index + 1) == "<")
         {
             SplitTemplateEnd(index + 2);
+        }
+        else if (k_AnyCase.Has(word) && !m_OwnTypes.contains(word) && isWord(index + 1))
+        {
+            m_Code.Spelling(index) = ToLower(word);
         }
     }
 
@@ -227,6 +236,17 @@ private:
         return found == m_LookedUp.end() || m_SampledBy.contains(found->first) ? "" : found->second;
     }
 
+    void FindOwnTypes()
+    {
+        for (std::size_t i = 1; i < m_Code.size(); ++i)
+        {
+            if (Text(i - 1) == "struct" && k_AnyCase.Has(Text(i)))
+            {
+                m_OwnTypes.insert(Text(i));
+            }
+        }
+    }
+
     void FindLookedUp()
     {
         static constexpr std::pair<std::string_view, std::string_view> k_Types[] = {
@@ -252,6 +272,7 @@ private:
 
     TokenEdits& m_Code;
     std::vector<std::optional<bool>> m_Answers; ///< of isParameter, by token
+    std::set<std::string_view> m_OwnTypes;      ///< types of k_AnyCase that the program declares
     std::set<std::string_view> m_SampledBy; ///< by methods of textures: `_Tex.Sample(name, …)`
     std::map<std::string_view, std::string_view> m_LookedUp; ///< samplers: types of Direct3D 9
 };

@@ -37,6 +37,28 @@ TEST(HlslOldForms, ProjectsByTheLastCoordinate)
                 HasSubstr("OpConstantComposite %v3float %float_0_375 %float_0_5 %float_0_25"));
 }
 
+TEST(HlslOldForms, TakesVectorAndMatrixInAnyCase)
+{
+    const auto pass = CompileFragment(R"(
+        Vector _Point;
+        Matrix _Turn;
+        float4 frag(v2f i) : SV_Target { return mul(_Turn, _Point); })");
+    std::map<std::string, UniformType> types;
+    for (const UniformBuffer& buffer : pass->layout.buffers)
+    {
+        for (const UniformMember& member : buffer.members)
+        {
+            types[member.name] = member.type;
+        }
+    }
+    EXPECT_EQ(types.at("_Point"), UniformType::Float);
+    EXPECT_EQ(types.at("_Turn"), UniformType::Matrix4x4);
+    const auto own = CompileFragment(R"(
+        struct Vector { float2 xy; };
+        float4 frag(v2f i) : SV_Target { Vector a; a.xy = i.uv; return a.xy.xyxy; })");
+    EXPECT_TRUE(own);
+}
+
 TEST(HlslOldForms, TakesTexturesOfOneDimensionForRowsOfTwo)
 {
     const auto pass = CompileFragment(R"(
