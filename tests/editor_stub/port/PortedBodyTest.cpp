@@ -263,6 +263,11 @@ TEST(PortedBody, WritesWhatOtherFeaturesBeginWith)
     ExpectLines(
         {{"if (Application.isPlaying && mask != 0) { }",
           "if (true && mask != LayerMask::Nothing())"},
+         {"cmd.SetViewport(data.cameraData.camera.pixelRect);",
+          "cmd->SetViewport(ViewportRect{0, 0, Screen::width(), Screen::height()});"},
+         {"width = data.cameraData.camera.pixelRect.width;",
+          "width = static_cast<float>(ViewportRect{0, 0, Screen::width(), "
+          "Screen::height()}.width);"},
          {"(front, back) = (back, front);", "std::swap(front, back);"},
          {"Wanted = count;", "SetWanted(count);"},
          {"this.Wanted = 3;", "SetWanted(3);"},

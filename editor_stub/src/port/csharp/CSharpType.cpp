@@ -12,6 +12,7 @@ std::string_view WithoutNamespace(std::string_view name)
 {
     for (const std::string_view space :
          {"UnityEngine.Experimental.Rendering.", "UnityEngine.Rendering.Universal.",
+          "UnityEngine.Rendering.RenderGraphModule.Util.",
           "UnityEngine.Rendering.RenderGraphModule.", "UnityEngine.Rendering.", "UnityEngine.",
           "System.Collections.Generic.", "System."})
     {
