@@ -45,17 +45,29 @@ std::string SubjectOf(const PluginCallSite& code)
                               : "'" + name + "' threw in " + code.member;
 }
 
+std::string_view FeatureOf(const PluginCallSite& code)
+{
+    return code.typeOfFeature ? code.featureOfPass : code.name;
+}
+
 /// The error, and of which plug-in's code it is, unless it names it already.
 [[noreturn]] void ThrowNoted(const AssetError& error, const std::string& plugin,
-                             const std::string& subject)
+                             const PluginCallSite& code)
 {
     std::vector<Diagnostic> all = error.diagnostics();
     if (std::ranges::find(all, plugin, &Diagnostic::file) != all.end())
     {
         throw;
     }
-    all.push_back({Severity::Note, plugin, {}, subject + " the error above"});
-    throw AssetError(std::move(all));
+    all.push_back({Severity::Note, plugin, {}, SubjectOf(code) + " the error above"});
+    throw PluginError(std::move(all), FeatureOf(code));
+}
+
+[[noreturn]] void ThrowNamed(const std::string& what, const std::string& plugin,
+                             const PluginCallSite& code)
+{
+    throw PluginError({{Severity::Error, plugin, {}, SubjectOf(code) + ": " + what}},
+                      FeatureOf(code));
 }
 
 void NamePluginOf(const PluginCallSite& code)
@@ -75,7 +87,7 @@ void NamePluginOf(const PluginCallSite& code)
     }
     catch (const AssetError& error)
     {
-        ThrowNoted(error, plugin, SubjectOf(code));
+        ThrowNoted(error, plugin, code);
     }
     catch (const VulkanError&)
     {
@@ -87,11 +99,11 @@ void NamePluginOf(const PluginCallSite& code)
     }
     catch (const std::exception& error)
     {
-        throw AssetError(plugin, {}, SubjectOf(code) + ": " + error.what());
+        ThrowNamed(error.what(), plugin, code);
     }
     catch (...)
     {
-        throw AssetError(plugin, {}, SubjectOf(code) + ": an exception without a name");
+        ThrowNamed("an exception without a name", plugin, code);
     }
 }
 

@@ -11,10 +11,23 @@
 namespace limn
 {
 
+/// An exception that left the code of a plug-in's feature, of one of its passes, or of a volume
+/// component.
+class PluginError : public AssetError
+{
+public:
+    PluginError(std::vector<Diagnostic> diagnostics, std::string_view name)
+        : AssetError(std::move(diagnostics)), feature(name)
+    {
+    }
+
+    const std::string feature; ///< the name of the feature, or of the component
+};
+
 /// Loads a plug-in, registers its features and components and adds its shaders to ShippedShaders().
 /// It stays loaded until the process ends, since owners of its objects run its code. Its file is
-/// read once, however often it is asked for. From then on, an exception of its code is an
-/// AssetError that names the plug-in.
+/// read once, however often it is asked for. From then on, an exception of its code is a
+/// PluginError, which names the plug-in.
 /// @throws AssetError if there is no such file, if it is no library, no plug-in or a plug-in for
 ///     another limn, if its registration throws, or if one of its names is taken
 void LoadPlugin(const std::filesystem::path& path, FeatureRegistry& features,

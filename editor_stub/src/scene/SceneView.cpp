@@ -1,6 +1,7 @@
 #include "scene/SceneView.h"
 
 #include "console/Texts.h"
+#include "plugins/LoadPlugin.h"
 #include "shaders/UsedShaders.h"
 
 #include <algorithm>
@@ -124,25 +125,46 @@ void SceneView::Render(UniversalRenderPipeline& pipeline, RenderRequest& request
     pipeline.maxAdditionalLightsCount = m_Asset.maxAdditionalLightsCount;
     pipeline.pipelineVersion = m_Asset.pipelineVersion;
     pipeline.shadows = m_Asset.shadows;
-    try
+    for (bool isDrawn = false; !isDrawn;)
     {
-        Draw(pipeline, request, result);
-    }
-    catch (const AssetError&)
-    {
-        // Passes for shadows and depth are compiled by their first draw.
-        const std::vector<Diagnostic> notes =
-            m_Asset.isUnityScene ? ReplaceBrokenShaders(m_Asset) : std::vector<Diagnostic>();
-        if (notes.empty())
+        try
         {
-            throw;
+            Draw(pipeline, request, result);
+            isDrawn = true;
         }
-        std::ranges::transform(notes, std::back_inserter(m_Notes),
-                               [](const Diagnostic& note)
-                               { return Replaced(ToString(note), ": note: ", ": "); });
-        Draw(pipeline, request, result);
+        catch (const AssetError& error)
+        {
+            const std::vector<Diagnostic> errors =
+                m_Asset.isUnityScene ? LeaveOut(error) : std::vector<Diagnostic>();
+            if (errors.empty())
+            {
+                throw;
+            }
+            std::ranges::transform(errors, std::back_inserter(m_Notes),
+                                   [](Diagnostic found)
+                                   {
+                                       found.severity = Severity::Note;
+                                       return Replaced(ToString(found), ": note: ", ": ");
+                                   });
+        }
     }
     std::ranges::copy(m_Notes, std::back_inserter(result.report.notes));
+}
+
+std::vector<Diagnostic> SceneView::LeaveOut(const AssetError& error)
+{
+    const auto* ofPlugin = dynamic_cast<const PluginError*>(&error);
+    bool isFeature = false;
+    for (const auto& feature : m_Renderer.rendererFeatures())
+    {
+        if (ofPlugin && feature->isActive() && feature->name == ofPlugin->feature)
+        {
+            feature->SetActive(false); // which the frame's own notes say
+            isFeature = true;
+        }
+    }
+    // Passes for shadows and depth are compiled by their first draw.
+    return isFeature ? error.diagnostics() : ReplaceBrokenShaders(m_Asset);
 }
 
 void SceneView::Draw(UniversalRenderPipeline& pipeline, const RenderRequest& request,

@@ -44,6 +44,9 @@ private:
     /// Draws, with the scene in the request.
     void Draw(UniversalRenderPipeline& pipeline, const RenderRequest& request,
               RenderResult& result);
+    /// In a scene of Unity's, leaves out the features or shaders that a frame has ended with.
+    /// @return the errors; none if nothing could be left out
+    std::vector<Diagnostic> LeaveOut(const AssetError& error);
     /// Draws the textures that the picture reads.
     std::vector<RenderResult> RenderTextures(UniversalRenderPipeline& pipeline,
                                              RenderRequest request);
@@ -53,7 +56,7 @@ private:
     VolumeManager m_Volumes;
     VolumeStack m_Stack;
     bool m_HasEnvironment = false;    ///< true if the scene has the light of its sky
-    std::vector<std::string> m_Notes; ///< about shaders that a frame could not be drawn with
+    std::vector<std::string> m_Notes; ///< about what a frame could not be drawn with
 };
 
 } // namespace limn
