@@ -3,7 +3,6 @@
 #include "port/PortedCode.h"
 
 #include <algorithm>
-#include <limn/base/WordList.h>
 #include <map>
 
 namespace limn
@@ -23,23 +22,6 @@ std::string AccessOf(const PortModel& model, const PortValue& value)
 std::string ObjectText(const PortValue& value)
 {
     return value.isPointer ? "*" + value.Text(90) : value.cpp;
-}
-
-/// Returns which argument is the name of a property, which is a number in C#; a large number for
-/// none.
-std::size_t PropertyPlace(const std::string& owner, const std::string& member)
-{
-    static const WordList byName("Material MaterialPropertyBlock Shader");
-    static const WordList kernels("SetTexture SetBuffer SetComputeFloatParam SetComputeIntParam "
-                                  "SetComputeVectorParam SetComputeMatrixParam");
-    static const WordList kernelsOfShader("SetComputeTextureParam SetComputeBufferParam");
-    return member == "PropertyToID"                    ? 9
-           : kernelsOfShader.Has(member)               ? 2
-           : kernels.Has(member) && !byName.Has(owner) ? 1
-           : byName.Has(owner) || member.starts_with("SetGlobal") || owner == "ComputeShader" ||
-                   member.ends_with("TemporaryRT")
-               ? 0
-               : 9;
 }
 
 std::string InBrackets(const std::string& generics)
@@ -491,8 +473,9 @@ PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
                             *called})
                       : std::nullopt;
     }
-    const std::size_t property = PropertyPlace(owner, name.name);
-    if (arguments && property < arguments->size() && (*arguments)[property].value.type == "int")
+    const auto property = PropertyArgument(owner, name.name, arguments ? arguments->size() : 0);
+    if (arguments && property && *property < arguments->size() &&
+        (*arguments)[*property].value.type == "int")
     {
         Fail("a property's number that is an 'int'");
         return std::nullopt;

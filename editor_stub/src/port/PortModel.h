@@ -136,6 +136,11 @@ private:
 /// The C++ type of an int that holds a property's number.
 inline constexpr const char* k_PropertyIdType = "ShaderPropertyId";
 
+/// Returns which argument of a method of Unity's is a property's number, or nothing if none is.
+/// @param owner  the method's type; "" if it is not known
+std::optional<std::size_t> PropertyArgument(std::string_view owner, std::string_view method,
+                                            std::size_t arguments);
+
 /// Changes the type of ints that are property numbers to ShaderPropertyId: fields and parameters
 /// that hold a result of Shader.PropertyToID or are used as a property's number. In lists and
 /// arrays of such ints the type of the elements is changed.

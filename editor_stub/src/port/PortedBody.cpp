@@ -219,6 +219,10 @@ std::string PortedBody::StepText(CSharpWords step)
         const std::string sign(step[1].text == step[2].text ? step[1].text : step[0].text);
         return value ? sign + sign + value->cpp : "";
     }
+    if (const auto shifted = ShiftText(step))
+    {
+        return *shifted;
+    }
     return step.size() > 2 ? TranslateAssignment(Place(), step.first(1), step[1].text,
                                                  step.subspan(2), m_Problem)
                                  .value_or("")
@@ -245,14 +249,20 @@ const CSharpToken* PortedBody::WriteLoop(Word at, Word end)
                                name->isName() && name[1].Is("=") && second < headEnd;
         const std::string counter = type == "uint" ? "uint" : "int";
         const auto start = isCounted ? Value({name + 2, first}, counter) : std::nullopt;
-        if (!start)
+        const bool isBare = first == head.data() && second < headEnd; // for (; a > 1; a >>= 1)
+        if (!start && !isBare)
         {
             Fail("a loop of another kind");
             Todo({at, behind});
             return behind;
         }
-        const PortValue& local = AddLocal(std::string(name->text), counter);
-        text = "for (" + *m_Model.CppType(counter) + " " + local.cpp + " = " + start->cpp + "; ";
+        text = "for (";
+        if (start)
+        {
+            const PortValue& local = AddLocal(std::string(name->text), counter);
+            text += *m_Model.CppType(counter) + " " + local.cpp + " = " + start->cpp;
+        }
+        text += "; ";
         condition = {first + 1, second};
         step = {second + 1, headEnd};
     }

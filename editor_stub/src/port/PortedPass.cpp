@@ -187,9 +187,7 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         const auto result = method.isConstructor() || method.type == "void"
                                 ? std::optional(method.type)
                                 : model.CppType(method.type);
-        const bool isBlock = method.isProperty && !method.isExpression && !method.body.empty() &&
-                             IsIn(method.body[0].text, {"get", "set", "init", "private", "["});
-        if (isBlock || !result || isKnown) // which it would hide
+        if (method.isUnread || !result || isKnown) // which it would hide
         {
             return std::nullopt;
         }

@@ -49,17 +49,13 @@ bool PortedStatement::WriteSimple(CSharpWords words)
     }
     const Word equals =
         FindOutsideOfBrackets(at, end, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "%="});
-    const Word shift = FindOutsideOfBrackets(at, end, {">="});
-    if (shift < end && shift > at && shift[-1].Is(">") && equals == end) // a >>= b
+    if (equals == end)
     {
-        const auto target = Value({at, shift - 1}, "int");
-        const auto bits =
-            target && target->isVariable ? Value({shift + 1, end}, "int") : std::nullopt;
-        if (bits)
+        if (const auto shifted = ShiftText(words))
         {
-            m_Code.Line(target->cpp + " >>= " + bits->cpp + ";");
+            m_Code.Line(*shifted + ";");
+            return true;
         }
-        return bits.has_value();
     }
     if (equals < end && at->Is("(") && at->Behind() == equals)
     {
@@ -305,6 +301,19 @@ bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word,
         return whole && WriteMembers(*whole, members);
     }
     return true;
+}
+
+std::optional<std::string> PortedStatement::ShiftText(CSharpWords words)
+{
+    const Word end = words.data() + words.size();
+    const Word shift = FindOutsideOfBrackets(words.data(), end, {">=", "<="});
+    const bool isShift = shift < end && shift > words.data() + 1 &&
+                         shift[-1].text == shift->text.substr(0, 1); // > >=
+    const auto target = isShift ? Value({words.data(), shift - 1}, "int") : std::nullopt;
+    const auto bits = target && target->isVariable ? Value({shift + 1, end}, "int") : std::nullopt;
+    return bits ? std::optional(target->cpp + " " + std::string(shift[-1].text) +
+                                std::string(shift->text) + " " + bits->cpp)
+                : std::nullopt;
 }
 
 /// Writes (a, b) = (b, a).

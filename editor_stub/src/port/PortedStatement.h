@@ -30,6 +30,8 @@ protected:
     /// Writes the words as comments below a TODO with the reason.
     void Todo(CSharpWords words, const std::string& otherwise = "port");
     bool Fail(const std::string& problem);
+    /// Returns "a >>= b" or "a <<= b" of an int, or nothing if the words are something else.
+    std::optional<std::string> ShiftText(CSharpWords words);
 
     std::optional<PortValue> Value(CSharpWords words, const std::string& wanted = "");
     PortValue& AddLocal(const std::string& name, const std::string& type);

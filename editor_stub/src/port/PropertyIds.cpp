@@ -8,28 +8,6 @@ namespace
 
 constexpr int k_MaxRounds = 20; ///< from a field to a parameter to a field ...
 
-/// Returns which argument of Unity's method is a property's number, or nothing if none is.
-std::optional<std::size_t> PropertyArgument(std::string_view method, std::size_t arguments)
-{
-    if (method.starts_with("SetCompute"))
-    {
-        const bool isOfKernel = IsIn(method, {"SetComputeTextureParam", "SetComputeBufferParam"});
-        return isOfKernel ? 2 : 1;
-    }
-    if (arguments == 3 && IsIn(method, {"SetTexture", "SetBuffer"})) // of a compute shader's kernel
-    {
-        return 1;
-    }
-    const bool isFirst =
-        StartsWithAny(method,
-                      {"SetGlobal", "SetFloat", "SetInt", "SetVector", "SetColor", "SetTexture",
-                       "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat", "GetInt",
-                       "GetVector", "GetColor", "GetMatrix", "GetTexture"}) ||
-        IsIn(method, {"GetTemporaryRT", "GetTemporaryRTArray", "ReleaseTemporaryRT", "HasProperty",
-                      "RenderTargetIdentifier"});
-    return isFirst ? std::optional<std::size_t>(0) : std::nullopt;
-}
-
 /// The type with a property's number in place of int; "" where it holds no int.
 std::string IdType(const std::string& type)
 {
@@ -147,10 +125,9 @@ private:
                 return &method->parameters[i].type;
             }
         }
-        const auto local = method ? method->intLocals.find(name) : CSharpLocals::iterator();
-        if (method && local != method->intLocals.end())
+        if (method && method->intLocals.contains(name))
         {
-            return &local->second;
+            return &method->intLocals.find(name)->second;
         }
         const auto found = one.fieldNames.find(name);
         return found == one.fieldNames.end() ? nullptr : &one.fields[found->second].type;
@@ -256,7 +233,7 @@ private:
             return;
         }
         const auto arguments = SplitArguments(words[1].Inside());
-        const auto index = PropertyArgument(words[0].text, arguments.size());
+        const auto index = PropertyArgument("", words[0].text, arguments.size());
         if (index && *index < arguments.size())
         {
             const Variable variable = Find(arguments[*index], one, &method);
@@ -297,6 +274,33 @@ private:
 };
 
 } // namespace
+
+std::optional<std::size_t> PropertyArgument(std::string_view owner, std::string_view method,
+                                            std::size_t arguments)
+{
+    const bool isByName = IsIn(owner, {"Material", "MaterialPropertyBlock", "Shader"});
+    if (IsIn(method, {"PropertyToID", "SetGlobalDepthBias"}))
+    {
+        return std::nullopt;
+    }
+    if (method.starts_with("SetCompute"))
+    {
+        const bool isOfKernel = IsIn(method, {"SetComputeTextureParam", "SetComputeBufferParam"});
+        return isOfKernel ? 2 : 1;
+    }
+    if (IsIn(method, {"SetTexture", "SetBuffer"}) && !isByName)
+    {
+        return owner == "ComputeShader" || arguments == 3 ? 1 : 0; // behind the kernel
+    }
+    const bool isFirst =
+        isByName || owner == "ComputeShader" || method.ends_with("TemporaryRT") ||
+        StartsWithAny(method,
+                      {"SetGlobal", "SetFloat", "SetInt", "SetVector", "SetColor", "SetTexture",
+                       "SetMatrix", "SetBuffer", "SetConstantBuffer", "GetFloat", "GetInt",
+                       "GetVector", "GetColor", "GetMatrix", "GetTexture"}) ||
+        IsIn(method, {"GetTemporaryRTArray", "HasProperty", "RenderTargetIdentifier"});
+    return isFirst ? std::optional<std::size_t>(0) : std::nullopt;
+}
 
 void MarkPropertyIds(const CSharpFiles& files)
 {

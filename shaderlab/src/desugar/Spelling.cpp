@@ -22,7 +22,7 @@ const WordList k_StageModifiers("linear centroid point line triangle triangleadj
 // Types, and a word of GLSL, that name members and variables as well.
 const WordList k_TypeNames("sampler texture matrix vector string layout");
 
-// Of these types Microsoft's compiler takes any case.
+// Microsoft's compiler takes these types in any case.
 const WordList k_AnyCase("Vector VECTOR Matrix MATRIX");
 
 const WordList k_ObjectModifiers("static uniform extern in");

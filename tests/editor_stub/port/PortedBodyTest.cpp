@@ -268,6 +268,9 @@ TEST(PortedBody, WritesWhatOtherFeaturesBeginWith)
          {"width = data.cameraData.camera.pixelRect.width;",
           "width = static_cast<float>(ViewportRect{0, 0, Screen::width(), "
           "Screen::height()}.width);"},
+         {"count <<= 1;", "count <<= 1;"},
+         {"for (; count > 1; count >>= 1) { width += 1f; }", "for (; count > 1; count >>= 1)"},
+         {"cmd.SetGlobalDepthBias(1, 0);", "cmd->SetGlobalDepthBias(1, 0);"},
          {"(front, back) = (back, front);", "std::swap(front, back);"},
          {"Wanted = count;", "SetWanted(count);"},
          {"this.Wanted = 3;", "SetWanted(3);"},

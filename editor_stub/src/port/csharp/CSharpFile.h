@@ -55,6 +55,7 @@ struct CSharpMethod
     bool isStatic = false;
     bool isProperty = false;   ///< true for `get` of a property
     bool isSetter = false;     ///< true for `set` of a property X, which is called SetX
+    bool isUnread = false;     ///< true if its body is a get and set that are not told apart
     bool isExpression = false; ///< => instead of { }
     std::vector<CSharpParameter> parameters;
     SourceLocation location; ///< of the name

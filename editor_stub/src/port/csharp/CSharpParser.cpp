@@ -531,6 +531,7 @@ private:
         const bool isIndexer = property.name == "this";
         if (accessors.empty() || isIndexer)
         {
+            property.isUnread = !property.isExpression;
             owner.methods.push_back(std::move(property));
             return;
         }
