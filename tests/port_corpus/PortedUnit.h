@@ -1,11 +1,15 @@
 #pragma once
 
 // What the skeletons include, outside of the namespaces that each of them is put in here.
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <limn/core/ComputeShader.h>
 #include <limn/core/CurrentCamera.h>
 #include <limn/core/Debug.h>
 #include <limn/core/Mathf.h>
 #include <limn/core/NullCheck.h>
+#include <limn/core/QualitySettings.h>
 #include <limn/core/RenderGraph.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/Plugin.h>

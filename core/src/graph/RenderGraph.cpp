@@ -62,6 +62,7 @@ struct BlitData
     glm::vec4 scaleBias;
     std::shared_ptr<const Material> material;
     int shaderPass = 0;
+    ShaderPropertyId name; ///< of the source; none: _BlitTexture
 };
 
 } // namespace
@@ -334,15 +335,24 @@ void RenderGraph::AddBlitPass(const RenderGraphUtils::BlitMaterialParameters& bl
     BlitData* passData = nullptr;
     auto builder = AddRasterRenderPass<BlitData>(passName, passData);
     *passData = {blitParameters.source, glm::vec4(blitParameters.scale, blitParameters.offset),
-                 blitParameters.material, blitParameters.shaderPass};
+                 blitParameters.material, blitParameters.shaderPass,
+                 blitParameters.sourceTexturePropertyID};
     builder.UseTexture(blitParameters.source);
     builder.SetRenderAttachment(blitParameters.destination, 0);
     builder.UseAllGlobalTextures(true); // nobody else can declare what its material samples
     builder.SetRenderFunc(
         [](BlitData& data, RasterGraphContext& context)
         {
-            Blitter::BlitTexture(context.cmd, data.source, data.scaleBias, data.material,
-                                 data.shaderPass);
+            if (data.name == ShaderPropertyId())
+            {
+                Blitter::BlitTexture(context.cmd, data.source, data.scaleBias, data.material,
+                                     data.shaderPass);
+                return;
+            }
+            MaterialPropertyBlock properties;
+            properties.SetTexture(data.name, data.source.rt());
+            properties.SetVector(Blitter::BlitShaderIDs::_BlitScaleBias, data.scaleBias);
+            CoreUtils::DrawFullScreen(context.cmd, data.material, properties, data.shaderPass);
         });
 }
 

@@ -13,6 +13,14 @@ namespace
 constexpr int k_TriangleVertices = 3;
 constexpr glm::vec4 k_WholeTexture(1.0f, 1.0f, 0.0f, 0.0f);
 
+void Clear(CommandBuffer& cmd, ClearFlag flag, const Color& color)
+{
+    if (flag != ClearFlag::None)
+    {
+        cmd.ClearRenderTarget(flag, color);
+    }
+}
+
 void ExpectSource(const RTHandle& source)
 {
     if (!source)
@@ -36,20 +44,68 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
                      ClearFlag clearFlag, const Color& clearColor)
 {
     cmd.SetRenderTarget(color, depth);
-    if (clearFlag != ClearFlag::None)
-    {
-        cmd.ClearRenderTarget(clearFlag, clearColor);
-    }
+    Clear(cmd, clearFlag, clearColor);
 }
 
 void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
                      ClearFlag clearFlag, const Color& clearColor)
 {
     cmd.SetRenderTarget(colors, depth);
-    if (clearFlag != ClearFlag::None)
-    {
-        cmd.ClearRenderTarget(clearFlag, clearColor);
-    }
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color, ClearFlag clearFlag,
+                     const Color& clearColor)
+{
+    cmd.SetRenderTarget(std::move(color));
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color, RenderTargetIdentifier depth,
+                     ClearFlag clearFlag, const Color& clearColor)
+{
+    cmd.SetRenderTarget(std::move(color), std::move(depth));
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, RenderBufferLoadAction loadAction,
+                     RenderBufferStoreAction storeAction, ClearFlag clearFlag,
+                     const Color& clearColor)
+{
+    cmd.SetRenderTarget(color, loadAction, storeAction);
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
+                     RenderBufferLoadAction colorLoadAction,
+                     RenderBufferStoreAction colorStoreAction, const RTHandle& depth,
+                     RenderBufferLoadAction depthLoadAction,
+                     RenderBufferStoreAction depthStoreAction, ClearFlag clearFlag,
+                     const Color& clearColor)
+{
+    cmd.SetRenderTarget(color, colorLoadAction, colorStoreAction, depth, depthLoadAction,
+                        depthStoreAction);
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color,
+                     RenderBufferLoadAction loadAction, RenderBufferStoreAction storeAction,
+                     ClearFlag clearFlag, const Color& clearColor)
+{
+    cmd.SetRenderTarget(std::move(color), loadAction, storeAction);
+    Clear(cmd, clearFlag, clearColor);
+}
+
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color,
+                     RenderBufferLoadAction colorLoadAction,
+                     RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
+                     RenderBufferLoadAction depthLoadAction,
+                     RenderBufferStoreAction depthStoreAction, ClearFlag clearFlag,
+                     const Color& clearColor)
+{
+    cmd.SetRenderTarget(std::move(color), colorLoadAction, colorStoreAction, std::move(depth),
+                        depthLoadAction, depthStoreAction);
+    Clear(cmd, clearFlag, clearColor);
 }
 
 Color ConvertSRGBToActiveColorSpace(const Color& color)

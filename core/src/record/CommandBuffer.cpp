@@ -256,6 +256,22 @@ void CommandBuffer::SetRenderTarget(RenderTargetIdentifier color,
     SetRenderTarget(std::move(color), std::move(depth));
 }
 
+void CommandBuffer::SetRenderTarget(const RTHandle& rt, RenderBufferLoadAction loadAction,
+                                    RenderBufferStoreAction)
+{
+    ExpectNoClear(loadAction);
+    SetRenderTarget(rt);
+}
+
+void CommandBuffer::SetRenderTarget(const RTHandle& color, RenderBufferLoadAction colorLoadAction,
+                                    RenderBufferStoreAction, const RTHandle& depth,
+                                    RenderBufferLoadAction depthLoadAction, RenderBufferStoreAction)
+{
+    ExpectNoClear(colorLoadAction);
+    ExpectNoClear(depthLoadAction);
+    SetRenderTarget(color, depth);
+}
+
 void CommandBuffer::GetTemporaryRT(ShaderPropertyId nameID, int width, int height, int depthBuffer,
                                    FilterMode filter, RenderTextureFormat format,
                                    RenderTextureReadWrite readWrite, int antiAliasing)

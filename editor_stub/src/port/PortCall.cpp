@@ -109,8 +109,8 @@ std::optional<std::string> MakePass(const PortPlace& place, const CSharpClass& p
     const PortModel& model = place.model;
     const auto fits = [&](const CSharpMethod& method)
     {
-        return method.isConstructor() && !method.isStatic &&
-               method.parameters.size() == arguments.size() && SignatureOf(model, pass, method);
+        return method.isConstructor() && !method.isStatic && method.Takes(arguments.size()) &&
+               SignatureOf(model, pass, method);
     };
     const auto constructor = std::ranges::find_if(pass.methods, fits);
     const bool hasNone = std::ranges::none_of(pass.methods, &CSharpMethod::isConstructor);
@@ -120,10 +120,13 @@ std::optional<std::string> MakePass(const PortPlace& place, const CSharpClass& p
         return std::nullopt;
     }
     std::string text = "std::make_unique<" + model.QualifiedName(pass) + ">(";
-    for (std::size_t i = 0; i < arguments.size(); ++i)
+    const std::size_t count =
+        constructor == pass.methods.end() ? 0 : constructor->parameters.size();
+    for (std::size_t i = 0; i < count; ++i)
     {
-        const auto argument =
-            PortArgument(place, pass, constructor->parameters[i], arguments[i], problem);
+        const CSharpParameter& parameter = constructor->parameters[i];
+        const auto argument = PortArgument(
+            place, pass, parameter, i < arguments.size() ? arguments[i] : parameter.value, problem);
         if (!argument)
         {
             return std::nullopt;

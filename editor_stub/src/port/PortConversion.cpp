@@ -69,6 +69,10 @@ Result AsOther(const PortValue& value, const std::string& wanted)
     {
         cpp = wanted + "(" + value.cpp + ")";
     }
+    else if (is("TextureHandle", "RenderTargetIdentifier"))
+    {
+        cpp = "RTHandle(" + value.cpp + ")";
+    }
     else if (value.type == "RTHandle" && wanted == "RenderTexture")
     {
         cpp = value.Text(90) + ".rt()";

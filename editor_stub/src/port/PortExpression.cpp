@@ -83,6 +83,10 @@ private:
     Result ReadTernary(const std::string& wanted)
     {
         const Result condition = ReadBinary(1, wanted);
+        if (condition && Next("?\?"))
+        {
+            return ReadOtherwise(*condition, wanted);
+        }
         if (!condition || m_At == m_End || !m_At->Is("?"))
         {
             return condition;
@@ -110,6 +114,23 @@ private:
         PortValue value = *left;
         value.cpp = condition->Text(1) + " ? " + left->Text(1) + " : " + right->Text(0);
         value.isVariable = value.isLiteral = false;
+        value.strength = 0;
+        return value;
+    }
+
+    /// Reads what stands behind a ??.
+    Result ReadOtherwise(PortValue value, const std::string& wanted)
+    {
+        const Result other = ReadTernary(wanted);
+        const bool isPointer = value.isPointer || IsSharedType(m_Place.model, value.type);
+        const Result same = other ? Converted(m_Place.model, *other, value.type) : std::nullopt;
+        if (!same || !isPointer || value.isPointer != other->isPointer)
+        {
+            return Fail("'?\?' of this");
+        }
+        value.cpp = value.Text(1) + " ? " + value.Text(1) + " : " +
+                    (value.isPointer ? other->Text(0) : same->Text(0));
+        value.isVariable = false;
         value.strength = 0;
         return value;
     }
@@ -623,8 +644,9 @@ private:
                 }
                 value = *element;
             }
-            else if (m_At->Is(".") && m_At + 1 < m_End && m_At[1].isName())
+            else if ((m_At->Is(".") || m_At->Is("?.")) && m_At + 1 < m_End && m_At[1].isName())
             {
+                const bool isMaybe = m_At->Is("?.") && value.type != "VolumeStack"; // never null
                 ++m_At;
                 const PortName name = ReadName();
                 if (name.isTarget && SetterOf(value, name))
@@ -638,6 +660,10 @@ private:
                 {
                     return member;
                 }
+                if (isMaybe && (value.isPointer || IsSharedType(m_Place.model, value.type)))
+                {
+                    return ReadBehindMaybe(value, *member);
+                }
                 value = *member;
             }
             else
@@ -646,6 +672,20 @@ private:
             }
         }
         return value.isType ? Fail("a type where a value is needed") : Result(value);
+    }
+
+    /// Returns a?.b of a pointer, which is the last that is read.
+    Result ReadBehindMaybe(const PortValue& value, PortValue member)
+    {
+        const bool isPointer = member.isPointer || IsSharedType(m_Place.model, member.type);
+        if (!isPointer || (m_At < m_End && (m_At->Is(".") || m_At->Is("?.") || m_At->Is("["))))
+        {
+            return Fail("'?.' within an expression");
+        }
+        member.cpp = value.Text(1) + " ? " + member.cpp + " : nullptr";
+        member.isVariable = false;
+        member.strength = 0;
+        return member;
     }
 
     PortPlace m_Place;

@@ -88,6 +88,22 @@ int CountTodos(const std::string& text)
     return count;
 }
 
+/// Makes the feature say in its Create that the port is not whole.
+std::string WithWarning(std::string source, const CSharpClass& feature, int todos)
+{
+    const std::string head = "void " + PortModel::ClassName(feature) + "::Create()\n{\n";
+    const std::size_t at = source.find(head);
+    if (todos > 0 && at != std::string::npos)
+    {
+        source.insert(at + head.size(),
+                      "    // Delete this line with the last TODO.\n    Debug::LogWarning(\"" +
+                          feature.name + ": the port still has " + std::to_string(todos) +
+                          (todos == 1 ? " TODO" : " TODOs") +
+                          ", so its picture may lack something\");\n");
+    }
+    return source;
+}
+
 /// The files of the template that every ported feature has.
 void AddTemplate(const PortModel& model, const CSharpClass& feature, std::vector<NewFile>& files)
 {
@@ -205,6 +221,7 @@ PortFolder PortFeature(const CSharpFiles& files, const PortingTable& table)
     folder.files.push_back({feature.name + ".h", PortedHeader(code)});
     folder.files.push_back({feature.name + ".cpp", PortedSource(code)});
     folder.left = CountTodos(folder.files[0].text) + CountTodos(folder.files[1].text);
+    folder.files[1].text = WithWarning(std::move(folder.files[1].text), feature, folder.left);
     AddTemplate(model, feature, folder.files);
     folder.files.push_back({"PORTING.md", PortingReport(model, code.things(), folder.uses)});
     folder.done = static_cast<int>(std::ranges::count(code.things(), true, &PortedThing::isDone));

@@ -202,8 +202,9 @@ std::optional<PortValue> PortMembers::OwnCall(const std::string& access, const C
     }
     for (const CSharpMethod& method : own.methods)
     {
-        if (method.name != name.name || method.parameters.size() != name.arguments.size() ||
-            !IsCallable(model(), own, method))
+        const auto& parameters = method.parameters;
+        const std::size_t given = name.arguments.size();
+        if (method.name != name.name || !method.Takes(given) || !IsCallable(model(), own, method))
         {
             continue;
         }
@@ -216,10 +217,11 @@ std::optional<PortValue> PortMembers::OwnCall(const std::string& access, const C
         const auto signature = SignatureOf(model(), own, method);
         std::string text;
         bool isGood = signature.has_value();
-        for (std::size_t i = 0; i < name.arguments.size() && isGood; ++i)
+        for (std::size_t i = 0; i < parameters.size() && isGood; ++i)
         {
             const auto argument =
-                PortArgument(m_Place, own, method.parameters[i], name.arguments[i], m_Problem);
+                PortArgument(m_Place, own, parameters[i],
+                             i < given ? name.arguments[i] : parameters[i].value, m_Problem);
             isGood = argument.has_value();
             text += isGood ? (i == 0 ? "" : ", ") + *argument : "";
         }
@@ -305,10 +307,16 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
     }
     const std::string special = model().table().CodeFor(owner + "." + name.name, arguments->size());
     const std::string& code = special.empty() ? entry->cpp : special;
-    const bool isConstant = isSame || code.starts_with("glm::") || full == "Shader.PropertyToID";
+    const bool isConstant = isSame || code == "FilteringSettings()" ||
+                            full == "Shader.PropertyToID" ||
+                            StartsWithAny(code, {"glm::", "std::numeric_limits<"});
     if (!m_Place.isBody && (!isConstant || (name.isCall && full != "Shader.PropertyToID")))
     {
         return Fail("a call outside of a method");
+    }
+    if (code == "-" && name.isCall)
+    {
+        return PortValue{"", "void"};
     }
     const bool isDefault = code.empty() || code == "=";
     const auto cpp = FillIn(!isDefault    ? code
@@ -369,10 +377,15 @@ PortMembers::Arguments(const std::vector<CSharpWords>& words) const
         const bool isNamed = one.size() > 2 && one[0].isName() && one[1].Is(":");
         // These stand where the C++ has them, too, if they are the last ones.
         const bool isLast = arguments.size() + 1 == words.size();
+        const bool isPassName = isNamed && one[0].Is("passName");
         if (isNamed && isLast &&
-            (IsIn(one[0].text, {"pass", "passIndex", "flags", "index"}) ||
-             (one[0].Is("passName") && words.size() < 4)))
+            (IsIn(one[0].text, {"pass", "passIndex", "flags", "index"}) || isPassName))
         {
+            if (isPassName && words.size() == 5) // behind a scale and an offset
+            {
+                const std::string filter = "RenderGraphUtils::BlitFilterMode::ClampBilinear";
+                arguments.push_back({{filter, ""}, filter});
+            }
             one = one.subspan(2);
         }
         else if (isNamed)
@@ -524,7 +537,9 @@ std::string PortMembers::ListText(const std::vector<Argument>& arguments, char k
         const bool isWhole = kind == 'f' && hasFloat && type == "int";
         const bool isShort = kind == 'v' && (type == "Vector2" || type == "Vector3");
         const bool isTexture = kind == 'i' && IsIn(type, {"Texture", "Texture2D", "RenderTexture"});
+        const bool isHandle = kind == 'i' && type == "TextureHandle";
         const std::string one = isWhole     ? Converted(model(), argument.value, "float")->cpp
+                                : isHandle  ? "RTHandle(" + argument.text + ")"
                                 : isShort   ? Converted(model(), argument.value, "Vector4")->cpp
                                 : isTexture ? "RenderTargetIdentifier(" + argument.text + ")"
                                             : argument.text;

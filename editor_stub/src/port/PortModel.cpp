@@ -1,6 +1,7 @@
 #include "port/PortModel.h"
 
 #include "console/Texts.h"
+#include "port/PortMember.h"
 
 #include <algorithm>
 #include <limn/base/WordList.h>
@@ -30,6 +31,7 @@ std::string KnownType(const std::string& type)
            : type == "uint"                                    ? "std::uint32_t"
            : type == "string"                                  ? "std::string"
            : type == "Matrix4x4"                               ? "glm::mat4"
+           : type == "Quaternion"                              ? "glm::quat"
            : made.Has(type)                                    ? "Shared<" + type + ">"
            : loaded.Has(type)                                  ? "Shared<const " + type + ">"
            : IsIn(type, {"Texture2D", "Texture3D", "Cubemap"}) ? "Shared<const Texture>"
@@ -316,19 +318,37 @@ std::string PortModel::HeldType(const std::string& type) const
     return open == std::string::npos ? "" : base.substr(open + 1, base.size() - open - 2);
 }
 
+bool PortModel::hasEntries(std::string_view type)
+{
+    static const WordList types("BlendMode CameraType CompareFunction CullMode FilterMode "
+                                "RenderQueueType RenderTextureFormat StencilOp TextureWrapMode");
+    return types.Has(type);
+}
+
 bool PortModel::isSetting(const std::string& type) const
 {
     static const WordList types(
         "int uint float bool string string[] List<string> Color Vector2 Vector3 Vector4 LayerMask "
         "RenderingLayerMask RenderPassEvent Shader Material Texture Texture2D Texture3D Cubemap "
-        "RenderTexture ComputeShader CompareFunction StencilOp RenderQueueType StencilStateData");
+        "RenderTexture ComputeShader StencilStateData");
     const CSharpClass* own = Find(type);
     return own ? CppType(type).has_value() && !type.ends_with("]") && !type.starts_with("List<")
-               : types.Has(type);
+               : types.Has(type) || hasEntries(type);
 }
 
 bool PortModel::isSerialized(const CSharpField& field) const
 {
+    static const WordList unknown( // to Unity's serializer
+        "BufferHandle CullingResults DrawingSettings FilteringSettings MaterialPropertyBlock "
+        "ProfilingSampler RTHandle RenderQueueRange RenderStateBlock RenderTargetHandle "
+        "RenderTargetIdentifier RenderTextureDescriptor RendererList RendererListHandle "
+        "ScriptableRenderer ShaderTagId SortingSettings StencilState TextureDesc TextureHandle");
+    const std::string element = ElementTypeOf(field.type);
+    const std::string& type = element.empty() ? field.type : element;
+    if (unknown.Has(type) && !Find(type))
+    {
+        return false;
+    }
     return ((field.isPublic && !field.isProperty) || field.Find("SerializeField")) &&
            !field.isStatic && !field.isReadonly && !field.Find("NonSerialized");
 }

@@ -72,6 +72,8 @@ public:
     std::optional<std::string> CppParameter(const CSharpParameter& parameter) const;
     /// Returns X of VolumeParameter<X>, or of a class that derives from it; "" for other types.
     std::string HeldType(const std::string& type) const;
+    /// Returns whether it is an enum of Unity's with a function of its members: StencilOpEntries.
+    static bool hasEntries(std::string_view type);
     /// Returns whether an Inspector takes a field of this type.
     bool isSetting(const std::string& type) const;
     /// Returns whether Unity stores the field.

@@ -65,6 +65,40 @@ Result CombineText(const PortValue& left, const std::string& word, const PortVal
     return result;
 }
 
+bool IsFlagsEnum(const std::string& type)
+{
+    return IsIn(type, {"CameraType", "ClearFlag", "GraphicsFormatUsage", "RenderStateMask",
+                       "ScriptableRenderPassInput", "SortingCriteria"});
+}
+
+/// Returns a | b or a & b of an enum of the files, or a == 0 of a set of flags; else nothing.
+Result CombineEnum(const PortModel& model, const PortValue& left, const std::string& word,
+                   const PortValue& right)
+{
+    const CSharpClass* own = model.Find(left.type);
+    const bool isOwn = own && model.RoleOf(*own) == PortRole::Enum;
+    const auto number = [](const PortValue& value)
+    {
+        return "static_cast<int>(" + value.cpp + ")";
+    };
+    if (isOwn && own == model.Find(right.type) && (word == "|" || word == "&"))
+    {
+        const auto cpp = model.CppType(left.type);
+        return cpp ? Result(PortValue{"static_cast<" + *cpp + ">(" + number(left) + " " + word +
+                                          " " + number(right) + ")",
+                                      left.type})
+                   : std::nullopt;
+    }
+    const bool isZero = right.isLiteral && right.cpp == "0";
+    if ((isOwn || IsFlagsEnum(left.type)) && isZero && (word == "==" || word == "!="))
+    {
+        PortValue value{number(left) + " " + word + " 0", "bool"};
+        value.strength = Strength(word);
+        return value;
+    }
+    return std::nullopt;
+}
+
 /// Makes a volume parameter its value, and a number beside a mask a mask.
 void MakeComparable(const PortModel& model, PortValue& side, const PortValue& other)
 {
@@ -117,6 +151,10 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
         MakeComparable(model, left, right);
         MakeComparable(model, right, left);
     }
+    if (const Result combined = CombineEnum(model, left, word, right))
+    {
+        return combined;
+    }
     if (left.type == "string" || right.type == "string")
     {
         return CombineText(left, word, right, problem);
@@ -138,25 +176,31 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
         PortValue& scale = isVector(left) ? right : left;
         scale = *Converted(model, scale, "float");
     }
+    if (word == "*" && left.type == "Quaternion" && IsIn(right.type, {"Quaternion", "Vector3"}))
+    {
+        PortValue turned{left.Text(strength) + " * " + right.Text(strength + 1), right.type};
+        turned.strength = strength;
+        return turned;
+    }
     const bool isUnknown = left.type.empty() || right.type.empty();
     const bool isEvent =
         left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
     const bool isFlags =
         (word == "|" || word == "&") && left.type == right.type &&
-        IsIn(left.type, {"SortingCriteria", "int", "uint", "ScriptableRenderPassInput", "ClearFlag",
-                         "CameraType", "RenderStateMask", "ColorWriteMask", "RenderingLayerMask",
-                         "LayerMask"});
+        (IsFlagsEnum(left.type) ||
+         IsIn(left.type, {"int", "uint", "ColorWriteMask", "RenderingLayerMask", "LayerMask"}));
     const bool isLogic =
         (word == "&&" || word == "||") && IsTruth(model, left) && IsTruth(model, right);
     const CSharpClass* own = model.Find(left.type);
     const bool isSame = left.type == right.type || (own && own == model.Find(right.type));
     const bool isSum = strength >= 7 && isSame && (IsNumber(left.type) || isVector(left)) &&
                        !(strength == 7 && left.type == "float");
+    const bool isShift = strength == 7 && left.type == "uint" && right.type == "int";
     if (word == "%" && left.type == "float")
     {
         return PortValue{"std::fmod(" + left.cpp + ", " + right.cpp + ")", "float"};
     }
-    if (!isEvent && !isFlags && !isLogic && !isSum && !isScaled && !isUnknown &&
+    if (!isEvent && !isFlags && !isLogic && !isSum && !isScaled && !isUnknown && !isShift &&
         !(isComparison && isSame && left.type != "null"))
     {
         problem = "'" + left.type + " " + word + " " + right.type + "'";

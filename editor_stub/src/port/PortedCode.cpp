@@ -92,6 +92,27 @@ std::size_t EndOfBlock(std::string_view code, std::size_t begin, bool isBefore)
     return code.size();
 }
 
+/// Returns the text with the headers in front of what it calls that few ports call.
+std::string WithIncludes(std::string text, std::string_view before)
+{
+    static constexpr std::pair<std::string_view, std::string_view> k_Headers[] = {
+        {"glm::row(", "glm/gtc/matrix_access.hpp"},
+        {"glm::scale(", "glm/gtc/matrix_transform.hpp"},
+        {"glm::translate(", "glm/gtc/matrix_transform.hpp"},
+        {"glm::perspectiveRH_NO(", "glm/gtc/matrix_transform.hpp"},
+        {"glm::orthoRH_NO(", "glm/gtc/matrix_transform.hpp"},
+        {"std::numeric_limits<", "limits"},
+        {"QualitySettings::", "limn/core/QualitySettings.h"}};
+    std::string includes;
+    for (const auto& [call, header] : k_Headers)
+    {
+        const std::string line = "#include <" + std::string(header) + ">\n";
+        const bool isNew = text.find(call) != std::string::npos && !includes.ends_with(line);
+        includes += isNew ? line : "";
+    }
+    return text.insert(text.find(before), includes);
+}
+
 } // namespace
 
 void PortedCode::TrimUnused(std::size_t begin)
@@ -239,7 +260,7 @@ std::string PortedHeader(PortedCode& code)
         code.Line();
     }
     code.Line("} // namespace " + model.name() + "Plugin");
-    return std::move(code.text);
+    return WithIncludes(std::move(code.text), "#include <limn/core/ComputeShader.h>");
 }
 
 std::string PortedSource(PortedCode& code)
@@ -285,7 +306,7 @@ std::string PortedSource(PortedCode& code)
         }
     }
     code.Close();
-    return std::move(code.text);
+    return WithIncludes(std::move(code.text), "#include <limn/features/Plugin.h>");
 }
 
 } // namespace limn

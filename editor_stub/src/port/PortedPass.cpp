@@ -64,14 +64,19 @@ void WriteConstructor(PortedCode& code, const CSharpClass& one, const CSharpMeth
 void WriteMethod(PortedCode& code, const CSharpClass& one, const CSharpMethod& method)
 {
     const auto signature = SignatureOf(code.model(), one, method);
-    const bool isOld = IsCompatibilityMethod(one, method);
-    if (!signature || isOld)
+    if (IsCompatibilityMethod(one, method))
     {
-        code.TodoBody(method.name + (isOld
-                                         ? ": Unity 6's compatibility mode; limn runs it where the "
-                                           "pipeline's enableRenderCompatibilityMode is on"
-                                         : ""),
-                      one, method);
+        code.Comment("Only Unity 6's compatibility mode runs '" + method.name + "' of " +
+                     code.model().Place(one, method.location) + ".");
+        return;
+    }
+    if (!signature && method.isOverride && method.body.empty())
+    {
+        return; // there is nothing in it
+    }
+    if (!signature)
+    {
+        code.TodoBody(method.name, one, method);
         NoteGraphPasses(code, one, method);
         return;
     }
@@ -107,6 +112,10 @@ bool IsChanged(CSharpWords body, std::string_view name)
             behind += body[behind].Is(".") ? 2 : static_cast<std::size_t>(body[behind].match) + 1;
         }
         behind = std::min(behind, body.size() - 1);
+        if (isIt && body[behind].Is("(") && IsIn(body[behind - 1].text, {"SetRow", "SetColumn"}))
+        {
+            return true;
+        }
         if (isIt && IsIn(body[behind].text, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"}))
         {
             return true;
@@ -134,7 +143,9 @@ bool IsCallable(const PortModel& model, const CSharpClass& one, const CSharpMeth
 
 std::string LocalName(const PortModel& model, const CSharpClass& one, const std::string& name)
 {
-    bool isHiding = FindPassMember(name) || name == "name";
+    const std::string base = BaseTypeOf(model.RoleOf(one));
+    bool isHiding = FindPassMember(name) || name == "name" ||
+                    (!base.empty() && !model.table().OwnerOf(base, name, true).empty());
     for (const CSharpClass* owner = &one; owner; owner = owner->outer)
     {
         isHiding = isHiding || owner->FindField(name); // of those around it Clang warns, too

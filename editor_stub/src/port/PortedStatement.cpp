@@ -1,6 +1,7 @@
 #include "port/PortedStatement.h"
 
 #include "port/PortMember.h"
+#include "port/PortOperator.h"
 #include "port/csharp/CSharpStatements.h"
 
 #include <algorithm>
@@ -84,7 +85,10 @@ bool PortedStatement::WriteSimple(CSharpWords words)
     {
         return false;
     }
-    m_Code.Line(value->cpp + ";");
+    if (!value->cpp.empty()) // a call that limn leaves out
+    {
+        m_Code.Line(value->cpp + ";");
+    }
     return true;
 }
 
@@ -118,7 +122,9 @@ bool PortedStatement::WriteDeclaration(CSharpWords words)
     {
         const std::string name(at->text);
         const auto known = m_Method.intLocals.find(name);
-        const bool isInt = known != m_Method.intLocals.end() && IsIn(type, {"int", "int[]"});
+        const bool isInt = known != m_Method.intLocals.end() &&
+                           IsIn(type, {"int", "int[]", "List<int>", "var"}) &&
+                           known->second.find(k_PropertyIdType) != std::string::npos;
         const Word comma = FindOutsideOfBrackets(at, end, {","});
         Word value = at + (at + 1 < comma && at[1].Is("=") ? 2 : 1);
         value += value < comma && value->Is("ref") ? 1 : 0;
@@ -245,7 +251,11 @@ bool PortedStatement::WriteMembers(const PortValue& object, CSharpWords members)
 
 bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word, CSharpWords value)
 {
-    if (target.empty() || value.empty() || target.back().Is("?\?"))
+    if (target.size() > 1 && target.back().Is("?\?"))
+    {
+        return WriteIfNull(target.first(target.size() - 1), value);
+    }
+    if (target.empty() || value.empty())
     {
         return Fail("an assignment of this kind");
     }
@@ -301,6 +311,28 @@ bool PortedStatement::WriteAssignment(CSharpWords target, std::string_view word,
         return whole && WriteMembers(*whole, members);
     }
     return true;
+}
+
+/// Writes a ??= b.
+bool PortedStatement::WriteIfNull(CSharpWords target, CSharpWords value)
+{
+    const auto object = Value(target);
+    const auto isNull =
+        object ? Combined(m_Model, *object, "==", {"{}", "null"}, m_Problem) : std::nullopt;
+    if (!isNull)
+    {
+        return Fail("an assignment of this kind");
+    }
+    if (isNull->cpp == "false") // C++ always has the object
+    {
+        return true;
+    }
+    const std::size_t begin = m_Code.text.size();
+    m_Code.Open("if (" + isNull->cpp + ")");
+    const bool isGood = WriteAssignment(target, "=", value);
+    m_Code.Close();
+    m_Code.text.resize(isGood ? m_Code.text.size() : begin);
+    return isGood;
 }
 
 std::optional<std::string> PortedStatement::ShiftText(CSharpWords words)

@@ -51,6 +51,7 @@ private:
                       bool isReference);
     bool WriteMembers(const PortValue& object, CSharpWords members);
     bool WriteAssignment(CSharpWords target, std::string_view word, CSharpWords value);
+    bool WriteIfNull(CSharpWords target, CSharpWords value);
     bool WriteSwap(const std::vector<CSharpWords>& targets, CSharpWords values);
     bool WriteMaybe(CSharpWords words);
 };

@@ -45,6 +45,27 @@ std::string EntriesName(const PortModel& model, const CSharpClass& one)
     return "k_" + Replaced(model.QualifiedName(one), "::", "") + "Entries";
 }
 
+/// Returns whether [Flags] stands before an enum.
+bool IsFlags(const CSharpClass& one)
+{
+    const CSharpToken* first = one.file->tokens.tokens.data();
+    const CSharpToken* at = one.words.data();
+    while (at > first && at[-1].isName()) // public
+    {
+        --at;
+    }
+    while (at > first && at[-1].Is("]") && at[-1].match < 0)
+    {
+        const CSharpToken* end = at - 1;
+        at = end + end->match;
+        if (std::ranges::any_of(at->Inside(), [](const auto& word) { return word.Is("Flags"); }))
+        {
+            return true;
+        }
+    }
+    return false;
+}
+
 /// Writes the possible values of the class's settings of enum types.
 void WriteEntries(PortedCode& code, const CSharpClass& one)
 {
@@ -62,6 +83,10 @@ void WriteEntries(PortedCode& code, const CSharpClass& one)
             {
                 code.Line("    {\"" + entry.name + "\", static_cast<int>(" + type +
                           "::" + model.CppName(entry.name) + ")},");
+            }
+            if (IsFlags(*own) && !own->enumeratorNames.contains("Everything"))
+            {
+                code.Line("    {\"Everything\", -1},");
             }
             code.Line("};");
         }
@@ -112,7 +137,7 @@ void DescribeField(PortedCode& code, const CSharpField& field)
         code.Line("inspector.EndGroup();");
         return;
     }
-    if (!own && IsIn(field.type, {"CompareFunction", "StencilOp", "RenderQueueType"}))
+    if (!own && PortModel::hasEntries(field.type))
     {
         code.Line("inspector.Field" + start + ", " + field.type + "Entries()" + tooltip);
         return;
@@ -352,7 +377,9 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
         Declare(code.model(), one, field, scope);
         return;
     }
-    code.Line(prefix + (isText ? "const char*" : *type) + " " + name +
+    const bool isLiteral = isText && value->cpp.starts_with("\"");
+    code.Line((isText && !isLiteral ? "inline static const " : prefix) +
+              (isLiteral ? "const char*" : *type) + " " + name +
               (isPlainData && !isEnum ? ""
                : !value               ? PortModel::CppDefault(*type)
                                       : " = " + value->cpp) +

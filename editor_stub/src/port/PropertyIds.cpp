@@ -66,18 +66,30 @@ private:
         }
     }
 
-    /// Finds the variables of a method that are declared as int or int[].
+    /// Finds the variables of a method that are declared as int, int[] or List<int>, or as var with
+    /// a new array or list.
     static void CollectLocals(CSharpMethod& method)
     {
         const CSharpWords words = method.body;
         for (std::size_t i = 0; i + 2 < words.size(); ++i)
         {
-            const bool isArray = words[i + 1].Is("[") && words[i + 1].match == 1;
-            const std::size_t name = i + (isArray ? 3 : 1);
-            if (words[i].Is("int") && name + 1 < words.size() && words[name].isName() &&
-                IsIn(words[name + 1].text, {"=", ";"}))
+            const CSharpToken* name = &words[i];
+            const CSharpToken* end = words.data() + words.size();
+            std::string type = IsIn(name->text, {"int", "List", "var"}) ? ReadCSharpType(name) : "";
+            if (type.empty() || name + 1 >= end || !name->isName() ||
+                !IsIn(name[1].text, {"=", ";"}))
             {
-                method.intLocals[std::string(words[name].text)] = isArray ? "int[]" : "int";
+                continue;
+            }
+            if (type == "var" && name + 3 < end && name[2].Is("new"))
+            {
+                const CSharpToken* made = name + 3;
+                type = ReadCSharpType(made);
+                type += made < end && made->Is("[") ? "[]" : "";
+            }
+            if (!IdType(type).empty())
+            {
+                method.intLocals[std::string(name->text)] = type;
             }
         }
     }
@@ -185,8 +197,9 @@ private:
             return IsIdType(m_Methods.find(words[0].text)->second->type);
         }
         const Variable variable = Find(words, one, method);
-        const bool isAlone = variable.length == words.size() ||
-                             (variable.type && IsIn(words[variable.length].text, {";", ",", ")"}));
+        const bool isAlone =
+            variable.length == words.size() ||
+            (variable.type && IsIn(words[variable.length].text, {";", ",", ")", ":", "}"}));
         return variable.type && isAlone && IsIdType(*variable.type);
     }
 
@@ -201,7 +214,11 @@ private:
             return;
         }
         const CSharpWords value = words.subspan(target.length + 1);
-        if (isProperty(value, one, &method))
+        const CSharpToken* end = value.data() + value.size();
+        const CSharpToken* behind = FindOutsideOfBrackets(value.data(), end, {";"});
+        const CSharpToken* choice = FindOutsideOfBrackets(value.data(), behind, {"?"});
+        if (isProperty(value, one, &method) ||
+            (choice < behind && isProperty({choice + 1, end}, one, &method)))
         {
             Mark(*target.type);
         }
@@ -233,6 +250,12 @@ private:
             return;
         }
         const auto arguments = SplitArguments(words[1].Inside());
+        const bool isAdded = words[0].Is("Add") && at > 1 && method.body[at - 1].Is(".");
+        std::string* list = isAdded ? TypeOf(method.body[at - 2].text, one, &method) : nullptr;
+        if (list && isProperty(arguments[0], one, &method))
+        {
+            Mark(*list);
+        }
         const auto index = PropertyArgument("", words[0].text, arguments.size());
         if (index && *index < arguments.size())
         {

@@ -447,6 +447,23 @@ TEST_F(RenderGraphFrame, CopiesAndBlitsWithTheRenderersShader)
     EXPECT_THAT(Sampled(result, PassInto(result, "_Half")), ElementsAre("_Copy"));
 }
 
+TEST_F(RenderGraphFrame, BlitsWithTheSourceUnderAnotherName)
+{
+    const auto material = std::make_shared<const Material>(test::ShaderWithProgram(
+        "", "Texture2D _Other; SamplerState sampler_Other;", "_Other.Sample(sampler_Other, 0)"));
+    Add(
+        [&material](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const auto& resources = frameData.Get<UniversalResourceData>();
+            RenderGraphUtils::BlitMaterialParameters blit(
+                resources.activeColorTexture(), graph.CreateTexture(Desc("_Kept")), material, 0);
+            blit.sourceTexturePropertyID = Shader::PropertyToID("_Other");
+            graph.AddBlitPass(blit, "Keep");
+        });
+    const RenderResult result = Render();
+    EXPECT_THAT(Sampled(result, PassInto(result, "_Kept")), ElementsAre("_CameraColorAttachmentA"));
+}
+
 TEST_F(RenderGraphFrame, DrawsRendererListsAndCountsWhatBecameOfThem)
 {
     test::AddCube(m_Scene, "cube", {0.0f, 0.0f, 5.0f}, {test::Plain()});

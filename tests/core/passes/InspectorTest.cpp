@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <limn/core/Inspector.h>
 #include <limn/core/Material.h>
+#include <map>
 
 namespace limn
 {
@@ -55,6 +56,39 @@ TEST(Inspector, TakesTooltipsThatAreNoLiterals)
     const std::string tooltip = "Hidden/Blur"; // nobody knows before it runs
     inspector.Field("shader", shader, tooltip);
     EXPECT_EQ(giver.tooltip, "Hidden/Blur");
+}
+
+// Values of Unity's documentation (2022.3).
+TEST(Inspector, KnowsTheMembersOfUnitysEnums)
+{
+    using Members = std::map<std::string_view, int>;
+    const auto members = [](std::span<const EnumEntry> entries)
+    {
+        Members result;
+        for (const EnumEntry& entry : entries)
+        {
+            EXPECT_TRUE(result.emplace(entry.name, entry.value).second) << entry.name;
+        }
+        return result;
+    };
+    EXPECT_EQ(members(FilterModeEntries()),
+              (Members{{"Point", 0}, {"Bilinear", 1}, {"Trilinear", 2}}));
+    EXPECT_EQ(members(TextureWrapModeEntries()),
+              (Members{{"Repeat", 0}, {"Clamp", 1}, {"Mirror", 2}, {"MirrorOnce", 3}}));
+    EXPECT_EQ(members(CullModeEntries()), (Members{{"Off", 0}, {"Front", 1}, {"Back", 2}}));
+    EXPECT_EQ(members(CameraTypeEntries()), (Members{{"Game", 1},
+                                                     {"SceneView", 2},
+                                                     {"Preview", 4},
+                                                     {"Reflection", 16},
+                                                     {"Everything", -1}}));
+    const Members blends = members(BlendModeEntries());
+    EXPECT_EQ(blends.size(), 11u);
+    EXPECT_EQ(blends.at("SrcAlpha"), static_cast<int>(BlendMode::SrcAlpha));
+    EXPECT_EQ(blends.at("OneMinusSrcAlpha"), static_cast<int>(BlendMode::OneMinusSrcAlpha));
+    const Members formats = members(RenderTextureFormatEntries());
+    EXPECT_EQ(formats.size(), 26u) << "all but the two of XR";
+    EXPECT_EQ(formats.at("RGB111110Float"), static_cast<int>(RenderTextureFormat::RGB111110Float));
+    EXPECT_EQ(formats.at("R16"), static_cast<int>(RenderTextureFormat::R16));
 }
 
 } // namespace limn

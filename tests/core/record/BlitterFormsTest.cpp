@@ -137,6 +137,42 @@ TEST_F(BlitterForms, TakeLoadAndStoreActions)
                                "ClearRenderTarget"));
 }
 
+// Unity: CoreUtils.SetRenderTarget (core 14) in all its forms of one or two targets.
+TEST_F(BlitterForms, BindAndClearTargetsWithAndWithoutActions)
+{
+    using Load = RenderBufferLoadAction;
+    using Store = RenderBufferStoreAction;
+    const RenderTargetIdentifier color = m_Dest.nameID();
+    const RenderTargetIdentifier depth = m_Depth.nameID();
+    CoreUtils::SetRenderTarget(m_Cmd, m_Dest, Load::DontCare, Store::Store);
+    CoreUtils::SetRenderTarget(m_Cmd, m_Dest, Load::Load, Store::Store, m_Depth, Load::Load,
+                               Store::DontCare, ClearFlag::Depth);
+    CoreUtils::SetRenderTarget(m_Cmd, color, ClearFlag::Color, Color::red);
+    CoreUtils::SetRenderTarget(m_Cmd, color, depth);
+    CoreUtils::SetRenderTarget(m_Cmd, color, Load::DontCare, Store::Store, ClearFlag::Color,
+                               Color::green);
+    CoreUtils::SetRenderTarget(m_Cmd, color, Load::Load, Store::Store, depth, Load::Load,
+                               Store::Store, ClearFlag::None);
+    m_Cmd.SetRenderTarget(m_Dest, Load::Load, Store::Store, m_Depth, Load::Load, Store::Store);
+    Execute();
+    std::vector<std::string> seen;
+    for (const FrameCommand& command : m_Frame.commands)
+    {
+        const auto* target = std::get_if<SetRenderTargetCommand>(&command);
+        const auto* clear = std::get_if<ClearCommand>(&command);
+        seen.push_back(target  ? target->colors[0]->name() + (target->depth ? "+depth" : "")
+                       : clear ? (clear->flags & ClearFlag::Depth ? "clear depth"
+                                  : clear->color == Color::red    ? "clear red"
+                                                                  : "clear green")
+                               : "other");
+    }
+    EXPECT_THAT(seen, ElementsAre("Dest", "Dest+depth", "clear depth", "Dest", "clear red",
+                                  "Dest+depth", "Dest", "clear green", "Dest+depth", "Dest+depth"));
+    EXPECT_THAT(test::ThrownMessage<ContractError>(
+                    [&] { CoreUtils::SetRenderTarget(m_Cmd, m_Dest, Load::Clear, Store::Store); }),
+                test::Mentions("SetRenderTarget", "RenderBufferLoadAction::Clear"));
+}
+
 TEST_F(BlitterForms, NeedACameraForPlainCopies)
 {
     m_Context.EndCamera();

@@ -411,6 +411,8 @@ void ExpectResourcesByFunctions()
             resources.cameraColor = graph.CreateTexture(Desc("_Swapped"));
             EXPECT_NE(resources.activeColorTexture(), before);
             resources.cameraColor = before;
+            const TextureHandle motionVectorColor; // what a port writes: an empty handle
+            EXPECT_FALSE(motionVectorColor.IsValid());
         });
 }
 
@@ -459,7 +461,8 @@ DiffersChecks GraphDiffers()
              ExpectASentenceForABufferThatThePassBeforeUses},
             {{"ScriptableRenderPass.RecordRenderGraph"}, ExpectOneWayOfEachPass},
             {Members("UniversalResourceData",
-                     {"activeColorTexture", "activeDepthTexture", "isActiveTargetBackBuffer"}),
+                     {"activeColorTexture", "activeDepthTexture", "isActiveTargetBackBuffer",
+                      "motionVectorColor", "motionVectorDepth"}),
              ExpectResourcesByFunctions},
             {{"IComputeRenderGraphBuilder.EnableAsyncCompute"}, ExpectNoEffectOfAsyncCompute}};
 }

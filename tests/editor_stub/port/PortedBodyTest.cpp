@@ -169,6 +169,10 @@ TEST(PortedBody, LeavesALineThatIsNotKnownWithTheReason)
                "// TODO F.cs:14: 'CommandBuffer.Shout' is not known", "        count = 4;\n",
                "// if (Application.isMobilePlatform) { count = 5; }"});
     EXPECT_THAT(ported.source, Not(HasSubstr("        count = 5;")));
+    EXPECT_THAT(ported.source,
+                HasSubstr("void F::Create()\n{\n    // Delete this line with the last TODO.\n"
+                          "    Debug::LogWarning(\"F: the port still has 3 TODOs, so its picture "
+                          "may lack something\");"));
 }
 
 TEST(PortedBody, LeavesStatementsThatItDoesNotKnowAsAWhole)
@@ -319,6 +323,70 @@ TEST(PortedBody, TellsAMemberFromTheTypeOfItsName)
     ExpectLines({{"Material.SetFloat(\"_A\", 1f);", "Material_->SetFloat(\"_A\", 1.0f);"},
                  {"FilterMode = FilterMode.Point;", "FilterMode_ = FilterMode::Point;"}},
                 "    Material Material; FilterMode FilterMode;\n");
+}
+
+TEST(PortedBody, HasTheNewerOperatorsOfCSharp)
+{
+    ExpectLines(
+        {{"material ?\?= settings.material;",
+          "if (material == nullptr)\n        {\n            material = settings->material;"},
+         {"var a = material ?? settings.material;",
+          "Shared<Material> a = material ? material : settings->material;"},
+         {"var b = material?.shader;",
+          "Shared<const Shader> b = material ? material->shader() : nullptr;"},
+         {"Mode c = Mode.On | Mode.Off;",
+          "F::Mode c = static_cast<F::Mode>(static_cast<int>(F::Mode::On) | "
+          "static_cast<int>(F::Mode::Off));"},
+         {"bool d = (c & Mode.On) != 0;", "!= 0;"},
+         {"bool e = (data.cameraData.cameraType & CameraType.Game) == 0;",
+          "static_cast<int>(data.cameraData.cameraType & CameraType::Game) == 0"},
+         {"uint f = (uint)1 << count;", "static_cast<std::uint32_t>(1) << count"},
+         {"context.Submit(); count = 1;", "count = 1;"}});
+}
+
+TEST(PortedBody, GivesParametersTheirDefaults)
+{
+    const Ported ported =
+        PortBody("      width = Far(2f);\n",
+                 "    float Far(float a, float b = 0.5f, int c = 3) => a * b * c;\n");
+    EXPECT_THAT(ported.source, HasSubstr("width = Far(2.0f, 0.5f, 3);"));
+}
+
+TEST(PortedBody, LeavesOutTheHalfThatOnlyTheCompatibilityModeRuns)
+{
+    const Ported ported = PortBody("      unknown.Call();\n",
+                                   "    public override void RecordRenderGraph(RenderGraph graph, "
+                                   "ContextContainer data) { }\n");
+    EXPECT_THAT(ported.source,
+                HasSubstr("// Only Unity 6's compatibility mode runs 'Execute' of F.cs:"));
+    EXPECT_THAT(ported.source, Not(HasSubstr("unknown")));
+    EXPECT_THAT(ported.source, Not(HasSubstr("TODO")));
+}
+
+TEST(PortedBody, HasMatricesAndTurns)
+{
+    ExpectLines({{"var turn = Quaternion.AngleAxis(90, Vector3.up);",
+                  "glm::angleAxis(glm::radians(90.0f), Vector3(0.0f, 1.0f, 0.0f))"},
+                 {"Vector3 ahead = turn * Vector3.forward;", "turn * Vector3(0.0f, 0.0f, 1.0f)"},
+                 {"var m = Matrix4x4.TRS(ahead, turn, Vector3.one);",
+                  "glm::translate(glm::mat4(1.0f), ahead) * glm::mat4_cast(turn) * "},
+                 {"m.SetRow(1, new Vector4(0, 1, 0, 0));", "m = glm::row(m, 1, Vector4("},
+                 {"width = m.m03;", "width = m[3][0];"},
+                 {"m = Matrix4x4.Inverse(m);", "m = glm::inverse(m);"}});
+}
+
+TEST(PortedBody, DescribesSettingsOfUnitysEnumsAndOfSetsOfFlags)
+{
+    const Ported ported = PortBody("", "",
+                                   "  [System.Flags] public enum Bits { A = 1, B = 2 }\n"
+                                   "  public Bits bits = Bits.A | Bits.B;\n"
+                                   "  public FilterMode filter = FilterMode.Bilinear;\n"
+                                   "  public RenderQueueRange range = RenderQueueRange.all;\n");
+    ExpectAll(ported.header, {"{\"Everything\", -1},",
+                              "inspector.Field(\"filter\", filter, FilterModeEntries(), \"\");",
+                              "RenderQueueRange range = RenderQueueRange::all"});
+    EXPECT_THAT(ported.header, Not(HasSubstr("TODO"))) << "Unity's serializer knows no ranges";
+    EXPECT_THAT(ported.header, Not(HasSubstr("\"range\"")));
 }
 
 TEST(PortedBody, DeclaresWhatACallGivesBack)

@@ -215,6 +215,15 @@ void SameLines::Frame()
     SAME("RenderGraph.ImportTexture", renderGraph.ImportTexture(a));
     SAME("RenderGraph.ImportTexture", renderGraph.ImportTexture(a, importParams));
     SAME("RenderGraphUtils", RenderGraphUtils::BlitFilterMode::ClampBilinear);
+    RenderGraphUtils::BlitMaterialParameters blit(textureHandle, textureHandle, material, 0);
+    SAME("RenderGraphUtils.BlitMaterialParameters.source", blit.source = textureHandle);
+    SAME("RenderGraphUtils.BlitMaterialParameters.destination", blit.destination = textureHandle);
+    SAME("RenderGraphUtils.BlitMaterialParameters.scale", blit.scale = Vector2(1, 1));
+    SAME("RenderGraphUtils.BlitMaterialParameters.offset", blit.offset = Vector2(0, 0));
+    SAME("RenderGraphUtils.BlitMaterialParameters.material", blit.material = material);
+    SAME("RenderGraphUtils.BlitMaterialParameters.shaderPass", blit.shaderPass = 1);
+    SAME("RenderGraphUtils.BlitMaterialParameters.sourceTexturePropertyID",
+         blit.sourceTexturePropertyID = Shader::PropertyToID("_Source"));
     SAME("RenderGraphUtils.BlitFilterMode", RenderGraphUtils::BlitFilterMode::ClampNearest);
     SAME("RenderGraphUtils.BlitMaterialParameters",
          RenderGraphUtils::BlitMaterialParameters(textureHandle, textureHandle, material, 0));

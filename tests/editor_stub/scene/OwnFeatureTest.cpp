@@ -32,6 +32,24 @@ public:
     }
 };
 
+/// A feature with settings of Unity's enums.
+class EnumsFeature final : public ScriptableRendererFeature
+{
+public:
+    CameraType m_Cameras = CameraType::Game;
+    FilterMode m_Filter = FilterMode::Point;
+    RenderTextureFormat m_Format = RenderTextureFormat::ARGB32;
+
+    void Create() override {}
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+    void Describe(Inspector& inspector) override
+    {
+        inspector.Field("m_Cameras", m_Cameras, CameraTypeEntries(), "");
+        inspector.Field("m_Filter", m_Filter, FilterModeEntries(), "");
+        inspector.Field("m_Format", m_Format, RenderTextureFormatEntries(), "");
+    }
+};
+
 /// Finds its shader by name and sets a material of its settings.
 class FindingFeature final : public ScriptableRendererFeature
 {
@@ -168,6 +186,23 @@ TEST(OwnFeature, ReadsVectorsTexturesAndComputeShadersFromAUnityRenderer)
                 ElementsAre(Mentions("A.m_Noise: it is left out", "Fill.compute is no picture"),
                             Mentions("A.m_Target: it is left out", "guid 'a9'"),
                             Mentions("A.m_Compute: it is left out", "guid 'a8'")));
+}
+
+TEST(OwnFeature, ReadsUnitysEnumsByNameAndByNumber)
+{
+    SceneFolder folder;
+    folder.assets.features().Register<EnumsFeature>("EnumsFeature");
+    const auto read = [&folder](const std::string& settings)
+    {
+        const SceneAsset scene = folder.LoadWithCamera(
+            "renderer: {features: [{type: EnumsFeature, " + settings + "}]}\n");
+        const auto& enums = dynamic_cast<const EnumsFeature&>(*scene.renderer.features.at(0));
+        return std::tuple(static_cast<int>(enums.m_Cameras), enums.m_Filter, enums.m_Format);
+    };
+    EXPECT_EQ(read("cameras: [Game, SceneView], filter: Trilinear, format: ARGBHalf"),
+              std::tuple(3, FilterMode::Trilinear, RenderTextureFormat::ARGBHalf));
+    EXPECT_EQ(read("cameras: 17, filter: 1, format: 9"),
+              std::tuple(17, FilterMode::Bilinear, RenderTextureFormat::DefaultHDR));
 }
 
 TEST(OwnFeature, FindsShadersByNameAndSetsTheMaterialOfItsSettings)

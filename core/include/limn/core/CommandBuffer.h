@@ -60,6 +60,12 @@ public:
                          RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
                          RenderBufferLoadAction depthLoadAction,
                          RenderBufferStoreAction depthStoreAction);
+    void SetRenderTarget(const RTHandle& rt, RenderBufferLoadAction loadAction,
+                         RenderBufferStoreAction storeAction);
+    void SetRenderTarget(const RTHandle& color, RenderBufferLoadAction colorLoadAction,
+                         RenderBufferStoreAction colorStoreAction, const RTHandle& depth,
+                         RenderBufferLoadAction depthLoadAction,
+                         RenderBufferStoreAction depthStoreAction);
     /// Sets the texture that CameraTarget stands for in all commands that follow. A renderer that
     /// changes it must call this.
     void SetCameraColor(RTHandle color);

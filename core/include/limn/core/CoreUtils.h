@@ -38,6 +38,31 @@ void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, const RTHandle& 
 void SetRenderTarget(CommandBuffer& cmd, std::span<const RTHandle> colors, const RTHandle& depth,
                      ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
 
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color, RenderTargetIdentifier depth,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+// These ignore the load and store actions, because limn derives them.
+// @throws ContractError for RenderBufferLoadAction::Clear
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color, RenderBufferLoadAction loadAction,
+                     RenderBufferStoreAction storeAction, ClearFlag clearFlag = ClearFlag::None,
+                     const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, const RTHandle& color,
+                     RenderBufferLoadAction colorLoadAction,
+                     RenderBufferStoreAction colorStoreAction, const RTHandle& depth,
+                     RenderBufferLoadAction depthLoadAction,
+                     RenderBufferStoreAction depthStoreAction,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color,
+                     RenderBufferLoadAction loadAction, RenderBufferStoreAction storeAction,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+void SetRenderTarget(CommandBuffer& cmd, RenderTargetIdentifier color,
+                     RenderBufferLoadAction colorLoadAction,
+                     RenderBufferStoreAction colorStoreAction, RenderTargetIdentifier depth,
+                     RenderBufferLoadAction depthLoadAction,
+                     RenderBufferStoreAction depthStoreAction,
+                     ClearFlag clearFlag = ClearFlag::None, const Color& clearColor = Color::clear);
+
 /// Clears the bound target; depth clears to far, stencil to 0.
 inline void ClearRenderTarget(CommandBuffer& cmd, ClearFlag clearFlag, const Color& clearColor)
 {

@@ -182,10 +182,15 @@ public:
     }
 };
 
-/// Return all members of RenderPassEvent, CompareFunction and StencilOp, for settings of these
-/// types.
+/// Return the members of an enum of Unity's, for settings of its type. A CameraType is a set.
 std::span<const EnumEntry> RenderPassEventEntries();
 std::span<const EnumEntry> CompareFunctionEntries();
 std::span<const EnumEntry> StencilOpEntries();
+std::span<const EnumEntry> CameraTypeEntries();
+std::span<const EnumEntry> FilterModeEntries();
+std::span<const EnumEntry> TextureWrapModeEntries();
+std::span<const EnumEntry> RenderTextureFormatEntries();
+std::span<const EnumEntry> CullModeEntries();
+std::span<const EnumEntry> BlendModeEntries();
 
 } // namespace limn

@@ -20,11 +20,12 @@ enum class BlitFilterMode
     ClampBilinear = 1
 };
 
-/// The arguments of AddBlitPass, which draws the source as _BlitTexture with one triangle over the
-/// destination.
+/// The arguments of AddBlitPass, which draws the source with one triangle over the destination. A
+/// shader sees the source as _BlitTexture, or by the name that is set here.
 struct BlitMaterialParameters
 {
     TextureHandle source;
+    ShaderPropertyId sourceTexturePropertyID = {};
     TextureHandle destination;
     glm::vec2 scale{1.0f};
     glm::vec2 offset{0.0f};

@@ -41,6 +41,7 @@ struct CSharpParameter
     std::string type;
     std::string name;
     bool isReference = false; ///< ref or out
+    CSharpWords value = {};   ///< its default; empty if it has none
 };
 
 /// A method, a constructor or a property that computes something.
@@ -63,6 +64,12 @@ struct CSharpMethod
     CSharpWords body;        ///< without the braces, or without => and ;
     CSharpLocals intLocals;  ///< int, int[] and what MarkPropertyIds makes of them
 
+    /// Returns whether a call may give this many arguments; the others have defaults.
+    bool Takes(std::size_t arguments) const
+    {
+        return arguments == parameters.size() ||
+               (arguments < parameters.size() && !parameters[arguments].value.empty());
+    }
     bool isConstructor() const { return type.empty(); }
 };
 

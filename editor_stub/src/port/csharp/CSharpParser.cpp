@@ -467,7 +467,8 @@ private:
         }
         parameter.type = ExpectType("a parameter of '" + method.name + "'");
         parameter.name = ExpectName("the name of a parameter");
-        ReadItem(close); // its default
+        const CSharpWords value = ReadItem(close);
+        parameter.value = value.subspan(value.empty() ? 0 : 1);
         method.parameters.push_back(std::move(parameter));
     }
 
