@@ -309,10 +309,11 @@ RendererListHandle RenderGraph::CreateRendererList(const RendererListParams& des
     return {m_State->rendererLists.size() - 1, m_State->frame};
 }
 
-RenderGraphPass& RenderGraph::AddPass(std::string_view name)
+RenderGraphPass& RenderGraph::AddPass(std::string_view name, bool allowsGlobalState)
 {
     RenderGraphPass& pass = m_State->passes.emplace_back();
     pass.name = SampleName(name);
+    pass.allowsGlobalState = allowsGlobalState;
     return pass;
 }
 

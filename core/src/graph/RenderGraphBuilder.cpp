@@ -140,12 +140,13 @@ void BaseRenderGraphBuilder::UseRendererList(const RendererListHandle& input)
 
 void BaseRenderGraphBuilder::AllowPassCulling(bool value)
 {
-    m_Pass.allowsCulling = value;
+    m_Pass.allowsCulling = value && (m_Pass.allowsCulling || !m_Pass.allowsGlobalState);
 }
 
 void BaseRenderGraphBuilder::AllowGlobalStateModification(bool value)
 {
     m_Pass.allowsGlobalState = value;
+    m_Pass.allowsCulling = m_Pass.allowsCulling && !value;
 }
 
 void BaseRenderGraphBuilder::SetRenderAttachment(const TextureHandle& texture, int index,

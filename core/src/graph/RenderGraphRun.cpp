@@ -388,7 +388,7 @@ void RenderGraphRun::ExpectAsDeclared(std::size_t firstCommand)
     m_Sampled.clear();
     m_Targets.clear();
     m_Buffers.clear();
-    const bool isKept = !m_Pass->allowsCulling || m_Pass->allowsGlobalState;
+    const bool isKept = !m_Pass->allowsCulling;
     const SetRenderTargetCommand* target = nullptr;
     const DrawBindings* last = nullptr;
     auto& commands = m_Context.m_Frame.commands;
@@ -561,8 +561,7 @@ void RenderGraphRun::ExpectRunByUnity()
     {
         return bool(use.flags & AccessFlags::Write);
     };
-    const bool isRun = !m_Pass->allowsCulling || m_Pass->allowsGlobalState ||
-                       std::ranges::any_of(m_Pass->uses, writes) ||
+    const bool isRun = !m_Pass->allowsCulling || std::ranges::any_of(m_Pass->uses, writes) ||
                        std::ranges::any_of(m_Pass->buffers, writes);
     if (m_HasEffect && !isRun && m_Problems.empty())
     {

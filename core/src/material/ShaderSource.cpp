@@ -19,6 +19,16 @@ std::shared_ptr<ShaderSource>& SourceOfThread()
 
 std::shared_ptr<const Shader> ShaderSource::Find(std::string_view name)
 {
+    if (auto known = FindKnown(name))
+    {
+        return known;
+    }
+    const std::lock_guard lock(m_OthersMutex);
+    return m_Others ? m_Others(name) : nullptr;
+}
+
+std::shared_ptr<const Shader> ShaderSource::FindKnown(std::string_view name)
+{
     const std::lock_guard lock(m_Mutex);
     auto made = m_Made.find(name);
     if (made == m_Made.end())
@@ -31,6 +41,12 @@ std::shared_ptr<const Shader> ShaderSource::Find(std::string_view name)
     }
     const auto added = m_Added.find(name);
     return added == m_Added.end() ? nullptr : added->second;
+}
+
+void ShaderSource::SetOthers(Others others)
+{
+    const std::lock_guard lock(m_OthersMutex);
+    m_Others = std::move(others);
 }
 
 void ShaderSource::Add(const std::shared_ptr<const Shader>& shader)

@@ -83,6 +83,14 @@ AssetContext::AssetContext(ShaderCompilerOptions options, PluginLoading pluginLo
     }
 }
 
+AssetContext::~AssetContext()
+{
+    if (m_ShaderSource) // which a renderer may keep
+    {
+        m_ShaderSource->SetOthers(nullptr);
+    }
+}
+
 void AssetContext::MakeCompiler() const
 {
     if (m_Compiler)

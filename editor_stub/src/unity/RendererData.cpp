@@ -5,6 +5,7 @@
 #include "assets/References.h"
 #include "settings/ReadValues.h"
 #include "settings/SettingsReader.h"
+#include "unity/ProjectShaders.h"
 #include "unity/RenderPipelineAsset.h"
 
 #include <algorithm>
@@ -28,7 +29,8 @@ struct Loading
     References references;
     const UnityProject& project;
     const UnityAssetLoaders& load;
-    LayerNames layers = {}; ///< an asset's masks are numbers, so no names are needed
+    LayerNames layers = {};  ///< an asset's masks are numbers, so no names are needed
+    bool hasShaders = false; ///< true if Shader::Find finds those of the project
 };
 
 /// The file of a guid; who watches sees it get another.
@@ -66,7 +68,9 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
         }
         try
         {
-            return loading.assets.LoadShader(*path);
+            const bool isGraph = path->extension() == ".shadergraph" && loading.load.graph;
+            return isGraph ? loading.load.graph(*path, loading.project, loading.assets)
+                           : loading.assets.LoadShader(*path);
         }
         catch (const AssetError& error)
         {
@@ -186,23 +190,6 @@ bool IsShipped(const std::string& type)
     return names.contains(type);
 }
 
-/// Lets Shader.Find see the project's shaders. One that cannot be read is none that a feature
-/// finds.
-void AddShadersOfProject(Loading& loading)
-{
-    for (const std::filesystem::path& path : loading.project.FilesOf(".shader"))
-    {
-        try
-        {
-            loading.assets.LoadShader(path);
-        }
-        catch (const AssetError&)
-        {
-            continue;
-        }
-    }
-}
-
 void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& loading)
 {
     const YamlNode* active = object.fields.Find("m_Active");
@@ -225,9 +212,9 @@ void ReadFeature(const UnityObject& object, RendererAsset& renderer, Loading& lo
     }
     feature->name = object.name;
     feature->SetActive(isActive);
-    if (!IsShipped(type) && isActive)
+    if (!IsShipped(type) && !std::exchange(loading.hasShaders, true))
     {
-        AddShadersOfProject(loading);
+        UseShadersOf(loading.project, loading.assets, loading.load.graph);
     }
     const auto hasErrors = [&diagnostics = loading.diagnostics](const auto& step)
     {

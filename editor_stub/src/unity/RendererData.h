@@ -1,5 +1,6 @@
 #pragma once
 
+#include "unity/ProjectShaders.h"
 #include "unity/UnityObjects.h"
 #include "unity/UnityProject.h"
 
@@ -19,6 +20,7 @@ struct UnityAssetLoaders
 {
     UnityAssetLoader<Material> material;
     UnityAssetLoader<Texture> texture;
+    GraphTranslator graph = nullptr; ///< for shader graphs of settings and of Shader::Find
 };
 
 /// Loads a renderer's asset as LoadUnityRendererData of UnityRendererData.h does, with a project

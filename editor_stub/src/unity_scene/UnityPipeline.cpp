@@ -1,3 +1,4 @@
+#include "shader_graph/GraphShader.h"
 #include "unity/RenderPipelineAsset.h"
 #include "unity/RendererData.h"
 #include "unity_scene/UnitySceneLoader.h"
@@ -7,6 +8,19 @@ namespace limn
 
 namespace
 {
+
+/// @throws AssetError as TranslateGraph
+std::shared_ptr<const Shader> ShaderOfGraph(const std::filesystem::path& graph,
+                                            const UnityProject& project, AssetContext& assets)
+{
+    const auto find = [&project](const std::string& guid)
+    {
+        const std::filesystem::path* file = project.Find(guid);
+        return file != nullptr ? *file : std::filesystem::path();
+    };
+    return Shader::FromText(TranslateGraph(graph, find).shaderLab, graph.generic_string(),
+                            assets.compiler());
+}
 
 /// The asset of the quality level that the editor shows, or else of GraphicsSettings.
 const std::filesystem::path* FindPipeline(const UnitySceneLoader& loader, float& lodBias)
@@ -36,13 +50,12 @@ void ReadRenderer(UnitySceneLoader& loader, const UnityNode& pipeline, int index
     const UnityNode renderer = pipeline["m_RendererDataList"].At(static_cast<std::size_t>(index));
     if (const auto* path = loader.database.Find(ReadUnityReference(renderer).guid))
     {
-        const UnityAssetLoaders load{[&loader](const UnityReference& material, const auto& note)
-                                     { return loader.materials.LoadForFeature(material, note); },
-                                     [&loader](const UnityReference& texture, const auto& note)
-                                     {
-                                         return loader.materials.textures().LoadForFeature(texture,
-                                                                                           note);
-                                     }};
+        const UnityAssetLoaders load{
+            [&loader](const UnityReference& material, const auto& note)
+            { return loader.materials.LoadForFeature(material, note); },
+            [&loader](const UnityReference& texture, const auto& note)
+            { return loader.materials.textures().LoadForFeature(texture, note); },
+            &ShaderOfGraph};
         UnityRendererDataLoadResult result =
             LoadUnityRendererData(*path, loader.assets, loader.database.project(), load);
         loader.asset.renderer = std::move(result.renderer);

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <optional>
 
 #include "Mentions.h"
 #include "ThrownMessage.h"
@@ -391,20 +392,34 @@ TEST_F(RenderGraphMismatch, NamesAGlobalThatIsSetWithoutLeave)
         Mentions("'Blur'", "view and projection", "throws", "AllowGlobalStateModification(true)"));
 }
 
-TEST_F(RenderGraphMismatch, NotesAGlobalThatANativeCommandBufferSets)
+// Unity: RenderGraph.AddUnsafePass allows globals by itself, and lets the pass be culled (core 17).
+TEST_F(RenderGraphMismatch, IsNoneWhereAnUnsafePassSetsGlobals)
 {
-    const auto set = [](bool isKept)
+    const auto set = [](bool isKept, std::optional<bool> allows = std::nullopt)
     {
-        return [isKept](RenderGraph& graph, ContextContainer&)
+        return [isKept, allows](RenderGraph& graph, ContextContainer&)
         {
             AddUnsafe(
-                graph, "Chain", [&](auto& builder) { builder.AllowPassCulling(!isKept); },
+                graph, "Chain",
+                [&](auto& builder)
+                {
+                    builder.AllowPassCulling(!isKept);
+                    if (allows)
+                    {
+                        builder.AllowGlobalStateModification(*allows);
+                    }
+                },
                 [](UnsafeCommandBuffer& cmd)
-                { CommandBufferHelpers::GetNativeCommandBuffer(cmd).SetGlobalInt("_Count", 2); });
+                {
+                    CommandBufferHelpers::GetNativeCommandBuffer(cmd).SetGlobalInt("_Count", 2);
+                    cmd.SetGlobalFloat("_Width", 2.0f);
+                });
         };
     };
-    EXPECT_THAT(NotesOf(set(true)), ElementsAre(Mentions("'Chain'", "sets '_Count'", "native",
-                                                         "AllowGlobalStateModification(true)")));
+    EXPECT_THAT(NotesOf(set(true)), IsEmpty());
+    EXPECT_THAT(NotesOf(set(false, true)), IsEmpty()) << "who allows globals, is never culled";
+    EXPECT_THAT(ErrorOf(set(true, false)), Mentions("'Chain'", "global '_Width'", "throws",
+                                                    "AllowGlobalStateModification(true)"));
     EXPECT_THAT(ErrorOf(set(false)),
                 Mentions("'Chain'", "no write", "leaves it out", "AllowPassCulling(false)"));
 }

@@ -183,14 +183,14 @@ void ExpectASentenceForWhatIsNotDeclared()
         EXPECT_THAT(read([](BaseRenderGraphBuilder& builder, const TextureHandle&)
                          { builder.UseGlobalTexture("_NoGlobal"); }),
                     Mentions("no pass before", "global"));
-        EXPECT_THAT(ErrorOf(
-                        [&](RenderGraph& graph, ContextContainer&)
-                        {
-                            AddOwn(graph, isRaster, nothing,
-                                   [](BaseCommandBuffer& cmd)
-                                   { cmd.SetGlobalFloat("_Width", 1.0f); });
-                        }),
-                    HasSubstr("AllowGlobalStateModification"));
+        EXPECT_THAT(
+            ErrorOf(
+                [&](RenderGraph& graph, ContextContainer&)
+                {
+                    AddOwn(graph, isRaster, nothing,
+                           [](BaseCommandBuffer& cmd) { cmd.SetGlobalFloat("_Width", 1.0f); });
+                }),
+            HasSubstr(isRaster ? "AllowGlobalStateModification(true)" : "AllowPassCulling(false)"));
     }
 }
 

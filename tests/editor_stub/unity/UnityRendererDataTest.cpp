@@ -4,6 +4,8 @@
 #include "assets/Importer.h"
 #include "unity/RendererData.h"
 
+#include <limn/base/ReadFile.h>
+#include <limn/core/Inspector.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
@@ -41,14 +43,22 @@ std::string AssetWithFeature(const std::string& lines)
            "  m_TransparentLayerMask: {serializedVersion: 2, m_Bits: 4}\n";
 }
 
-/// A feature of a plug-in, which looks for a shader of the project by its name.
+/// A feature of a plug-in, which looks for a shader and a graph of the project by their names, and
+/// has a setting for a third.
 class FindingFeature : public ScriptableRendererFeature
 {
 public:
-    void Create() override { shader = Shader::Find("Project/Haze"); }
+    void Create() override
+    {
+        shader = Shader::Find("Project/Haze");
+        graph = Shader::Find("Shader Graphs/Water");
+    }
     void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+    void Describe(Inspector& inspector) override { inspector.Field("m_Third", m_Third, ""); }
 
     std::shared_ptr<const Shader> shader;
+    std::shared_ptr<const Shader> graph;
+    std::shared_ptr<const Shader> m_Third;
 };
 
 } // namespace
@@ -76,6 +86,46 @@ TEST(UnityRendererData, LetsAFeatureFindTheShadersOfTheProject)
     const auto& feature = dynamic_cast<const FindingFeature&>(*result.renderer.features[0]);
     ASSERT_NE(nullptr, feature.shader);
     EXPECT_EQ("Project/Haze", feature.shader->name());
+    EXPECT_EQ(nullptr, feature.graph);
+    assets.shaderSource()->Clear(); // as when a plug-in is loaded
+    EXPECT_NE(nullptr, assets.FindShader("Project/Haze"));
+    EXPECT_EQ(nullptr, assets.FindShader("Project/Broken"));
+}
+
+TEST(UnityRendererData, FindsShaderGraphsByNameAndForSettings)
+{
+    SceneFolder folder;
+    folder.Write("ProjectSettings/ProjectSettings.asset", "");
+    folder.Write("Assets/Other/Water.shadergraph", "Shader Graphs/Rain");
+    folder.Write("Assets/Water.shadergraph", "Shader Graphs/Water");
+    folder.Write("Assets/Sand.shadergraph", "Shader Graphs/Sand");
+    folder.Write("Assets/Other/Water.shadergraph.meta", "guid: a1\n");
+    folder.Write("Assets/Water.shadergraph.meta", "guid: a2\n");
+    folder.Write("Assets/Sand.shadergraph.meta", "guid: a3\n");
+    folder.Write("Assets/FindingFeature.cs.meta", "guid: a4\n");
+    const auto path = folder.Write(
+        "Assets/r.asset",
+        AssetWithFeature("  m_Script: {fileID: 11500000, guid: a4, type: 3}\n  m_Name: Finder\n"
+                         "  m_Active: 1\n  m_Third: {fileID: -646, guid: a3, type: 3}\n"));
+    AssetContext assets;
+    assets.features().Register<FindingFeature>("FindingFeature");
+    const UnityProject project(path);
+    UnityAssetLoaders load;
+    load.graph = [](const std::filesystem::path& graph, const UnityProject&, AssetContext& context)
+    {
+        const std::string name = ReadFile(graph); // in place of a graph
+        return Shader::FromText("Shader \"" + name + "\" { SubShader { Pass { } } }",
+                                graph.generic_string(), context.compiler());
+    };
+    const UnityRendererDataLoadResult result = LoadUnityRendererData(path, assets, project, load);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    const auto& feature = dynamic_cast<const FindingFeature&>(*result.renderer.features[0]);
+    ASSERT_NE(nullptr, feature.graph);
+    EXPECT_EQ("Shader Graphs/Water", feature.graph->name());
+    ASSERT_NE(nullptr, feature.m_Third);
+    EXPECT_EQ("Shader Graphs/Sand", feature.m_Third->name());
+    EXPECT_THAT(Texts(result.notes),
+                Each(HasSubstr("a feature is left out; it is not in this file")));
 }
 
 TEST(UnityRendererData, GivesTheFeatureOfTheArticlesProject)

@@ -107,7 +107,7 @@ public:
     UnsafeRenderGraphBuilder<PassData> AddUnsafePass(std::string_view passName, PassData*& passData,
                                                      const Sampler&...)
     {
-        return Add<UnsafeRenderGraphBuilder<PassData>>(passName, passData);
+        return Add<UnsafeRenderGraphBuilder<PassData>>(passName, passData, true);
     }
     template <typename PassData, std::derived_from<ProfilingSampler>... Sampler>
     ComputeRenderGraphBuilder<PassData> AddComputePass(std::string_view passName,
@@ -137,13 +137,13 @@ private:
     friend class BaseRenderGraphBuilder;
     friend class RenderGraphCamera;
     friend class RenderGraphRun;
-    RenderGraphPass& AddPass(std::string_view name);
+    RenderGraphPass& AddPass(std::string_view name, bool allowsGlobalState);
     template <typename Builder, typename PassData>
-    Builder Add(std::string_view passName, PassData*& passData)
+    Builder Add(std::string_view passName, PassData*& passData, bool allowsGlobalState = false)
     {
         auto data = std::allocate_shared<PassData>(PooledAllocator<PassData>());
         passData = data.get();
-        return {*this, AddPass(passName), std::move(data)};
+        return {*this, AddPass(passName, allowsGlobalState), std::move(data)};
     }
     TextureHandle HandleOf(const RTHandle& texture) const;
     /// @throws ContractError beginning with `subject`, unless the handle is of this frame

@@ -80,7 +80,8 @@ public:
     /// Sets whether the pass may be culled. If false, it is run even if nothing reads what it
     /// draws; by default it is left out then.
     void AllowPassCulling(bool value);
-    /// Sets whether the pass may set globals; if true, it is not culled.
+    /// Sets whether the pass may set globals; if true, it is not culled. An unsafe pass may set
+    /// them without that.
     void AllowGlobalStateModification(bool value);
     /// Has no effect: limn has one queue, and the pass runs in its place.
     void EnableAsyncCompute(bool) {}

@@ -77,9 +77,9 @@ public:
     /// @throws AssetError as the constructor
     static std::shared_ptr<const Shader> Find(std::string_view name, const ShaderDatabase& database,
                                               std::shared_ptr<ShaderCompiler> compiler);
-    /// Returns a shader of limn, of plug-ins or of a file that the scene names. It works in a
-    /// feature's Create and while a camera is rendered (see ShaderSource). If there is none, it
-    /// returns null and logs a warning with the nearest name.
+    /// Returns a shader of limn, of plug-ins, of a file that the scene names, or of the scene's
+    /// Unity project. It works in a feature's Create and while a camera is rendered (see
+    /// ShaderSource). If there is none, it returns null and logs a warning with the nearest name.
     /// @throws AssetError as the constructor
     static std::shared_ptr<const Shader> Find(std::string_view name);
     /// @param file  the name of the text in error messages

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <limn/core/Shader.h>
 #include <map>
 #include <memory>
@@ -27,12 +28,17 @@ public:
     std::shared_ptr<const Shader> Find(std::string_view name);
     /// Adds a shader from elsewhere, which is found if the database has none of its name.
     void Add(const std::shared_ptr<const Shader>& shader);
+    /// Sets who looks for a shader that is neither in the database nor added: in a project. One
+    /// thread at a time calls it. It returns null if there is none.
+    using Others = std::function<std::shared_ptr<const Shader>(std::string_view name)>;
+    void SetOthers(Others others);
     /// Makes all shaders anew when they are next needed, and forgets those that were added.
     void Clear();
     /// Returns a text such as "'Toom'; did you mean 'Toon'?".
     std::string UnknownShader(std::string_view name) const;
 
 private:
+    std::shared_ptr<const Shader> FindKnown(std::string_view name);
     using Shaders = std::map<std::string, std::shared_ptr<const Shader>, std::less<>>;
 
     const ShaderDatabase& (*m_Shaders)();
@@ -40,6 +46,8 @@ private:
     mutable std::mutex m_Mutex; ///< guards those two
     Shaders m_Made;             ///< null: the database has none
     Shaders m_Added;
+    std::mutex m_OthersMutex; ///< guards the next one
+    Others m_Others;
 };
 
 /// Makes Shader::Find of this thread look in a source as long as the scope lives.

@@ -46,6 +46,7 @@ public:
     explicit AssetContext(ShaderCompilerOptions options = {},
                           PluginLoading pluginLoading = PluginLoading::File,
                           std::function<std::vector<std::string>()> missingFeatures = nullptr);
+    ~AssetContext();
     AssetContext(const AssetContext&) = delete;
     AssetContext& operator=(const AssetContext&) = delete;
 

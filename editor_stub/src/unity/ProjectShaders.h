@@ -1,0 +1,19 @@
+#pragma once
+
+#include "unity/UnityProject.h"
+
+#include <limn/editor_stub/AssetContext.h>
+
+namespace limn
+{
+
+/// Makes the shader of a shader graph's file. Throws AssetError if limn cannot.
+using GraphTranslator = std::function<std::shared_ptr<const Shader>(
+    const std::filesystem::path& graph, const UnityProject& project, AssetContext& assets)>;
+
+/// Lets Shader::Find of the features that `assets` loads find the project's shaders and shader
+/// graphs, until another project's are set.
+/// @param graph  null: no graphs
+void UseShadersOf(const UnityProject& project, AssetContext& assets, GraphTranslator graph);
+
+} // namespace limn
