@@ -98,6 +98,12 @@ public class HazeFeature : ScriptableRendererFeature
             CoreUtils.SetRenderTarget(cmd, target, RenderBufferLoadAction.Load, RenderBufferStoreAction.Store, ClearFlag.None, Color.clear);
         }
 
+        int Groups(ComputeShader kernels, int width)
+        {
+            kernels.GetKernelThreadGroupSizes(0, out uint x, out _, out uint _);
+            return Mathf.CeilToInt(width / (float)x);
+        }
+
         void Ask(ScriptableRenderContext context)
         {
             context.Submit();

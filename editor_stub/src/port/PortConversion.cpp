@@ -1,4 +1,5 @@
 #include "port/PortMember.h"
+#include "port/PortOperator.h"
 
 #include <limn/base/WordList.h>
 
@@ -150,6 +151,29 @@ std::string ParameterValueType(const std::string& parameter)
         }
     }
     return "";
+}
+
+std::optional<PortValue> CastNumber(const PortModel& model, const PortValue& value,
+                                    const std::string& type)
+{
+    const CSharpClass* own = model.Find(type);
+    const bool isEnum = own && model.RoleOf(*own) == PortRole::Enum;
+    const CSharpClass* from = model.Find(value.type);
+    const bool isFromEnum = (from && model.RoleOf(*from) == PortRole::Enum) ||
+                            (!value.type.empty() && (value.type == model.CppType(value.type) ||
+                                                     value.cpp.starts_with(value.type + "::")));
+    const auto cpp = model.CppType(type);
+    static const WordList enums("CameraType ClearFlag CompareFunction CullMode FilterMode "
+                                "RenderPassEvent RenderStateMask ScriptableRenderPassInput "
+                                "SortingCriteria StencilOp TextureWrapMode");
+    if (cpp &&
+        ((enums.Has(type) && value.type == "int") ||
+         (IsNumber(type) && (IsNumber(value.type) || isFromEnum || value.type == "double")) ||
+         (isEnum && IsNumber(value.type))))
+    {
+        return PortValue{"static_cast<" + *cpp + ">(" + value.cpp + ")", type};
+    }
+    return std::nullopt;
 }
 
 std::optional<PortValue> Converted(const PortModel& model, PortValue value,

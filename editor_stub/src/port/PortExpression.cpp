@@ -5,7 +5,6 @@
 #include "port/PortOperator.h"
 
 #include <algorithm>
-#include <limn/base/WordList.h>
 
 namespace limn
 {
@@ -85,7 +84,10 @@ private:
         const Result condition = ReadBinary(1, wanted);
         if (condition && Next("?\?"))
         {
-            return ReadOtherwise(*condition, wanted);
+            const Result other = ReadTernary(wanted);
+            const Result either =
+                other ? Otherwise(m_Place.model, *condition, *other) : std::nullopt;
+            return either ? either : Fail("'?\?' of this");
         }
         if (!condition || m_At == m_End || !m_At->Is("?"))
         {
@@ -114,23 +116,6 @@ private:
         PortValue value = *left;
         value.cpp = condition->Text(1) + " ? " + left->Text(1) + " : " + right->Text(0);
         value.isVariable = value.isLiteral = false;
-        value.strength = 0;
-        return value;
-    }
-
-    /// Reads what stands behind a ??.
-    Result ReadOtherwise(PortValue value, const std::string& wanted)
-    {
-        const Result other = ReadTernary(wanted);
-        const bool isPointer = value.isPointer || IsSharedType(m_Place.model, value.type);
-        const Result same = other ? Converted(m_Place.model, *other, value.type) : std::nullopt;
-        if (!same || !isPointer || value.isPointer != other->isPointer)
-        {
-            return Fail("'?\?' of this");
-        }
-        value.cpp = value.Text(1) + " ? " + value.Text(1) + " : " +
-                    (value.isPointer ? other->Text(0) : same->Text(0));
-        value.isVariable = false;
         value.strength = 0;
         return value;
     }
@@ -263,23 +248,9 @@ private:
         {
             return value;
         }
-        const CSharpClass* own = m_Place.model.Find(type);
-        const bool isEnum = own && m_Place.model.RoleOf(*own) == PortRole::Enum;
-        const CSharpClass* from = m_Place.model.Find(value->type);
-        const bool isFromEnum =
-            (from && m_Place.model.RoleOf(*from) == PortRole::Enum) ||
-            (!value->type.empty() && (value->type == m_Place.model.CppType(value->type) ||
-                                      value->cpp.starts_with(value->type + "::")));
-        const auto cpp = m_Place.model.CppType(type);
-        static const WordList enums("CameraType ClearFlag CompareFunction CullMode FilterMode "
-                                    "RenderPassEvent RenderStateMask ScriptableRenderPassInput "
-                                    "SortingCriteria StencilOp TextureWrapMode");
-        if (cpp &&
-            ((enums.Has(type) && value->type == "int") ||
-             (IsNumber(type) && (IsNumber(value->type) || isFromEnum || value->type == "double")) ||
-             (isEnum && IsNumber(value->type))))
+        if (const Result number = CastNumber(m_Place.model, *value, type))
         {
-            return PortValue{"static_cast<" + *cpp + ">(" + value->cpp + ")", type};
+            return number;
         }
         const Result converted = Converted(m_Place.model, *value, type);
         return converted ? converted : Fail("'(" + type + ")' of a '" + value->type + "'");
@@ -662,7 +633,11 @@ private:
                 }
                 if (isMaybe && (value.isPointer || IsSharedType(m_Place.model, value.type)))
                 {
-                    return ReadBehindMaybe(value, *member);
+                    const bool isLast =
+                        m_At == m_End || !(m_At->Is(".") || m_At->Is("?.") || m_At->Is("["));
+                    const Result maybe =
+                        isLast ? Maybe(m_Place.model, value, *member) : std::nullopt;
+                    return maybe ? maybe : Fail("'?.' within an expression");
                 }
                 value = *member;
             }
@@ -672,20 +647,6 @@ private:
             }
         }
         return value.isType ? Fail("a type where a value is needed") : Result(value);
-    }
-
-    /// Returns a?.b of a pointer, which is the last that is read.
-    Result ReadBehindMaybe(const PortValue& value, PortValue member)
-    {
-        const bool isPointer = member.isPointer || IsSharedType(m_Place.model, member.type);
-        if (!isPointer || (m_At < m_End && (m_At->Is(".") || m_At->Is("?.") || m_At->Is("["))))
-        {
-            return Fail("'?.' within an expression");
-        }
-        member.cpp = value.Text(1) + " ? " + member.cpp + " : nullptr";
-        member.isVariable = false;
-        member.strength = 0;
-        return member;
     }
 
     PortPlace m_Place;

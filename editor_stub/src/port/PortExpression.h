@@ -65,6 +65,11 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
 std::optional<PortValue> Converted(const PortModel& model, PortValue value,
                                    const std::string& wanted);
 
+/// Returns a number or an enum as one of another such type, as a cast of C# makes it, or nothing if
+/// the types are others.
+std::optional<PortValue> CastNumber(const PortModel& model, const PortValue& value,
+                                    const std::string& type);
+
 /// Returns the number of each member of an enum, in their order. From the first member on whose
 /// value is not made of numbers and members of the enum, there is no number.
 std::vector<std::optional<std::int64_t>> EnumValues(const CSharpClass& one);

@@ -355,8 +355,11 @@ std::optional<std::string> PortMembers::TypeArguments(const std::string& generic
 
 std::optional<PortMembers::Argument> PortMembers::OneArgument(CSharpWords words) const
 {
-    const bool isReference = !words.empty() && (words[0].Is("ref") || words[0].Is("in"));
+    const bool isReference = !words.empty() && IsIn(words[0].text, {"ref", "in", "out"});
     words = words.subspan(isReference ? 1 : 0);
+    const bool isDeclared =
+        isReference && words.size() == 2 && words[0].isName() && words[1].isName(); // out uint x
+    words = words.subspan(isDeclared ? 1 : 0);
     const auto value = Translate(m_Place, words, "", &m_Problem);
     if (!value || value->isType || value->type == "void")
     {

@@ -137,6 +137,33 @@ bool IsTruth(const PortModel& model, const PortValue& value)
            value.type == "RTHandle" || IsSharedType(model, value.type);
 }
 
+std::optional<PortValue> Otherwise(const PortModel& model, PortValue value, const PortValue& other)
+{
+    const bool isPointer = value.isPointer || IsSharedType(model, value.type);
+    const Result same = Converted(model, other, value.type);
+    if (!same || !isPointer || value.isPointer != other.isPointer)
+    {
+        return std::nullopt;
+    }
+    value.cpp = value.Text(1) + " ? " + value.Text(1) + " : " +
+                (value.isPointer ? other.Text(0) : same->Text(0));
+    value.isVariable = false;
+    value.strength = 0;
+    return value;
+}
+
+std::optional<PortValue> Maybe(const PortModel& model, const PortValue& value, PortValue member)
+{
+    if (!member.isPointer && !IsSharedType(model, member.type))
+    {
+        return std::nullopt;
+    }
+    member.cpp = value.Text(1) + " ? " + member.cpp + " : nullptr";
+    member.isVariable = false;
+    member.strength = 0;
+    return member;
+}
+
 std::optional<PortValue> Combined(const PortModel& model, PortValue left, const std::string& word,
                                   PortValue right, std::string& problem)
 {

@@ -23,4 +23,11 @@ bool IsTruth(const PortModel& model, const PortValue& value);
 std::optional<PortValue> Combined(const PortModel& model, PortValue left, const std::string& word,
                                   PortValue right, std::string& problem);
 
+/// Returns `value ?? other` in C++, or nothing if the value is no pointer there.
+std::optional<PortValue> Otherwise(const PortModel& model, PortValue value, const PortValue& other);
+
+/// Returns `value?.member` in C++, or nothing if the member is no pointer there.
+/// @param member  value.member
+std::optional<PortValue> Maybe(const PortModel& model, const PortValue& value, PortValue member);
+
 } // namespace limn

@@ -96,10 +96,18 @@ bool PortedStatement::WriteSimple(CSharpWords words)
 void PortedStatement::DeclareOutputs(CSharpWords words)
 {
     const Word end = words.data() + words.size();
+    const bool hasSizes = std::ranges::count(words, std::string_view("GetKernelThreadGroupSizes"),
+                                             &CSharpToken::text) > 0;
     for (Word at = words.data(); at + 2 < end; ++at)
     {
         Word name = at + 1;
-        const std::string type = at->Is("out") ? ReadCSharpType(name) : "";
+        std::string type = at->Is("out") ? ReadCSharpType(name) : "";
+        if (type == "_" || (!type.empty() && name->Is("_"))) // of a size that nobody needs
+        {
+            const bool isNew = hasSizes && !m_Scope.contains("_");
+            name = isNew && type == "_" ? at + 1 : name;
+            type = isNew ? "uint" : "";
+        }
         const auto cpp = type.empty() || type == "var" ? std::nullopt : m_Model.CppType(type);
         const bool isOutput =
             cpp && name + 1 < end && name->isName() && (name[1].Is(",") || name[1].Is(")"));

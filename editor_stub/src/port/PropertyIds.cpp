@@ -302,7 +302,8 @@ std::optional<std::size_t> PropertyArgument(std::string_view owner, std::string_
                                             std::size_t arguments)
 {
     const bool isByName = IsIn(owner, {"Material", "MaterialPropertyBlock", "Shader"});
-    if (IsIn(method, {"PropertyToID", "SetGlobalDepthBias"}))
+    if (IsIn(method, {"PropertyToID", "SetGlobalDepthBias", "GetKernelThreadGroupSizes",
+                      "IsSupported", "Dispatch", "DispatchIndirect"}))
     {
         return std::nullopt;
     }

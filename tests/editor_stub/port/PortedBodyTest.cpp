@@ -401,6 +401,19 @@ TEST(PortedBody, DeclaresWhatACallGivesBack)
                "void Split([[maybe_unused]] Vector2& low, [[maybe_unused]] float& rest)"});
 }
 
+TEST(PortedBody, GivesTheSizesOfAKernelsGroups)
+{
+    const Ported ported =
+        PortBody("      kernels.GetKernelThreadGroupSizes(count, out uint x, out groups, out _);\n"
+                 "      kernels.GetKernelThreadGroupSizes(count, out uint y, out _, out uint _);\n",
+                 "    ComputeShader kernels; uint groups;\n");
+    ExpectAll(ported.source, {"        std::uint32_t x{};\n        std::uint32_t _{};\n"
+                              "        kernels->GetKernelThreadGroupSizes(count, x, groups, _);\n"
+                              "        std::uint32_t y{};\n"
+                              "        kernels->GetKernelThreadGroupSizes(count, y, _, _);\n"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("TODO")));
+}
+
 TEST(PortedBody, TakesAlongWhatARenderFunctionUses)
 {
     const Ported ported = PortBody(
