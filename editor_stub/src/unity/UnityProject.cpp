@@ -18,7 +18,9 @@ constexpr std::pair<std::string_view, std::string_view> k_PackageScripts[] = {
     {"6b3d386ba5cd94485973aee1479b272e", "RenderObjects"},
     {"b00045f12942b46c698459096c89274e", "FullScreenPassRendererFeature"},
     {"6d613f08f173d4dd895bb07b3230baa9", "FullScreenPassRendererFeature"},
-    {"f62c9c65cf3354c93be831c8bc075510", "ScreenSpaceAmbientOcclusion"}};
+    {"f62c9c65cf3354c93be831c8bc075510", "ScreenSpaceAmbientOcclusion"},
+    {"a1614fc811f8f184697d9bee70ab9fe5", "DecalRendererFeature"}, // limn has neither of these two
+    {"e32e72b6a3f58a24c9033e2b9275eea0", "ScreenSpaceShadows"}};
 
 bool HasMetaFile(const std::filesystem::path& path)
 {

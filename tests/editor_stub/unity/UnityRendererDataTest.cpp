@@ -169,6 +169,19 @@ TEST(UnityRendererData, NotesWhatItDoesNotKnow)
                              "no such setting")));
 }
 
+TEST(UnityRendererData, NamesAFeatureOfThePackageThatLimnHasNot)
+{
+    SceneFolder folder;
+    AssetContext assets;
+    const auto path =
+        folder.Write("r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: "
+                                                 "a1614fc811f8f184697d9bee70ab9fe5, type: 3}\n"
+                                                 "  m_Name: Stains\n  m_Active: 1\n"));
+    const UnityRendererDataLoadResult result = LoadUnityRendererData(path, assets);
+    EXPECT_THAT(Texts(result.notes),
+                testing::Contains(Mentions("Stains: it is left out", "DecalRendererFeature")));
+}
+
 // URP 13 and the samples from before gave the script another guid than URP 14 does.
 TEST(UnityRendererData, ReadsAFullScreenPassByBothOfItsGuids)
 {
