@@ -54,7 +54,7 @@ private:
         const std::string_view stem = name.substr(name.rfind('/') + 1); // of npos as well
         for (const std::filesystem::path& file : m_Project.FilesOf(".shadergraph"))
         {
-            auto shader = m_Graph && file.stem() == stem ? m_Graph(file, m_Project, m_Assets)
+            auto shader = m_Graph && file.stem() == stem ? m_Graph(file, m_Assets)
                                                          : std::shared_ptr<const Shader>();
             if (shader && shader->name() == name)
             {

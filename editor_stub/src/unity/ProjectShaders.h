@@ -9,7 +9,7 @@ namespace limn
 
 /// Makes the shader of a shader graph's file. Throws AssetError if limn cannot.
 using GraphTranslator = std::function<std::shared_ptr<const Shader>(
-    const std::filesystem::path& graph, const UnityProject& project, AssetContext& assets)>;
+    const std::filesystem::path& graph, AssetContext& assets)>;
 
 /// Lets Shader::Find of the features that `assets` loads find the project's shaders and shader
 /// graphs, until another project's are set.

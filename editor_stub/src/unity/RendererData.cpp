@@ -69,7 +69,7 @@ std::shared_ptr<const Shader> ReadShaderReference(const YamlNode& node, const st
         try
         {
             const bool isGraph = path->extension() == ".shadergraph" && loading.load.graph;
-            return isGraph ? loading.load.graph(*path, loading.project, loading.assets)
+            return isGraph ? loading.load.graph(*path, loading.assets)
                            : loading.assets.LoadShader(*path);
         }
         catch (const AssetError& error)

@@ -9,19 +9,6 @@ namespace limn
 namespace
 {
 
-/// @throws AssetError as TranslateGraph
-std::shared_ptr<const Shader> ShaderOfGraph(const std::filesystem::path& graph,
-                                            const UnityProject& project, AssetContext& assets)
-{
-    const auto find = [&project](const std::string& guid)
-    {
-        const std::filesystem::path* file = project.Find(guid);
-        return file != nullptr ? *file : std::filesystem::path();
-    };
-    return Shader::FromText(TranslateGraph(graph, find).shaderLab, graph.generic_string(),
-                            assets.compiler());
-}
-
 /// The asset of the quality level that the editor shows, or else of GraphicsSettings.
 const std::filesystem::path* FindPipeline(const UnitySceneLoader& loader, float& lodBias)
 {
@@ -55,7 +42,11 @@ void ReadRenderer(UnitySceneLoader& loader, const UnityNode& pipeline, int index
             { return loader.materials.LoadForFeature(material, note); },
             [&loader](const UnityReference& texture, const auto& note)
             { return loader.materials.textures().LoadForFeature(texture, note); },
-            &ShaderOfGraph};
+            [](const std::filesystem::path& graph, AssetContext& assets)
+            {
+                return std::make_shared<const Shader>(LoadShaderFile(graph).TakeDocument(),
+                                                      assets.compiler());
+            }};
         UnityRendererDataLoadResult result =
             LoadUnityRendererData(*path, loader.assets, loader.database.project(), load);
         loader.asset.renderer = std::move(result.renderer);

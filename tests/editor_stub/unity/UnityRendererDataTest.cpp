@@ -111,7 +111,7 @@ TEST(UnityRendererData, FindsShaderGraphsByNameAndForSettings)
     assets.features().Register<FindingFeature>("FindingFeature");
     const UnityProject project(path);
     UnityAssetLoaders load;
-    load.graph = [](const std::filesystem::path& graph, const UnityProject&, AssetContext& context)
+    load.graph = [](const std::filesystem::path& graph, AssetContext& context)
     {
         const std::string name = ReadFile(graph); // in place of a graph
         return Shader::FromText("Shader \"" + name + "\" { SubShader { Pass { } } }",
