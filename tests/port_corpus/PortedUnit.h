@@ -10,7 +10,9 @@
 #include <limn/core/Mathf.h>
 #include <limn/core/NullCheck.h>
 #include <limn/core/QualitySettings.h>
+#include <limn/core/Random.h>
 #include <limn/core/RenderGraph.h>
+#include <limn/core/Resources.h>
 #include <limn/core/ScriptableRenderer.h>
 #include <limn/features/Plugin.h>
 #include <limn/limn.h>

@@ -42,6 +42,16 @@ void AddUse(RenderGraphPass& pass, std::string_view call, RenderGraphPass::Use u
     }
 }
 
+void ExpectIndex(const RenderGraphCall& subject, const RTHandle& texture, int index)
+{
+    if (index < 0 || index >= static_cast<int>(k_MostColors))
+    {
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ": the index is " +
+                            std::to_string(index) + "; it must be 0 to " +
+                            std::to_string(k_MostColors - 1));
+    }
+}
+
 } // namespace
 
 const RenderGraphPass::Use* RenderGraphPass::FindUse(const RTHandle& texture) const
@@ -159,12 +169,7 @@ void BaseRenderGraphBuilder::SetRenderAttachment(const TextureHandle& texture, i
         throw ContractError(subject.text() + ": " + Quoted(texture) +
                             " is a depth texture; call SetRenderAttachmentDepth");
     }
-    if (index < 0 || index >= static_cast<int>(k_MostColors))
-    {
-        throw ContractError(subject.text() + " of " + Quoted(texture) + ": the index is " +
-                            std::to_string(index) + "; it must be 0 to " +
-                            std::to_string(k_MostColors - 1));
-    }
+    ExpectIndex(subject, texture, index);
     RTHandle& slot = m_Pass.colors[static_cast<std::size_t>(index)];
     if (slot)
     {
@@ -192,6 +197,26 @@ void BaseRenderGraphBuilder::SetRenderAttachmentDepth(const TextureHandle& textu
     }
     AddUse(m_Pass, "': SetRenderAttachmentDepth", {texture, flags, true});
     m_Pass.depth = texture;
+}
+
+void BaseRenderGraphBuilder::SetInputAttachment(const TextureHandle& texture, int index,
+                                                AccessFlags flags)
+{
+    static const std::array<ShaderPropertyId, k_MostColors> s_Names = {
+        "_UnityFBInput0", "_UnityFBInput1", "_UnityFBInput2", "_UnityFBInput3",
+        "_UnityFBInput4", "_UnityFBInput5", "_UnityFBInput6", "_UnityFBInput7"};
+    const RenderGraphCall subject = Subject(m_Pass, "': SetInputAttachment");
+    ExpectUsable(texture, subject);
+    ExpectIndex(subject, texture, index);
+    const ShaderPropertyId id = s_Names[static_cast<std::size_t>(index)];
+    const auto same = std::ranges::find(m_Pass.inputs, id, &RenderGraphPass::GlobalTexture::id);
+    if (same != m_Pass.inputs.end())
+    {
+        throw ContractError(subject.text() + " of " + Quoted(texture) + ": index " +
+                            std::to_string(index) + " has " + Quoted(same->texture) + " already");
+    }
+    AddUse(m_Pass, "': SetInputAttachment", {texture, flags, false});
+    m_Pass.inputs.push_back({id, texture});
 }
 
 void BaseRenderGraphBuilder::SetFunction(AnyRenderGraphFunction function)

@@ -50,6 +50,20 @@ DrawingSettings RenderingUtils::CreateDrawingSettings(ShaderTagId shaderTagId,
     return MakeDrawingSettings(std::span(&shaderTagId, 1), *cameraData.camera, sortingCriteria);
 }
 
+DrawingSettings RenderingUtils::CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
+                                                      const RenderingData& renderingData,
+                                                      SortingCriteria sortingCriteria)
+{
+    return MakeDrawingSettings(shaderTagIdList, *renderingData.cameraData.camera, sortingCriteria);
+}
+
+DrawingSettings RenderingUtils::CreateDrawingSettings(ShaderTagId shaderTagId,
+                                                      const RenderingData& renderingData,
+                                                      SortingCriteria sortingCriteria)
+{
+    return CreateDrawingSettings(std::span(&shaderTagId, 1), renderingData, sortingCriteria);
+}
+
 RTHandle RenderGraphCamera::Record(ScriptableRenderPass& pass, ScriptableRenderContext& context,
                                    const RenderingData& renderingData, const Targets& targets)
 {

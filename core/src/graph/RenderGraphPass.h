@@ -48,7 +48,7 @@ struct RenderGraphPass
         ShaderPropertyId id;
         AccessFlags flags = AccessFlags::None;
     };
-    struct GlobalAfter
+    struct GlobalTexture
     {
         ShaderPropertyId id;
         RTHandle texture;
@@ -61,7 +61,8 @@ struct RenderGraphPass
     std::array<RTHandle, k_MostColors> colors;
     RTHandle depth;
     PooledVector<GlobalUse> globalUses;
-    PooledVector<GlobalAfter> globalsAfter;
+    PooledVector<GlobalTexture> inputs; ///< global while the pass records
+    PooledVector<GlobalTexture> globalsAfter;
     PooledVector<std::size_t> rendererLists;
     bool usesAllGlobals = false;
     bool allowsCulling = true;

@@ -56,6 +56,16 @@ void BaseCommandBuffer::SetProjectionMatrix(const glm::dmat4& proj)
 
 AnyCommandBuffer::AnyCommandBuffer(BaseCommandBuffer& cmd) : m_Cmd(cmd) {}
 
+ProfilingScope::ProfilingScope(BaseCommandBuffer& cmd, const ProfilingSampler& sampler)
+    : ProfilingScope(static_cast<CommandBuffer&>(cmd), sampler)
+{
+}
+
+ProfilingScope::ProfilingScope(ComputeCommandBuffer& cmd, const ProfilingSampler& sampler)
+    : ProfilingScope(static_cast<CommandBuffer&>(cmd), sampler)
+{
+}
+
 CommandBuffer& CommandBufferHelpers::GetNativeCommandBuffer(UnsafeCommandBuffer& cmd)
 {
     return AnyCommandBuffer(cmd);
@@ -133,6 +143,15 @@ void RenderGraphRun::Clear()
 
 void RenderGraphRun::Bind()
 {
+    for (const RenderGraphPass::GlobalTexture& input : m_Pass->inputs)
+    {
+        m_Cmd->SetGlobalTexture(input.id, input.texture);
+    }
+    if (!m_Pass->inputs.empty())
+    {
+        m_Context.ExecuteCommandBuffer(*m_Cmd);
+        m_Cmd->Clear();
+    }
     const auto& colors = m_Pass->colors;
     const auto count =
         static_cast<std::size_t>(std::ranges::find(colors, RTHandle()) - colors.begin());
@@ -201,7 +220,7 @@ void RenderGraphRun::DrawRendererList(const RendererListHandle& list)
 
 void RenderGraphRun::Finish()
 {
-    for (const RenderGraphPass::GlobalAfter& global : m_Pass->globalsAfter)
+    for (const RenderGraphPass::GlobalTexture& global : m_Pass->globalsAfter)
     {
         m_Cmd->SetGlobalTexture(global.id, global.texture);
     }

@@ -1,4 +1,4 @@
-#include <limn/core/ShaderSource.h>
+#include "material/SourceOfThread.h"
 
 #include <limn/core/Debug.h>
 #include <utility>
@@ -6,16 +6,11 @@
 namespace limn
 {
 
-namespace
-{
-
-std::shared_ptr<ShaderSource>& SourceOfThread()
+std::shared_ptr<ShaderSource>& ShaderSourceOfThread()
 {
     static thread_local std::shared_ptr<ShaderSource> source;
     return source;
 }
-
-} // namespace
 
 std::shared_ptr<const Shader> ShaderSource::Find(std::string_view name)
 {
@@ -49,6 +44,12 @@ void ShaderSource::SetOthers(Others others)
     m_Others = std::move(others);
 }
 
+void ShaderSource::SetResources(std::shared_ptr<ResourceFolders> folders)
+{
+    const std::lock_guard lock(m_OthersMutex);
+    m_Resources = std::move(folders);
+}
+
 void ShaderSource::Add(const std::shared_ptr<const Shader>& shader)
 {
     const std::lock_guard lock(m_Mutex);
@@ -68,18 +69,18 @@ std::string ShaderSource::UnknownShader(std::string_view name) const
 }
 
 ShaderSourceScope::ShaderSourceScope(std::shared_ptr<ShaderSource> source)
-    : m_Before(std::exchange(SourceOfThread(), std::move(source)))
+    : m_Before(std::exchange(ShaderSourceOfThread(), std::move(source)))
 {
 }
 
 ShaderSourceScope::~ShaderSourceScope()
 {
-    SourceOfThread() = std::move(m_Before);
+    ShaderSourceOfThread() = std::move(m_Before);
 }
 
 std::shared_ptr<const Shader> Shader::Find(std::string_view name)
 {
-    const std::shared_ptr<ShaderSource>& source = SourceOfThread();
+    const std::shared_ptr<ShaderSource>& source = ShaderSourceOfThread();
     if (!source)
     {
         Debug::LogWarning("Shader.Find('" + std::string(name) +

@@ -127,7 +127,7 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& data)
     cmd.SetGlobalVector(_GlobalMipBias, {0.0f, 1.0f, 0.0f, 0.0f});
 }
 
-void SetTimeUniforms(CommandBuffer& cmd, double t)
+void SetTimeUniforms(CommandBuffer& cmd, double t, double dt)
 {
     const auto sines = [t](double (*function)(double))
     {
@@ -137,7 +137,8 @@ void SetTimeUniforms(CommandBuffer& cmd, double t)
     cmd.SetGlobalVector(_SinTime, sines([](double x) { return std::sin(x); }));
     cmd.SetGlobalVector(_CosTime, sines([](double x) { return std::cos(x); }));
     cmd.SetGlobalVector(_TimeParameters, glm::vec4(t, std::sin(t), std::cos(t), 0.0));
-    cmd.SetGlobalVector(unity_DeltaTime, {0.0f, 0.0f, 0.0f, 0.0f});
+    const double rate = dt > 0.0 ? 1.0 / dt : 0.0;
+    cmd.SetGlobalVector(unity_DeltaTime, glm::vec4(dt, rate, dt, rate));
 }
 
 void SetLightUniforms(CommandBuffer& cmd, const Scene& scene)

@@ -14,7 +14,7 @@ void SetCameraUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 void SetOriginUniforms(CommandBuffer& cmd, const CameraData& cameraData);
 
 /// Sets _Time and its relatives, rounded to float last. @param seconds  since the beginning
-void SetTimeUniforms(CommandBuffer& cmd, double seconds);
+void SetTimeUniforms(CommandBuffer& cmd, double seconds, double sinceLastFrame);
 
 /// Sets the main light, linear.
 void SetLightUniforms(CommandBuffer& cmd, const Scene& scene);

@@ -128,6 +128,11 @@ void SetKeyword(Material& material, const std::string& keyword, bool state)
     state ? material.EnableKeyword(keyword) : material.DisableKeyword(keyword);
 }
 
+void SetKeyword(ComputeShader& cs, std::string_view keyword, bool state)
+{
+    cs.SetKeyword(keyword, state);
+}
+
 void DrawRendererList(ScriptableRenderContext&, CommandBuffer& cmd,
                       const RendererList& rendererList)
 {

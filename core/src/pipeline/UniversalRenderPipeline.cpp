@@ -275,7 +275,7 @@ void SetUniforms(ScriptableRenderContext& context, const RenderRequest& request,
         MainLightShadowCasterPass::Forget(*cmd);
         AdditionalLightsShadowCasterPass::Forget(*cmd);
     }
-    SetTimeUniforms(*cmd, request.time);
+    SetTimeUniforms(*cmd, renderingData.time, renderingData.deltaTime);
     SetLightUniforms(*cmd, *request.scene);
     SetAmbientUniforms(*cmd, *request.scene);
     SetFogUniforms(*cmd, *request.scene);
@@ -301,6 +301,7 @@ RenderResult UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& rend
 void UniversalRenderPipeline::RenderSingleCamera(UniversalRenderer& renderer,
                                                  const RenderRequest& request, RenderResult& result)
 {
+    AdvanceTime(request.time);
     RenderStack(renderer, request, m_Frames, result);
 }
 
@@ -318,6 +319,7 @@ std::vector<RenderResult> UniversalRenderPipeline::Render(UniversalRenderer& ren
                   { return camera->renderType != CameraRenderType::Base; });
     std::ranges::stable_sort(sorted, std::less(),
                              [](const Camera* camera) { return std::trunc(camera->depth); });
+    AdvanceTime(request.time);
     m_FramesOfSeveral.resize(std::max(m_FramesOfSeveral.size(), sorted.size()));
     std::vector<RenderResult> results(sorted.size());
     RenderRequest ofOne = request;
@@ -327,6 +329,12 @@ std::vector<RenderResult> UniversalRenderPipeline::Render(UniversalRenderer& ren
         RenderStack(renderer, ofOne, m_FramesOfSeveral[i], results[i]);
     }
     return results;
+}
+
+void UniversalRenderPipeline::AdvanceTime(double time)
+{
+    m_DeltaTime = std::max(time - m_Time.value_or(time), 0.0);
+    m_Time = time;
 }
 
 void UniversalRenderPipeline::FindStack(const Camera& camera, RenderReport& report)
@@ -382,6 +390,7 @@ void UniversalRenderPipeline::RenderStack(UniversalRenderer& renderer, const Ren
     {
         RenderingData renderingData =
             MakeRenderingData(request, *camera, renderer, descriptor, result.report);
+        renderingData.deltaTime = m_DeltaTime;
         renderingData.cameraData.resolveFinalTarget = &camera == &m_Stack.back();
         renderingData.cameraData.isHdrEnabled = isHdr;
         renderingData.cameraData.renderScale = scale;

@@ -166,4 +166,17 @@ RenderTexture::RenderTexture(std::string name, const RenderTextureDescriptor& de
     m_DepthBuffer = std::move(depthBuffer);
 }
 
+void RenderTextureDescriptor::SetSRGB(bool value)
+{
+    using enum GraphicsFormat;
+    if (graphicsFormat == R8G8B8A8_SRGB || graphicsFormat == R8G8B8A8_UNorm)
+    {
+        graphicsFormat = value ? R8G8B8A8_SRGB : R8G8B8A8_UNorm;
+    }
+    else if (graphicsFormat == B8G8R8A8_SRGB || graphicsFormat == B8G8R8A8_UNorm)
+    {
+        graphicsFormat = value ? B8G8R8A8_SRGB : B8G8R8A8_UNorm;
+    }
+}
+
 } // namespace limn

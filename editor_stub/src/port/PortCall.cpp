@@ -66,6 +66,11 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
         value = Converted(place.model, *value, "float");
     }
     const bool isGood = value && value->type != "void";
+    if (isGood && target.isPointer && !target.own.empty() && !value->isPointer &&
+        !value->isVariable && value->type != "null")
+    {
+        return target.cpp + " = &(" + target.own + " = " + value->cpp + ")";
+    }
     if (isGood && target.isPointer && !PointTo(place.model, target, *value))
     {
         problem = "an object of its own where another's is kept";
@@ -85,6 +90,55 @@ std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue&
     }
     return isGood ? std::optional(target.cpp + " " + std::string(word) + " " + value->cpp)
                   : std::nullopt;
+}
+
+std::optional<std::string> MemberAssignment(const PortPlace& place, const PortValue& object,
+                                            CSharpWords words, std::string& problem)
+{
+    if (words.size() < 3 || !words[1].Is("="))
+    {
+        problem = "'new' with this in its braces";
+        return std::nullopt;
+    }
+    const PortName name{std::string(words[0].text), "", false, {}, true};
+    std::string unknown;
+    const PortMembers members(place, unknown);
+    const auto setter = members.Setter(object, name, words.subspan(2));
+    const auto found = setter ? std::nullopt : members.MemberOf(object, name);
+    if (setter)
+    {
+        return *setter == "-" ? "" : *setter;
+    }
+    if (found && found->isVariable)
+    {
+        return AssignmentTo(place, *found, "=", words.subspan(2), problem);
+    }
+    unknown = unknown.empty() ? "'" + name.name + "' is no variable in C++" : unknown;
+    problem = problem.empty() ? unknown : problem;
+    return std::nullopt;
+}
+
+std::optional<PortValue> MadeWith(const PortPlace& place, const PortValue& made,
+                                  CSharpWords members, std::string& problem)
+{
+    PortValue object{"made", made.type};
+    object.isVariable = object.isLocal = true;
+    std::string text;
+    for (const CSharpWords& member : SplitArguments(members))
+    {
+        const auto assigned = MemberAssignment(place, object, member, problem);
+        if (!assigned)
+        {
+            return std::nullopt;
+        }
+        text += assigned->empty() ? "" : " " + *assigned + ";";
+    }
+    if (text.find("auto made = ") != std::string::npos)
+    {
+        problem = "'new' with members within another";
+        return std::nullopt;
+    }
+    return PortValue{"[&] { auto made = " + made.cpp + ";" + text + " return made; }()", made.type};
 }
 
 std::optional<std::string> PortArgument(const PortPlace& place, const CSharpClass& owner,

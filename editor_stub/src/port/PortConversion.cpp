@@ -88,8 +88,7 @@ Result AsOther(const PortValue& value, const std::string& wanted)
                    {"RTHandle", "ShaderPropertyId", "BuiltinRenderTextureType", "string"})) ||
              (wanted == "Texture" &&
               IsIn(value.type, {"Texture2D", "Texture3D", "Cubemap", "RenderTexture"})) ||
-             is("TextureHandle", "RTHandle") || is("RendererListHandle", "RendererList") ||
-             is("float", "double") || is("int", "double"))
+             is("TextureHandle", "RTHandle") || is("float", "double") || is("int", "double"))
     {
         cpp = value.cpp;
     }
@@ -126,6 +125,7 @@ bool IsReferenceType(const PortModel& model, const std::string& type)
         "CullingResults IComputeRenderGraphBuilder IRasterRenderGraphBuilder "
         "IUnsafeRenderGraphBuilder LightData RasterCommandBuffer RasterGraphContext RenderGraph "
         "RenderingData ScriptableRenderContext ScriptableRenderer ShadowData UniversalCameraData "
+        "UniversalRenderer "
         "UniversalLightData UniversalRenderingData UniversalResourceData UnsafeCommandBuffer "
         "UniversalShadowData UnsafeGraphContext VolumeManager VolumeStack Transform Light");
     const CSharpClass* own = model.Find(type);
@@ -159,13 +159,16 @@ std::optional<PortValue> CastNumber(const PortModel& model, const PortValue& val
     const CSharpClass* own = model.Find(type);
     const bool isEnum = own && model.RoleOf(*own) == PortRole::Enum;
     const CSharpClass* from = model.Find(value.type);
-    const bool isFromEnum = (from && model.RoleOf(*from) == PortRole::Enum) ||
-                            (!value.type.empty() && (value.type == model.CppType(value.type) ||
-                                                     value.cpp.starts_with(value.type + "::")));
     const auto cpp = model.CppType(type);
-    static const WordList enums("CameraType ClearFlag CompareFunction CullMode FilterMode "
-                                "RenderPassEvent RenderStateMask ScriptableRenderPassInput "
+    static const WordList enums("AccessFlags BlendMode CameraType ClearFlag ColorWriteMask "
+                                "CompareFunction CullMode FilterMode GraphicsFormat "
+                                "RenderPassEvent RenderQueueType RenderStateMask "
+                                "RenderTextureFormat ScriptableRenderPassInput "
                                 "SortingCriteria StencilOp TextureWrapMode");
+    const bool isFromEnum =
+        from ? model.RoleOf(*from) == PortRole::Enum
+             : enums.Has(value.type) ||
+                   (!value.type.empty() && value.cpp.starts_with(value.type + "::"));
     if (cpp &&
         ((enums.Has(type) && value.type == "int") ||
          (IsNumber(type) && (IsNumber(value.type) || isFromEnum || value.type == "double")) ||
@@ -183,6 +186,10 @@ std::optional<PortValue> Converted(const PortModel& model, PortValue value,
     if (wanted.empty())
     {
         return value;
+    }
+    if (value.type == "ScriptableRenderer" && wanted == "UniversalRenderer")
+    {
+        value.type = wanted; // limn has one kind
     }
     if (value.type == wanted || value.type.empty() || (own && own == model.Find(value.type)))
     {

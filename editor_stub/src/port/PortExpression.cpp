@@ -230,9 +230,10 @@ private:
         const CSharpToken* at = m_At + 1;
         const std::string type = ReadCSharpType(at);
         const CSharpToken& behind = *m_At->Behind();
-        const bool isType = !type.empty() && at == m_At->Behind() - 1 &&
-                            (IsIn(type, {"int", "float", "uint", "double", "bool"}) ||
-                             m_Place.model.Find(type) || m_Place.model.CppType(type));
+        const bool isType =
+            !type.empty() && at == m_At->Behind() - 1 &&
+            (IsIn(type, {"int", "float", "uint", "double", "bool"}) || m_Place.model.Find(type) ||
+             m_Place.model.CppType(type) || type == "UniversalRenderer");
         return isType && !m_Place.scope.contains(type) &&
                (behind.isName() || behind.Is("(") || behind.Is("-") ||
                 behind.kind == CSharpTokenKind::Number);
@@ -275,7 +276,9 @@ private:
         {
             const auto text = PlainText({m_At, 1});
             ++m_At;
-            return text ? Result(PortValue{"\"" + *text + "\"", "string"}) : ReadHoles(word);
+            const Result filled = text ? Result(PortValue{"\"" + *text + "\"", "string"})
+                                       : TextWithValues(m_Place, word, m_Problem);
+            return filled ? filled : Fail("a text with values in it");
         }
         if (Next("true") || Next("false"))
         {
@@ -300,45 +303,6 @@ private:
         return word.isName() ? ReadHead() : Fail("'" + std::string(word.text) + "'");
     }
 
-    /// Reads a text with values in it: $"a {b} c".
-    Result ReadHoles(const CSharpToken& word)
-    {
-        const std::string_view text = word.text;
-        std::string cpp;
-        const auto add = [&](const std::string& part)
-        {
-            cpp += (cpp.empty() ? "" : " + ") + part;
-        };
-        bool isGood = text.starts_with("$\"") && text.find('\\') == std::string_view::npos &&
-                      text.find("{{") == std::string_view::npos;
-        for (std::size_t at = 2; isGood && at + 1 < text.size();)
-        {
-            const bool isHole = text[at] == '{';
-            const std::size_t end = std::min(text.find(isHole ? '}' : '{', at), text.size() - 1);
-            if (!isHole)
-            {
-                add("std::string(\"" + std::string(text.substr(at, end - at)) + "\")");
-                at = end;
-                continue;
-            }
-            const auto isInside = [&](const CSharpToken& part)
-            {
-                return part.offset > word.offset + at && part.offset < word.offset + end;
-            };
-            const auto first = std::ranges::find_if(word.hole, isInside);
-            const auto behind = std::find_if_not(first, word.hole.end(), isInside);
-            const auto value = Translate(m_Place, {first, behind}, "", &m_Problem);
-            isGood = value && IsIn(value->type, {"string", "int", "uint"});
-            add(!isGood                   ? ""
-                : value->type == "string" ? "std::string(" + value->cpp + ")"
-                                          : "std::to_string(" + value->cpp + ")");
-            at = end + 1;
-        }
-        PortValue value{cpp.empty() ? "std::string()" : cpp, "string"};
-        value.strength = Strength("+");
-        return isGood ? Result(value) : Fail("a text with values in it");
-    }
-
     /// Behind `new`.
     Result ReadNew(const std::string& wanted)
     {
@@ -359,7 +323,12 @@ private:
         }
         if (m_At < m_End && m_At->Is("{"))
         {
-            return arguments.empty() ? ReadElements(type) : Fail("'new' with members");
+            const CSharpWords inside = m_At->Inside();
+            const bool hasMembers = inside.size() > 2 && inside[1].Is("=");
+            m_At = hasMembers ? m_At->Behind() : m_At;
+            return hasMembers          ? Construct(type, arguments, inside)
+                   : arguments.empty() ? ReadElements(type)
+                                       : Fail("'new' with this in its braces");
         }
         return Construct(type, arguments);
     }
@@ -413,6 +382,18 @@ private:
                       : std::nullopt;
     }
 
+    /// Returns `new T(arguments) { a = b, c = d }`: a function that makes it.
+    Result Construct(const std::string& type, const std::vector<CSharpWords>& arguments,
+                     CSharpWords members)
+    {
+        const Result made = m_Place.isBody ? Construct(type, arguments) : std::nullopt;
+        if (!made || made->isPointer || IsReferenceType(m_Place.model, type))
+        {
+            return Fail("'new' with members");
+        }
+        return MadeWith(m_Place, *made, members, m_Problem);
+    }
+
     /// Returns the arguments of the bracket that stands here, and continues behind it.
     std::vector<CSharpWords> TakeArguments()
     {
@@ -455,8 +436,8 @@ private:
     /// Reads a name with what stands behind it: a, this.a, base.a(), UnityEngine.a.
     Result ReadHead()
     {
-        while (IsIn(m_At->text, {"UnityEngine", "Unity", "System", "global"}) && m_End - m_At > 2 &&
-               (m_At[1].Is(".") || m_At[1].Is("::")))
+        while (IsIn(m_At->text, {"UnityEngine", "Unity", "System", "global", "Experimental"}) &&
+               m_End - m_At > 2 && (m_At[1].Is(".") || m_At[1].Is("::")))
         {
             do
             {
@@ -492,6 +473,10 @@ private:
         if (const Result named = ReadTypeName())
         {
             return named;
+        }
+        if (const Result size = ReadSize())
+        {
+            return size;
         }
         const PortName name = ReadName();
         const auto variable = m_Place.scope.find(name.name);
@@ -547,6 +532,31 @@ private:
         }
         m_At = behind + 2;
         return PortValue{"\"" + type + "\"", "string"};
+    }
+
+    /// Reads sizeof(T), Marshal.SizeOf(typeof(T)) or Marshal.SizeOf<T>(), or returns nothing and
+    /// reads nothing.
+    Result ReadSize()
+    {
+        const bool isWord = m_At->Is("sizeof") && m_End - m_At > 1;
+        const bool isCall = IsIn(m_At->text, {"Marshal", "UnsafeUtility"}) && m_End - m_At > 3 &&
+                            m_At[1].Is(".") && m_At[2].Is("SizeOf");
+        const CSharpToken* at = m_At + (isWord ? 1 : 3);
+        const bool isGeneric = isCall && at->Is("<");
+        const bool isOfType = isCall && at->Is("(") && at[1].Is("typeof");
+        if (!isWord && !isGeneric && !isOfType)
+        {
+            return std::nullopt;
+        }
+        at += isOfType ? 3 : 1;
+        const std::string type = ReadCSharpType(at);
+        const auto cpp = m_Place.model.CppType(type);
+        if (!cpp)
+        {
+            return std::nullopt;
+        }
+        m_At = isOfType ? at + 2 : isGeneric ? at + 3 : at + 1;
+        return PortValue{"static_cast<int>(sizeof(" + *cpp + "))", "int"};
     }
 
     /// Returns whether the member is the type's and no object's.

@@ -23,8 +23,13 @@ struct PortValue
     bool isLocal = false;    ///< true for an object that ends with the method
     int strength = 100;      ///< how tightly its operator binds; an expression without one has 100
 
+    /// Of a field that points to an object: the field of an object of its own; "" if it has none.
+    std::string own = {};
+
     /// Returns it in brackets, if an operator of this strength would otherwise tear it apart.
     std::string Text(int least) const { return strength < least ? "(" + cpp + ")" : cpp; }
+    /// Returns the object itself, also where the value points to it.
+    std::string Object() const { return isPointer ? "*" + Text(90) : cpp; }
 };
 
 /// The names that an expression can use, and their values.
@@ -60,6 +65,17 @@ std::optional<std::string> TranslateAssignment(const PortPlace& place, CSharpWor
 std::optional<std::string> AssignmentTo(const PortPlace& place, const PortValue& target,
                                         std::string_view word, CSharpWords assigned,
                                         std::string& problem);
+
+/// Returns `object.member = value` in C++ without its semicolon, or nothing like Translate.
+/// @param words  member = value
+std::optional<std::string> MemberAssignment(const PortPlace& place, const PortValue& object,
+                                            CSharpWords words, std::string& problem);
+
+/// Returns an object whose members are set, as a call of a function that makes it, or nothing like
+/// Translate.
+/// @param members  a = b, c = d
+std::optional<PortValue> MadeWith(const PortPlace& place, const PortValue& made,
+                                  CSharpWords members, std::string& problem);
 
 /// Returns the value as one of the wanted type ("" = any), or nothing if it cannot be one.
 std::optional<PortValue> Converted(const PortModel& model, PortValue value,

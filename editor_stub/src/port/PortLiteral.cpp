@@ -1,5 +1,8 @@
 #include "port/PortLiteral.h"
 
+#include "port/PortOperator.h"
+
+#include <algorithm>
 #include <array>
 #include <map>
 
@@ -113,6 +116,45 @@ std::optional<std::string> PlainText(CSharpWords words)
         }
     }
     return WithoutTrigraphs(std::string(inner));
+}
+
+std::optional<PortValue> TextWithValues(const PortPlace& place, const CSharpToken& word,
+                                        std::string& problem)
+{
+    const std::string_view text = word.text;
+    std::string cpp;
+    const auto add = [&](const std::string& part)
+    {
+        cpp += (cpp.empty() ? "" : " + ") + part;
+    };
+    bool isGood = text.starts_with("$\"") && text.find('\\') == std::string_view::npos &&
+                  text.find("{{") == std::string_view::npos;
+    for (std::size_t at = 2; isGood && at + 1 < text.size();)
+    {
+        const bool isHole = text[at] == '{';
+        const std::size_t end = std::min(text.find(isHole ? '}' : '{', at), text.size() - 1);
+        if (!isHole)
+        {
+            add("std::string(\"" + std::string(text.substr(at, end - at)) + "\")");
+            at = end;
+            continue;
+        }
+        const auto isInside = [&](const CSharpToken& part)
+        {
+            return part.offset > word.offset + at && part.offset < word.offset + end;
+        };
+        const auto first = std::ranges::find_if(word.hole, isInside);
+        const auto behind = std::find_if_not(first, word.hole.end(), isInside);
+        const auto value = Translate(place, {first, behind}, "", &problem);
+        isGood = value && IsIn(value->type, {"string", "int", "uint"});
+        add(!isGood                   ? ""
+            : value->type == "string" ? "std::string(" + value->cpp + ")"
+                                      : "std::to_string(" + value->cpp + ")");
+        at = end + 1;
+    }
+    PortValue value{cpp.empty() ? "std::string()" : cpp, "string"};
+    value.strength = Strength("+");
+    return isGood ? std::optional(value) : std::nullopt;
 }
 
 std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords words)

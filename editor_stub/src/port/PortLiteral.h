@@ -22,6 +22,11 @@ std::optional<std::string> TranslateNumber(const PortModel& model, CSharpWords w
 /// words.
 std::optional<std::string> PlainText(CSharpWords words);
 
+/// Returns a text with values in it, $"a {b} c", or nothing if one of them has no text in C++.
+/// @param problem  as in Translate
+std::optional<PortValue> TextWithValues(const PortPlace& place, const CSharpToken& word,
+                                        std::string& problem);
+
 /// Returns the arguments of `new T(...)` or `new(...)`, whatever follows, or nothing for other
 /// words.
 std::optional<std::vector<CSharpWords>> NewArguments(CSharpWords words);

@@ -1,5 +1,6 @@
 #include "port/PortMember.h"
 
+#include "port/PortOperator.h"
 #include "port/PortedCode.h"
 
 #include <algorithm>
@@ -16,12 +17,6 @@ std::string AccessOf(const PortModel& model, const PortValue& value)
 {
     const bool isArrow = value.isPointer || IsSharedType(model, value.type);
     return value.isType ? value.cpp + "::" : value.Text(90) + (isArrow ? "->" : ".");
-}
-
-/// Returns the object itself.
-std::string ObjectText(const PortValue& value)
-{
-    return value.isPointer ? "*" + value.Text(90) : value.cpp;
 }
 
 std::string InBrackets(const std::string& generics)
@@ -146,7 +141,10 @@ std::optional<PortValue> PortMembers::OwnMember(const PortValue& value, const CS
     }
     if (const CSharpField* field = own.FindField(name.name); field && !name.isCall)
     {
-        return OwnField(AccessOf(model(), value), own, *field, value.isVariable || value.isPointer);
+        // Volumes set what a component holds; those who read it do not change it.
+        const bool isOfStack = role == PortRole::Component && model().context() != &own;
+        return OwnField(AccessOf(model(), value), own, *field,
+                        (value.isVariable || value.isPointer) && !isOfStack);
     }
     if (const CSharpMethod* method = own.FindMethod(name.name);
         method && (name.isCall || method->isProperty))
@@ -189,6 +187,7 @@ std::optional<PortValue> PortMembers::OwnField(const std::string& access, const 
     }
     value.cpp = (field.isStatic && !access.empty() ? model().QualifiedName(own) + "::" : access) +
                 value.cpp;
+    value.own = value.own.empty() ? "" : access + value.own;
     value.isVariable = isVariable && !field.isConst;
     return value;
 }
@@ -247,12 +246,29 @@ std::optional<PortValue> PortMembers::ListMember(const PortValue& value, const P
     if (IsIn(name.name, {"Clear", "ToArray", "ToList"}) && name.isCall && name.arguments.empty())
     {
         return name.name == "Clear" ? PortValue{access + "clear()", "void"}
-                                    : PortValue{ObjectText(value), element + "[]"};
+                                    : PortValue{value.Object(), element + "[]"};
     }
-    if (name.name == "Add" && name.arguments.size() == 1)
+    const CSharpClass* own = model().Find(element);
+    const bool isComparable = !own || model().RoleOf(*own) == PortRole::Enum;
+    if ((name.name == "Add" || (name.name == "Contains" && isComparable)) &&
+        name.arguments.size() == 1)
     {
         const auto item = Translate(m_Place, name.arguments[0], element, &m_Problem);
-        return item ? Result(PortValue{access + "push_back(" + item->cpp + ")", "void"}) : item;
+        if (!item || name.name == "Add")
+        {
+            return item ? Result(PortValue{access + "push_back(" + item->cpp + ")", "void"}) : item;
+        }
+        PortValue found{"std::ranges::count(" + value.Object() + ", " + item->cpp + ") > 0",
+                        "bool"};
+        found.strength = Strength(">");
+        return found;
+    }
+    if (name.name == "RemoveAt" && name.arguments.size() == 1)
+    {
+        const auto at = Translate(m_Place, name.arguments[0], "int", &m_Problem);
+        return at ? Result(PortValue{access + "erase(" + access + "begin() + " + at->Text(9) + ")",
+                                     "void"})
+                  : at;
     }
     return Fail("limn has no '" + value.type + "." + name.name + "' on one line");
 }
@@ -309,7 +325,7 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
     const std::string& code = special.empty() ? entry->cpp : special;
     const bool isConstant = isSame || code == "FilteringSettings()" ||
                             full == "Shader.PropertyToID" ||
-                            StartsWithAny(code, {"glm::", "std::numeric_limits<"});
+                            StartsWithAny(code, {"glm::", "std::numeric_limits<", "\""});
     if (!m_Place.isBody && (!isConstant || (name.isCall && full != "Shader.PropertyToID")))
     {
         return Fail("a call outside of a method");
@@ -328,11 +344,24 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
         return std::nullopt;
     }
     PortValue result{*cpp, entry->result == "T" ? InBrackets(name.generics) : entry->result};
+    if (result.type == "N")
+    {
+        const auto isFloat = [](const Argument& one)
+        {
+            return one.value.type == "float";
+        };
+        result.type = std::ranges::any_of(*arguments, isFloat) ? "float"
+                      : arguments->empty()                     ? ""
+                                                               : arguments->front().value.type;
+    }
     const bool isEnumerator = value.isType && !name.isCall && result.type.empty() && isSame;
     result.type = isEnumerator ? plain : result.type;
     result.isPointer = entry->isPointer;
-    result.isVariable = (!name.isCall && isDefault && (value.isVariable || value.isPointer)) ||
-                        IsReferenceType(model(), result.type);
+    result.isType = value.isType && !name.isCall && entry->result == full; // one within another
+    const bool isPart = code.starts_with("$&[");                                   // of a matrix
+    result.isVariable =
+        (!name.isCall && (isDefault || isPart) && (value.isVariable || value.isPointer)) ||
+        IsReferenceType(model(), result.type);
     return result;
 }
 
@@ -351,204 +380,6 @@ std::optional<std::string> PortMembers::TypeArguments(const std::string& generic
         return std::nullopt;
     }
     return "<" + (own ? model().QualifiedName(*own) : type) + ">";
-}
-
-std::optional<PortMembers::Argument> PortMembers::OneArgument(CSharpWords words) const
-{
-    const bool isReference = !words.empty() && IsIn(words[0].text, {"ref", "in", "out"});
-    words = words.subspan(isReference ? 1 : 0);
-    const bool isDeclared =
-        isReference && words.size() == 2 && words[0].isName() && words[1].isName(); // out uint x
-    words = words.subspan(isDeclared ? 1 : 0);
-    const auto value = Translate(m_Place, words, "", &m_Problem);
-    if (!value || value->isType || value->type == "void")
-    {
-        return std::nullopt;
-    }
-    const bool isList = value->cpp.starts_with("{") && !ElementTypeOf(value->type).empty();
-    const auto list = isList ? model().CppType(value->type) : std::nullopt;
-    return Argument{*value,
-                    value->type == "null" ? "nullptr" : list.value_or("") + ObjectText(*value)};
-}
-
-std::optional<std::vector<PortMembers::Argument>>
-PortMembers::Arguments(const std::vector<CSharpWords>& words) const
-{
-    std::vector<Argument> arguments;
-    for (CSharpWords one : words)
-    {
-        const bool isNamed = one.size() > 2 && one[0].isName() && one[1].Is(":");
-        // These stand where the C++ has them, too, if they are the last ones.
-        const bool isLast = arguments.size() + 1 == words.size();
-        const bool isPassName = isNamed && one[0].Is("passName");
-        if (isNamed && isLast &&
-            (IsIn(one[0].text, {"pass", "passIndex", "flags", "index"}) || isPassName))
-        {
-            if (isPassName && words.size() == 5) // behind a scale and an offset
-            {
-                const std::string filter = "RenderGraphUtils::BlitFilterMode::ClampBilinear";
-                arguments.push_back({{filter, ""}, filter});
-            }
-            one = one.subspan(2);
-        }
-        else if (isNamed)
-        {
-            Fail("the named argument '" + std::string(one[0].text) + "'");
-            return std::nullopt;
-        }
-        const auto argument = OneArgument(one);
-        if (!argument)
-        {
-            return std::nullopt;
-        }
-        arguments.push_back(*argument);
-    }
-    return arguments;
-}
-
-/// Returns the arguments of ReAllocateIfNeeded: those behind the first two become members of
-/// ReAllocateArguments.
-std::optional<std::vector<PortMembers::Argument>>
-PortMembers::NamedArguments(const std::vector<CSharpWords>& words) const
-{
-    static const std::vector<std::string> names{"filterMode", "wrapMode",   "isShadowMap",
-                                                "anisoLevel", "mipMapBias", "name"};
-    std::vector<Argument> arguments;
-    std::size_t first = 2; // behind the handle and the descriptor
-    std::map<std::size_t, std::string> members;
-    for (std::size_t i = 0; i < words.size(); ++i)
-    {
-        const bool isNamed = words[i].size() > 2 && words[i][0].isName() && words[i][1].Is(":");
-        const auto argument = OneArgument(isNamed ? words[i].subspan(2) : words[i]);
-        if (!argument)
-        {
-            return std::nullopt;
-        }
-        const auto name = isNamed ? std::ranges::find(names, words[i][0].text) : names.end();
-        const auto place = isNamed ? static_cast<std::size_t>(name - names.begin()) : i - first;
-        first = i == 1 && argument->value.type == "Vector2" ? 3 : first; // a scale before it
-        if (!isNamed && i < first)
-        {
-            arguments.push_back(*argument);
-        }
-        else if (place < names.size())
-        {
-            members[place] = "." + names[place] + " = " + argument->text;
-        }
-        else
-        {
-            Fail("the named argument '" + std::string(words[i][0].text) + "'");
-            return std::nullopt;
-        }
-    }
-    std::string list;
-    for (const auto& [place, text] : members)
-    {
-        list += (list.empty() ? "{" : ", ") + text;
-    }
-    arguments.push_back({{list + "}", ""}, list + "}"});
-    return arguments;
-}
-
-std::optional<std::vector<PortMembers::Argument>>
-PortMembers::ArgumentsOf(const std::string& owner, const PortName& name) const
-{
-    const auto isNamed = [](const CSharpWords& words)
-    {
-        return words.size() > 2 && words[0].isName() && words[1].Is(":");
-    };
-    const bool hasNamed = std::ranges::any_of(name.arguments, isNamed);
-    const bool isAgain = owner == "RenderingUtils" && name.name.starts_with("ReAllocate");
-    const auto handle =
-        isAgain && !name.arguments.empty() ? OneArgument(name.arguments[0]) : std::nullopt;
-    if (isAgain && (!handle || handle->value.type != "RTHandle"))
-    {
-        Fail("a target that is no RTHandle");
-        return std::nullopt;
-    }
-    if (hasNamed && isAgain)
-    {
-        return NamedArguments(name.arguments);
-    }
-    std::vector<CSharpWords> words = name.arguments;
-    const bool isAlloc = owner == "RTHandles" && name.name == "Alloc" && words.size() == 2;
-    CSharpWords title = isAlloc ? words.back() : CSharpWords();
-    if (isAlloc)
-    {
-        title = isNamed(title) && title[0].Is("name") ? title.subspan(2) : title;
-        words.pop_back(); // what an identifier stands for is called by its own name
-    }
-    auto arguments = Arguments(words);
-    if (arguments && isAlloc && (*arguments)[0].value.type == "RenderTextureDescriptor")
-    {
-        const auto called = OneArgument(title);
-        return called ? std::optional(std::vector<Argument>{
-                            (*arguments)[0],
-                            {{"FilterMode::Point", ""}, "FilterMode::Point"},
-                            {{"TextureWrapMode::Repeat", ""}, "TextureWrapMode::Repeat"},
-                            *called})
-                      : std::nullopt;
-    }
-    const auto property = PropertyArgument(owner, name.name, arguments ? arguments->size() : 0);
-    if (arguments && property && *property < arguments->size() &&
-        (*arguments)[*property].value.type == "int")
-    {
-        Fail("a property's number that is an 'int'");
-        return std::nullopt;
-    }
-    const std::size_t textures = name.name == "Blit" ? 3 : name.name == "SetRenderTarget" ? 2 : 0;
-    for (std::size_t i = 0; arguments && i < std::min(textures, arguments->size()); ++i)
-    {
-        if ((*arguments)[i].value.type == "int")
-        {
-            Fail("a texture's number that is an 'int'");
-            return std::nullopt;
-        }
-    }
-    const auto isObject = [&](const Argument& argument)
-    {
-        return IsSharedType(model(), argument.value.type) || argument.value.isPointer;
-    };
-    if (arguments && owner == "Debug" && name.name.ends_with("Format") &&
-        std::ranges::any_of(*arguments, isObject))
-    {
-        Fail("an object in a text");
-        return std::nullopt;
-    }
-    const bool isKeyword = arguments && owner == "CoreUtils" && name.name == "SetKeyword";
-    if (isKeyword && (*arguments)[0].value.type == "Material")
-    {
-        (*arguments)[0].text = "*" + (*arguments)[0].text;
-    }
-    else if (isKeyword && (*arguments)[0].value.type != "CommandBuffer")
-    {
-        Fail("a keyword of something that is neither a material nor global");
-        return std::nullopt;
-    }
-    return arguments;
-}
-
-/// @param kind  of the list: 'v', 'i', 'f' or '*'
-std::string PortMembers::ListText(const std::vector<Argument>& arguments, char kind) const
-{
-    const bool hasFloat = std::ranges::any_of(arguments, [](const Argument& one)
-                                              { return one.value.type == "float"; });
-    std::string text;
-    for (const Argument& argument : arguments)
-    {
-        const std::string& type = argument.value.type;
-        const bool isWhole = kind == 'f' && hasFloat && type == "int";
-        const bool isShort = kind == 'v' && (type == "Vector2" || type == "Vector3");
-        const bool isTexture = kind == 'i' && IsIn(type, {"Texture", "Texture2D", "RenderTexture"});
-        const bool isHandle = kind == 'i' && type == "TextureHandle";
-        const std::string one = isWhole     ? Converted(model(), argument.value, "float")->cpp
-                                : isHandle  ? "RTHandle(" + argument.text + ")"
-                                : isShort   ? Converted(model(), argument.value, "Vector4")->cpp
-                                : isTexture ? "RenderTargetIdentifier(" + argument.text + ")"
-                                            : argument.text;
-        text += (text.empty() ? "" : ", ") + one;
-    }
-    return text;
 }
 
 std::optional<std::string> PortMembers::FillIn(std::string_view code, const PortValue& value,
@@ -576,10 +407,10 @@ std::optional<std::string> PortMembers::FillIn(std::string_view code, const Port
         i = at;
         if (next == '&' || next == '*')
         {
-            text += next == '&' ? ObjectText(value) : ListText(arguments, next);
+            text += next == '&' ? value.Object() : ListText(arguments, next);
             continue;
         }
-        if (next == 'v' || next == 'i' || next == 'f')
+        if (next == 'v' || next == 'i' || next == 'f' || next == 'F')
         {
             text += ListText(arguments, next);
             ++i;
@@ -614,7 +445,21 @@ std::optional<std::string> PortMembers::FillIn(std::string_view code, const Port
 std::optional<PortValue> PortMembers::Element(const PortValue& value, CSharpWords index) const
 {
     const std::string element = ElementTypeOf(value.type);
+    const auto places = SplitArguments(index);
+    if (value.type == "Matrix4x4" && places.size() == 2) // [row, column]
+    {
+        const auto row = Translate(m_Place, places[0], "int", &m_Problem);
+        const auto column = Translate(m_Place, places[1], "int", &m_Problem);
+        return row && column
+                   ? Result(PortValue{value.Text(90) + "[" + column->cpp + "][" + row->cpp + "]",
+                                      "float", false, value.isVariable})
+                   : std::nullopt;
+    }
     const auto at = Translate(m_Place, index, "int", &m_Problem);
+    if (at && IsIn(value.type, {"Vector2", "Vector3", "Vector4"}))
+    {
+        return PortValue{value.Text(90) + "[" + at->cpp + "]", "float", false, value.isVariable};
+    }
     if (element.empty() || !at || value.isPointer)
     {
         return Fail("'" + value.type + "' with []");
@@ -642,10 +487,11 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
     }
     const std::string code = own ? "" : model().table().CodeFor("new:" + type, words.size());
     if (!code.empty() && !words.empty() &&
-        (m_Place.isBody ||
-         IsIn(type, {"RenderTargetIdentifier", "FilteringSettings", "Vector2Int", "Vector3Int"})))
+        (m_Place.isBody || IsIn(type, {"RenderTargetIdentifier", "FilteringSettings", "Vector2Int",
+                                       "Vector3Int", "RenderStateBlock", "DepthState", "BlendState",
+                                       "RasterState", "RenderQueueRange"})))
     {
-        const auto arguments = Arguments(words);
+        const auto arguments = Arguments("new:" + type, words);
         if (arguments && type == "RenderTargetIdentifier" && (*arguments)[0].value.type == "int")
         {
             return Fail("a property's number that is an 'int'");
@@ -657,6 +503,10 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
     if (code == "!" || (type == "RenderTargetIdentifier" && !words.empty()))
     {
         return Fail("limn has no 'new " + type + "' with these arguments");
+    }
+    if (type == "CommandBuffer" && words.empty() && m_Place.isBody)
+    {
+        return PortValue{"CommandBuffer()", type};
     }
     const bool isPlain = cpp && words.empty() && !IsSharedType(model(), type);
     return isPlain && type != "ProfilingSampler"
@@ -683,8 +533,12 @@ std::optional<std::string> PortMembers::Setter(const PortValue& value, const Por
     const std::string code = isParameter && name.name == "value" ? "@SetValue($1)"
                              : entry                             ? entry->cppSet
                                                                  : "";
-    const auto arguments =
-        code.empty() ? std::nullopt : Arguments(std::vector<CSharpWords>{assigned});
+    if (isParameter && !value.isVariable)
+    {
+        Fail("a volume's parameter is not changed by those who read it");
+        return std::nullopt;
+    }
+    const auto arguments = code.empty() ? std::nullopt : Arguments("", {assigned});
     return arguments ? FillIn(code, value, AccessOf(model(), value), name.name, *arguments)
                      : std::nullopt;
 }

@@ -28,8 +28,10 @@ struct PortName
 /// In it, @ is the object with its dot or arrow, $& the object, % the name with its type arguments,
 /// $1 the first argument, $p1 the same as a pointer, $1:Type the same as a value of that type, $*
 /// all, $v* all with vectors of four, $i* all with textures as identifiers, $f* all as floats if
-/// one is a float. "cpp KEY/2 = CODE" is for two arguments, " = =" the same line of code, " := -"
-/// no code at all.
+/// one is a float, $F* all as floats. A result of type N is a float if an argument is one, else
+/// what the first one is. "cpp KEY/2 = CODE" is for two arguments, " = =" the same line of code, "
+/// := -" no code at all. "names KEY = a b=CODE" are the names of its parameters, which a call may
+/// have before its arguments, with the C++ of those that it may leave out.
 class PortMembers
 {
 public:
@@ -77,7 +79,11 @@ private:
     Result ParameterMember(const PortValue& value, const PortName& name) const;
     std::optional<std::string> TypeArguments(const std::string& generics) const;
     std::optional<Argument> OneArgument(CSharpWords words) const;
-    std::optional<std::vector<Argument>> Arguments(const std::vector<CSharpWords>& words) const;
+    std::optional<std::vector<Argument>> Arguments(const std::string& key,
+                                                   const std::vector<CSharpWords>& words) const;
+    std::optional<std::vector<Argument>>
+    OrderedArguments(const std::vector<PortParameter>& names,
+                     const std::vector<CSharpWords>& words) const;
     std::optional<std::vector<Argument>>
     NamedArguments(const std::vector<CSharpWords>& words) const;
     std::string ListText(const std::vector<Argument>& arguments, char kind) const;

@@ -225,6 +225,7 @@ std::optional<std::string> PortModel::CppPointed(const std::string& type) const
     return own && RoleOf(*own) == PortRole::Component ? "const " + ClassName(*own)
            : own                                      ? CppType(type)
            : type == "Camera"                         ? "const Camera"
+           : type == "UniversalRenderer"              ? "ScriptableRenderer"
                                                       : std::optional(type);
 }
 
@@ -237,6 +238,10 @@ std::string PortModel::CppDefault(const std::string& cppType)
 
 std::optional<std::string> PortModel::CppParameter(const std::string& type) const
 {
+    if (type == "UniversalRenderer")
+    {
+        return "ScriptableRenderer&";
+    }
     static const WordList references(
         "CommandBuffer RasterCommandBuffer UnsafeCommandBuffer RasterGraphContext "
         "UnsafeGraphContext ComputeCommandBuffer ComputeGraphContext ScriptableRenderContext "
@@ -258,7 +263,7 @@ std::optional<std::string> PortModel::CppParameter(const std::string& type) cons
     }
     if (own && RoleOf(*own) == PortRole::Component && !own->outer)
     {
-        return "const " + ClassName(*own) + "&";
+        return isDeclared(*own) ? std::optional("const " + ClassName(*own) + "&") : std::nullopt;
     }
     if (own && RoleOf(*own) == PortRole::Data)
     {
@@ -287,8 +292,9 @@ std::optional<std::string> PortModel::CppParameter(const CSharpParameter& parame
 bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
 {
     const CSharpClass* own = FindPlain(field.type);
-    static const WordList shared("Camera ScriptableRenderer UniversalCameraData UniversalLightData "
-                                 "UniversalRenderingData UniversalResourceData");
+    static const WordList shared(
+        "Camera ScriptableRenderer UniversalRenderer UniversalCameraData UniversalLightData "
+        "UniversalRenderingData UniversalResourceData");
     if (!own && shared.Has(field.type))
     {
         return !field.isStatic;
@@ -308,6 +314,26 @@ bool PortModel::isShared(const CSharpClass& one, const CSharpField& field) const
     return isOne && pass && !field.isStatic &&
            (!isMade || std::ranges::any_of(pass->methods, [&](const CSharpMethod& method)
                                            { return Assigns(method.body, field.name); }));
+}
+
+bool PortModel::hasOwn(const CSharpClass& one, const CSharpField& field) const
+{
+    const CSharpClass* own = FindPlain(field.type);
+    const auto makes = [&](const CSharpMethod& method)
+    {
+        const CSharpWords body = method.body;
+        for (std::size_t i = 0; i + 2 < body.size(); ++i)
+        {
+            if (body[i].Is(field.name) && body[i + 1].Is("=") && body[i + 2].Is("new"))
+            {
+                return true;
+            }
+        }
+        return false;
+    };
+    const bool isMade = !field.value.empty() && field.value.front().Is("new");
+    return own && RoleOf(*own) == PortRole::Data && isShared(one, field) && CppType(field.type) &&
+           (isMade || std::ranges::any_of(one.methods, makes));
 }
 
 std::string PortModel::HeldType(const std::string& type) const

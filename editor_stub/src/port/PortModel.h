@@ -83,6 +83,10 @@ public:
     /// another owner's object in it, or if any class keeps a component of the volume stack in it.
     bool isShared(const CSharpClass& one, const CSharpField& field) const;
 
+    /// Returns whether a field that becomes a pointer has an object of its own, too: one that the
+    /// class makes.
+    bool hasOwn(const CSharpClass& one, const CSharpField& field) const;
+
     /// Returns the class of the PortContext, or null if there is none.
     const CSharpClass* context() const { return m_Context; }
 

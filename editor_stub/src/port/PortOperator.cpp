@@ -26,7 +26,8 @@ Result CompareToNull(const PortModel& model, const PortValue& value, bool isEqua
     {
         result = {(isEqual ? "" : "!") + value.Text(90) + ".empty()", "bool"};
     }
-    else if (own || !ElementTypeOf(value.type).empty() || IsReferenceType(model, value.type))
+    else if (own || !ElementTypeOf(value.type).empty() || IsReferenceType(model, value.type) ||
+             value.type == "MaterialPropertyBlock")
     {
         result = {isEqual ? "false" : "true", "bool"}; // C++ has no null for it
     }
@@ -178,6 +179,11 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
         MakeComparable(model, left, right);
         MakeComparable(model, right, left);
     }
+    if (strength == 5 && left.type == right.type &&
+        IsIn(left.type, {"GraphicsDeviceType", "CopyTextureSupport"})) // there is one device only
+    {
+        return PortValue{(left.cpp == right.cpp) == (word == "==") ? "true" : "false", "bool"};
+    }
     if (const Result combined = CombineEnum(model, left, word, right))
     {
         return combined;
@@ -209,6 +215,13 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
         turned.strength = strength;
         return turned;
     }
+    if (word == "*" && left.type == "Matrix4x4" && IsIn(right.type, {"Vector4", "Vector3"}))
+    {
+        right = *Converted(model, right, "Vector4");
+        PortValue turned{left.Text(strength) + " * " + right.Text(strength + 1), "Vector4"};
+        turned.strength = strength;
+        return turned;
+    }
     const bool isUnknown = left.type.empty() || right.type.empty();
     const bool isEvent =
         left.type == "RenderPassEvent" && right.type == "int" && (word == "+" || word == "-");
@@ -220,6 +233,12 @@ std::optional<PortValue> Combined(const PortModel& model, PortValue left, const 
         (word == "&&" || word == "||") && IsTruth(model, left) && IsTruth(model, right);
     const CSharpClass* own = model.Find(left.type);
     const bool isSame = left.type == right.type || (own && own == model.Find(right.type));
+    if (isComparison && own && model.RoleOf(*own) != PortRole::Enum &&
+        !(left.isPointer && right.isPointer))
+    {
+        problem = "'" + left.type + " " + word + " " + right.type + "'";
+        return std::nullopt;
+    }
     const bool isSum = strength >= 7 && isSame && (IsNumber(left.type) || isVector(left)) &&
                        !(strength == 7 && left.type == "float");
     const bool isShift = strength == 7 && left.type == "uint" && right.type == "int";

@@ -393,11 +393,14 @@ const CSharpToken* PortedBody::WriteUsing(Word at, Word end)
                                      : head.data() + head.size() + 1;
     }
     m_Code.Open();
-    m_Code.Line("const ProfilingScope profilingScope{" + std::string(cmd->isPointer ? "*" : "") +
-                cmd->cpp + ", " + sampler->cpp + "};");
+    const std::string number = m_Scopes == 0 ? "" : std::to_string(m_Scopes + 1);
+    m_Code.Line("const ProfilingScope profilingScope" + number + "{" +
+                std::string(cmd->isPointer ? "*" : "") + cmd->cpp + ", " + sampler->cpp + "};");
     const PortScope outer = m_Scope;
     const Word body = hasBlock ? at[1].Behind() : head.data() + head.size() + 1;
+    ++m_Scopes;
     WriteStatements(hasBlock && body->Is("{") ? body->Inside() : CSharpWords(body, behind));
+    --m_Scopes;
     m_Scope = outer;
     m_Code.Close();
     return behind;
@@ -485,6 +488,26 @@ bool PortedBody::WriteThrow(CSharpWords words)
     return true;
 }
 
+/// Takes `this` out of the capture of a function that was written there, if a line that needs it
+/// has become a comment.
+void PortedBody::TrimThis(std::size_t begin)
+{
+    const std::size_t open = m_Code.text.find('[', begin);
+    const std::size_t close = m_Code.text.find(']', begin);
+    const std::string capture = m_Code.text.substr(open, close + 1 - open);
+    const std::string_view body = std::string_view(m_Code.text).substr(close);
+    const auto isRead = [&](const auto& member)
+    {
+        return !member.isStatic && ReadsName(body, m_Model.CppName(member.name), true);
+    };
+    const bool needsThis = ReadsName(body, "this") || std::ranges::any_of(m_One.fields, isRead) ||
+                           std::ranges::any_of(m_One.methods, isRead);
+    if (!needsThis && capture.find("this") != std::string::npos)
+    {
+        m_Code.text.replace(open, capture.size(), capture == "[this]" ? "[]" : "[=]");
+    }
+}
+
 /// Writes builder.SetRenderFunc((PassData data, RasterGraphContext context) => ...)
 bool PortedBody::WriteRenderFunction(CSharpWords words)
 {
@@ -511,6 +534,7 @@ bool PortedBody::WriteRenderFunction(CSharpWords words)
     const std::string second = add(1, context);
     const std::string cpp = *m_Model.CppType(data);
     const std::string owner = m_Model.QualifiedName(m_One) + "::";
+    const std::size_t begin = m_Code.text.size();
     m_Code.Open(builder + ".SetRenderFunc(" + capture + "([[maybe_unused]] " +
                 (cpp.starts_with(owner) ? cpp.substr(owner.size()) : cpp) + "& " + first +
                 ", [[maybe_unused]] " + context + "& " + second + ")");
@@ -533,6 +557,7 @@ bool PortedBody::WriteRenderFunction(CSharpWords words)
     m_IsReturned = false;
     m_Scope = outer;
     m_Code.Close("});");
+    TrimThis(begin);
     return true;
 }
 

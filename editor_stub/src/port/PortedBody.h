@@ -36,10 +36,12 @@ private:
     bool WriteThrow(CSharpWords words);
     void WarnOfPass(CSharpWords words);
     bool WriteRenderFunction(CSharpWords words);
+    void TrimThis(std::size_t begin);
     void WriteComments(std::size_t begin, std::size_t end);
 
     std::string m_Result;      ///< the C# type that the method returns
     int m_Depth = 0;           ///< of the statements that are being written
+    int m_Scopes = 0;          ///< profiling scopes around them
     bool m_IsReturned = false; ///< true if the last statement was a return
     /// The data's type of each builder of a graph pass, and its context.
     std::map<std::string, std::pair<std::string, std::string>> m_Builders;

@@ -48,32 +48,18 @@ std::string Harmless(std::string_view line)
 
 constexpr std::string_view k_Unused = "[[maybe_unused]] ";
 
-/// Returns whether code of several lines reads a name: an assignment to it or its members does not.
-bool Reads(std::string_view code, std::string_view name)
+/// Returns a line of code with nothing between its quotation marks.
+std::string WithoutTexts(const std::string& line)
 {
-    for (const std::string& line : SplitText(std::string(code), '\n'))
+    std::string text;
+    bool isInside = false;
+    for (std::size_t i = 0; i < line.size(); ++i)
     {
-        const std::string_view text = std::string_view(line).substr(0, line.find("// "));
-        for (std::size_t at = text.find(name); at != std::string_view::npos;
-             at = text.find(name, at + 1))
-        {
-            const std::size_t end = at + name.size();
-            const char before = at == 0 ? ' ' : text[at - 1];
-            const bool isMember = before == '.' || (before == '>' && text[at - 2] == '-');
-            const bool isWhole =
-                !isMember && !IsNamePart(before) && (end == text.size() || !IsNamePart(text[end]));
-            const bool isFirst = text.find_first_not_of(' ') == at;
-            const std::size_t equals = text.find(" = ");
-            const bool isSet =
-                isFirst && equals != std::string_view::npos &&
-                text.substr(end, equals - end).find_first_of("([") == std::string_view::npos;
-            if (isWhole && !isSet)
-            {
-                return true;
-            }
-        }
+        const bool isMark = line[i] == '"' && (i == 0 || line[i - 1] != '\\');
+        isInside = isInside != isMark;
+        text += isInside && !isMark ? "" : std::string(1, line[i]);
     }
-    return false;
+    return text;
 }
 
 /// Returns where the block ends in which something is known that is declared before `begin`.
@@ -102,7 +88,9 @@ std::string WithIncludes(std::string text, std::string_view before)
         {"glm::perspectiveRH_NO(", "glm/gtc/matrix_transform.hpp"},
         {"glm::orthoRH_NO(", "glm/gtc/matrix_transform.hpp"},
         {"std::numeric_limits<", "limits"},
-        {"QualitySettings::", "limn/core/QualitySettings.h"}};
+        {"QualitySettings::", "limn/core/QualitySettings.h"},
+        {"Random::", "limn/core/Random.h"},
+        {"Resources::Load<", "limn/core/Resources.h"}};
     std::string includes;
     for (const auto& [call, header] : k_Headers)
     {
@@ -114,6 +102,33 @@ std::string WithIncludes(std::string text, std::string_view before)
 }
 
 } // namespace
+
+bool ReadsName(std::string_view code, std::string_view name, bool orSets)
+{
+    for (const std::string& line : SplitText(std::string(code), '\n'))
+    {
+        const std::string text = WithoutTexts(line.substr(0, line.find("// ")));
+        for (std::size_t at = text.find(name); at != std::string_view::npos;
+             at = text.find(name, at + 1))
+        {
+            const std::size_t end = at + name.size();
+            const char before = at == 0 ? ' ' : text[at - 1];
+            const bool isMember = before == '.' || (before == '>' && text[at - 2] == '-');
+            const bool isWhole =
+                !isMember && !IsNamePart(before) && (end == text.size() || !IsNamePart(text[end]));
+            const bool isFirst = text.find_first_not_of(' ') == at;
+            const std::size_t equals = text.find(" = ");
+            const bool isSet =
+                isFirst && equals != std::string_view::npos &&
+                text.substr(end, equals - end).find_first_of("([") == std::string_view::npos;
+            if (isWhole && (orSets || !isSet))
+            {
+                return true;
+            }
+        }
+    }
+    return false;
+}
 
 void PortedCode::TrimUnused(std::size_t begin)
 {
@@ -139,7 +154,7 @@ void PortedCode::TrimUnused(std::size_t begin)
         const std::string name = text.substr(first, last + 1 - first);
         const bool isBefore = text[end] == ',' || text[end] == ')' || text[end] == ':';
         const std::size_t blockEnd = EndOfBlock(text, end, isBefore);
-        if (Reads(std::string_view(text).substr(end, blockEnd - end), name))
+        if (ReadsName(std::string_view(text).substr(end, blockEnd - end), name))
         {
             text.erase(at, k_Unused.size());
         }

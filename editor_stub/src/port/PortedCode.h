@@ -124,6 +124,10 @@ void NoteGraphPasses(PortedCode& code, const CSharpClass& one, const CSharpMetho
 PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CSharpField& field);
 /// Returns C# for a comment behind a line: without line ends and backslashes.
 std::string InComment(std::string text);
+
+/// Returns whether code of several lines reads a name: an assignment to it or its members does not.
+/// @param orSets  true if an assignment counts, too
+bool ReadsName(std::string_view code, std::string_view name, bool orSets = false);
 /// Returns the text between the braces of a method.
 std::string_view BodyText(const CSharpFile& file, const CSharpMethod& method);
 

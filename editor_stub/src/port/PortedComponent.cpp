@@ -1,6 +1,8 @@
 #include "port/PortLiteral.h"
 #include "port/PortMember.h"
-#include "port/PortedCode.h"
+#include "port/PortedBody.h"
+
+#include <algorithm>
 
 namespace limn
 {
@@ -59,7 +61,14 @@ std::optional<std::string> Arguments(const PortModel& model, const PortScope& sc
                                      std::vector<CSharpWords> arguments,
                                      std::vector<ParameterArgument> known, bool hasTooltip)
 {
-    if (known.size() == 2 && arguments.size() == 3) // a bool, how an editor shows it, overridden
+    const auto isDisplay = [](const CSharpToken& word)
+    {
+        return word.Is("DisplayType");
+    };
+    // A bool, how an editor shows it, and whether it is overridden.
+    if (known.size() == 2 &&
+        (arguments.size() == 3 ||
+         (arguments.size() == 2 && std::ranges::any_of(arguments[1], isDisplay))))
     {
         arguments.erase(arguments.begin() + 1);
     }
@@ -115,15 +124,15 @@ std::string EnumParameterText(const PortModel& model, const PortScope& scope,
     {
         return "";
     }
-    const auto value =
-        arguments.empty() ? std::nullopt : Translate(model, scope, arguments[0], type->name);
+    const std::string cpp = model.QualifiedName(*type);
+    const auto value = arguments.empty() ? std::optional(PortValue{cpp + "{}", type->name})
+                                         : Translate(model, scope, arguments[0], type->name);
     const auto isOn = arguments.size() == 2 ? Translate(model, scope, arguments[1], "bool")
                                             : std::optional(PortValue{"", "bool"});
     if (!value || !isOn || arguments.size() > 2)
     {
         return "";
     }
-    const std::string cpp = model.QualifiedName(*type);
     const std::string names = Joined(
         type->enumerators, ", ",
         [&](const CSharpEnumerator& entry)
@@ -248,7 +257,14 @@ void WriteComponent(PortedCode& code, const CSharpClass& one)
     std::set<std::string> signatures;
     for (const CSharpMethod& method : one.methods)
     {
-        if (!isPostProcess || (method.name != "IsActive" && method.name != "IsTileCompatible"))
+        if (method.isConstructor() && !method.isStatic && method.parameters.empty())
+        {
+            code.Line();
+            code.Open(model.ClassName(one) + "()");
+            PortedBody(code, one, method).Write();
+            code.Close();
+        }
+        else if (!isPostProcess || (method.name != "IsActive" && method.name != "IsTileCompatible"))
         {
             WriteHelper(code, one, method, signatures);
         }

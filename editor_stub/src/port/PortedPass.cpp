@@ -104,7 +104,8 @@ bool IsChanged(CSharpWords body, std::string_view name)
 {
     for (std::size_t i = 0; i + 1 < body.size(); ++i)
     {
-        const bool isIt = body[i].Is(name) && (i == 0 || !body[i - 1].Is("."));
+        const bool isOfThis = i > 1 && body[i - 1].Is(".") && body[i - 2].Is("this");
+        const bool isIt = body[i].Is(name) && (i == 0 || isOfThis || !body[i - 1].Is("."));
         std::size_t behind = i + 1;
         while (isIt && behind + 2 < body.size() &&
                ((body[behind].Is(".") && body[behind + 1].isName()) || body[behind].Is("[")))
@@ -115,6 +116,10 @@ bool IsChanged(CSharpWords body, std::string_view name)
         if (isIt && body[behind].Is("(") && IsIn(body[behind - 1].text, {"SetRow", "SetColumn"}))
         {
             return true;
+        }
+        if (isIt && i > 1 && body[i - 1].Is("(") && body[i - 2].Is("Destroy"))
+        {
+            return true; // CoreUtils::Destroy makes it null
         }
         if (isIt && IsIn(body[behind].text, {"=", "+=", "-=", "*=", "/=", "|=", "&=", "++", "--"}))
         {
@@ -206,7 +211,13 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
         signature.name = method.isConstructor() ? model.ClassName(one) : signature.name;
         for (const CSharpParameter& parameter : method.parameters)
         {
-            const auto type = model.CppParameter(parameter);
+            auto type = model.CppParameter(parameter);
+            const bool isRead = IsIn(parameter.type, {"CameraData", "RenderingData"}) &&
+                                !IsChanged(method.body, parameter.name);
+            if (type && isRead && !method.isConstructor())
+            {
+                type = "const " + *type;
+            }
             if (!type)
             {
                 return std::nullopt;

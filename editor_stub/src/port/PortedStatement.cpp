@@ -194,7 +194,9 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
     local.type = cpp && value->type == "null" ? wanted : local.type;
     if (!cpp && value->cpp.starts_with("{") && !m_Model.CppType(value->type))
     {
-        return Fail("a list of '" + ElementTypeOf(value->type) + "'");
+        m_Scope.erase(name);
+        return value->type == "null" ? Fail("'" + type + "' that is null")
+                                     : Fail("a list of '" + ElementTypeOf(value->type) + "'");
     }
     // A list of values has no type of its own in C++, and a pointer of limn's no check for null.
     const bool isTyped =
@@ -214,44 +216,26 @@ bool PortedStatement::DeclareLocal(const std::string& type, const std::string& n
 bool PortedStatement::WriteMembers(const PortValue& object, CSharpWords members)
 {
     const PortValue value = object;
-    PortScope scope = m_Scope;
     for (const CSharpWords& member : SplitArguments(members))
     {
         if (member.size() < 3 || !member[1].Is("="))
         {
             return Fail("'new' with this in its braces");
         }
-        std::string problem;
-        const auto found = PortMembers(Place(), problem)
-                               .MemberOf(value, {std::string(member[0].text), "", false, {}, true});
-        const auto setter = PortMembers(Place(), problem)
-                                .Setter(value, {std::string(member[0].text), "", false, {}, true},
-                                        member.subspan(2));
-        const auto assigned =
-            setter || !found || !found->isVariable
-                ? std::nullopt
-                : AssignmentTo(Place(), *found, "=", member.subspan(2), m_Problem);
+        const auto text = MemberAssignment(Place(), value, member, m_Problem);
         if (const PassMember* known = FindPassMember(member[0].text))
         {
-            m_Code.Done({known->what, std::string(PlainTypeName(object.type)) + "." + known->name,
+            m_Code.Done({known->what, std::string(PlainTypeName(value.type)) + "." + known->name,
                          m_Model.Text(m_One, member.subspan(2)),
-                         m_Model.Place(m_One, member[0].location), setter || assigned});
+                         m_Model.Place(m_One, member[0].location), text.has_value()});
         }
-        if (setter || assigned)
+        if (!text)
         {
-            const std::string text = setter ? *setter : *assigned;
-            if (text != "-")
-            {
-                m_Code.Line(text + ";");
-            }
-        }
-        else
-        {
-            problem = problem.empty() && found && !found->isVariable
-                          ? "'" + std::string(member[0].text) + "' is no variable in C++"
-                          : problem;
-            m_Problem = m_Problem.empty() ? problem : m_Problem;
             Todo(member);
+        }
+        else if (!text->empty())
+        {
+            m_Code.Line(*text + ";");
         }
     }
     return true;

@@ -294,6 +294,7 @@ PortValue VariableOf(const PortModel& model, const CSharpClass& one, const CShar
     value.isVariable = true;
     const CSharpClass* own = model.FindPlain(field.type);
     value.isPointer = model.isShared(one, field) || (own && model.RoleOf(*own) == PortRole::Pass);
+    value.own = model.hasOwn(one, field) ? value.cpp + "Own" : "";
     return value;
 }
 
@@ -336,12 +337,19 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     const auto pointed = model.isShared(one, field) ? model.CppPointed(field.type) : std::nullopt;
     if (pointed)
     {
-        code.Line("Borrowed<" + *pointed + "> " + name + ";");
+        const std::string own = VariableOf(model, one, field).own;
+        const bool isMade = !own.empty() && !field.value.empty();
+        if (!own.empty())
+        {
+            code.Line(*pointed + " " + own + ";");
+        }
+        code.Line("Borrowed<" + *pointed + "> " + name + (isMade ? " = &" + own : "") + ";");
         Declare(code.model(), one, field, scope);
         return;
     }
     const auto type = model.CppType(field.type);
-    const auto value = Translate(model, scope, field.value, field.type);
+    std::string problem;
+    const auto value = Translate(PortPlace{model, scope}, field.value, field.type, &problem);
     if (!type || (!value && (field.isConst || *type == "ProfilingSampler")))
     {
         const bool isSampler = type && !field.isConst;
@@ -358,7 +366,8 @@ void WriteField(PortedCode& code, const CSharpClass& one, const CSharpField& fie
     }
     if (!value && !field.value.empty())
     {
-        code.Todo("what it begins with", place, csharp + ";");
+        code.Todo("what it begins with" + (problem.empty() ? "" : ": " + InComment(problem)), place,
+                  csharp + ";");
     }
     const bool isText = field.isConst && field.type == "string";
     const CSharpClass* own = model.Find(field.type);
@@ -440,11 +449,20 @@ bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod&
         const CSharpMethod* called = word.isName() ? one.FindMethod(word.text) : nullptr;
         return called && called != &method && !called->isStatic;
     };
+    const auto changesField = [&](const CSharpClass& owner)
+    {
+        return std::ranges::any_of(owner.fields, [&](const CSharpField& field)
+                                   { return IsChanged(method.body, field.name); });
+    };
+    const auto changesOfBase = [&](const std::string& base)
+    {
+        const CSharpClass* own = model.Find(base);
+        return own && changesField(*own);
+    };
     const bool isComponent = model.RoleOf(one) == PortRole::Component;
     const bool isQuestion = method.isExpression && method.type != "void";
     return (isComponent || isQuestion) && std::ranges::none_of(method.body, isOwnCall) &&
-           std::ranges::none_of(one.fields, [&](const CSharpField& field)
-                                { return IsChanged(method.body, field.name); });
+           !changesField(one) && std::ranges::none_of(one.bases, changesOfBase);
 }
 
 void WriteHelper(PortedCode& code, const CSharpClass& one, const CSharpMethod& method,

@@ -114,6 +114,10 @@ PortingTable::PortingTable(std::string_view text)
         {
             ReadCode(line, number);
         }
+        else if (SplitWords(line).front() == "names")
+        {
+            ReadParameters(line, number);
+        }
         else if (line.front() != '#')
         {
             ReadVerdict(line, rowWords, number);
@@ -178,6 +182,28 @@ void PortingTable::ReadCode(std::string_view line, int number)
             SetResult(key, entry->second);
         }
     }
+}
+
+void PortingTable::ReadParameters(std::string_view line, int number)
+{
+    const std::vector<std::string_view> words = SplitWords(line);
+    if (words.size() < 4 || words[2] != "=")
+    {
+        Fail(number, "'names KEY = PARAMETER ...' is expected");
+    }
+    std::vector<PortParameter>& parameters = m_Parameters[std::string(words[1])];
+    for (std::size_t i = 3; i < words.size(); ++i)
+    {
+        const std::size_t equals = std::min(words[i].find('='), words[i].size());
+        const std::string_view otherwise = words[i].substr(std::min(equals + 1, words[i].size()));
+        parameters.push_back({std::string(words[i].substr(0, equals)), std::string(otherwise)});
+    }
+}
+
+std::vector<PortParameter> PortingTable::ParametersOf(std::string_view key) const
+{
+    const auto found = m_Parameters.find(key);
+    return found == m_Parameters.end() ? std::vector<PortParameter>() : found->second;
 }
 
 void PortingTable::Add(const std::string& key, const PortEntry& entry, int number)

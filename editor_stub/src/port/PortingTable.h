@@ -32,6 +32,13 @@ struct PortEntry
     std::string cppSet; ///< an assignment to the member, likewise; "" if it is assigned to
 };
 
+/// A parameter of a method of Unity's.
+struct PortParameter
+{
+    std::string name;
+    std::string otherwise; ///< the C++ of its value where none is given; "" if one must be given
+};
+
 /// The table editor_stub/src/port/porting.txt: the rows of samples/porting/DIFFERENCES.md, and the
 /// verdict on each member.
 class PortingTable
@@ -57,7 +64,12 @@ public:
     /// none.
     std::string CodeFor(const std::string& key, std::size_t arguments) const;
 
+    /// Returns the parameters of a method or of "new:T" in their order, or nothing if the table
+    /// does not name them.
+    std::vector<PortParameter> ParametersOf(std::string_view key) const;
+
 private:
+    void ReadParameters(std::string_view line, int number);
     void ReadVerdict(std::string_view line, const std::string& rowWords, int number);
     void ReadCode(std::string_view line, int number);
     void Add(const std::string& key, const PortEntry& entry, int number);
@@ -65,6 +77,7 @@ private:
     std::vector<std::string> m_Rows;
     std::map<std::string, PortEntry, std::less<>> m_Entries;
     std::map<std::string, std::string, std::less<>> m_Codes; ///< of constructors, of calls "KEY/2"
+    std::map<std::string, std::vector<PortParameter>, std::less<>> m_Parameters;
 };
 
 /// Returns the table that is built into this program.

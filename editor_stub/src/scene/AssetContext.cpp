@@ -88,6 +88,7 @@ AssetContext::~AssetContext()
     if (m_ShaderSource) // which a renderer may keep
     {
         m_ShaderSource->SetOthers(nullptr);
+        m_ShaderSource->SetResources(nullptr);
     }
 }
 

@@ -1,5 +1,6 @@
 #include "unity/ProjectShaders.h"
 
+#include <limn/core/Resources.h>
 #include <limn/shaderlab/ShaderLabParser.h>
 
 namespace limn
@@ -8,8 +9,9 @@ namespace limn
 namespace
 {
 
-/// The shaders of a project by name, which are read when one of them is asked for.
-class ProjectShaders
+/// The shaders of a project by name, which are read when one of them is asked for, and the files
+/// of its folders Resources.
+class ProjectShaders final : public ResourceFolders
 {
 public:
     ProjectShaders(const UnityProject& project, AssetContext& assets, GraphTranslator graph)
@@ -33,7 +35,47 @@ public:
         return graph->second;
     }
 
+    std::shared_ptr<const Shader> FindShader(std::string_view path) override
+    {
+        if (const auto file = FindResource(path, {".shader"}); !file.empty())
+        {
+            return m_Assets.LoadShader(file);
+        }
+        const auto graph = m_Graph ? FindResource(path, {".shadergraph"}) : std::filesystem::path();
+        return graph.empty() ? nullptr : m_Graph(graph, m_Assets);
+    }
+    std::shared_ptr<const Texture> FindTexture(std::string_view path) override
+    {
+        const auto file = FindResource(path, {".png", ".tga", ".jpg", ".jpeg", ".tif", ".tiff",
+                                              ".bmp", ".psd", ".exr", ".hdr"});
+        return file.empty() ? nullptr : m_Assets.LoadTexture(file);
+    }
+    std::shared_ptr<ComputeShader> FindComputeShader(std::string_view path) override
+    {
+        const auto file = FindResource(path, {".compute"});
+        return file.empty() ? nullptr : ComputeShader::Load(file, m_Assets.compiler());
+    }
+
 private:
+    /// Returns the file of a folder Resources, or "" if there is none.
+    std::filesystem::path FindResource(std::string_view path,
+                                       std::initializer_list<std::string_view> extensions) const
+    {
+        const std::string end = "/Resources/" + std::string(path);
+        for (const std::string_view extension : extensions)
+        {
+            for (const std::filesystem::path& file : m_Project.FilesOf(extension))
+            {
+                const std::string name =
+                    std::filesystem::path(file).replace_extension().generic_string();
+                if (name.ends_with(end))
+                {
+                    return file;
+                }
+            }
+        }
+        return {};
+    }
     void ReadNames()
     {
         for (const std::filesystem::path& file : m_Project.FilesOf(".shader"))
@@ -79,6 +121,7 @@ void UseShadersOf(const UnityProject& project, AssetContext& assets, GraphTransl
     const auto shaders = std::make_shared<ProjectShaders>(project, assets, std::move(graph));
     assets.shaderSource()->SetOthers([shaders](std::string_view name)
                                      { return shaders->Find(name); });
+    assets.shaderSource()->SetResources(shaders);
 }
 
 } // namespace limn

@@ -590,6 +590,29 @@ TEST_F(RenderGraphMismatch, NamesAttachmentsThatDoNotFit)
                 Mentions("'Blur'", "SetRenderAttachmentDepth", "'_Depth'", "'_Depth' already"));
 }
 
+TEST_F(RenderGraphMismatch, NamesInputAttachmentsThatDoNotFit)
+{
+    EXPECT_THAT(ErrorOfDeclaring(
+                    [](auto& builder, RenderGraph& graph)
+                    {
+                        builder.SetInputAttachment(graph.CreateTexture(Desc("_A")), 1);
+                        builder.SetInputAttachment(graph.CreateTexture(Desc("_B")), 1);
+                    }),
+                Mentions("'Blur'", "SetInputAttachment", "'_B'", "index 1", "'_A'", "already"));
+    EXPECT_THAT(
+        ErrorOfDeclaring([](auto& builder, RenderGraph& graph)
+                         { builder.SetInputAttachment(graph.CreateTexture(Desc("_A")), -1); }),
+        Mentions("'Blur'", "SetInputAttachment", "'_A'", "-1", "0 to 7"));
+    EXPECT_THAT(ErrorOfDeclaring(
+                    [](auto& builder, RenderGraph& graph)
+                    {
+                        const TextureHandle both = graph.CreateTexture(Desc("_A"));
+                        builder.SetRenderAttachment(both, 0);
+                        builder.SetInputAttachment(both, 0);
+                    }),
+                Mentions("'Blur'", "SetInputAttachment", "draws into '_A' already"));
+}
+
 TEST_F(RenderGraphMismatch, NamesHandlesThatStandForNothing)
 {
     EXPECT_THAT(ErrorOfDeclaring([](auto& builder, RenderGraph&) { builder.UseTexture({}); }),

@@ -396,6 +396,41 @@ TEST_F(RenderGraphFrame, MakesATextureGlobalBehindThePassThatSaysSo)
     EXPECT_THAT(Sampled(result, result.frame->passes.at(2)), ElementsAre("_Mask", "_Mask"));
 }
 
+TEST_F(RenderGraphFrame, GivesShadersTheInputAttachmentsUnderTheirNumbers)
+{
+    const auto inputs = std::make_shared<const Material>(
+        test::ShaderWithProgram("", "Texture2D _UnityFBInput0; Texture2D _UnityFBInput3;",
+                                "_UnityFBInput0.Load(0) + _UnityFBInput3.Load(0)"));
+    Add(
+        [&](RenderGraph& graph, ContextContainer& frameData)
+        {
+            const TextureHandle color = frameData.Get<UniversalResourceData>().activeColorTexture();
+            const TextureHandle first = graph.CreateTexture(Desc("_First"));
+            const TextureHandle second = graph.CreateTexture(Desc("_Second"));
+            for (const TextureHandle& drawn : {first, second})
+            {
+                AddRaster(
+                    graph, "Fill", [&](auto& builder) { builder.SetRenderAttachment(drawn, 0); },
+                    [](RasterCommandBuffer& cmd) { Draw(cmd); });
+            }
+            for (const bool swapped : {false, true})
+            {
+                AddRaster(
+                    graph, "Composite",
+                    [&](auto& builder)
+                    {
+                        builder.SetInputAttachment(first, swapped ? 3 : 0);
+                        builder.SetInputAttachment(second, swapped ? 0 : 3);
+                        builder.SetRenderAttachment(color, 0);
+                    },
+                    [=](RasterCommandBuffer& cmd) { Draw(cmd, inputs); });
+            }
+        });
+    const RenderResult result = Render();
+    EXPECT_THAT(Sampled(result, result.frame->passes.back()),
+                ElementsAre("_First", "_Second", "_Second", "_First"));
+}
+
 TEST_F(RenderGraphFrame, TakesAnAssignedTextureForTheCamerasColourFromThenOn)
 {
     Add(

@@ -302,6 +302,20 @@ TEST_F(Pipeline, TellsShadersHowToReadDepth)
     EXPECT_NEAR(1.0 / (params[2] * 0.0 + params[3]), 1000.0, 1e-3) << "LinearEyeDepth at far";
 }
 
+TEST_F(Pipeline, TellsShadersHowLongTheLastFrameTook)
+{
+    const auto at = [&](double time)
+    {
+        return GlobalOf(m_Pipeline, m_Renderer, m_Camera, "unity_DeltaTime", time);
+    };
+    const std::vector<float> none = {0, 0, 0, 0};
+    EXPECT_EQ(at(2.0), none) << "the first frame has none before it";
+    EXPECT_EQ(at(2.25), std::vector<float>({0.25f, 4.0f, 0.25f, 4.0f}));
+    EXPECT_EQ(at(2.25), none) << "time stands still";
+    EXPECT_EQ(at(1.0), none) << "time goes back";
+    EXPECT_EQ(at(1.5), std::vector<float>({0.5f, 2.0f, 0.5f, 2.0f}));
+}
+
 TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)
 {
     m_Camera.transform.localPosition = {1, 2, 3};

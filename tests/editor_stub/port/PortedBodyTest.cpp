@@ -437,4 +437,113 @@ TEST(PortedBody, TakesAlongWhatARenderFunctionUses)
                "c.cmd.SetGlobalFloat(\"_W\", wide * width);"});
 }
 
+TEST(PortedBody, HasElementsOfVectorsAndMatrices)
+{
+    ExpectLines(
+        {{"Matrix4x4 a = Matrix4x4.identity;", "glm::mat4 a = glm::mat4(1.0f);"},
+         {"a.m03 = 0.5f;", "a[3][0] = 0.5f;"},
+         {"a[1, 2] += 1;", "a[2][1] += 1.0f;"},
+         {"Vector3 b = a.MultiplyVector(Vector3.up);",
+          "Vector3 b = Vector3(a * Vector4(Vector3(0.0f, 1.0f, 0.0f), 0.0f));"},
+         {"b[count] = b[0] * 2;", "b[count] = b[0] * 2.0f;"},
+         {"Vector4 c = a * b;", "Vector4 c = a * Vector4(b, 0.0f);"},
+         {"width = Mathf.Pow(count, 2);", "width = Mathf::Pow(static_cast<float>(count), 2.0f);"},
+         {"width = 1f / Mathf.Max(count, 2);",
+          "width = 1.0f / static_cast<float>(Mathf::Max(count, 2));"}});
+}
+
+TEST(PortedBody, KnowsTheOneDevice)
+{
+    ExpectLines(
+        {{"bool a = SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3;",
+          "bool a = false;"},
+         {"bool b = SystemInfo.graphicsDeviceType != GraphicsDeviceType.Metal;", "bool b = true;"},
+         {"bool c = SystemInfo.copyTextureSupport == CopyTextureSupport.None;", "bool c = false;"},
+         {"bool d = SystemInfo.usesReversedZBuffer;",
+          "bool d = CurrentCamera::Rendered().cameraData.usesReversedZBuffer;"}});
+}
+
+TEST(PortedBody, MakesObjectsWithMembersInPlace)
+{
+    const Ported ported =
+        PortBody("      drops.Add(new Drop { size = width });\n"
+                 "      if (numbers.Contains(sizeof(float))) drops.RemoveAt(count - 1);\n"
+                 "      width += Time.deltaTime * UnityEngine.Random.Range(0, 1f);\n"
+                 "      cmd.Release();\n",
+                 "    struct Drop { public float size; }\n"
+                 "    List<Drop> drops = new List<Drop>(); List<int> numbers = new List<int>();\n");
+    ExpectAll(ported.source,
+              {"drops.push_back([&] { auto made = F::P::Drop{}; made.size = width; return made; "
+               "}());",
+               "if (std::ranges::count(numbers, static_cast<int>(sizeof(float))) > 0)",
+               "drops.erase(drops.begin() + (count - 1));",
+               "width += static_cast<float>(CurrentCamera::Rendered().deltaTime) * "
+               "Random::Range(0.0f, 1.0f);",
+               "#include <limn/core/Random.h>"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("TODO")));
+    EXPECT_THAT(ported.source, Not(HasSubstr("Release")));
+}
+
+TEST(PortedBody, PutsNamedArgumentsInTheirOrder)
+{
+    ExpectLines(
+        {{"var a = new FilteringSettings(layerMask: -1, renderQueueRange: RenderQueueRange.all);",
+          "auto a = FilteringSettings(RenderQueueRange::all, LayerMask::Everything());"},
+         {"var b = new FilteringSettings(renderingLayerMask: 2);",
+          "auto b = FilteringSettings(RenderQueueRange::all, LayerMask::Everything(), "
+          "RenderingLayerMask(2u));"}});
+    const Ported ported = PortBody(
+        "",
+        "    void Make(RenderGraph graph, RenderTextureDescriptor desc) {\n"
+        "      var a = UniversalRenderer.CreateRenderGraphTexture(graph, desc, name: \"_A\", "
+        "filterMode: FilterMode.Bilinear);\n"
+        "      var b = UniversalRenderer.CreateRenderGraphTexture(graph, clear: true);\n    }\n");
+    ExpectAll(ported.source, {"UniversalRenderer::CreateRenderGraphTexture(graph, desc, \"_A\", "
+                              "false, FilterMode::Bilinear);",
+                              "no argument 'desc'"});
+}
+
+TEST(PortedBody, KeepsObjectsOfItsOwnWhereAnothersAreKept)
+{
+    const Ported ported = PortBody("      own = new Settings();\n      own = settings;\n",
+                                   "    Settings own = new Settings();\n");
+    ExpectAll(ported.source, {"F::Settings ownOwn;", "Borrowed<F::Settings> own = &ownOwn;",
+                              "own = &(ownOwn = F::Settings{});\n        own = settings;"});
+    EXPECT_THAT(ported.source, Not(HasSubstr("TODO")));
+}
+
+TEST(PortedBody, GivesScopesWithinScopesNamesOfTheirOwn)
+{
+    const Ported ported =
+        PortBody("      using (new ProfilingScope(cmd, profilingSampler)) {\n"
+                 "        using (new ProfilingScope(cmd, profilingSampler)) { cmd.Clear(); }\n"
+                 "      }\n");
+    ExpectAll(ported.source, {"const ProfilingScope profilingScope{*cmd, profilingSampler};",
+                              "const ProfilingScope profilingScope2{*cmd, profilingSampler};"});
+}
+
+TEST(PortedBody, ChangesNoParameterOfAVolume)
+{
+    const WorkingFolder working;
+    working.folder.Write("F.cs",
+                         "public class C : VolumeComponent {\n"
+                         "  public enum Mode { Off, On }\n"
+                         "  public FloatParameter width = new FloatParameter(1f);\n"
+                         "  public VolumeParameter<Mode> mode = new VolumeParameter<Mode>();\n"
+                         "  public C() { displayName = \"Width\"; }\n}\n"
+                         "public class F : ScriptableRendererFeature {\n"
+                         "  public override void Create() {\n"
+                         "    var c = VolumeManager.instance.stack.GetComponent<C>();\n"
+                         "    c.width.value = 2f;\n  }\n"
+                         "  public override void AddRenderPasses(ScriptableRenderer renderer, ref "
+                         "RenderingData data) {}\n}\n");
+    const Ported ported = Port({"F.cs"}, "F");
+    ExpectAll(ported.header,
+              {"EnumParameter<C::Mode> mode{this, \"mode\", C::Mode{}, {{\"Off\", C::Mode::Off}, "
+               "{\"On\", C::Mode::On}}};",
+               "    C()\n    {\n        displayName = \"Width\";\n    }"});
+    EXPECT_THAT(ported.source,
+                HasSubstr("a volume's parameter is not changed by those who read it"));
+}
+
 } // namespace limn::test

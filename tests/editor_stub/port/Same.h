@@ -2,6 +2,7 @@
 
 #include <limn/core/List.h>
 #include <limn/core/Mathf.h>
+#include <limn/core/Random.h>
 #include <limn/core/SystemInfo.h>
 #include <limn/limn.h>
 #include <stdexcept>
@@ -82,6 +83,7 @@ private:
     std::shared_ptr<const Mesh>& mesh;
     std::shared_ptr<ComputeShader>& compute;
     std::shared_ptr<GraphicsBuffer>& buffer;
+    std::shared_ptr<ComputeBuffer>& computeBuffer;
     MaterialPropertyBlock& block;
     MeshRenderer& renderer;
     AsyncGPUReadbackRequest& request;

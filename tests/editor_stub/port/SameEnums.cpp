@@ -87,6 +87,14 @@ void SameLines::Enums()
     SAME("FormatUsage.SetPixels32", FormatUsage::SetPixels32);
     SAME("FormatUsage.Sparse", FormatUsage::Sparse);
     SAME("FormatUsage.StencilSampling", FormatUsage::StencilSampling);
+    SAME("ComputeBufferType", ComputeBufferType());
+    SAME("ComputeBufferType.Append", ComputeBufferType::Append);
+    SAME("ComputeBufferType.Constant", ComputeBufferType::Constant);
+    SAME("ComputeBufferType.Counter", ComputeBufferType::Counter);
+    SAME("ComputeBufferType.Default", ComputeBufferType::Default);
+    SAME("ComputeBufferType.IndirectArguments", ComputeBufferType::IndirectArguments);
+    SAME("ComputeBufferType.Raw", ComputeBufferType::Raw);
+    SAME("ComputeBufferType.Structured", ComputeBufferType::Structured);
     SAME("GraphicsBuffer.Target.Append", GraphicsBuffer::Target::Append);
     SAME("GraphicsBuffer.Target.Constant", GraphicsBuffer::Target::Constant);
     SAME("GraphicsBuffer.Target.CopyDestination", GraphicsBuffer::Target::CopyDestination);

@@ -137,6 +137,8 @@ void SameLines::Frame()
          rasterBuilder.CreateTransientBuffer(bufferDesc));
     SAME("IRasterRenderGraphBuilder.CreateTransientTexture",
          rasterBuilder.CreateTransientTexture(textureDesc));
+    SAME("IRasterRenderGraphBuilder.SetInputAttachment",
+         rasterBuilder.SetInputAttachment(textureHandle, 0, AccessFlags::Read));
     SAME("IRasterRenderGraphBuilder.UseBuffer",
          rasterBuilder.UseBuffer(bufferHandle, AccessFlags::Write));
     SAME("IUnsafeRenderGraphBuilder", sizeof(UnsafeRenderGraphBuilder<PassData>));

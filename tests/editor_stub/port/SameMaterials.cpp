@@ -62,8 +62,16 @@ void SameLines::Materials()
     SAME("Debug.LogFormat", Debug::LogFormat("{0} of {1}", 1, 2));
     SAME("Debug.LogWarning", Debug::LogWarning(1.5f));
     SAME("Debug.LogWarningFormat", Debug::LogWarningFormat("{0:F2}", 1.5f));
+    SAME("Random", sizeof(Random));
+    SAME("Random.InitState", Random::InitState(7));
+    SAME("Random.Range", Random::Range(-1.0f, 1.0f));
     SAME("GlobalKeyword", sizeof(GlobalKeyword));
     SAME("GlobalKeyword.Create", GlobalKeyword::Create("WET"));
+    SAME("ComputeBuffer.Dispose", computeBuffer->Dispose());
+    SAME("ComputeBuffer.IsValid", computeBuffer->IsValid());
+    SAME("ComputeBuffer.Release", computeBuffer->Release());
+    SAME("ComputeBuffer.SetCounterValue", computeBuffer->SetCounterValue(0));
+    SAME("ComputeBuffer.SetData", computeBuffer->SetData(floats));
     SAME("GraphicsBuffer.Dispose", buffer->Dispose());
     SAME("GraphicsBuffer.IsValid", buffer->IsValid());
     SAME("GraphicsBuffer.Release", buffer->Release());

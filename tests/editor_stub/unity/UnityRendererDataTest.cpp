@@ -5,7 +5,9 @@
 #include "unity/RendererData.h"
 
 #include <limn/base/ReadFile.h>
+#include <limn/core/Image.h>
 #include <limn/core/Inspector.h>
+#include <limn/core/Resources.h>
 #include <limn/features/FullScreenPassRendererFeature.h>
 #include <limn/features/PostProcessRendererFeature.h>
 #include <limn/features/ScreenSpaceAmbientOcclusion.h>
@@ -61,7 +63,81 @@ public:
     std::shared_ptr<const Shader> m_Third;
 };
 
+/// A feature of a plug-in, which loads files of the project's folders Resources.
+class LoadingFeature : public ScriptableRendererFeature
+{
+public:
+    void Create() override
+    {
+        shader = Resources::Load<Shader>("Haze");
+        graph = Resources::Load<Shader>("Water");
+        texture = Resources::Load<Texture2D>("Noise/Blue");
+        kernels = Resources::Load<ComputeShader>("Fill");
+        outside = Resources::Load<Shader>("Outside");
+        part = Resources::Load<Texture>("Blue");
+    }
+    void AddRenderPasses(ScriptableRenderer&, RenderingData&) override {}
+
+    std::shared_ptr<const Shader> shader;
+    std::shared_ptr<const Shader> graph;
+    std::shared_ptr<const Texture> texture;
+    std::shared_ptr<ComputeShader> kernels;
+    std::shared_ptr<const Shader> outside;
+    std::shared_ptr<const Texture> part;
+};
+
+std::string EmptyShader(const std::string& name)
+{
+    return "Shader \"" + name + "\" { SubShader { Pass { } } }";
+}
+
 } // namespace
+
+TEST(UnityRendererData, LetsAFeatureLoadFilesOfTheFoldersResources)
+{
+    SceneFolder folder;
+    folder.Write("ProjectSettings/ProjectSettings.asset", "");
+    folder.Write("Assets/Sky/Resources/Haze.shader", EmptyShader("Project/Haze"));
+    folder.Write("Assets/Sky/Resources/Haze.shader.meta", "guid: a1\n");
+    folder.Write("Assets/Outside.shader", EmptyShader("Project/Outside"));
+    folder.Write("Assets/Outside.shader.meta", "guid: a2\n");
+    folder.Write("Assets/Resources/Water.shadergraph", "Shader Graphs/Water");
+    folder.Write("Assets/Resources/Water.shadergraph.meta", "guid: a3\n");
+    folder.Write("Assets/Resources/Noise/Blue.png.meta", "guid: a4\n");
+    WritePng(folder / "Assets/Resources/Noise/Blue.png",
+             {2, 3, GraphicsFormat::R8G8B8A8_SRGB, std::vector<std::byte>(2 * 3 * 4)});
+    folder.Write("Assets/Resources/Fill.compute", "#pragma kernel Fill\nRWBuffer<float> _Out;\n"
+                                                  "[numthreads(1, 1, 1)] void Fill() "
+                                                  "{ _Out[0] = 1; }\n");
+    folder.Write("Assets/Resources/Fill.compute.meta", "guid: a5\n");
+    folder.Write("Assets/LoadingFeature.cs.meta", "guid: a6\n");
+    const auto path = folder.Write(
+        "Assets/r.asset", AssetWithFeature("  m_Script: {fileID: 11500000, guid: a6, type: 3}\n"
+                                           "  m_Name: Loader\n  m_Active: 1\n"));
+    AssetContext assets;
+    assets.features().Register<LoadingFeature>("LoadingFeature");
+    UnityAssetLoaders load;
+    load.graph = [](const std::filesystem::path& graph, AssetContext& context)
+    {
+        return Shader::FromText(EmptyShader(ReadFile(graph)), graph.generic_string(),
+                                context.compiler());
+    };
+    const UnityRendererDataLoadResult result =
+        LoadUnityRendererData(path, assets, UnityProject(path), load);
+    ASSERT_EQ(1u, result.renderer.features.size());
+    const auto& feature = dynamic_cast<const LoadingFeature&>(*result.renderer.features[0]);
+    ASSERT_NE(nullptr, feature.shader);
+    EXPECT_EQ("Project/Haze", feature.shader->name());
+    ASSERT_NE(nullptr, feature.graph);
+    EXPECT_EQ("Shader Graphs/Water", feature.graph->name());
+    ASSERT_NE(nullptr, feature.texture);
+    EXPECT_EQ(2, feature.texture->width());
+    EXPECT_EQ(3, feature.texture->height());
+    ASSERT_NE(nullptr, feature.kernels);
+    EXPECT_TRUE(feature.kernels->HasKernel("Fill"));
+    EXPECT_EQ(nullptr, feature.outside) << "it lies in no folder Resources";
+    EXPECT_EQ(nullptr, feature.part) << "the folder belongs to the name";
+}
 
 TEST(UnityRendererData, LetsAFeatureFindTheShadersOfTheProject)
 {

@@ -255,4 +255,47 @@ TEST_F(ScreenFunctions, DarkenCornersAndAddNoise)
     grid.Run();
 }
 
+TEST_F(ScreenFunctions, InputAttachmentsAreReadAtThePixelsOwnPlace)
+{
+    FunctionGrid grid(CoreInclude("Common") +
+                      "FRAMEBUFFER_INPUT_X_HALF(0);\nFRAMEBUFFER_INPUT_X_FLOAT(3);\n");
+    grid.SetTexture("_UnityFBInput0",
+                    MakeTexture(k_Size, 1, [](int x, int) { return glm::vec4(x, 1, 0, 1); }));
+    grid.SetTexture("_UnityFBInput3",
+                    MakeTexture(k_Size, 1, [](int x, int) { return glm::vec4(-2 * x, 0, 3, 1); }));
+    std::vector<GridInput> pixels;
+    for (int x = 0; x < k_Size; ++x)
+    {
+        pixels.push_back({{x + 0.5, 0.5, 0, 0}});
+    }
+    grid.Add("LOAD_FRAMEBUFFER_INPUT_X(0, a.xy)", pixels,
+             [](const dvec4& a, auto&, auto&) { return dvec4(a.x - 0.5, 1, 0, 1); });
+    grid.Add("LOAD_FRAMEBUFFER_INPUT(3, a)", pixels,
+             [](const dvec4& a, auto&, auto&) { return dvec4(1 - 2 * a.x, 0, 3, 1); });
+    grid.Run();
+}
+
+TEST_F(ScreenFunctions, CoordinatesStayWhereAFilterDoesNotReachAcrossTheEdge)
+{
+    FunctionGrid grid(CoreInclude("Common") + "float4 _ScreenSize;\n" +
+                      CoreInclude("DynamicScalingClamping"));
+    grid.SetGlobal("_ScreenSize", {4, 10, 0.25f, 0.1f});
+    const std::vector<GridInput> places =
+        CombineVectors({{-0.5, 0.2, 0}, {0.5, 0.999, 0}, {1.0, 2.0, 0}});
+    const auto within = [](double x, double y, double scale = 1.0)
+    {
+        return [=](const dvec4& a, auto&, auto&)
+        {
+            return glm::dvec2(std::min(a.x, x), std::min(a.y, y)) * scale;
+        };
+    };
+    grid.Add("ClampUVForBilinear(a.xy, float2(0.5, 0.125))", places, within(0.75, 0.9375));
+    grid.Add("ClampAndScaleUVForBilinear(a.xy)", places, within(0.875, 0.95));
+    grid.Add("ClampUV(a.xy, float2(0.5, 0.125), 2)", places, within(0.0, 0.75));
+    grid.Add("ClampAndScaleUV(a.xy, float2(0.5, 0.125), 1, float2(0.5, 0.5))", places,
+             within(0.5, 0.875, 0.5));
+    grid.Add("ClampAndScaleUVForPoint(a.xy)", places, within(1.0, 1.0));
+    grid.Run();
+}
+
 } // namespace limn::test

@@ -87,6 +87,7 @@ void DrawFullScreen(AnyCommandBuffer cmd, std::shared_ptr<const Material> materi
 /// Switches a keyword, for all draws that follow or for a material.
 void SetKeyword(CommandBuffer& cmd, std::string_view keyword, bool state);
 void SetKeyword(Material& material, const std::string& keyword, bool state);
+void SetKeyword(ComputeShader& cs, std::string_view keyword, bool state);
 
 /// Draws a renderer list; it exists so that lines of C# can be ported as they are. @throws
 /// ContractError for an empty list

@@ -13,6 +13,12 @@ constexpr Enum operator|(Enum a, Enum b)
 {
     return static_cast<Enum>(static_cast<int>(a) | static_cast<int>(b));
 }
+template <typename Enum>
+requires k_IsFlags<Enum>
+constexpr Enum& operator|=(Enum& a, Enum b)
+{
+    return a = a | b;
+}
 /// Returns whether the two have a bit in common.
 template <typename Enum>
 requires k_IsFlags<Enum>

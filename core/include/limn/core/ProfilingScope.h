@@ -7,6 +7,9 @@
 namespace limn
 {
 
+class BaseCommandBuffer;
+class ComputeCommandBuffer;
+
 /// A name for a group of GPU work. Unity: UnityEngine.Rendering.ProfilingSampler (core 14).
 class ProfilingSampler
 {
@@ -33,6 +36,9 @@ public:
     {
         m_Cmd.BeginSample(sampler.sampleName());
     }
+    /// Names what a pass of a render graph records.
+    ProfilingScope(BaseCommandBuffer& cmd, const ProfilingSampler& sampler);
+    ProfilingScope(ComputeCommandBuffer& cmd, const ProfilingSampler& sampler);
     ~ProfilingScope() { m_Cmd.EndSample(); }
     ProfilingScope(const ProfilingScope&) = delete;
     ProfilingScope& operator=(const ProfilingScope&) = delete;

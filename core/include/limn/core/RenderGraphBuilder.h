@@ -95,6 +95,8 @@ protected:
                              AccessFlags flags = AccessFlags::Write);
     void SetRenderAttachmentDepth(const TextureHandle& tex,
                                   AccessFlags flags = AccessFlags::ReadWrite);
+    void SetInputAttachment(const TextureHandle& tex, int index,
+                            AccessFlags flags = AccessFlags::Read);
     void SetFunction(AnyRenderGraphFunction function);
 
 private:
@@ -144,6 +146,12 @@ public:
     using Base::SetRenderAttachment;
     /// @throws ContractError as SetRenderAttachment does, and if it is no depth texture
     using Base::SetRenderAttachmentDepth;
+    /// Lets shaders read the texture with LOAD_FRAMEBUFFER_INPUT_X(index, positionCS.xy): the texel
+    /// at their own place. The texture is global as _UnityFBInput0 ... 7 from then on, as in Unity
+    /// where the device cannot keep it within a tile.
+    /// @param index  0 ... 7
+    /// @throws ContractError if the pass uses the texture in another way, or the index is taken
+    using Base::SetInputAttachment;
 };
 
 /// Unity: UnityEngine.Rendering.RenderGraphModule.IUnsafeRenderGraphBuilder (core 17).

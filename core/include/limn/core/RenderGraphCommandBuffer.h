@@ -141,6 +141,7 @@ protected:
 
 private:
     friend class AnyCommandBuffer;
+    friend class ProfilingScope;
     CommandBuffer& Globals(ShaderPropertyId id);
 
     RenderGraphRun& m_Run;
@@ -194,6 +195,7 @@ public:
     using CommandBuffer::SetComputeVectorParam;
 
 private:
+    friend class ProfilingScope;
     friend class RenderGraphRun;
     using BaseCommandBuffer::BaseCommandBuffer;
 };

@@ -80,6 +80,9 @@ struct RenderTextureDescriptor
 
     /// Returns whether texels are sRGB-encoded. Unity: the property sRGB.
     bool sRGB() const { return IsSRGBFormat(graphicsFormat); }
+    /// Chooses between R8G8B8A8_SRGB and R8G8B8A8_UNorm, or B8G8R8A8_SRGB and B8G8R8A8_UNorm; other
+    /// formats stay. Unity: the property sRGB.
+    void SetSRGB(bool value);
     /// Sets the colour format; an sRGB format stays sRGB if the new one can be. Unity: the property
     /// colorFormat.
     void SetColorFormat(RenderTextureFormat format)

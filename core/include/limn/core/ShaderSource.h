@@ -11,6 +11,8 @@
 namespace limn
 {
 
+class ResourceFolders;
+
 /// The shaders that Shader::Find finds while code of a feature runs: those of a database, each made
 /// once, and others that were added. Any thread may use it.
 class ShaderSource
@@ -32,12 +34,16 @@ public:
     /// thread at a time calls it. It returns null if there is none.
     using Others = std::function<std::shared_ptr<const Shader>(std::string_view name)>;
     void SetOthers(Others others);
+    /// Sets where Resources::Load looks; null = nowhere. One thread at a time uses them.
+    void SetResources(std::shared_ptr<ResourceFolders> folders);
     /// Makes all shaders anew when they are next needed, and forgets those that were added.
     void Clear();
     /// Returns a text such as "'Toom'; did you mean 'Toon'?".
     std::string UnknownShader(std::string_view name) const;
 
 private:
+    friend class Resources;
+
     std::shared_ptr<const Shader> FindKnown(std::string_view name);
     using Shaders = std::map<std::string, std::shared_ptr<const Shader>, std::less<>>;
 
@@ -46,8 +52,9 @@ private:
     mutable std::mutex m_Mutex; ///< guards those two
     Shaders m_Made;             ///< null: the database has none
     Shaders m_Added;
-    std::mutex m_OthersMutex; ///< guards the next one
+    std::mutex m_OthersMutex; ///< guards the next ones
     Others m_Others;
+    std::shared_ptr<ResourceFolders> m_Resources;
 };
 
 /// Makes Shader::Find of this thread look in a source as long as the scope lives.

@@ -50,7 +50,8 @@ public:
     const CullingResults& cullResults() const { return m_Data->cullResults; }
     const VolumeStackPointer& volumeStack() const { return m_Data->volumeStack; }
     RenderReport& report() const { return *m_Data->report; }
-    double time() const { return m_Data->time; } ///< seconds
+    double time() const { return m_Data->time; }           ///< seconds
+    double deltaTime() const { return m_Data->deltaTime; } ///< seconds since the frame before
 
     void Set(const RenderingData& data) { m_Data = &data; }
     void Reset() override { m_Data = nullptr; }
@@ -87,6 +88,13 @@ DrawingSettings CreateDrawingSettings(ShaderTagId shaderTagId,
                                       const UniversalRenderingData& renderingData,
                                       const UniversalCameraData& cameraData,
                                       const UniversalLightData& lightData,
+                                      SortingCriteria sortingCriteria);
+
+/// Unity: the same (URP 14).
+DrawingSettings CreateDrawingSettings(std::span<const ShaderTagId> shaderTagIdList,
+                                      const RenderingData& renderingData,
+                                      SortingCriteria sortingCriteria);
+DrawingSettings CreateDrawingSettings(ShaderTagId shaderTagId, const RenderingData& renderingData,
                                       SortingCriteria sortingCriteria);
 
 } // namespace RenderingUtils

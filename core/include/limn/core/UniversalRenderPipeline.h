@@ -6,6 +6,7 @@
 #include <limn/core/RenderTexturePool.h>
 #include <limn/core/Timeline.h>
 #include <limn/core/UniversalRenderer.h>
+#include <optional>
 
 namespace limn
 {
@@ -132,11 +133,14 @@ private:
                 RenderResult& result);
     void FindLights(RenderingData& renderingData);
     void FindStack(const Camera& camera, RenderReport& report);
+    void AdvanceTime(double time);
 
     GraphicsDevice* m_Device; ///< never null
     std::unique_ptr<ScriptableRenderContext> m_Context;
     RTHandle m_Output;
-    RTHandle m_TargetTexture; ///< of the last camera that had one
+    RTHandle m_TargetTexture;     ///< of the last camera that had one
+    std::optional<double> m_Time; ///< of the last frame, in seconds
+    double m_DeltaTime = 0.0;
     RenderTexturePool m_TemporaryTextures;
     FrameCache m_Frames;
     /// The caches for the cameras of Render, in the order of drawing.

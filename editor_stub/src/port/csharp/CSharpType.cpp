@@ -14,7 +14,7 @@ std::string_view WithoutNamespace(std::string_view name)
          {"UnityEngine.Experimental.Rendering.", "UnityEngine.Rendering.Universal.",
           "UnityEngine.Rendering.RenderGraphModule.Util.",
           "UnityEngine.Rendering.RenderGraphModule.", "UnityEngine.Rendering.", "UnityEngine.",
-          "System.Collections.Generic.", "System."})
+          "System.Collections.Generic.", "System.", "Experimental.Rendering."})
     {
         if (name.starts_with(space))
         {

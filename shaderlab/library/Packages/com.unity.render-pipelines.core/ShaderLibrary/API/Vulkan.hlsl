@@ -106,6 +106,19 @@
 #define GATHER_BLUE_TEXTURE2D(name, smp, uv) name.GatherBlue(smp, uv)
 #define GATHER_ALPHA_TEXTURE2D(name, smp, uv) name.GatherAlpha(smp, uv)
 
+// A pass's input attachments are textures under these names: nothing is kept within a tile.
+#define FRAMEBUFFER_INPUT_HALF(index) Texture2D _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_FLOAT(index) Texture2D _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_INT(index) Texture2D<int4> _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_UINT(index) Texture2D<uint4> _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_HALF_MS(index) Texture2DMS<float4> _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_FLOAT_MS(index) Texture2DMS<float4> _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_INT_MS(index) Texture2DMS<int4> _UnityFBInput##index
+#define FRAMEBUFFER_INPUT_UINT_MS(index) Texture2DMS<uint4> _UnityFBInput##index
+#define LOAD_FRAMEBUFFER_INPUT(index, position) _UnityFBInput##index.Load(int3((position).xy, 0))
+#define LOAD_FRAMEBUFFER_INPUT_MS(index, sample, position) \
+    _UnityFBInput##index.Load(int2((position).xy), sample)
+
 // The forms that follow the eye: with one eye, the plain ones.
 #define TEXTURE2D_X(name) TEXTURE2D(name)
 #define TEXTURE2D_X_FLOAT(name) TEXTURE2D(name)
@@ -129,6 +142,18 @@
 #define GATHER_GREEN_TEXTURE2D_X(name, smp, uv) GATHER_GREEN_TEXTURE2D(name, smp, uv)
 #define GATHER_BLUE_TEXTURE2D_X(name, smp, uv) GATHER_BLUE_TEXTURE2D(name, smp, uv)
 #define GATHER_ALPHA_TEXTURE2D_X(name, smp, uv) GATHER_ALPHA_TEXTURE2D(name, smp, uv)
+#define FRAMEBUFFER_INPUT_X_HALF(index) FRAMEBUFFER_INPUT_HALF(index)
+#define FRAMEBUFFER_INPUT_X_FLOAT(index) FRAMEBUFFER_INPUT_FLOAT(index)
+#define FRAMEBUFFER_INPUT_X_INT(index) FRAMEBUFFER_INPUT_INT(index)
+#define FRAMEBUFFER_INPUT_X_UINT(index) FRAMEBUFFER_INPUT_UINT(index)
+#define FRAMEBUFFER_INPUT_X_HALF_MS(index) FRAMEBUFFER_INPUT_HALF_MS(index)
+#define FRAMEBUFFER_INPUT_X_FLOAT_MS(index) FRAMEBUFFER_INPUT_FLOAT_MS(index)
+#define FRAMEBUFFER_INPUT_X_INT_MS(index) FRAMEBUFFER_INPUT_INT_MS(index)
+#define FRAMEBUFFER_INPUT_X_UINT_MS(index) FRAMEBUFFER_INPUT_UINT_MS(index)
+#define LOAD_FRAMEBUFFER_INPUT_X(index, position) LOAD_FRAMEBUFFER_INPUT(index, position)
+#define LOAD_FRAMEBUFFER_X_INPUT(index, position) LOAD_FRAMEBUFFER_INPUT(index, position)
+#define LOAD_FRAMEBUFFER_INPUT_X_MS(index, sample, position) \
+    LOAD_FRAMEBUFFER_INPUT_MS(index, sample, position)
 #define COORD_TEXTURE2D_X(texel) texel
 #define INDEX_TEXTURE2D_ARRAY_X(slot) slot
 #define SCREENSPACE_TEXTURE(name) TEXTURE2D_X(name) // of older versions
