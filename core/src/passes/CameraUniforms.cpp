@@ -137,7 +137,7 @@ void SetTimeUniforms(CommandBuffer& cmd, double t, double dt)
     cmd.SetGlobalVector(_SinTime, sines([](double x) { return std::sin(x); }));
     cmd.SetGlobalVector(_CosTime, sines([](double x) { return std::cos(x); }));
     cmd.SetGlobalVector(_TimeParameters, glm::vec4(t, std::sin(t), std::cos(t), 0.0));
-    const double rate = dt > 0.0 ? 1.0 / dt : 0.0;
+    const double rate = dt > 1e-30 ? 1.0 / dt : 0.0; // a float's
     cmd.SetGlobalVector(unity_DeltaTime, glm::vec4(dt, rate, dt, rate));
 }
 

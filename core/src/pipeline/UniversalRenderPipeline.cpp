@@ -333,7 +333,12 @@ std::vector<RenderResult> UniversalRenderPipeline::Render(UniversalRenderer& ren
 
 void UniversalRenderPipeline::AdvanceTime(double time)
 {
-    m_DeltaTime = std::max(time - m_Time.value_or(time), 0.0);
+    if (!std::isfinite(time))
+    {
+        return; // which is refused later
+    }
+    constexpr double k_LongestFrame = 1.0 / 3.0; // Unity: Time.maximumDeltaTime
+    m_DeltaTime = std::clamp(time - m_Time.value_or(time), 0.0, k_LongestFrame);
     m_Time = time;
 }
 

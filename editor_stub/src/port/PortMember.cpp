@@ -358,7 +358,7 @@ std::optional<PortValue> PortMembers::UnityMember(const PortValue& value, const 
     result.type = isEnumerator ? plain : result.type;
     result.isPointer = entry->isPointer;
     result.isType = value.isType && !name.isCall && entry->result == full; // one within another
-    const bool isPart = code.starts_with("$&[");                                   // of a matrix
+    const bool isPart = code.starts_with("$&[");                           // of a matrix
     result.isVariable =
         (!name.isCall && (isDefault || isPart) && (value.isVariable || value.isPointer)) ||
         IsReferenceType(model(), result.type);
@@ -496,8 +496,11 @@ std::optional<PortValue> PortMembers::Construct(const std::string& type,
         {
             return Fail("a property's number that is an 'int'");
         }
-        const auto text = arguments ? FillIn(code == "=" ? "%($*)" : code, {}, "", type, *arguments)
-                                    : std::nullopt;
+        const std::string whole = // some arguments may have been left out
+            arguments ? model().table().CodeFor("new:" + type, arguments->size()) : "";
+        const auto text = arguments
+                              ? FillIn(whole == "=" ? "%($*)" : whole, {}, "", type, *arguments)
+                              : std::nullopt;
         return text ? Result(PortValue{*text, type}) : std::nullopt;
     }
     if (code == "!" || (type == "RenderTargetIdentifier" && !words.empty()))

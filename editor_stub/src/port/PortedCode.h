@@ -108,7 +108,8 @@ std::optional<PortedSignature> SignatureOf(const PortModel& model, const CSharpC
 /// Returns whether a method of data or of a component is const in C++: it changes no field.
 bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod& method);
 /// Returns whether a body assigns to the name or to a member of it.
-bool IsChanged(CSharpWords body, std::string_view name);
+/// @param isField  true if `this.name` counts, too
+bool IsChanged(CSharpWords body, std::string_view name, bool isField = false);
 /// Returns whether the body of a method of Unity's changes its copy of a parameter that C++ does
 /// not copy.
 bool IsCopied(const std::string& cppType, const CSharpMethod& method, const std::string& parameter);

@@ -100,11 +100,11 @@ bool HasWork(const PortModel& model, const CSharpClass& one)
 
 } // namespace
 
-bool IsChanged(CSharpWords body, std::string_view name)
+bool IsChanged(CSharpWords body, std::string_view name, bool isField)
 {
     for (std::size_t i = 0; i + 1 < body.size(); ++i)
     {
-        const bool isOfThis = i > 1 && body[i - 1].Is(".") && body[i - 2].Is("this");
+        const bool isOfThis = isField && i > 1 && body[i - 1].Is(".") && body[i - 2].Is("this");
         const bool isIt = body[i].Is(name) && (i == 0 || isOfThis || !body[i - 1].Is("."));
         std::size_t behind = i + 1;
         while (isIt && behind + 2 < body.size() &&

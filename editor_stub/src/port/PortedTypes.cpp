@@ -452,7 +452,7 @@ bool IsConst(const PortModel& model, const CSharpClass& one, const CSharpMethod&
     const auto changesField = [&](const CSharpClass& owner)
     {
         return std::ranges::any_of(owner.fields, [&](const CSharpField& field)
-                                   { return IsChanged(method.body, field.name); });
+                                   { return IsChanged(method.body, field.name, true); });
     };
     const auto changesOfBase = [&](const std::string& base)
     {

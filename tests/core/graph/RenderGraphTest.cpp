@@ -427,7 +427,7 @@ TEST_F(RenderGraphFrame, GivesShadersTheInputAttachmentsUnderTheirNumbers)
             }
         });
     const RenderResult result = Render();
-    EXPECT_THAT(Sampled(result, result.frame->passes.back()),
+    EXPECT_THAT(Sampled(result, result.frame->passes.at(result.frame->passes.size() - 2)),
                 ElementsAre("_First", "_Second", "_Second", "_First"));
 }
 

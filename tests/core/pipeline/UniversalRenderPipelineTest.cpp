@@ -313,7 +313,8 @@ TEST_F(Pipeline, TellsShadersHowLongTheLastFrameTook)
     EXPECT_EQ(at(2.25), std::vector<float>({0.25f, 4.0f, 0.25f, 4.0f}));
     EXPECT_EQ(at(2.25), none) << "time stands still";
     EXPECT_EQ(at(1.0), none) << "time goes back";
-    EXPECT_EQ(at(1.5), std::vector<float>({0.5f, 2.0f, 0.5f, 2.0f}));
+    EXPECT_EQ(at(1.125), std::vector<float>({0.125f, 8.0f, 0.125f, 8.0f}));
+    EXPECT_FLOAT_EQ(at(1e38)[0], 1.0f / 3.0f) << "no frame counts for longer";
 }
 
 TEST_F(Pipeline, TellsShadersAboutCameraScreenAndTime)

@@ -149,6 +149,9 @@ TEST(Differs, IsCheckedOfAllMembersButThese)
         "ScriptableRenderContext.StartMultiEye",
         "ScriptableRenderContext.StopMultiEye",
         "SystemInfo.graphicsUVStartsAtTop",
+        "SystemInfo.copyTextureSupport", // there is one device, and no call
+        "SystemInfo.graphicsDeviceType",
+        "SystemInfo.usesReversedZBuffer", // of cameraData, by RenderingData and its tests
         "SystemInfo.supports2DArrayTextures",
         "SystemInfo.supports3DTextures",
         "SystemInfo.supportsComputeShaders",

@@ -102,12 +102,13 @@ TEST(PortInput, APassSharesTheSettingsOfItsFeature)
         "        void Set(Settings s) { later = s; }\n"
         "    }\n");
     ExpectAll(ported.header, {"F::Settings settings;"});
-    ExpectAll(ported.source, {"Borrowed<F::Settings> settings;", "Borrowed<F::Settings> later;",
-                              "F::Settings own;", "F::Look look;", "Borrowed<F::Settings> s;",
-                              "F::Settings& settings_, const F::Look& look_)",
-                              "        settings = &settings_;\n"
-                              "        renderPassEvent = settings->when;\n"
-                              "        look = look_;\n"});
+    ExpectAll(ported.source,
+              {"Borrowed<F::Settings> settings;", "Borrowed<F::Settings> later = &laterOwn;",
+               "F::Settings own;", "F::Look look;", "Borrowed<F::Settings> s;",
+               "F::Settings& settings_, const F::Look& look_)",
+               "        settings = &settings_;\n"
+               "        renderPassEvent = settings->when;\n"
+               "        look = look_;\n"});
     EXPECT_EQ(2u, CountOf(ported.source, "        renderPassEvent = settings->when;"));
     EXPECT_THAT(ported.source, HasSubstr("later = &s;"));
 }

@@ -123,7 +123,14 @@ TEST(PortingTable, ReadsTheCppOfMembersThatDiffer)
                              "cpp A.b>D* A.c>int = @%()\n"
                              "cpp A.c := @SetC($1)\n"
                              "cpp new:A = make($*)\n"
-                             "cpp new:A/2 A.b/1 = two($1)\n");
+                             "cpp new:A/2 A.b/1 = two($1)\n"
+                             "names A.b = first second=B::Two\n");
+    ASSERT_EQ(2u, table.ParametersOf("A.b").size());
+    EXPECT_EQ("first", table.ParametersOf("A.b")[0].name);
+    EXPECT_EQ("", table.ParametersOf("A.b")[0].otherwise);
+    EXPECT_EQ("second", table.ParametersOf("A.b")[1].name);
+    EXPECT_EQ("B::Two", table.ParametersOf("A.b")[1].otherwise);
+    EXPECT_TRUE(table.ParametersOf("A.c").empty());
     EXPECT_EQ("@%()", table.Find("A", "b")->cpp);
     EXPECT_EQ("D", table.Find("A", "b")->result);
     EXPECT_TRUE(table.Find("A", "b")->isPointer);
@@ -146,6 +153,7 @@ TEST(PortingTable, RefusesWhatItCannotRead)
         {"missing A\n\nsame {A,B}\n", {"porting.txt:3:", "'A'", "two rows"}},
         {"same A.b\ncpp A.b\n", {"porting.txt:2:", "' = '", "' := '"}},
         {"same A.b\ncpp A.c = =\n", {"porting.txt:2:", "'A.c'", "no verdict"}},
+        {"names A.b first\n", {"porting.txt:1:", "'names KEY = PARAMETER ...'"}},
         {"| A |\n", {"porting.txt:1:", "'| Unity | limn |'"}}};
     for (const auto& [text, parts] : cases)
     {

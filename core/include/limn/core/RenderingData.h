@@ -208,7 +208,7 @@ struct RenderingData
     bool enableRenderCompatibilityMode = false;
     double time = 0.0; ///< seconds; _Time has it rounded to float
     /// Seconds since the frame before, as unity_DeltaTime has them; 0 in the first frame and where
-    /// time does not go on.
+    /// time does not go on, at most a third, as Unity's Time.maximumDeltaTime is set.
     double deltaTime = 0.0;
     /// The blended volumes, in which a feature reads its component.
     /// (Unity: VolumeManager.instance.stack; limn has no singletons.)
