@@ -82,6 +82,7 @@ public class RipplesFeature : ScriptableRendererFeature
         public override void Execute(ScriptableRenderContext context, ref RenderingData renderingData)
         {
             CommandBuffer cmd = new CommandBuffer();
+            cmd.GetTemporaryRT(s_Source, 64, 64);
             using (new ProfilingScope(cmd, m_Sampler))
             {
                 using (new ProfilingScope(cmd, profilingSampler))
@@ -165,6 +166,7 @@ public class RipplesFeature : ScriptableRendererFeature
             Fill();
             var desc = cameraData.cameraTargetDescriptor;
             desc.sRGB = false;
+            desc.depthBufferBits = 0;
             TextureHandle copy = UniversalRenderer.CreateRenderGraphTexture(renderGraph, desc, name: "_Ripples", clear: true);
             TextureHandle half = renderGraph.CreateTexture(new TextureDesc(64, 64) { name = "_Half", clearBuffer = true });
             using (var builder = renderGraph.AddRasterRenderPass<PassData>("Ripples", out var passData))
@@ -190,7 +192,8 @@ public class RipplesFeature : ScriptableRendererFeature
                 {
                     using (new ProfilingScope(context.cmd, ProfilingSamplers.kernels))
                     {
-                        CoreUtils.SetKeyword(data.kernels, "RIPPLES", true);
+                        if (data.kernels != null)
+                            CoreUtils.SetKeyword(data.kernels, "RIPPLES", true);
                     }
                 });
             }

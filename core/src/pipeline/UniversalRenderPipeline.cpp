@@ -335,7 +335,7 @@ void UniversalRenderPipeline::AdvanceTime(double time)
 {
     if (!std::isfinite(time))
     {
-        return; // which is refused later
+        return; // ExpectRenderable refuses it
     }
     constexpr double k_LongestFrame = 1.0 / 3.0; // Unity: Time.maximumDeltaTime
     m_DeltaTime = std::clamp(time - m_Time.value_or(time), 0.0, k_LongestFrame);

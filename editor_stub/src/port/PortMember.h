@@ -29,9 +29,9 @@ struct PortName
 /// $1 the first argument, $p1 the same as a pointer, $1:Type the same as a value of that type, $*
 /// all, $v* all with vectors of four, $i* all with textures as identifiers, $f* all as floats if
 /// one is a float, $F* all as floats. A result of type N is a float if an argument is one, else
-/// what the first one is. "cpp KEY/2 = CODE" is for two arguments, " = =" the same line of code, "
-/// := -" no code at all. "names KEY = a b=CODE" are the names of its parameters, which a call may
-/// have before its arguments, with the C++ of those that it may leave out.
+/// what the first one is. For two arguments it is "cpp KEY/2 = CODE". The code `=` is the same
+/// line, and `-` is none at all. "names KEY = a b=CODE" are the names of its parameters, which a
+/// call may have before its arguments, with the C++ of those that it may leave out.
 class PortMembers
 {
 public:
