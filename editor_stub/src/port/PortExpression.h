@@ -23,7 +23,7 @@ struct PortValue
     bool isLocal = false;    ///< true for an object that ends with the method
     int strength = 100;      ///< how tightly its operator binds; an expression without one has 100
 
-    /// Of a field that points to an object: the field of an object of its own; "" if it has none.
+    /// A field that points to an object may have one of its own: this is that one's field, or "".
     std::string own = {};
 
     /// Returns it in brackets, if an operator of this strength would otherwise tear it apart.
